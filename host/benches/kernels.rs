@@ -20,6 +20,7 @@ mod flops {
     use divan::Bencher;
     use glam::Vec4;
     use organza::InstructionSet;
+    use organza_kernel::binned::ROWS;
     use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
     use organza_shaders::dense_backward::{
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
@@ -114,18 +115,22 @@ mod flops {
             columns: COLUMNS,
             weight: 0,
             bias: BIAS,
-            units: 1,
+            cameras: 1,
+            words: 1,
+            of_rays: 0,
             slice: BACKWARD.samples,
-            places: 1,
             parameters: PARAMETERS,
+            turn: 0,
         };
         let kernel = DenseWeightBackwardKernel {
             params,
-            // one unit, which is one slice
-            unit: &bench.upload(&[0, 0, BACKWARD.samples, 1]),
+            // one camera, which has one slice
+            first_pair: &bench.upload(&[0, BACKWARD.samples]),
+            first_sample: &bench.upload(&[0]),
             input: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
             output_gradient: &bench.numbers(WIDTH * stride, [-1.0, 1.0]),
-            partial: &bench.zeros::<Vec4>(PARAMETERS),
+            carry: &bench.zeros::<Vec4>(2 * PARAMETERS),
+            sum: &bench.zeros::<u32>(2 * ROWS * 4 * PARAMETERS),
         };
         let size = [(WIDTH / WEIGHT_ROWS_PER_INVOCATION + 1) * COLUMNS, 1];
         bench.run(bencher, operations(BACKWARD.samples), &kernel, size);

@@ -16,12 +16,12 @@ var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_3: type_11;
-@group(0) @binding(3) 
-var<storage, read_write> global_4: type_5;
 @group(0) @binding(1) 
-var<storage> global_5: type_5;
+var<storage> global_4: type_5;
 @group(0) @binding(2) 
-var<storage> global_6: type_5;
+var<storage> global_5: type_5;
+@group(0) @binding(3) 
+var<storage, read_write> global_6: type_5;
 @group(0) @binding(4) 
 var<storage, read_write> global_7: type_5;
 
@@ -47,7 +47,7 @@ fn function_() {
                 if (_e32 == 0u) {
                     break;
                 }
-                let _e40 = global_6.member[((_e26 / _e32) * 2u)];
+                let _e40 = global_5.member[((_e26 / _e32) * 2u)];
                 let _e41 = (_e26 * _e32);
                 phi_69_ = _e41;
                 phi_72_ = 0f;
@@ -59,9 +59,9 @@ fn function_() {
                     local = _e48;
                     local_1 = _e46;
                     if (_e44 < (_e41 + _e32)) {
-                        let _e52 = global_4.member[_e44];
-                        let _e55 = global_5.member[_e44];
-                        global_4.member[_e44] = (_e52 * _e40);
+                        let _e52 = global_6.member[_e44];
+                        let _e55 = global_4.member[_e44];
+                        global_6.member[_e44] = (_e52 * _e40);
                         local_2 = (_e44 + 1u);
                         local_3 = (_e46 + _e52);
                         local_4 = (_e48 + (_e52 * _e55));

@@ -6,7 +6,7 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_14 {
+struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -16,11 +16,11 @@ struct type_14 {
     member_6: u32,
 }
 
-struct type_15 {
-    member: type_14,
+struct type_16 {
+    member: type_15,
 }
 
-struct type_17 {
+struct type_18 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -29,8 +29,8 @@ struct type_17 {
     member_5: u32,
 }
 
-struct type_19 {
-    member: array<type_17>,
+struct type_20 {
+    member: array<type_18>,
 }
 
 struct type_26 {
@@ -43,9 +43,9 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(2) 
 var<storage> global_3: type_5;
 @group(0) @binding(0) 
-var<uniform> global_4: type_15;
+var<uniform> global_4: type_16;
 @group(0) @binding(1) 
-var<storage> global_5: type_19;
+var<storage> global_5: type_20;
 @group(0) @binding(3) 
 var<storage> global_6: type_5;
 @group(0) @binding(4) 

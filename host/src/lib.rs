@@ -68,9 +68,7 @@ pub use organza_device::{
 };
 #[doc(hidden)]
 pub use render::Stages;
-pub use render::{
-    DeviceScene, DeviceShare, Inspection, Recording, Renderer, ShareRecording, UploadOptions,
-};
+pub use render::{DeviceScene, DeviceShare, Inspection, Recording, Renderer, UploadOptions};
 pub use train::{TrainConfig, Trainer};
 
 /// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for

@@ -43,7 +43,7 @@ pub struct DeviceScene {
 pub struct Recording {
     renderer: organza::Renderer,
     held: Arc<Mutex<Held>>,
-    recording: Arc<Mutex<organza::Recording>>,
+    recording: Arc<Mutex<organza::Recording<'static>>>,
     shape: [usize; 4],
 }
 

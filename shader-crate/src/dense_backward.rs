@@ -5,15 +5,13 @@
 
 use glam::Vec4;
 
-use crate::limits::{MAX_CAMERAS, MAX_HIDDEN_WIDTH, MAX_SLICE, MAX_SLICES};
-use crate::unit::{
-    SEARCH, first_sample_of, first_slice_of, samples_of_slice, slice_of_sample, unit_of_slice,
-};
+use crate::limits::{MAX_CAMERAS, MAX_HIDDEN_WIDTH, MAX_SLICE};
+use organza_kernel::binned;
 use organza_kernel::lane_vec4::LaneVec4;
 use organza_kernel::prelude::*;
 use organza_kernel::samples::Samples;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
+use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
 pub const INPUTS_PER_INVOCATION: u32 = 8;
@@ -200,15 +198,22 @@ pub struct DenseWeightBackwardParams {
     pub weight: u32,
     /// Where the layer's biases begin.
     pub bias: u32,
-    /// Units of the part.
-    pub units: u32,
+    /// Cameras of the part.
+    pub cameras: u32,
+    /// Words of a camera's mask.
+    pub words: u32,
+    /// 1 for samples of the transmittance network, 0 for those of the color network: they are the pairs.
+    pub of_rays: u32,
     /// Samples of a slice.
     pub slice: u32,
-    /// Slices that `partial` has room for: a slice's place is its number modulo this.
-    pub places: u32,
-    /// Distance of two slices in `partial`: the parameters of the whole network.
+    /// Vectors of parameters of the whole network.
     pub parameters: u32,
+    /// 0 or 1, in turns from chunk to chunk: which half of `carry` the chunk before has written.
+    pub turn: u32,
 }
+
+/// Iterations of a search among all cameras.
+const SEARCH: u32 = u32::BITS;
 
 /// `sum + x g`
 #[inline(always)]
@@ -303,97 +308,190 @@ fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'
     }
 }
 
-/// The gradient of a layer's weights and biases, `dL/dW_oi = sum x_i dL/dy_o` and `dL/db_o = sum dL/dy_o` of Eq. 2 and
-/// 10, the sums over the samples of a slice: blocks of four inputs and a column of outputs along x and y (the column
-/// counts fastest; behind the last block the biases), slices along z.
+/// Adds the gradient of a layer's weights and biases, `dL/dW_oi = sum x_i dL/dy_o` and `dL/db_o = sum dL/dy_o` of Eq. 2
+/// and 10, to `sum`: blocks of four inputs and a column of outputs along x and y (the column counts fastest; behind the
+/// last block the biases), windows of as many samples as a slice has along z.
 ///
-/// `unit [units + 1, 2]`, see [`unit_begin`](crate::unit::unit_begin()); `input [inputs, stride]`, `output_gradient
-/// [4 columns, stride]`, `partial [places, parameters]`. The slices are those that have a sample in the chunk. One that
-/// began in the chunk before goes on from its sums there.
-#[kernel(threads(64), iterations = MAX_SLICE + 2 * SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
+/// The samples of each camera are cut into slices of the same length, from the camera's first sample on; the last one may
+/// be shorter.  A slice is summed in f32, and slices [exactly](binned): neither depends on what else is in the part.  An
+/// invocation goes through the slices that begin in its window; the first one also goes on with a slice of the chunk
+/// before.
+///
+/// `first_pair [cameras, words] + 1`; `first_sample [pairs + 1]`, which is not read for pairs; `input [inputs, stride]`,
+/// `output_gradient [4 columns, stride]`; `carry [2, parameters]`, the sums of a slice that ends in another chunk;
+/// `sum [17, 4 parameters, 2]`.
+#[kernel(threads(64), iterations = 2 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,
-    unit: Read<u32>,
+    first_pair: Read<u32>,
+    first_sample: Read<u32>,
     input: Read<f32>,
     output_gradient: Read<f32>,
-    partial: Write<Vec4>,
+    carry: Write<Vec4>,
+    sum: Write<u32>,
 ) {
     let index = id.index();
-    let (columns, inputs) = (params.columns, params.inputs);
+    let (columns, slice) = (params.columns, params.slice);
+    let blocks = (params.inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
+    let end = params.first_sample + params.samples;
+    let window = params.first_sample + id.workgroup.z * slice;
+    if index < (blocks + 1) * columns && window < end {
+        let stop = least(window + slice, end);
+        let mut camera = camera_of(params, first_pair, first_sample, window);
+        let begin = first_of(params, first_pair, first_sample, camera);
+        let mut camera_end = first_of(params, first_pair, first_sample, camera + 1);
+        let before = (window - begin) % slice;
+        let is_first = id.workgroup.z == 0 || before == 0;
+        let mut first =
+            if is_first { window - before } else { least(window - before + slice, camera_end) };
+        while first < stop {
+            if first == camera_end {
+                camera += 1;
+                camera_end = first_of(params, first_pair, first_sample, camera + 1);
+            } else {
+                let last = least(first + slice, camera_end);
+                add_slice::<L>(params, index, [first, last], input, output_gradient, carry, sum);
+                first = last;
+            }
+        }
+    }
+}
+
+/// The first sample of a camera.
+#[inline(always)]
+fn first_of(
+    params: &DenseWeightBackwardParams,
+    first_pair: Read<u32>,
+    first_sample: Read<u32>,
+    camera: u32,
+) -> u32 {
+    let pair = first_pair.read(camera * params.words);
+    if params.of_rays != 0 { first_sample.read(pair) } else { pair }
+}
+
+/// The camera of a sample.
+#[loops]
+#[inline(always)]
+fn camera_of(
+    params: &DenseWeightBackwardParams,
+    first_pair: Read<u32>,
+    first_sample: Read<u32>,
+    sample: u32,
+) -> u32 {
+    let (mut low, mut high) = (0, params.cameras);
+    while low + 1 < high {
+        let middle = (low + high) / 2;
+        let is_before = first_of(params, first_pair, first_sample, middle) <= sample;
+        low = if is_before { middle } else { low };
+        high = if is_before { high } else { middle };
+    }
+    low
+}
+
+/// Adds what an invocation has of a slice; of one that ends in another chunk, leaves it in `carry`.
+#[inline(always)]
+fn add_slice<L: Lane>(
+    params: &DenseWeightBackwardParams,
+    index: u32,
+    [first, last]: [u32; 2],
+    input: Read<f32>,
+    output_gradient: Read<f32>,
+    carry: Write<Vec4>,
+    sum: Write<u32>,
+) {
+    let (columns, inputs, chunk) = (params.columns, params.inputs, params.first_sample);
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
-    let chunk = params.first_sample;
-    let slice = slice_of_sample(unit, params.units, params.slice, chunk) + id.workgroup.z;
-    let (first, last) = samples_of_slice(unit, params.units, params.slice, slice);
+    let (block, column) = (index / columns, index % columns);
     // counted from the chunk's first sample
     let begin = if first > chunk { first - chunk } else { 0 };
-    let end = if last > chunk { least(last - chunk, params.samples) } else { 0 };
-    if index < (blocks + 1) * columns && begin < end {
-        let (block, column) = (index / columns, index % columns);
-        let to = slice % params.places * params.parameters + column;
-        // one lane goes on where the chunk before has ended: the sum does not depend on where that was
-        let goes_on = first < chunk;
-        let (of_lanes, of_rest) = (goes_on && L::WIDTH == 1, goes_on && L::WIDTH > 1);
-        let g = 4 * column * params.stride;
-        if block < blocks {
-            let first = block * WEIGHT_ROWS_PER_INVOCATION;
-            let to = to + params.weight + first * columns;
-            // inputs past the last repeat it
-            let to1 = to + least(1, inputs - 1 - first) * columns;
-            let to2 = to + least(2, inputs - 1 - first) * columns;
-            let to3 = to + least(3, inputs - 1 - first) * columns;
-            let to = [to, to1, to2, to3];
-            let before = begin_sums::<L>(partial, to, of_lanes);
-            let (rows, stride) = (input_rows(params, first), params.stride);
-            let (sums, sample) =
-                sum_products::<L>(before, input, rows, output_gradient, g, stride, [begin, end]);
-            let [sum0, sum1, sum2, sum3] = sums;
-            let (sum0, sum1) = (settled(sum0), settled(sum1));
-            let (sum2, sum3) = (settled(sum2), settled(sum3));
-            let before = begin_sums::<L::One>(partial, to, of_rest);
-            let range = [sample, end];
-            let (rests, _) =
-                sum_each::<L::One>(before, input, rows, output_gradient, g, stride, range);
-            let [rest0, rest1, rest2, rest3] = rests;
-            partial.write(to[0], total(sum0, rest0));
-            if first + 1 < inputs {
-                partial.write(to[1], total(sum1, rest1));
-            }
-            if first + 2 < inputs {
-                partial.write(to[2], total(sum2, rest2));
-            }
-            if first + 3 < inputs {
-                partial.write(to[3], total(sum3, rest3));
-            }
-        } else {
-            let to = to + params.bias;
-            let range = [begin, end];
-            let before = begin_sum::<L>(partial, to, of_lanes);
-            let (sum, sample) = sum_lanes::<L>(before, output_gradient, g, params.stride, range);
-            let sum = settled(sum);
-            let before = begin_sum::<L::One>(partial, to, of_rest);
-            let range = [sample, end];
-            let (rest, _) =
-                sum_each_lane::<L::One>(before, output_gradient, g, params.stride, range);
-            partial.write(to, total(sum, rest));
+    let end = least(last - chunk, params.samples);
+    let before = params.turn * params.parameters;
+    let after = (1 - params.turn) * params.parameters;
+    let is_whole = last <= chunk + params.samples;
+    // one lane goes on where the chunk before has ended: the sum does not depend on where that was
+    let continues = first < chunk;
+    let (of_lanes, of_rest) = (continues && L::WIDTH == 1, continues && L::WIDTH > 1);
+    let g = 4 * column * params.stride;
+    if block < blocks {
+        let first = block * WEIGHT_ROWS_PER_INVOCATION;
+        let to = params.weight + first * columns + column;
+        // inputs past the last repeat it
+        let to1 = to + least(1, inputs - 1 - first) * columns;
+        let to2 = to + least(2, inputs - 1 - first) * columns;
+        let to3 = to + least(3, inputs - 1 - first) * columns;
+        let from = [before + to, before + to1, before + to2, before + to3];
+        let (rows, stride) = (input_rows(params, first), params.stride);
+        let sums = begin_sums::<L>(carry, from, of_lanes);
+        let (sums, sample) =
+            sum_products::<L>(sums, input, rows, output_gradient, g, stride, [begin, end]);
+        let [sum0, sum1, sum2, sum3] = sums;
+        let (sum0, sum1) = (settled(sum0), settled(sum1));
+        let (sum2, sum3) = (settled(sum2), settled(sum3));
+        let rests = begin_sums::<L::One>(carry, from, of_rest);
+        let range = [sample, end];
+        let (rests, _) = sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range);
+        let [rest0, rest1, rest2, rest3] = rests;
+        add_sum(params, carry, sum, is_whole, after, to, total(sum0, rest0));
+        if first + 1 < inputs {
+            add_sum(params, carry, sum, is_whole, after, to1, total(sum1, rest1));
         }
+        if first + 2 < inputs {
+            add_sum(params, carry, sum, is_whole, after, to2, total(sum2, rest2));
+        }
+        if first + 3 < inputs {
+            add_sum(params, carry, sum, is_whole, after, to3, total(sum3, rest3));
+        }
+    } else {
+        let to = params.bias + column;
+        let range = [begin, end];
+        let of_column = begin_sum::<L>(carry, before + to, of_lanes);
+        let (of_column, sample) =
+            sum_lanes::<L>(of_column, output_gradient, g, params.stride, range);
+        let of_column = settled(of_column);
+        let rest = begin_sum::<L::One>(carry, before + to, of_rest);
+        let range = [sample, end];
+        let (rest, _) = sum_each_lane::<L::One>(rest, output_gradient, g, params.stride, range);
+        add_sum(params, carry, sum, is_whole, after, to, total(of_column, rest));
+    }
+}
+
+/// Adds four sums of a slice to those of all slices, or leaves them for the next chunk.
+#[inline(always)]
+fn add_sum(
+    params: &DenseWeightBackwardParams,
+    carry: Write<Vec4>,
+    sum: Write<u32>,
+    is_whole: bool,
+    after: u32,
+    to: u32,
+    value: Vec4,
+) {
+    if is_whole {
+        let values = 4 * params.parameters;
+        binned::add(sum, values, 4 * to, value.x);
+        binned::add(sum, values, 4 * to + 1, value.y);
+        binned::add(sum, values, 4 * to + 2, value.z);
+        binned::add(sum, values, 4 * to + 3, value.w);
+    } else {
+        carry.write(after + to, value);
     }
 }
 
 /// What a sum begins with: zeros, or what it has of the chunk before.
 #[inline(always)]
-fn begin_sum<L: Lane>(partial: Write<Vec4>, at: u32, goes_on: bool) -> LaneVec4<L> {
-    LaneVec4::<L>::splat(if goes_on { partial.read(at) } else { Vec4::ZERO })
+fn begin_sum<L: Lane>(carry: Write<Vec4>, at: u32, continues: bool) -> LaneVec4<L> {
+    LaneVec4::<L>::splat(if continues { carry.read(at) } else { Vec4::ZERO })
 }
 
 /// As [`begin_sum`], for four sums.
 #[inline(always)]
-fn begin_sums<L: Lane>(partial: Write<Vec4>, at: [u32; 4], goes_on: bool) -> [LaneVec4<L>; 4] {
+fn begin_sums<L: Lane>(carry: Write<Vec4>, at: [u32; 4], continues: bool) -> [LaneVec4<L>; 4] {
     [
-        begin_sum(partial, at[0], goes_on),
-        begin_sum(partial, at[1], goes_on),
-        begin_sum(partial, at[2], goes_on),
-        begin_sum(partial, at[3], goes_on),
+        begin_sum(carry, at[0], continues),
+        begin_sum(carry, at[1], continues),
+        begin_sum(carry, at[2], continues),
+        begin_sum(carry, at[3], continues),
     ]
 }
 
@@ -548,103 +646,6 @@ fn input_rows(params: &DenseWeightBackwardParams, first: u32) -> [u32; 4] {
     ]
 }
 
-/// Parameters of [`dense_weight_sum`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct DenseWeightSumParams {
-    /// Vectors of parameters of the whole network.
-    pub parameters: u32,
-    /// The group's first sample, of all.
-    pub first_sample: u32,
-    /// Samples in the group.
-    pub samples: u32,
-    /// Units of the part.
-    pub units: u32,
-    /// Samples of a slice.
-    pub slice: u32,
-    /// See [`DenseWeightBackwardParams::places`].
-    pub places: u32,
-}
-
-/// What [`dense_weight_sum`] computes and moves.
-#[cfg(not(target_arch = "spirv"))]
-fn dense_weight_sum_work(params: &DenseWeightSumParams, _: Shape<'_>) -> Work {
-    let slices = params.samples.div_ceil(params.slice);
-    let [parameters, slices] = wide([params.parameters, slices]);
-    Work { flops: 4 * parameters * slices, bytes: VECTOR * parameters * (slices + 2) }
-}
-
-/// Adds what [`dense_weight_backward`] found in each slice that ends in a group of chunks to the sum of the slice's unit, in
-/// their order: `unit [units + 1, 2]`, see [`unit_begin`](crate::unit::unit_begin()); `partial [places, parameters]`,
-/// `unit_sum [units, parameters]`.
-#[kernel(threads(64), iterations = MAX_SLICES + MAX_CAMERAS + 2 * SEARCH, counts(samples), work(dense_weight_sum_work))]
-pub fn dense_weight_sum(
-    id: Invocation,
-    params: &DenseWeightSumParams,
-    unit: Read<u32>,
-    partial: Read<Vec4>,
-    unit_sum: Write<Vec4>,
-) {
-    let (index, parameters) = (id.index(), params.parameters);
-    if index < parameters && params.samples > 0 {
-        let end = params.first_sample + params.samples;
-        let mut slice = slice_of_sample(unit, params.units, params.slice, params.first_sample);
-        let mut owner = unit_of_slice(unit, params.units, slice);
-        while owner < params.units && first_sample_of(unit, owner) < end {
-            // of the last unit, only those that are whole
-            let first = first_sample_of(unit, owner);
-            let is_whole = first_sample_of(unit, owner + 1) <= end;
-            let whole = first_slice_of(unit, owner) + (end - first) / params.slice;
-            let stop = if is_whole { first_slice_of(unit, owner + 1) } else { whole };
-            let at = owner * parameters + index;
-            let mut sum = unit_sum.read(at);
-            while slice < stop {
-                sum += partial.read(slice % params.places * parameters + index);
-                slice += 1;
-            }
-            unit_sum.write(at, sum);
-            owner += 1;
-        }
-    }
-}
-
-/// Parameters of [`dense_unit_sum`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct DenseUnitSumParams {
-    /// Vectors of parameters of the whole network.
-    pub parameters: u32,
-    /// Units of the part.
-    pub units: u32,
-}
-
-/// What [`dense_unit_sum`] computes and moves.
-#[cfg(not(target_arch = "spirv"))]
-fn dense_unit_sum_work(params: &DenseUnitSumParams, _: Shape<'_>) -> Work {
-    let [parameters, units] = wide([params.parameters, params.units]);
-    Work { flops: 4 * parameters * units, bytes: VECTOR * parameters * (units + 2) }
-}
-
-/// Adds the units' sums of [`dense_weight_sum`] in their order: `unit_sum [units, parameters]`, `gradient [parameters]`.
-#[kernel(threads(64), iterations = MAX_CAMERAS, work(dense_unit_sum_work))]
-pub fn dense_unit_sum(
-    id: Invocation,
-    params: &DenseUnitSumParams,
-    unit_sum: Read<Vec4>,
-    gradient: Write<Vec4>,
-) {
-    let index = id.index();
-    if index < params.parameters {
-        let mut sum = gradient.read(index);
-        let mut unit = 0;
-        while unit < params.units {
-            sum += unit_sum.read(unit * params.parameters + index);
-            unit += 1;
-        }
-        gradient.write(index, sum);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     extern crate std;
@@ -717,10 +718,10 @@ mod tests {
 
     /// As above: slices that begin and end anywhere, and what a GPU reads together.
     #[test]
-    fn weights_are_summed_sample_by_sample() {
+    fn weights_are_summed_slice_by_slice() {
         for (samples, slice) in [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7), (12, 1), (11, 3)] {
-            let (stride, inputs, columns) = ((samples + 3_u32).next_multiple_of(4), 6, 2);
-            let slices = samples.div_ceil(slice);
+            let stride = (samples + 3_u32).next_multiple_of(4);
+            let (inputs, columns) = (6, 2);
             let parameters = (inputs + 1) * columns;
             let params = DenseWeightBackwardParams {
                 samples,
@@ -730,38 +731,51 @@ mod tests {
                 columns,
                 weight: 0,
                 bias: inputs * columns,
-                units: 1,
+                cameras: 1,
+                words: 1,
+                of_rays: 0,
                 slice,
-                places: slices,
                 parameters,
+                turn: 0,
             };
-            let (input, gradient) = (numbers(inputs * stride), numbers(4 * columns * stride));
-            let mut partial = vec![Vec4::ZERO; (slices * parameters) as usize];
-            for id in (0..slices).flat_map(invocations) {
+            let input = numbers(inputs * stride);
+            let gradient = numbers(4 * columns * stride);
+            let mut carry = vec![Vec4::ZERO; 2 * parameters as usize];
+            let mut sum = vec![0_u32; (2 * binned::ROWS * 4 * parameters) as usize];
+            for id in (0..samples.div_ceil(slice) + 1).flat_map(invocations) {
                 dense_weight_backward::<f32>(
                     id,
                     &params,
-                    Read::from(&[0, 0, samples, slices][..]),
+                    Read::from(&[0, samples][..]),
+                    Read::from(&[0][..]),
                     Read::from(&input[..]),
                     Read::from(&gradient[..]),
-                    Write::from(&mut partial[..]),
+                    Write::from(&mut carry[..]),
+                    Write::from(&mut sum[..]),
                 );
             }
-            for index in 0..slices * parameters {
-                let (at, place) = (index / parameters, index % parameters);
+            assert!(carry.iter().all(|carried| *carried == Vec4::ZERO), "every slice is whole");
+            for index in 0..4 * parameters {
+                let place = index / 4;
                 let (row, column) = (place / columns, place % columns);
-                let sum = |output: u32| {
-                    (at * slice..samples.min((at + 1) * slice)).fold(0.0, |sum, sample| {
-                        let g = gradient[((4 * column + output) * stride + sample) as usize];
-                        let x = match row < inputs {
-                            true => input[(row * stride + sample) as usize],
-                            false => 1.0,
-                        };
-                        x * g + sum
-                    })
+                let output = 4 * column + index % 4;
+                let term = |sum: f32, sample: u32| {
+                    let g = gradient[(output * stride + sample) as usize];
+                    let x = match row < inputs {
+                        true => input[(row * stride + sample) as usize],
+                        false => 1.0,
+                    };
+                    x * g + sum
                 };
-                let expected = Vec4::from_array([0, 1, 2, 3].map(sum));
-                assert_eq!(partial[index as usize], expected, "{samples} samples, {index}");
+                let of_slice = |at: u32| (at..samples.min(at + slice)).fold(0.0, term);
+                let slices = (0..samples).step_by(slice as usize).map(of_slice);
+                let (expected, size) = slices.fold((0.0, 0.0), |(expected, size), of_slice| {
+                    let of_slice = f64::from(of_slice);
+                    (expected + of_slice, size + of_slice.abs())
+                });
+                let found = binned::take(Write::from(&mut sum[..]), 4 * parameters, index);
+                let error = (f64::from(found) - expected).abs();
+                assert!(error <= 3e-7 * size, "{samples} samples, {index}: {found}, {expected}");
             }
         }
     }

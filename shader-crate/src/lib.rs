@@ -10,6 +10,7 @@
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
 pub mod adam;
+pub mod binned;
 pub mod camera;
 pub mod channels;
 pub mod color;
@@ -44,5 +45,4 @@ pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
-pub mod unit;
 pub mod unit_cube;

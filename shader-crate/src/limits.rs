@@ -48,9 +48,6 @@ pub const MAX_CAMERAS: u32 = 4_096;
 /// [`dense_weight_backward`](crate::dense_backward::dense_weight_backward) adds up.
 pub const MAX_SLICE: u32 = 4_096;
 
-/// Slices that one invocation of [`dense_weight_sum`](crate::dense_backward::dense_weight_sum) adds up.
-pub const MAX_SLICES: u32 = 256;
-
 /// Steps that one invocation of [`peak_multiply_add`](crate::peak::peak_multiply_add) and
 /// [`peak_read`](crate::peak::peak_read) takes.
 pub const MAX_PEAK_STEPS: u32 = 4_096;

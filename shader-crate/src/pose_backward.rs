@@ -12,6 +12,7 @@ use crate::camera::{Camera, read3};
 use crate::project::{Footprint, read_quaternion};
 use crate::project_backward::footprint_backward;
 use crate::splat::VECTORS;
+use organza_kernel::binned;
 use organza_kernel::math::cross;
 use organza_kernel::prelude::*;
 
@@ -20,9 +21,6 @@ pub const VALUES: u32 = 6;
 
 /// Pairs that one invocation of [`pose_backward`] adds up.
 pub const BLOCK: u32 = 256;
-
-/// Blocks of a camera that one dispatch of [`pose_sum`] adds up; more of them take more passes.
-pub const MAX_BLOCKS: u32 = 32_768;
 
 /// Derivative of [`project_gaussian`](crate::project::project_gaussian) with respect to the camera's pose, of dL/dmean2d and
 /// dL/dconic (xx, xy, yy): dL/dw and dL/dv.
@@ -48,17 +46,23 @@ pub struct PoseBackwardParams {
     pub gaussians: u32,
     /// Words of a camera's mask.
     pub words: u32,
+    /// The camera's number in the part.
+    pub camera: u32,
+    /// Its place in `sum`.
+    pub place: u32,
     /// Blocks of [`BLOCK`] pairs: enough for a camera with all Gaussians.
     pub blocks: u32,
+    /// Values of all poses: six for each place.
+    pub values: u32,
     /// See [`ProjectParams::blur`](crate::project::ProjectParams::blur).
     pub blur: f32,
 }
 
-/// Adds up what the pairs of a block have: blocks of a camera's pairs along x and y, cameras along z.
+/// Adds what the pairs of a camera have to the six values of its place in `sum [17, values, 2]`: blocks of pairs along x
+/// and y.  A block is summed in f32, and blocks [exactly](binned).
 ///
 /// `pair [pairs]` and `first_pair [cameras, words + ..]` are those of [`pair_fill`](crate::pair::pair_fill), with the number of
 /// all pairs at the end; `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward).
-/// `partial [cameras, blocks, 6]`.
 #[kernel(threads(64), iterations = BLOCK)]
 pub fn pose_backward(
     id: Invocation,
@@ -70,11 +74,11 @@ pub fn pose_backward(
     first_pair: Read<u32>,
     pair: Read<u32>,
     pair_gradient: Read<Vec4>,
-    partial: Write<f32>,
+    sum: Write<u32>,
 ) {
     let block = id.index();
     if block < params.blocks {
-        let slot = id.workgroup.z;
+        let slot = params.camera;
         let view = Camera::read(camera, slot);
         let last = first_pair.read((slot + 1) * params.words);
         let mut next = first_pair.read(slot * params.words) + block * BLOCK;
@@ -100,49 +104,12 @@ pub fn pose_backward(
             first += VECTORS;
             next += 1;
         }
-        let at = VALUES * (slot * params.blocks + block);
-        partial.write(at, turn.x);
-        partial.write(at + 1, turn.y);
-        partial.write(at + 2, turn.z);
-        partial.write(at + 3, shift.x);
-        partial.write(at + 4, shift.y);
-        partial.write(at + 5, shift.z);
-    }
-}
-
-/// Parameters of [`pose_sum`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct PoseSumParams {
-    /// Cameras of the part.
-    pub cameras: u32,
-    /// Blocks of a camera.
-    pub blocks: u32,
-    /// The first block to add.
-    pub first: u32,
-    /// The last one, and one: at most [`MAX_BLOCKS`] more.
-    pub end: u32,
-}
-
-/// Adds the blocks of a camera, ascending, to its place in `gradient [.., 6]`. `index [cameras]` says which that is.
-#[kernel(threads(64), iterations = MAX_BLOCKS)]
-pub fn pose_sum(
-    id: Invocation,
-    params: &PoseSumParams,
-    index: Read<u32>,
-    partial: Read<f32>,
-    gradient: Write<f32>,
-) {
-    let item = id.index();
-    if item < params.cameras * VALUES {
-        let (slot, value) = (item / VALUES, item % VALUES);
-        let to = VALUES * index.read(slot) + value;
-        let mut sum = gradient.read(to);
-        let mut block = params.first;
-        while block < params.end {
-            sum += partial.read(VALUES * (slot * params.blocks + block) + value);
-            block += 1;
-        }
-        gradient.write(to, sum);
+        let (values, at) = (params.values, VALUES * params.place);
+        binned::add(sum, values, at, turn.x);
+        binned::add(sum, values, at + 1, turn.y);
+        binned::add(sum, values, at + 2, turn.z);
+        binned::add(sum, values, at + 3, shift.x);
+        binned::add(sum, values, at + 4, shift.y);
+        binned::add(sum, values, at + 5, shift.z);
     }
 }

@@ -1,23 +1,22 @@
-//! Cases of `dense_backward`, `dense_weight_backward`, `dense_weight_sum` and `dense_unit_sum`.
+//! Cases of `dense_backward` and `dense_weight_backward`.
 
 use std::ops::Range;
 
 use glam::Vec4;
 use organza_check::{
     Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, ITEMS, Random},
+    inputs::{self, Fill, Random},
 };
 use organza_kernel::math::TINY;
 use organza_shaders::dense_backward::{
-    DenseBackwardKernel, DenseBackwardParams, DenseUnitSumKernel, DenseUnitSumParams,
-    DenseWeightBackwardKernel, DenseWeightBackwardParams, DenseWeightSumKernel,
-    DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
+    DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
+    INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
 
+use super::binned::{with_sums, write_sums};
 use super::dense::Layer;
 use super::exact::dense::{affine, relu};
 use super::exact::numeric::{Dual, gradient};
-use super::unit::Slices;
 use organza_device::Result;
 
 /// How far a sum of products may be off: a rounding for each, of the terms' sizes, and what denormals may come to.
@@ -157,13 +156,24 @@ pub struct DenseWeightBackward {
     pub layer: Layer,
     /// `[4 columns, stride]`
     pub gradient: Vec<f32>,
-    /// Slices of all samples.
-    pub slices: Slices,
+    /// Where the samples of each camera begin, and where the last ones end.
+    pub first: Vec<u32>,
+    /// Samples of a slice.
+    pub slice: u32,
+    /// Whether samples are those of rays.
+    pub of_rays: bool,
     /// The chunk's first sample.
     pub first_sample: u32,
-    /// `[places, parameters]`: what the chunk before has left.
-    pub partial: Vec<Vec4>,
+    /// `[2, parameters]`: what the chunk before has left, and the one before that.
+    pub carry: Vec<Vec4>,
+    /// Which half of `carry` the chunk before has written.
+    pub turn: u32,
+    /// `[4 parameters]`: what other chunks have added.
+    pub before: Vec<f32>,
 }
+
+/// Words of a camera's mask.
+const WORDS: u32 = 2;
 
 impl DenseWeightBackward {
     /// A layer whose rows begin at multiples of four.
@@ -173,60 +183,87 @@ impl DenseWeightBackward {
     }
 
     fn new(layer: Layer, slice: u32, fill: Fill, random: &mut Random) -> Self {
-        let slices = Slices { first: vec![0, layer.samples], slice };
-        Self::of_units(layer, slices, 0, fill, random)
+        let first = vec![0, layer.samples];
+        Self::of_cameras(layer, first, slice, 0, fill, random)
     }
 
-    fn of_units(
+    fn of_cameras(
         layer: Layer,
-        slices: Slices,
+        first: Vec<u32>,
+        slice: u32,
         first_sample: u32,
         fill: Fill,
         random: &mut Random,
     ) -> Self {
         let len = (4 * layer.columns * layer.stride) as usize;
         let gradient = fill.values(random, len, [-1.0, 1.0], 1e15);
-        let mut set = Self { layer, gradient, slices, first_sample, partial: Vec::new() };
-        let len = set.in_chunk().len().max(1) * set.layer.parameters.len();
-        set.partial = vectors(&fill.values(random, 4 * len, [-1.0, 1.0], 1e15));
-        set
+        let parameters = 4 * layer.parameters.len();
+        let carry = vectors(&fill.values(random, 2 * parameters, [-1.0, 1.0], 1e15));
+        let before = fill.values(random, parameters, [-1.0, 1.0], 1e15);
+        let (turn, of_rays) = (random.below(2), random.below(2) == 1);
+        Self { layer, gradient, first, slice, of_rays, first_sample, carry, turn, before }
     }
 
-    /// The slices with samples in the chunk: their numbers, and their samples.
-    fn in_chunk(&self) -> Vec<(usize, Range<u32>)> {
-        let chunk = self.first_sample..self.first_sample + self.layer.samples;
-        let all = self.slices.all().into_iter().map(|(_, samples)| samples).enumerate();
-        all.filter(|(_, samples)| samples.start < chunk.end && samples.end > chunk.start).collect()
+    /// Every slice's samples.
+    fn slices(&self) -> Vec<Range<u32>> {
+        let of_camera = |range: &[u32]| {
+            let [begin, end] = [range[0], range[1]];
+            (begin..end)
+                .step_by(self.slice as usize)
+                .map(move |first| first..end.min(first + self.slice))
+        };
+        self.first.windows(2).flat_map(of_camera).collect()
     }
 
-    fn places(&self) -> u32 {
-        (self.partial.len() / self.layer.parameters.len()) as u32
+    fn chunk(&self) -> Range<u32> {
+        self.first_sample..self.first_sample + self.layer.samples
     }
 
-    /// Input and output of a weight, the samples of its sum in the chunk, and whether that goes on.  A bias has the number of
-    /// inputs as its input.
-    fn place(&self, index: usize) -> Option<(u32, u32, Range<u32>, bool)> {
+    /// The slices that end in the chunk, or the one that goes on behind it.
+    fn in_chunk(&self, are_whole: bool) -> impl Iterator<Item = Range<u32>> {
+        let chunk = self.chunk();
+        self.slices().into_iter().filter(move |slice| {
+            let has_samples = slice.end > chunk.start && slice.start < chunk.end;
+            has_samples && (slice.end <= chunk.end) == are_whole
+        })
+    }
+
+    /// Input and output of a parameter, by the number of its value. A bias has the number of inputs as its input.
+    fn place(&self, value: usize) -> Option<(u32, u32)> {
         let layer = &self.layer;
-        let (at, parameters) = (index as u32 / 4, layer.parameters.len() as u32);
-        let (slot, place) = (at / parameters, at % parameters);
-        let slices = self.in_chunk();
-        let (_, samples) =
-            slices.into_iter().find(|(number, _)| *number as u32 % self.places() == slot)?;
-        let place = place.checked_sub(layer.params().weight)?;
-        let output = 4 * (place % layer.columns) + index as u32 % 4;
-        let in_chunk = |sample: u32| sample.saturating_sub(self.first_sample).min(layer.samples);
-        let goes_on = samples.start < self.first_sample;
-        let samples = in_chunk(samples.start)..in_chunk(samples.end);
-        Some((place / layer.columns, output, samples, goes_on))
+        let place = (value as u32 / 4).checked_sub(layer.params().weight)?;
+        Some((place / layer.columns, 4 * (place % layer.columns) + value as u32 % 4))
     }
 
-    /// What the chunk before has left of a sum.
-    fn before(&self, index: usize, goes_on: bool) -> f64 {
-        if goes_on { f64::from(self.partial[index / 4][index % 4]) } else { 0.0 }
+    /// What a parameter's sum over a slice's samples is made of: the samples in the chunk, and what the one before has left.
+    fn terms(&self, slice: &Range<u32>, value: usize) -> (Range<u32>, f64) {
+        let chunk = self.chunk();
+        let samples = slice.start.max(chunk.start)..slice.end.min(chunk.end);
+        let from = self.turn as usize * self.layer.parameters.len() + value / 4;
+        let before = if slice.start < chunk.start { self.carry[from][value % 4] } else { 0.0 };
+        (samples.start - chunk.start..samples.end - chunk.start, f64::from(before))
     }
 
     fn output_gradient(&self, output: u32, sample: u32) -> f64 {
         f64::from(self.gradient[(output * self.layer.stride + sample) as usize])
+    }
+
+    /// The slices that are added to a value of an output, the parameter's value, and what was there before.
+    fn of_output(&self, output: &str, index: usize) -> Option<(Vec<Range<u32>>, usize, f64)> {
+        let values = self.before.len();
+        if output == "sum" {
+            let before = f64::from(*self.before.get(index)?);
+            // what a GPU may flush is not added
+            let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
+            return Some((self.in_chunk(true).collect(), index, before));
+        }
+        let before = f64::from(self.carry.get(index / 4)?[index % 4]);
+        let (half, value) = (index / values, index % values);
+        let continues: Vec<_> = self.in_chunk(false).collect();
+        let is_written = half != self.turn as usize && !continues.is_empty();
+        let is_parameter = self.place(value).is_some();
+        let before = if is_written && is_parameter { 0.0 } else { before };
+        Some((if is_written { continues } else { Vec::new() }, value, before))
     }
 }
 
@@ -234,7 +271,7 @@ impl Parity for DenseWeightBackward {
     const KERNEL: &'static str = "dense_weight_backward";
     const TOLERANCE: f64 = 1.2e-7;
     const WHY: &'static str = "a rounding of both devices for each sample of the slice, of the terms' sizes: lanes are \
-        added up in another order";
+        added up in another order; slices are added exactly";
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
@@ -257,21 +294,28 @@ impl Parity for DenseWeightBackward {
         let mut padded = Self::new(layer, 16, Fill::Random, &mut random);
         padded.gradient[5 * padded.layer.stride as usize..].fill(0.0);
         sets.push(("three of eight outputs are padding".into(), padded));
-        // the chunk begins in a slice, and ends in another one; a unit in it is empty
+        // the chunk begins in a slice, and ends in another one; a camera in it is empty
         for (name, fill) in [("random", Fill::Random), ("mixed", Fill::Mixed)] {
-            let slices = Slices { first: vec![0, 50, 131, 131, 200, 420], slice: 33 };
-            let mut random = Random::new(19);
-            let layer = Self::layer(300, 6, 2, fill, &mut random);
-            let set = Self::of_units(layer, slices, 70, fill, &mut random);
-            sets.push((format!("{name}, slices of units"), set));
+            for (first_sample, slice) in [(70, 33), (70, 4096), (50, 1), (0, 7)] {
+                let first = vec![0, 50, 131, 131, 131, 200, 420];
+                let mut random = Random::new(19);
+                let layer = Self::layer(300, 6, 2, fill, &mut random);
+                let set = Self::of_cameras(layer, first, slice, first_sample, fill, &mut random);
+                sets.push((format!("{name}, slices of {slice}, from {first_sample} on"), set));
+            }
         }
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
-        let parameters = layer.parameters.len() as u32;
+        let values = self.before.len();
         let places = layer.params();
+        // the pairs of a camera are its rays, of one sample each, or there is one pair for each camera
+        let pair = |camera: u32| if self.of_rays { camera } else { self.first[camera as usize] };
+        let cameras = self.first.len() as u32 - 1;
+        let first_pair: Vec<_> = (0..=WORDS * cameras).map(|word| pair(word / WORDS)).collect();
+        let first_sample = if self.of_rays { self.first.clone() } else { vec![0] };
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
                 samples: layer.samples,
@@ -281,200 +325,71 @@ impl Parity for DenseWeightBackward {
                 columns: layer.columns,
                 weight: places.weight,
                 bias: places.bias,
-                units: self.slices.units(),
-                slice: self.slices.slice,
-                places: self.places(),
-                parameters,
+                cameras,
+                words: WORDS,
+                of_rays: u32::from(self.of_rays),
+                slice: self.slice,
+                parameters: layer.parameters.len() as u32,
+                turn: self.turn,
             },
-            unit: &self.slices.table(),
+            first_pair: &first_pair,
+            first_sample: &first_sample,
             input: &layer.input,
             output_gradient: &self.gradient,
-            partial: &self.partial,
+            carry: &self.carry,
+            sum: &write_sums(&self.before),
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
-        // and behind the last slice
-        runner.run(&kernel, blocks * layer.columns, self.in_chunk().len() as u32 + 1)
+        // and behind the last window
+        let windows = layer.samples.div_ceil(self.slice) + 1;
+        let outputs = runner.run(&kernel, blocks * layer.columns, windows)?;
+        Ok(outputs.into_iter().map(|output| with_sums(output, values)).collect())
     }
 
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+    fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let layer = &self.layer;
-        let Some((input, output, samples, goes_on)) = self.place(index) else {
+        let Some((slices, value, _)) = self.of_output(output.name, index) else {
             return Bound::EXACT;
         };
-        let before = (self.before(index, goes_on), 1.0);
-        let terms = samples.map(|sample| {
-            let is_bias = input == layer.inputs;
-            let value = if is_bias { 1.0 } else { layer.value(input, sample) };
-            (value, self.output_gradient(output, sample))
-        });
-        sum_of_products(terms.chain([before]))
+        let Some((input, row)) = self.place(value) else { return Bound::EXACT };
+        let (mut scale, mut floor) = (0.0, 0.0);
+        for slice in slices {
+            let (samples, before) = self.terms(&slice, value);
+            let terms = samples.map(|sample| {
+                let is_bias = input == layer.inputs;
+                let x = if is_bias { 1.0 } else { layer.value(input, sample) };
+                (x, self.output_gradient(row, sample))
+            });
+            let bound = sum_of_products(terms.chain([(before, 1.0)]));
+            scale += bound.scale;
+            floor += bound.floor;
+        }
+        Bound { scale, floor }
     }
 
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
         let layer = &self.layer;
         // the other parameters only add a constant
-        let output = |input: u32, sample: u32, parameter: Dual| match input == layer.inputs {
+        let affine_of = |input: u32, sample: u32, parameter: Dual| match input == layer.inputs {
             true => affine(&[], parameter, &[]),
             false => affine(&[parameter], Dual::from(0.0), &[layer.value(input, sample).into()]),
         };
-        let Some((input, row, samples, goes_on)) = self.place(index) else {
-            return self.partial.get(index / 4).map(|v| f64::from(v[index % 4]));
+        let exact = |index| {
+            let (slices, value, before) = self.of_output(output, index)?;
+            let Some((input, row)) = self.place(value) else { return Some(before) };
+            let sum_of = |slice: &Range<u32>| {
+                let (samples, carried) = self.terms(slice, value);
+                // the layer is linear: any value of the parameter gives the same slope
+                let [slope] = gradient([0.0], |[parameter]| {
+                    samples.clone().fold(Dual::from(0.0), |loss, sample| {
+                        let g = Dual::from(self.output_gradient(row, sample));
+                        loss + g * affine_of(input, sample, parameter)
+                    })
+                });
+                carried + slope
+            };
+            Some(before + slices.iter().map(sum_of).sum::<f64>())
         };
-        // the layer is linear: any value of the parameter gives the same slope
-        let [slope] = gradient([0.0], |[parameter]| {
-            samples.clone().fold(Dual::from(0.0), |loss, sample| {
-                let g = Dual::from(self.output_gradient(row, sample));
-                loss + g * output(input, sample, parameter)
-            })
-        });
-        Some(self.before(index, goes_on) + slope)
-    }
-}
-
-/// Inputs of `dense_weight_sum`.
-#[derive(Clone, Debug)]
-pub struct DenseWeightSum {
-    /// Slices of all samples.
-    pub slices: Slices,
-    /// The group's samples.
-    pub samples: Range<u32>,
-    /// `[units, parameters]`, before
-    pub unit_sum: Vec<Vec4>,
-    /// `[places, parameters]`
-    pub partial: Vec<Vec4>,
-}
-
-impl DenseWeightSum {
-    fn parameters(&self) -> usize {
-        self.unit_sum.len() / self.slices.units() as usize
-    }
-
-    /// Where the terms of a unit's sum lie in `partial`: those of its slices that end in the group.
-    fn terms(&self, index: usize) -> impl Iterator<Item = f64> {
-        let (parameters, vector) = (self.parameters(), index / 4);
-        let (unit, parameter) = (vector / parameters, vector % parameters);
-        let places = self.partial.len() / parameters;
-        let all = self.slices.all().into_iter().enumerate();
-        all.filter(move |(_, (owner, samples))| {
-            *owner == unit && samples.end > self.samples.start && samples.end <= self.samples.end
-        })
-        .map(move |(slice, _)| {
-            f64::from(self.partial[slice % places * parameters + parameter][index % 4])
-        })
-    }
-}
-
-impl Parity for DenseWeightSum {
-    const KERNEL: &'static str = "dense_weight_sum";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str =
-        "a rounding for each slice where drivers regroup, of the terms' sizes";
-
-    fn sets() -> Vec<(String, Self)> {
-        let set = |len: u32, first: &[u32], samples: Range<u32>, fill: Fill| {
-            let mut random = Random::new(12);
-            let slices = Slices { first: first.to_vec(), slice: 16 };
-            let places = slices.all().len().max(1) as u32;
-            let mut values =
-                |len: u32| vectors(&fill.values(&mut random, 4 * len as usize, [-1.0, 1.0], 1e30));
-            let unit_sum = values(slices.units() * len);
-            Self { slices, samples, unit_sum, partial: values(places * len) }
-        };
-        let mut sets = inputs::sets(|n, fill, _| set(n, &[0, 40], 0..40, fill));
-        sets.retain(|(_, set)| set.parameters() > 0);
-        let units = [0, 20, 20, 61, 96, 200];
-        for (name, first, samples) in [
-            ("no samples", &[0, 0][..], 0..0),
-            ("256 slices", &[0, 4096], 0..4096),
-            ("all of all units", &units, 0..200),
-            // a slice that has begun before, and one that goes on
-            ("some of some units", &units, 10..120),
-            ("of a slice that goes on", &units, 21..30),
-        ] {
-            sets.push((name.to_owned(), set(ITEMS, first, samples, Fill::Random)));
-        }
-        sets
-    }
-
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let parameters = self.parameters() as u32;
-        let kernel = DenseWeightSumKernel {
-            params: DenseWeightSumParams {
-                parameters,
-                first_sample: self.samples.start,
-                samples: self.samples.len() as u32,
-                units: self.slices.units(),
-                slice: self.slices.slice,
-                places: self.partial.len() as u32 / parameters,
-            },
-            unit: &self.slices.table(),
-            partial: &self.partial,
-            unit_sum: &self.unit_sum,
-        };
-        runner.run(&kernel, parameters, 1)
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let before = self.unit_sum[index / 4];
-        let terms = self.terms(index).chain([f64::from(before[index % 4])]);
-        sum_of_products(terms.map(|value| (value, 1.0)))
-    }
-
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let before = f64::from(self.unit_sum[index / 4][index % 4]);
-        Some(before + self.terms(index).sum::<f64>())
-    }
-}
-
-/// Inputs of `dense_unit_sum`.
-#[derive(Clone, Debug)]
-pub struct DenseUnitSum {
-    /// `[parameters]`, before
-    pub gradient: Vec<Vec4>,
-    /// `[units, parameters]`
-    pub unit_sum: Vec<Vec4>,
-}
-
-impl Parity for DenseUnitSum {
-    const KERNEL: &'static str = "dense_unit_sum";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str = "a rounding for each unit where drivers regroup, of the terms' sizes";
-
-    fn sets() -> Vec<(String, Self)> {
-        let set = |len: u32, units: u32, fill: Fill, random: &mut Random| {
-            let mut values =
-                |len: u32| vectors(&fill.values(random, 4 * len as usize, [-1.0, 1.0], 1e30));
-            Self { gradient: values(len), unit_sum: values(units * len) }
-        };
-        let mut sets = inputs::sets(|n, fill, random| set(n, 3, fill, random));
-        for units in [0, 1, 256] {
-            let mut random = Random::new(12);
-            sets.push((format!("{units} units"), set(ITEMS, units, Fill::Random, &mut random)));
-        }
-        sets
-    }
-
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let parameters = self.gradient.len() as u32;
-        let units = self.unit_sum.len() as u32 / parameters.max(1);
-        let kernel = DenseUnitSumKernel {
-            params: DenseUnitSumParams { parameters, units },
-            unit_sum: &self.unit_sum,
-            gradient: &self.gradient,
-        };
-        runner.run(&kernel, parameters, 1)
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let before = self.gradient[index / 4];
-        let units = self.unit_sum.chunks_exact(self.gradient.len());
-        let terms = units.map(|unit| unit[index / 4]).chain([before]);
-        sum_of_products(terms.map(|vector| (f64::from(vector[index % 4]), 1.0)))
-    }
-
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let at = |vectors: &[Vec4]| f64::from(vectors[index / 4][index % 4]);
-        let units = self.unit_sum.chunks_exact(self.gradient.len());
-        Some(at(&self.gradient) + units.map(at).sum::<f64>())
+        (0..len).map(exact).collect()
     }
 }

@@ -5,6 +5,7 @@
 //! one fails a test.
 
 pub mod adam;
+pub mod binned;
 pub mod channels;
 pub mod color;
 pub mod color_backward;
@@ -36,7 +37,6 @@ pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
-pub mod unit;
 
 use organza_check::Case;
 
@@ -85,11 +85,9 @@ pub fn cases() -> Vec<Case> {
         Case::of::<hash_grid_scale::HashGridScale>(),
         Case::of::<hash_grid_backward::HashGridBackward>(),
         Case::of::<hash_grid_backward::HashGridGradient>(),
-        Case::of::<unit::UnitBegin>(),
         Case::of::<dense_backward::DenseBackward>(),
         Case::of::<dense_backward::DenseWeightBackward>(),
-        Case::of::<dense_backward::DenseWeightSum>(),
-        Case::of::<dense_backward::DenseUnitSum>(),
+        Case::of::<binned::BinnedGradient>(),
         Case::of::<color_backward::ColorHeadBackward>(),
         Case::of::<color_backward::MaterialBackward>(),
         Case::of::<transmittance_backward::SegmentProductBackward>(),
@@ -101,7 +99,6 @@ pub fn cases() -> Vec<Case> {
         Case::of::<splat::SplatBackward>(),
         Case::of::<project_backward::ProjectBackward>(),
         Case::of::<pose_backward::PoseBackward>(),
-        Case::of::<pose_backward::PoseSum>(),
         Case::of::<statistics::Statistics>(),
         Case::of::<peak::PeakMultiplyAdd>(),
         Case::of::<peak::PeakRead>(),

@@ -1,16 +1,12 @@
-//! Cases of `pose_backward` and `pose_sum`.
+//! The case of `pose_backward`.
 
 use glam::DVec3;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
+use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, Values};
 use organza_kernel::math::TINY;
 use organza_shaders::camera::Camera;
-use organza_shaders::pose_backward::{
-    BLOCK, PoseBackwardKernel, PoseBackwardParams, PoseSumKernel, PoseSumParams, VALUES,
-};
+use organza_shaders::pose_backward::{BLOCK, PoseBackwardKernel, PoseBackwardParams, VALUES};
 
+use super::binned::{read_sums, write_sums};
 use super::exact::numeric::{Dual, Number, gradient};
 use super::exact::project::{Gaussian, View, project, unit_axes};
 use super::project::Fate;
@@ -28,22 +24,26 @@ pub struct PoseBackward(ProjectBackward);
 type Pair = [usize; 3];
 
 impl PoseBackward {
-    fn blocks(&self) -> usize {
-        self.0.forward.gaussians.div_ceil(BLOCK) as usize
-    }
-
-    /// The pairs of each block, by camera.
+    /// The pairs of each camera.
     fn pairs(&self) -> Vec<Vec<Pair>> {
         let set = &self.0;
-        let gaussians = 0..set.forward.gaussians as usize;
         let of_camera = |camera: usize| {
+            let gaussians = 0..set.forward.gaussians as usize;
             let pair = |gaussian: usize| Some([camera, gaussian, set.pair(camera, gaussian)?]);
-            let pairs: Vec<_> = gaussians.clone().filter_map(pair).collect();
-            let mut blocks: Vec<_> = pairs.chunks(BLOCK as usize).map(<[Pair]>::to_vec).collect();
-            blocks.resize(self.blocks(), Vec::new());
-            blocks
+            gaussians.filter_map(pair).collect()
         };
-        (0..set.forward.cameras.len()).flat_map(of_camera).collect()
+        (0..set.forward.cameras.len()).map(of_camera).collect()
+    }
+
+    /// Each camera's place: backwards, with one between two.
+    fn places(&self) -> Vec<u32> {
+        (0..self.0.forward.cameras.len() as u32).rev().map(|camera| 2 * camera).collect()
+    }
+
+    /// What other parts have added to the poses of all places.
+    fn before(&self) -> Vec<f32> {
+        let values = POSE * 2 * self.0.forward.cameras.len();
+        (0..values).map(|value| value as f32 / 8.0 - 1.0).collect()
     }
 
     /// The derivatives of what a pair has in the loss; `None` where rounding decides about its projection.
@@ -122,133 +122,68 @@ impl Parity for PoseBackward {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let (set, forward) = (&self.0, &self.0.forward);
-        let cameras = forward.cameras.len() as u32;
         let packed: Vec<_> = forward.cameras.iter().flat_map(Camera::pack).collect();
         let mut first_pair = set.first_pair.clone();
         first_pair.push(set.pair_gradient.len() as u32);
         let gaussians = forward.gaussians as usize;
         let mut pairs: Vec<_> = self.pairs().into_iter().flatten().collect();
         pairs.sort_by_key(|&[.., pair]| pair);
-        let slots =
-            pairs.iter().map(|[camera, gaussian, _]| (camera * gaussians + gaussian) as u32);
-        let kernel = PoseBackwardKernel {
-            params: PoseBackwardParams {
-                gaussians: forward.gaussians,
-                words: forward.gaussians.div_ceil(32),
-                blocks: self.blocks() as u32,
-                blur: forward.blur,
-            },
-            camera: &packed,
-            position: &forward.position,
-            rotation: &forward.rotation,
-            log_scale: &forward.log_scale,
-            first_pair: &first_pair,
-            pair: &slots.collect::<Vec<_>>(),
-            pair_gradient: &set.pair_gradient.as_flattened().to_vec(),
-            partial: &runner.unwritten(POSE * cameras as usize * self.blocks()),
-        };
-        runner.run(&kernel, self.blocks() as u32, cameras)
+        let slot = |[camera, gaussian, _]: &Pair| (camera * gaussians + gaussian) as u32;
+        let slots: Vec<_> = pairs.iter().map(slot).collect();
+        let pair_gradient = set.pair_gradient.as_flattened().to_vec();
+        let mut sum = write_sums(&self.before());
+        let (words, blocks) = (forward.gaussians.div_ceil(32), forward.gaussians.div_ceil(BLOCK));
+        for (camera, place) in (0..).zip(self.places()) {
+            let kernel = PoseBackwardKernel {
+                params: PoseBackwardParams {
+                    gaussians: forward.gaussians,
+                    words,
+                    camera,
+                    place,
+                    blocks,
+                    values: self.before().len() as u32,
+                    blur: forward.blur,
+                },
+                camera: &packed,
+                position: &forward.position,
+                rotation: &forward.rotation,
+                log_scale: &forward.log_scale,
+                first_pair: &first_pair,
+                pair: &slots,
+                pair_gradient: &pair_gradient,
+                sum: &sum,
+            };
+            let outputs = runner.run(&kernel, blocks, 1)?;
+            sum = outputs[0].words().to_vec();
+        }
+        let values = read_sums(&sum, self.before().len());
+        Ok(vec![Output { name: "sum", values: Values::Float(values) }])
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let sum = |pairs: Vec<Pair>| {
-            let found: Option<Vec<_>> =
-                pairs.into_iter().map(|pair| self.derivatives(pair)).collect();
-            let sum = |at: usize| found.as_ref().map(|all| all.iter().map(|of| of[at]).sum());
-            [0, 1, 2, 3, 4, 5].map(sum)
-        };
-        self.pairs().into_iter().flat_map(sum).collect()
+        let mut exact: Vec<_> = self.before().into_iter().map(|v| Some(f64::from(v))).collect();
+        for (pairs, place) in self.pairs().into_iter().zip(self.places()) {
+            for found in pairs.into_iter().map(|pair| self.derivatives(pair)) {
+                let sums = &mut exact[POSE * place as usize..][..POSE];
+                for (at, sum) in sums.iter_mut().enumerate() {
+                    *sum = sum.zip(found).map(|(sum, found)| sum + found[at]);
+                }
+            }
+        }
+        exact
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let blocks = self.pairs();
-        let pairs = &blocks[index / POSE];
+        let slot = self.places().iter().position(|&place| place as usize == index / POSE);
+        let pairs = slot.map(|slot| self.pairs().swap_remove(slot)).unwrap_or_default();
         let part = index % POSE / 3;
         let size: f64 = pairs.iter().map(|&pair| self.sizes(pair)[part]).sum();
         if size == 0.0 {
             return Bound::EXACT;
         }
         // 6e-8 for each sum
-        let sums = 1.0 + pairs.len() as f64 / 16.0;
+        let sums = 1.0 + pairs.len().min(BLOCK as usize) as f64 / 16.0;
         // what is flushed on the way may be multiplied by focal lengths, and by places
         Bound { scale: size * sums, floor: f64::from(TINY) * 1e9 * sums }
-    }
-}
-
-/// Inputs of `pose_sum`.
-#[derive(Clone, Debug)]
-pub struct PoseSum {
-    /// Blocks of a camera.
-    pub blocks: u32,
-    /// The blocks to add.
-    pub range: [u32; 2],
-    /// Each camera's place.
-    pub index: Vec<u32>,
-    /// `[cameras, blocks, 6]`
-    pub partial: Vec<f32>,
-    /// `[places, 6]`: what other parts have left.
-    pub gradient: Vec<f32>,
-}
-
-impl PoseSum {
-    /// Three of five places.
-    fn new(blocks: u32, fill: Fill, random: &mut Random) -> Self {
-        let index = vec![4, 0, 2];
-        let values = POSE * index.len() * blocks as usize;
-        Self {
-            blocks,
-            range: [blocks / 3, blocks],
-            index,
-            partial: fill.values(random, values, [-1.0, 1.0], 1e30),
-            gradient: fill.values(random, POSE * 5, [-1.0, 1.0], 1e30),
-        }
-    }
-
-    /// What a value of `gradient` is the sum of.
-    fn terms(&self, at: usize) -> impl Iterator<Item = f64> {
-        let before = self.gradient.get(at).copied();
-        let slot = self.index.iter().position(|&index| index as usize == at / POSE);
-        let [first, end] = self.range.map(|block| block as usize);
-        let blocks = slot.into_iter().flat_map(move |slot| {
-            (first..end).map(move |block| (slot * self.blocks as usize + block) * POSE + at % POSE)
-        });
-        before.into_iter().chain(blocks.map(|from| self.partial[from])).map(f64::from)
-    }
-}
-
-impl Parity for PoseSum {
-    const KERNEL: &'static str = "pose_sum";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str =
-        "a rounding for each block where drivers regroup, of the terms' sizes";
-
-    fn sets() -> Vec<(String, Self)> {
-        inputs::sets(Self::new)
-    }
-
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let (cameras, [first, end]) = (self.index.len() as u32, self.range);
-        let kernel = PoseSumKernel {
-            params: PoseSumParams { cameras, blocks: self.blocks, first, end },
-            index: &self.index,
-            partial: &self.partial,
-            gradient: &self.gradient,
-        };
-        runner.run(&kernel, cameras * VALUES, 1)
-    }
-
-    fn exact_at(&self, _: &str, at: usize) -> Option<f64> {
-        Some(self.terms(at).sum())
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let terms: Vec<_> = self.terms(index).collect();
-        if terms.len() < 2 {
-            // a place without a camera
-            return Bound::EXACT;
-        }
-        let roundings = terms.len() as f64;
-        let size: f64 = terms.iter().map(|term| term.abs()).sum();
-        Bound { scale: roundings * size, floor: roundings * f64::from(TINY) }
     }
 }

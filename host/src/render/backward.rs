@@ -6,15 +6,16 @@ use std::sync::atomic::Ordering;
 use glam::Vec4;
 
 use super::distortion::Distortion;
-use super::gradient::{FieldGradient, SceneGradient};
-use super::pair::sum_pairs;
+use super::gradient::SceneGradient;
+use super::pair::PairVectors;
 use super::part::Part;
 use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
+use super::pose::pose_backward;
 use super::project::project_backward;
 use super::renderer::Renderer;
+use super::rows::Rows;
 use super::scene::DeviceScene;
-use super::unit::FieldUnits;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::scene::Gradient;
@@ -35,23 +36,14 @@ impl Part {
         let pair_gradient = self.pair_gradient(device, scene, side, image_gradient)?;
         self.raise_bounds(device, &pair_gradient, gradient)?;
         let (pairs, samples) = (&self.bins.pairs.count, &self.transmittance.samples);
-        let [color, transmittance] = [&gradient.color.table, &gradient.transmittance.table];
-        let has_transmittance = gradient.has_transmittance && samples.at_most() > 0;
         if pairs.at_most() > 0 {
-            color.set_scale(device, &scene.color, pairs)?;
+            gradient.color.table.set_scale(device, &scene.color, pairs)?;
         }
-        if has_transmittance {
-            transmittance.set_scale(device, &scene.transmittance, samples)?;
+        if gradient.has_transmittance && samples.at_most() > 0 {
+            gradient.transmittance.table.set_scale(device, &scene.transmittance, samples)?;
         }
-        let units = self.spread(device, scene, &pair_gradient, gradient)?;
-        self.add_units(device, scene, &pair_gradient, &units, gradient)?;
-        if pairs.at_most() > 0 {
-            color.finish(device)?;
-        }
-        if has_transmittance {
-            transmittance.finish(device)?;
-        }
-        Ok(())
+        self.add_pairs(device, scene, &pair_gradient, gradient, None, false)?;
+        gradient.finish(device)
     }
 
     /// The first stages: `[pairs, 3]`, see [`splat_backward`](organza_shaders::splat).
@@ -93,107 +85,81 @@ impl Part {
         Ok(())
     }
 
-    /// The stages of the fields and of the poses: adds the gradients of the hash grids to their sums, those of the poses, and
-    /// returns what is added unit by unit.
-    pub fn spread(
+    /// The other stages, after the scale of the hash grids' sums is set. With the `rows` of a block, takes what each camera
+    /// has of the Gaussians. The last camera of a part may continue in the next one.
+    pub fn add_pairs(
         &self,
         device: &Device,
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> Result<PartUnits> {
+        rows: Option<(&mut Rows<'_>, usize)>,
+        continues: bool,
+    ) -> Result<()> {
+        let vectors = self.backward_fields(device, scene, pair_gradient, gradient)?;
+        let add = |cameras: Range<u32>| {
+            self.add_gaussians(device, scene, pair_gradient, &vectors, cameras, gradient)
+        };
+        let cameras = self.bins.cameras.len() as u32;
+        let Some((rows, block)) = rows else { return add(0..cameras) };
+        for camera in 0..cameras {
+            add(camera..camera + 1)?;
+            if camera + 1 < cameras || !continues {
+                rows.take(block)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The stages of the fields and of the poses: adds the gradients of the fields to their sums, those of the poses, and
+    /// returns those of the pairs' vectors.
+    fn backward_fields(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        pair_gradient: &Buffer<Vec4>,
+        gradient: &SceneGradient,
+    ) -> Result<FieldVectors> {
         let bins = &self.bins;
         if let Some(poses) = &gradient.poses {
-            poses.add(device, scene, bins, pair_gradient)?;
+            pose_backward(device, scene, bins, pair_gradient, poses)?;
         }
         let color = self.color.backward(device, scene, bins, pair_gradient, gradient)?;
         let transmittance = match gradient.has_transmittance {
             true => self.transmittance.backward(device, scene, bins, pair_gradient, gradient)?,
             false => None,
         };
-        Ok(PartUnits { color, transmittance })
+        Ok(FieldVectors { color, transmittance })
     }
 
-    /// Adds what all units have of the Gaussians and of the networks, unit by unit.
-    pub fn add_units(
+    /// Adds what some cameras have of the Gaussians, and of their statistics.
+    fn add_gaussians(
         &self,
         device: &Device,
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
-        units: &PartUnits,
-        gradient: &SceneGradient,
-    ) -> Result<()> {
-        let all = 0..self.bins.cameras.len() as u32;
-        self.add_gaussians(device, scene, pair_gradient, units, all, gradient)?;
-        for (field, units) in units.fields(gradient) {
-            units.iter().try_for_each(|units| units.add_network(device, field))?;
-        }
-        Ok(())
-    }
-
-    /// Adds what some units have of the Gaussians, and of their statistics.
-    pub fn add_gaussians(
-        &self,
-        device: &Device,
-        scene: &DeviceScene,
-        pair_gradient: &Buffer<Vec4>,
-        units: &PartUnits,
+        vectors: &FieldVectors,
         cameras: Range<u32>,
         gradient: &SceneGradient,
     ) -> Result<()> {
         let bins = &self.bins;
         project_backward(device, scene, bins, pair_gradient, gradient, &cameras)?;
         let tensors = &gradient.tensors().gaussians;
-        let vectors = [(&units.color, &tensors.material), (&units.transmittance, &tensors.extra)];
-        for (units, tensor) in vectors {
-            if let Some(FieldUnits { pair_vector, width, .. }) = units {
-                let mask = &bins.pair_mask;
-                sum_pairs(device, scene, mask, &cameras, *width, pair_vector, &tensor.buffer)?;
-            }
-        }
+        let fields =
+            [(&vectors.color, &tensors.material), (&vectors.transmittance, &tensors.extra)];
+        fields.into_iter().try_for_each(|(found, tensor)| match found {
+            Some(found) => found.sum(device, scene, &bins.pair_mask, &cameras, &tensor.buffer),
+            None => Ok(()),
+        })?;
         Ok(())
     }
 }
 
-/// What going back through the fields leaves for the sums over units; nothing for a field without samples.
+/// Gradients of the pairs' material and extra vectors; nothing of a field without samples.
 #[derive(Debug)]
-pub struct PartUnits {
-    color: Option<FieldUnits>,
-    transmittance: Option<FieldUnits>,
-}
-
-impl PartUnits {
-    /// Each field with its gradient.
-    pub fn fields<'a>(
-        &'a self,
-        gradient: &'a SceneGradient,
-    ) -> [(&'a FieldGradient, &'a Option<FieldUnits>); 2] {
-        [(&gradient.color, &self.color), (&gradient.transmittance, &self.transmittance)]
-    }
-
-    /// The gradients of the networks' parameters, of each unit both.
-    pub fn read_networks(
-        &self,
-        device: &Device,
-        units: u32,
-        gradient: &SceneGradient,
-    ) -> Result<Vec<f32>> {
-        let mut fields = Vec::new();
-        for (field, found) in self.fields(gradient) {
-            let len = 4 * field.parameters.len();
-            let values = match found {
-                Some(found) => {
-                    device.read(&found.network)?.iter().flat_map(|v| v.to_array()).collect()
-                }
-                None => vec![0.0_f32; units as usize * len],
-            };
-            fields.push((len, values));
-        }
-        let of_unit = |unit: usize| {
-            fields.iter().flat_map(move |(len, values)| &values[unit * len..(unit + 1) * len])
-        };
-        Ok((0..units as usize).flat_map(of_unit).copied().collect())
-    }
+struct FieldVectors {
+    color: Option<PairVectors>,
+    transmittance: Option<PairVectors>,
 }
 
 /// The part of a batch's values `[K, len]` that belongs to a part's tiles, in their order.

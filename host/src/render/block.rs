@@ -3,13 +3,13 @@
 //! A grid is evaluated level by level for a whole block, so that a level's entries are read from memory once for many
 //! samples; a network chunk by chunk, so that a chunk's activations stay in a CPU's caches.
 //!
-//! The gradients of networks are summed slice by slice, and a slice has samples of one [unit](super::unit). A CPU adds
-//! several samples of a slice at once, so there a chunk is one slice, and ends where its unit does.
+//! The gradients of networks are summed slice by slice, and a slice has samples of one camera. A CPU adds several samples
+//! of a slice at once, so there a chunk is one slice, and ends where its camera's samples do.
 
 use std::ops::Range;
 
 use organza_shaders::hash_grid::POINT_ROWS;
-use organza_shaders::limits::{MAX_SLICE, MAX_SLICES};
+use organza_shaders::limits::MAX_SLICE;
 
 use organza_device::{Buffer, Count, Device, Result, TAIL_ALIGNMENT};
 
@@ -29,7 +29,8 @@ const KEPT_BYTES: u64 = 256 << 20;
 /// Rows of a point: its position, and one more for the stage.
 pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
 
-const _: () = assert!(CPU_CHUNK <= MAX_SLICE && BLOCK.is_multiple_of(GPU_CHUNK));
+const _: () = assert!(CPU_CHUNK <= MAX_SLICE && GPU_SLICE <= MAX_SLICE);
+const _: () = assert!(BLOCK.is_multiple_of(GPU_CHUNK));
 
 /// How samples lie in memory: `[chunks, rows, stride]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,8 +60,7 @@ impl Layout {
         let stride = chunk + ALIGNED;
         let chunks = BLOCK / chunk;
         // enough for every thread
-        let group = (GROUP / chunk).max(2 * device.threads() as u32);
-        let group = group.min(MAX_SLICES / chunk.div_ceil(slice)).clamp(1, chunks);
+        let group = (GROUP / chunk).max(2 * device.threads() as u32).clamp(1, chunks);
         Self { chunk, stride, chunks, group, slice }
     }
 
@@ -142,8 +142,6 @@ pub struct Blocks {
     count: Count,
     /// Where each chunk begins, and where the last one ends.
     first: Vec<u32>,
-    /// Whether chunks end where units do.
-    is_cut: bool,
     blocks: Vec<Block>,
 }
 
@@ -175,8 +173,7 @@ impl Blocks {
         ends: &[u32],
     ) -> Result<Self> {
         let samples = count.at_most();
-        let is_cut = !ends.is_empty();
-        let ends = if is_cut { ends } else { &[samples] };
+        let ends = if ends.is_empty() { &[samples] } else { ends };
         let begins = std::iter::once(&0).chain(ends);
         let pieces: Vec<_> = begins.zip(ends).map(|(&begin, &end)| begin..end).collect();
         let largest = pieces.iter().map(|piece| piece.len() as u32).max().unwrap_or(0);
@@ -194,7 +191,7 @@ impl Blocks {
                 blocks.push(Block::new(device, layout, rows)?);
             }
         }
-        Ok(Self { layout, count, first, is_cut, blocks })
+        Ok(Self { layout, count, first, blocks })
     }
 
     pub fn layout(&self) -> Layout {
@@ -204,16 +201,6 @@ impl Blocks {
     /// Their number, or the capacity.
     pub fn samples(&self) -> u32 {
         self.count.at_most()
-    }
-
-    /// The most slices that have samples in as many chunks, of a part with `units` units.
-    pub fn slices(&self, chunks: u32, units: u32) -> u32 {
-        let Layout { chunk, slice, .. } = self.layout;
-        match self.is_cut {
-            true => chunks,
-            // each unit begins a slice, and the first slice may have begun before
-            false => (chunks * chunk).div_ceil(slice) + units,
-        }
     }
 
     /// In order.
@@ -320,7 +307,7 @@ mod tests {
     use organza_device::DeviceOptions;
 
     #[test]
-    fn chunks_end_where_units_do() {
+    fn chunks_end_where_cameras_do() {
         let device = crate::open_device(&DeviceOptions::cpu(Some(2))).expect("the CPU");
         let ends = [100, 100, 4300, 5000];
         let blocks = Blocks::new(&device, 3, Count::known(5000), true, &ends).expect("blocks");
@@ -331,26 +318,11 @@ mod tests {
         assert_eq!(chunks, [0..100, 100..2148, 2148..4196, 4196..4300, 4300..5000]);
         let pieces: Vec<_> = block.pieces().map(|p| (p.index(), p.first(), p.samples())).collect();
         assert_eq!(pieces, [(0, 0, 100), (1, 100, 4200), (4, 4300, 700)]);
-        assert_eq!(blocks.slices(5, 4), 5);
         // without them, only the last chunk is not full
         let blocks = Blocks::new(&device, 3, Count::known(5000), true, &[]).expect("blocks");
         let block = blocks.iter().next().expect("a block");
         let chunks: Vec<_> = block.chunks().map(|c| range(c.first, c.samples)).collect();
         assert_eq!(chunks, [0..2048, 2048..4096, 4096..5000]);
         assert_eq!(block.pieces().count(), 1);
-    }
-
-    /// One invocation adds up a group's slices.
-    #[test]
-    fn groups_have_as_many_slices_as_a_kernel_takes() {
-        let cpu = crate::open_device(&DeviceOptions::cpu(Some(100))).expect("the CPU");
-        for device in [Device::planner(), cpu] {
-            for samples in [0, 1, 1000, GPU_CHUNK, u32::MAX] {
-                let layout = Layout::new(&device, samples);
-                let slices = layout.group * layout.chunk.div_ceil(layout.slice);
-                assert!(layout.group > 0 && slices <= MAX_SLICES, "{layout:?}");
-                assert!(layout.slice <= MAX_SLICE, "{layout:?}");
-            }
-        }
     }
 }

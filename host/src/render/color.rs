@@ -14,10 +14,10 @@ use organza_shaders::color_backward::{
 use super::bin::{Bins, Pairs};
 use super::block::{BlockOf, Blocks, Chunk};
 use super::field::Scratch;
-use super::field_backward::{ChunkScratch, GroupScratch};
+use super::field_backward::{CameraSamples, ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
+use super::pair::PairVectors;
 use super::scene::DeviceScene;
-use super::unit::{FieldUnits, Units};
 use organza_device::{Buffer, Device, Result};
 
 /// Color of every pair.
@@ -111,8 +111,8 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
 }
 
 impl Color {
-    /// Adds the gradient of the color field's grid to its sums, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_shaders::splat)); returns the others, which are those of the units, unless there are no pairs.
+    /// Adds the gradients of the color field to their sums, of `pair_gradient [pairs, 3]` (see
+    /// [`splat_backward`](organza_shaders::splat)); returns those of the pairs' materials, unless there are no pairs.
     pub fn backward(
         &self,
         device: &Device,
@@ -120,7 +120,7 @@ impl Color {
         bins: &Bins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> Result<Option<FieldUnits>> {
+    ) -> Result<Option<PairVectors>> {
         let pairs = &bins.pairs;
         let capacity = pairs.count.at_most();
         if capacity == 0 {
@@ -129,8 +129,9 @@ impl Color {
         let (config, field) = (&scene.config, &scene.color);
         let (grid_row, material) = (config.sh_width() as u32, config.material);
         let layout = self.blocks.layout();
-        let units = Units::new(device, scene, bins, layout.slice, None)?;
-        let group_scratch = GroupScratch::new(device, field, &self.blocks, units)?;
+        let samples = CameraSamples::new(scene, bins, None);
+        let group_scratch = GroupScratch::new(device, field, &self.blocks, samples)?;
+        let of_field = &gradient.color;
         let scratches = Mutex::default();
         let pair_material =
             device.unwritten("gradient of the pairs' material", (capacity * material) as usize)?;
@@ -143,15 +144,14 @@ impl Color {
                 device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, scratch, &chunk)?;
                     self.head_backward(device, scratch, &chunk, pair_gradient)?;
-                    field.backward(device, &group_scratch, scratch, &chunk, grid_row)?;
+                    field.backward(device, &group_scratch, scratch, &chunk, grid_row, of_field)?;
                     let inputs = group_scratch.input_gradient(field, &chunk);
                     material_backward(device, scene, &inputs, &chunk, &pair_material)
                 })?;
-                field.group_backward(device, &group_scratch, &group, grid_row, &gradient.color)?;
+                field.grid_backward(device, &group_scratch, &group, grid_row, of_field)?;
             }
         }
-        let network = group_scratch.into_unit_sum();
-        Ok(Some(FieldUnits { network, pair_vector: pair_material, width: material }))
+        Ok(Some(PairVectors { values: pair_material, width: material }))
     }
 
     /// The gradient of the network's outputs for a chunk of pairs.

@@ -1,5 +1,6 @@
 //! A scene on a device as training has it: whole, or a share of its Gaussians.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::options::UploadOptions;
@@ -9,27 +10,25 @@ use crate::error::{Error, Result};
 use crate::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig, SceneShare};
 use organza_device::{Buffer, Device};
 
-/// A [share](SceneShare) of a scene on a device: slices of Gaussians, which have the fields in common. A whole scene is in one
-/// piece.
+/// A scene on a device as training has it: the fields, and the Gaussians in blocks. A whole scene is one block. A
+/// [share](SceneShare) of one has a block for each [slice](crate::scene::SLICE).
 #[derive(Debug)]
 pub struct DeviceShare {
-    /// A whole scene. Otherwise the fields, and a Gaussian that is never rendered: a share may have none.
+    /// The fields, with a Gaussian that is never rendered: a share may have none.
     pub(super) fields: DeviceScene,
-    pub(super) slices: Vec<DeviceScene>,
+    /// Scenes with the same fields, on the same memory.
+    blocks: Vec<DeviceScene>,
     is_whole: bool,
-    /// Slices of the whole scene.
-    pub(super) slices_of_all: usize,
 }
 
 impl DeviceShare {
-    /// The Gaussians of `scene`, which are a share of so many, and its fields.
+    /// The Gaussians of `scene`, which are a share, and its fields.
     ///
     /// # Errors
     /// As [`Renderer::upload_with`].
     pub(crate) fn upload(
         renderer: &Renderer,
         scene: &Scene,
-        of_all: usize,
         options: UploadOptions,
     ) -> Result<Self> {
         let Scene { config, gaussians, color, transmittance } = scene;
@@ -39,25 +38,26 @@ impl DeviceShare {
         let mut fields = Scene::zeros(config.clone(), 1)?;
         (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
         let fields = renderer.upload_with(&fields, options)?;
-        let mut uploaded = Self { fields, slices: Vec::new(), is_whole: false, slices_of_all: 0 };
-        uploaded.replace_gaussians(renderer.device(), gaussians, of_all)?;
+        let mut uploaded = Self { fields, blocks: Vec::new(), is_whole: false };
+        uploaded.replace_gaussians(renderer.device(), gaussians)?;
         Ok(uploaded)
     }
 
     /// A whole scene.
-    pub(crate) fn of_whole(scene: DeviceScene) -> Self {
-        Self { fields: scene, slices: Vec::new(), is_whole: true, slices_of_all: 1 }
+    pub(crate) fn of_whole(device: &Device, scene: DeviceScene) -> Result<Self> {
+        let fields = scene.with_gaussians(device, &Gaussians::zeros(scene.config(), 1)?)?;
+        Ok(Self { fields, blocks: vec![scene], is_whole: true })
     }
 
     /// The scene, if it is whole.
     #[must_use]
     pub fn whole(&self) -> Option<&DeviceScene> {
-        self.is_whole.then_some(&self.fields)
+        self.blocks.first().filter(|_| self.is_whole)
     }
 
-    /// The pieces of the Gaussians that are here, each of which is a scene with the same fields.
+    /// The Gaussians that are here, in pieces: each is a scene with the same fields.
     pub(crate) fn blocks(&self) -> &[DeviceScene] {
-        if self.is_whole { std::slice::from_ref(&self.fields) } else { &self.slices }
+        &self.blocks
     }
 
     /// The configuration of the scene.
@@ -69,16 +69,16 @@ impl DeviceShare {
     /// Gaussians of the share.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.blocks().iter().map(DeviceScene::len).sum()
+        self.blocks.iter().map(DeviceScene::len).sum()
     }
 
     /// Whether the share has no Gaussians.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.blocks().is_empty()
+        self.blocks.is_empty()
     }
 
-    /// The share has these Gaussians from now on, of so many of the whole scene.
+    /// The share has these Gaussians from now on.
     ///
     /// # Errors
     /// As [`Device::upload`]. Some Gaussians are missing then.
@@ -86,17 +86,11 @@ impl DeviceShare {
         &mut self,
         device: &Device,
         gaussians: &Gaussians,
-        of_all: usize,
     ) -> Result<()> {
-        if self.is_whole {
-            self.fields = self.fields.with_gaussians(device, gaussians)?;
-            return Ok(());
-        }
         // not both at once
-        self.slices.clear();
-        self.slices_of_all = of_all.div_ceil(SLICE);
-        for slice in in_slices(gaussians) {
-            self.slices.push(self.fields.with_gaussians(device, &slice)?);
+        self.blocks.clear();
+        for block in in_blocks(gaussians, self.is_whole) {
+            self.blocks.push(self.fields.with_gaussians(device, &block)?);
         }
         Ok(())
     }
@@ -104,13 +98,13 @@ impl DeviceShare {
     /// The same share, on the same memory: see [`DeviceScene::coarser`].
     pub(crate) fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
         let of = |scene: &DeviceScene| scene.coarser(factor, ray_steps);
-        let slices = self.slices.iter().map(of).collect();
-        Self { fields: of(&self.fields), slices, ..*self }
+        let blocks = self.blocks.iter().map(of).collect();
+        Self { fields: of(&self.fields), blocks, is_whole: self.is_whole }
     }
 
     /// Eq. 13 divides no sum.
     pub(crate) fn never_divide(&mut self) {
-        let scenes = self.slices.iter_mut().chain([&mut self.fields]);
+        let scenes = self.blocks.iter_mut().chain([&mut self.fields]);
         scenes.for_each(|scene| scene.divide_above = f32::MAX);
     }
 
@@ -120,39 +114,42 @@ impl DeviceShare {
     /// As [`DeviceScene::download`].
     pub fn download(&self, device: &Device) -> Result<Scene> {
         let mut scene = self.fields.download(device)?;
-        if self.is_whole {
-            return Ok(scene);
-        }
         scene.gaussians = Gaussians::zeros(self.config(), self.len())?;
-        let slices = self.slices.iter().map(|slice| slice.tensors.gaussians.as_ref());
-        read_slices(device, slices, &mut scene.gaussians)?;
+        let blocks = self.blocks.iter().map(|block| block.tensors.gaussians.as_ref());
+        read_blocks(device, blocks, &mut scene.gaussians)?;
         Ok(scene)
     }
 
-    /// A scene with the fields. Its Gaussians are those of a whole scene; otherwise there is one that is never rendered.
+    /// A scene with the fields, and a Gaussian that is never rendered.
     pub(crate) fn fields(&self) -> &DeviceScene {
         &self.fields
     }
 }
 
-/// The slices of a share's Gaussians.
-pub(crate) fn in_slices(gaussians: &Gaussians) -> impl Iterator<Item = Gaussians> {
-    let first = (0..gaussians.len()).step_by(SLICE);
-    first.map(|first| {
-        let indices = first..gaussians.len().min(first + SLICE);
-        gaussians.select(&indices.collect::<Vec<_>>())
+/// The Gaussians of a share in slices; those of a whole scene as they are.
+pub(crate) fn in_blocks(
+    gaussians: &Gaussians,
+    is_whole: bool,
+) -> impl Iterator<Item = Cow<'_, Gaussians>> {
+    let size = if is_whole { gaussians.len().max(1) } else { SLICE };
+    (0..gaussians.len()).step_by(size).map(move |first| {
+        if size >= gaussians.len() {
+            return Cow::Borrowed(gaussians);
+        }
+        let indices = first..gaussians.len().min(first + size);
+        Cow::Owned(gaussians.select(&indices.collect::<Vec<_>>()))
     })
 }
 
-/// Reads the tensors of slices, one after the other.
-pub(crate) fn read_slices<'a>(
+/// Reads the tensors of blocks, one after the other.
+pub(crate) fn read_blocks<'a>(
     device: &Device,
-    slices: impl Iterator<Item = GaussianTensors<&'a Buffer<f32>>>,
+    blocks: impl Iterator<Item = GaussianTensors<&'a Buffer<f32>>>,
     gaussians: &mut Gaussians,
 ) -> Result<()> {
     let mut rest = gaussians.tensors_mut();
-    for slice in slices {
-        rest = rest.zip(slice).try_map(|_, (values, buffer)| {
+    for block in blocks {
+        rest = rest.zip(block).try_map(|_, (values, buffer)| {
             let (values, after) = values.split_at_mut(buffer.len());
             device.read_into(buffer, 0, values)?;
             Ok::<_, Error>(after)
@@ -179,6 +176,6 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::upload_with`].
     pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
-        DeviceShare::upload(self, &share.scene, share.gaussians, options)
+        DeviceShare::upload(self, &share.scene, options)
     }
 }

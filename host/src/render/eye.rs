@@ -10,10 +10,10 @@ use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
 use super::bin::{Bins, Pairs, kernel_camera, project};
-use super::channels::{ChannelSums, Seen};
+use super::channels::Seen;
 use super::color::Color;
 use super::composite::Composite;
-use super::part::RenderedPart;
+use super::part::{RenderedPart, read_tiles};
 use super::plan::Plan;
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
@@ -152,20 +152,17 @@ impl EyeCache {
         let composite =
             &Composite::new(device, scene, background, side, &bins, transmittance, &color)?;
         let seen = Seen { bins: &bins, transmittance, composite };
-        let sums = ChannelSums::new(device, scene, side, seen, options.channels)?;
-        let mut buffers = vec![composite.image.view(), bins.degenerate.view()];
-        buffers.extend(sums.buffers());
-        let mut values = device.read_all(&buffers)?;
-        let channels = sums.resolve(&values.split_off(2), side, options.channels);
-        let report = RenderReport {
+        let read = |buffers: Vec<_>| Ok((device.read_all(&buffers)?, ()));
+        let (mut rendered, degenerate, ()) =
+            read_tiles(device, scene, plan, options.channels, seen, read)?;
+        rendered.report = RenderReport {
             parts: 1,
             pairs: gaussians.len() as u64,
             members: u64::from(bins.members.at_most()),
             samples,
-            degenerate: u64::from(values[1][0]),
+            degenerate: u64::from(degenerate),
         };
-        let pixels = bytemuck::pod_collect_to_vec(&values[0]);
-        Ok(Some(RenderedPart { pixels, channels, report }))
+        Ok(Some(rendered))
     }
 }
 

@@ -4,30 +4,51 @@
 use glam::Vec4;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    DenseWeightSumKernel, DenseWeightSumParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
+    INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
 };
 
+use super::bin::Bins;
 use super::block::{BlockOf, Blocks, Chunk, Layout};
 use super::field::DeviceField;
 use super::gradient::FieldGradient;
 use super::network::LayerPlace;
-use super::unit::Units;
+use super::plan::words;
+use super::scene::DeviceScene;
 use organza_device::{Buffer, Device, Result};
+
+/// Where the samples of a part's cameras begin.
+#[derive(Debug)]
+pub struct CameraSamples {
+    cameras: u32,
+    /// Words of a camera's mask.
+    words: u32,
+    /// `[cameras, words] + 1`
+    first_pair: Buffer<u32>,
+    /// `[pairs + 1]`: none where pairs are the samples.
+    first_sample: Option<Buffer<u32>>,
+}
+
+impl CameraSamples {
+    /// Those of the color network; with `first_sample [pairs + 1]`, those of the transmittance network.
+    pub fn new(scene: &DeviceScene, bins: &Bins, first_sample: Option<&Buffer<u32>>) -> Self {
+        Self {
+            cameras: bins.cameras.len() as u32,
+            words: words(scene.gaussians),
+            first_pair: bins.pair_mask.first.view(),
+            first_sample: first_sample.map(Buffer::view),
+        }
+    }
+}
 
 /// What going back through a field takes that its chunks share: each writes its own part.
 #[derive(Debug)]
 pub struct GroupScratch {
     /// Gradients of a group's inputs: `[chunks, rows, stride]`.
     input_gradient: Buffer<f32>,
-    /// Gradients of the network's parameters of a group's slices: `[places, parameters]`.
-    partial: Buffer<Vec4>,
-    places: u32,
-    /// Gradients of the network's parameters: `[units, parameters]`.
-    unit_sum: Buffer<Vec4>,
+    /// Gradients of the network's parameters, of a slice that ends in another chunk: `[2, parameters]`.
+    carry: Buffer<Vec4>,
     layout: Layout,
-    /// Slices with samples in a chunk, or more.
-    slices: u32,
-    units: Units,
+    samples: CameraSamples,
 }
 
 impl GroupScratch {
@@ -36,26 +57,16 @@ impl GroupScratch {
         device: &Device,
         field: &DeviceField,
         blocks: &Blocks,
-        units: Units,
+        samples: CameraSamples,
     ) -> Result<Self> {
-        let (layout, parameters) = (blocks.layout(), field.parameters.len());
+        let layout = blocks.layout();
         let (label, rows) = ("gradient of inputs", field.layers[0].inputs);
-        let places = blocks.slices(layout.group, units.count);
-        let [of_slices, of_units] = [places, units.count].map(|count| count as usize * parameters);
         Ok(Self {
             input_gradient: layout.room_for_group(device, label, rows)?,
-            partial: device.unwritten("gradients of slices", of_slices)?,
-            places,
-            unit_sum: device.zeros("gradients of units", of_units)?,
+            carry: device.unwritten("gradients of a slice", 2 * field.parameters.len())?,
             layout,
-            slices: blocks.slices(1, units.count),
-            units,
+            samples,
         })
-    }
-
-    /// Gradients of the network's parameters: `[units, parameters]`.
-    pub fn into_unit_sum(self) -> Buffer<Vec4> {
-        self.unit_sum
     }
 
     /// Gradients of a chunk's inputs: `[rows, stride]`.
@@ -107,8 +118,8 @@ impl DeviceField {
         Ok(())
     }
 
-    /// From `scratch.logit_gradient` back through all layers of a chunk: leaves the gradients of the network's parameters,
-    /// and those of its inputs from the row `grid_row` on, where the grid's features begin, in `group`.
+    /// From `scratch.logit_gradient` back through all layers of a chunk: adds the gradients of the network's parameters to
+    /// their sums, and leaves those of its inputs from the row `grid_row` on, where the grid's features begin, in `group`.
     pub fn backward(
         &self,
         device: &Device,
@@ -116,6 +127,7 @@ impl DeviceField {
         scratch: &ChunkScratch,
         chunk: &Chunk,
         grid_row: u32,
+        gradient: &FieldGradient,
     ) -> Result<()> {
         let samples = chunk.samples;
         let of_chunk = group.input_gradient(self, chunk);
@@ -123,7 +135,8 @@ impl DeviceField {
         for (index, layer) in self.layers.iter().enumerate().rev() {
             let input =
                 index.checked_sub(1).map_or(&chunk.input, |below| &scratch.activation[below]);
-            self.weights_backward(device, group, layer, chunk, input, output)?;
+            let of_layer = [input, output];
+            self.weights_backward(device, group, layer, chunk, of_layer, &gradient.network.sum)?;
             let target = match index {
                 0 => &of_chunk,
                 _ => &scratch.hidden_gradient[index % 2],
@@ -156,9 +169,9 @@ impl DeviceField {
         Ok(())
     }
 
-    /// Adds what [`DeviceField::backward`] has left of a group: the gradients of the network's parameters to the sums of their
-    /// units, and those of the hash grid, whose features begin at `grid_row`, to the grid's.
-    pub fn group_backward(
+    /// Adds what [`DeviceField::backward`] has left of a group to the sums of the hash grid, whose features begin at
+    /// `grid_row`.
+    pub fn grid_backward(
         &self,
         device: &Device,
         scratch: &GroupScratch,
@@ -166,20 +179,6 @@ impl DeviceField {
         grid_row: u32,
         gradient: &FieldGradient,
     ) -> Result<()> {
-        let kernel = DenseWeightSumKernel {
-            params: DenseWeightSumParams {
-                parameters: self.parameters.len() as u32,
-                first_sample: group.first(),
-                samples: group.samples(),
-                units: scratch.units.count,
-                slice: scratch.layout.slice,
-                places: scratch.places,
-            },
-            unit: &scratch.units.begin,
-            partial: &scratch.partial,
-            unit_sum: &scratch.unit_sum,
-        };
-        device.run(&kernel.counted(&group.count()), self.parameters.len() as u32, 1)?;
         group.pieces().try_for_each(|piece| {
             let params = self.grid_params(&piece, grid_row);
             let (count, points) = (&piece.count(), &piece.point());
@@ -189,16 +188,18 @@ impl DeviceField {
         })
     }
 
-    /// The gradients of a layer's weights and biases in each slice of a chunk.
+    /// Adds the gradients of a layer's weights and biases.
     fn weights_backward(
         &self,
         device: &Device,
         group: &GroupScratch,
         layer: &LayerPlace,
         chunk: &Chunk,
-        input: &Buffer<f32>,
-        output_gradient: &Buffer<f32>,
+        [input, output_gradient]: [&Buffer<f32>; 2],
+        sum: &Buffer<u32>,
     ) -> Result<()> {
+        let CameraSamples { cameras, words, first_pair, first_sample } = &group.samples;
+        let Layout { chunk: full, slice, .. } = group.layout;
         let kernel = DenseWeightBackwardKernel {
             params: DenseWeightBackwardParams {
                 samples: chunk.samples,
@@ -208,17 +209,23 @@ impl DeviceField {
                 columns: layer.columns,
                 weight: layer.weight,
                 bias: layer.bias,
-                units: group.units.count,
-                slice: group.layout.slice,
-                places: group.places,
+                cameras: *cameras,
+                words: *words,
+                of_rays: u32::from(first_sample.is_some()),
+                slice,
                 parameters: self.parameters.len() as u32,
+                turn: chunk.first / full % 2,
             },
-            unit: &group.units.begin,
+            first_pair,
+            // a binding must be bound
+            first_sample: first_sample.as_ref().unwrap_or(first_pair),
             input,
             output_gradient,
-            partial: &group.partial,
+            carry: &group.carry,
+            sum,
         };
         let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
-        device.run(&kernel.counted(&chunk.count), blocks * layer.columns, group.slices)
+        let windows = chunk.samples.div_ceil(slice);
+        device.run(&kernel.counted(&chunk.count), blocks * layer.columns, windows)
     }
 }

@@ -1,6 +1,5 @@
-//! The gradients of both fields, added over ranks.
+//! The sums of the fields' and the poses' gradients, added over ranks.
 
-use glam::Vec4;
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::gradient::SceneGradient;
@@ -8,7 +7,7 @@ use super::hash_grid::HashGridGradient;
 use super::scene::DeviceScene;
 use crate::error::{Error, Result};
 use crate::ranks::Ranks;
-use organza_device::{Count, Device};
+use organza_device::{Buffer, Count, Device};
 
 fn tables(gradient: &SceneGradient) -> [&HashGridGradient; 2] {
     [&gradient.color.table, &gradient.transmittance.table]
@@ -47,66 +46,74 @@ pub fn set_scales(
     Ok(())
 }
 
-/// Replaces the gradients of both networks.
-pub fn write_networks(device: &Device, gradient: &SceneGradient, values: &[f32]) -> Result<()> {
-    let (first, second) = values.split_at(4 * gradient.color.parameters.len());
-    for (field, values) in
-        [&gradient.color, &gradient.transmittance].into_iter().zip([first, second])
-    {
-        let values: Vec<Vec4> = bytemuck::pod_collect_to_vec(values);
-        device.write(&field.parameters, 0, &values)?;
+/// Adds the sums of all ranks, and makes gradients of them.
+pub fn finish(device: &Device, ranks: Option<&dyn Ranks>, gradient: &SceneGradient) -> Result<()> {
+    if let Some(ranks) = ranks.filter(|ranks| ranks.size() > 1) {
+        sum(device, ranks, gradient)?;
     }
-    Ok(())
+    gradient.finish(device)
 }
 
-/// Adds the sums of the hash grids of all ranks, and makes gradients of them.
-pub fn add_grids(
-    device: &Device,
-    ranks: Option<&dyn Ranks>,
-    gradient: &SceneGradient,
-) -> Result<()> {
-    if let Some(ranks) = ranks.filter(|ranks| ranks.size() > 1) {
-        sum_grids(device, ranks, gradient)?;
+/// Integers on the device that all ranks have some of.
+struct Sums<'a> {
+    buffer: &'a Buffer<u32>,
+    values: Vec<i64>,
+    /// Not 0 where a block of [`VALUES_PER_FLAG`] values was added to.
+    touched: Vec<u32>,
+}
+
+impl<'a> Sums<'a> {
+    /// `touched` is known of a hash grid. Elsewhere, it says which blocks are not zero.
+    fn read(device: &Device, buffer: &'a Buffer<u32>, touched: Option<Vec<u32>>) -> Result<Self> {
+        let values: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(buffer)?);
+        let blocks = values.chunks(VALUES_PER_FLAG as usize);
+        let look = || blocks.map(|block| u32::from(block.iter().any(|&sum| sum != 0))).collect();
+        let touched = touched.unwrap_or_else(look);
+        Ok(Self { buffer, values, touched })
     }
-    tables(gradient).into_iter().try_for_each(|table| Ok(table.finish(device)?))
+
+    /// The blocks that were touched.
+    fn blocks(&mut self) -> impl Iterator<Item = &mut [i64]> {
+        let blocks = self.values.chunks_mut(VALUES_PER_FLAG as usize).zip(&self.touched);
+        blocks.filter(|(_, touched)| **touched != 0).map(|(block, _)| block)
+    }
 }
 
 /// Only blocks that some rank has touched travel.
-fn sum_grids(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
-    const BLOCK: usize = VALUES_PER_FLAG as usize;
-    let mut flags = Vec::new();
+fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
+    let (mut all, mut flags) = (Vec::new(), Vec::new());
     for table in tables(gradient) {
-        flags.extend(device.read(&table.touched)?);
+        let touched = device.read(&table.touched)?;
+        all.push(Sums::read(device, &table.sum, Some(touched))?);
         flags.extend(device.read(&table.status)?);
     }
-    ranks.or(&mut flags)?;
-    let mut sums: Vec<Vec<i64>> = Vec::new();
-    let (mut touched, mut packed) = (Vec::new(), Vec::new());
-    let mut rest = &flags[..];
-    for table in tables(gradient) {
-        let (flags, after) = rest.split_at(table.touched.len());
-        let (status, after) = after.split_at(1);
-        rest = after;
-        device.write(&table.touched, 0, flags)?;
-        device.write(&table.status, 0, status)?;
-        let sum: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(&table.sum)?);
-        let blocks: Vec<_> = (0..flags.len()).filter(|&block| flags[block] != 0).collect();
-        let range = |block: &usize| block * BLOCK..sum.len().min((block + 1) * BLOCK);
-        packed.extend(blocks.iter().flat_map(|block| &sum[range(block)]));
-        sums.push(sum);
-        touched.push(blocks);
+    let networks = [&gradient.color.network, &gradient.transmittance.network];
+    for binned in networks.into_iter().chain(&gradient.poses) {
+        all.push(Sums::read(device, &binned.sum, None)?);
     }
+    flags.extend(all.iter().flat_map(|sums| &sums.touched));
+    ranks.or(&mut flags)?;
+    let (status, mut rest) = flags.split_at(tables(gradient).len());
+    for sums in &mut all {
+        let (touched, after) = rest.split_at(sums.touched.len());
+        sums.touched.copy_from_slice(touched);
+        rest = after;
+    }
+    let mut packed = Vec::new();
+    all.iter_mut().for_each(|sums| sums.blocks().for_each(|block| packed.extend(&*block)));
     ranks.sum(&mut packed)?;
     let mut rest = &packed[..];
-    for ((table, mut sum), blocks) in tables(gradient).into_iter().zip(sums).zip(touched) {
-        for block in blocks {
-            let end = sum.len().min((block + 1) * BLOCK);
-            let target = &mut sum[block * BLOCK..end];
-            let (values, after) = rest.split_at(target.len());
-            target.copy_from_slice(values);
+    for sums in &mut all {
+        for block in sums.blocks() {
+            let (values, after) = rest.split_at(block.len());
+            block.copy_from_slice(values);
             rest = after;
         }
-        device.write(&table.sum, 0, bytemuck::cast_slice::<i64, u32>(&sum))?;
+        device.write(sums.buffer, 0, bytemuck::cast_slice::<i64, u32>(&sums.values))?;
+    }
+    for ((table, sums), status) in tables(gradient).into_iter().zip(&all).zip(status) {
+        device.write(&table.touched, 0, &sums.touched)?;
+        device.write(&table.status, 0, &[*status])?;
     }
     Ok(())
 }

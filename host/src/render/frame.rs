@@ -1,13 +1,12 @@
 //! One frame of one camera, as a plan that something else runs: a page in a browser.
 
 use super::bin::Bins;
-use super::color::Color;
-use super::composite::Composite;
+use super::part::Part;
 use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
 use super::renderer::Renderer;
 use super::scene::DeviceScene;
-use super::transmittance::{Transmittance, segments};
+use super::transmittance::segments;
 use crate::camera::{Camera, MAX_IMAGE_SIDE};
 use crate::error::Result;
 use crate::tile::{Tile, TileBatch};
@@ -87,33 +86,16 @@ impl Renderer {
         let eye = [0.0, -1.0, 0.0];
         let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;
         let camera = std::slice::from_ref(&camera);
-        let bins = Bins::new(device, scene, camera, &plan, Some(shape.capacity))?;
-        let count = |first: &_| bins.count_samples(device, first);
-        let pairs = &bins.pairs;
-        let evaluated = Transmittance::evaluate(
-            device,
-            &scene.with_ray_steps(shape.steps.into()),
-            pairs,
-            false,
-            count,
-        )?;
-        let color = Color::evaluate(device, scene, pairs, false)?;
-        let composite = Composite::new(
-            device,
-            scene,
-            scene.config.background,
-            shape.side,
-            &bins,
-            &evaluated.transmittance,
-            &color.color,
-        )?;
+        let scene = &scene.with_ray_steps(shape.steps.into());
+        let part = Part::evaluate(device, scene, camera, &plan, false, Some(shape.capacity))?;
+        let bins = &part.bins;
         let counts = bins.tally.as_ref().expect("there is a capacity").counts().planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");
         Ok(Frame {
             camera: number(bins.pairs.camera.planned()),
             tiles: number(bins.tile.planned()),
             counts: number(counts),
-            image: number(composite.image.planned()),
+            image: number(part.composite.image.planned()),
             plan: device.take_plan(),
         })
     }

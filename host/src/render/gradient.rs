@@ -5,10 +5,12 @@ use std::ops::Range;
 use glam::Vec4;
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
+use super::binned::BinnedGradient;
+use super::device_share::DeviceShare;
 use super::field::DeviceField;
 use super::hash_grid::HashGridGradient;
 use super::packed::unpack;
-use super::pose::{POSE, PoseGradient};
+use super::pose::POSE;
 use super::scene::DeviceScene;
 use crate::error::{Error, Result};
 use crate::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
@@ -33,7 +35,7 @@ pub struct SceneGradient {
     /// Whether the transmittance field and the extra vectors are wanted at all.
     pub(crate) has_transmittance: bool,
     /// Those of the cameras' poses, where they are wanted.
-    pub(super) poses: Option<PoseGradient>,
+    pub(super) poses: Option<BinnedGradient>,
 }
 
 /// The gradient of one tensor, in the order of the tensor's values: a range of a buffer.
@@ -51,7 +53,7 @@ pub struct TensorGradient {
 #[derive(Debug)]
 pub struct FieldGradient {
     /// Packed as [`DeviceField::parameters`].
-    pub parameters: Buffer<Vec4>,
+    pub network: BinnedGradient,
     /// Of the hash grid's table.
     pub table: HashGridGradient,
 }
@@ -69,12 +71,12 @@ impl SceneGradient {
     }
 
     /// Zeros, for other Gaussians of the same fields and cameras, whose gradients are those of this.
-    pub(super) fn of_slice(&self, device: &Device, slice: &DeviceScene) -> Result<Self> {
+    pub(super) fn of_block(&self, device: &Device, block: &DeviceScene) -> Result<Self> {
         let fields = [&self.color, &self.transmittance].map(FieldGradient::view);
         let [color, transmittance] = fields;
-        let mut gradient = Self::of_fields(device, slice, color, transmittance)?;
+        let mut gradient = Self::of_fields(device, block, color, transmittance)?;
         gradient.has_transmittance = self.has_transmittance;
-        gradient.poses = self.poses.as_ref().map(PoseGradient::view);
+        gradient.poses = self.poses.as_ref().map(BinnedGradient::view);
         Ok(gradient)
     }
 
@@ -118,7 +120,8 @@ impl SceneGradient {
     /// # Errors
     /// As [`Device::zeros`].
     pub(crate) fn with_poses(mut self, device: &Device, cameras: usize) -> Result<Self> {
-        self.poses = Some(PoseGradient::new(device, cameras)?);
+        let label = "gradients of poses";
+        self.poses = Some(BinnedGradient::new(device, label, POSE * cameras)?);
         Ok(self)
     }
 
@@ -127,7 +130,8 @@ impl SceneGradient {
     /// # Errors
     /// As [`Device::read`].
     pub(crate) fn read_poses(&self, device: &Device) -> Result<Vec<[f32; POSE]>> {
-        Ok(self.poses.as_ref().map(|poses| poses.read(device)).transpose()?.unwrap_or_default())
+        let Some(poses) = &self.poses else { return Ok(Vec::new()) };
+        Ok(device.read(&poses.values)?.as_chunks().0.to_vec())
     }
 
     /// Every tensor's gradient.
@@ -153,23 +157,35 @@ impl SceneGradient {
     /// Zeros, as [`SceneGradient::new`] makes them.
     pub fn clear(&self, device: &Device) {
         device.clear(&self.statistics);
-        self.begin(device);
-        self.restart(device);
+        self.snapshot(device);
+        self.rollback(device);
         for field in [&self.color, &self.transmittance] {
             device.clear(&field.table.status);
         }
     }
 
+    /// Makes gradients of all sums, and clears these.
+    pub(super) fn finish(&self, device: &Device) -> Result<()> {
+        for field in [&self.color, &self.transmittance] {
+            field.table.finish(device)?;
+            field.network.finish(device)?;
+        }
+        Ok(self.poses.iter().try_for_each(|poses| poses.finish(device))?)
+    }
+
     /// A step begins.
-    pub(crate) fn begin(&self, device: &Device) {
+    pub(crate) fn snapshot(&self, device: &Device) {
         device.copy(&self.statistics, &self.statistics_before);
     }
 
     /// As it was when the step began.
-    pub(crate) fn restart(&self, device: &Device) {
+    pub(crate) fn rollback(&self, device: &Device) {
         device.copy(&self.statistics_before, &self.statistics);
         self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));
-        [&self.color, &self.transmittance].into_iter().for_each(|field| field.table.clear(device));
+        for field in [&self.color, &self.transmittance] {
+            field.table.clear(device);
+            field.network.clear(device);
+        }
         self.clear_poses(device);
     }
 
@@ -193,6 +209,39 @@ impl SceneGradient {
             device.read_into(&tensor.buffer, tensor.range.start, values)
         };
         Ok(Gradient::of(unpack(config, len, self.tensors.as_ref(), read)?))
+    }
+}
+
+/// Gradients of the tensors of a share, or of a whole scene; kernels add to them.
+#[derive(Debug)]
+pub(crate) struct ShareGradient {
+    /// Those of the fields.
+    pub fields: SceneGradient,
+    /// Those of each block's Gaussians; those of the fields are the same, on the same memory.
+    pub blocks: Vec<SceneGradient>,
+}
+
+impl ShareGradient {
+    /// Zeros for a share's Gaussians; `fields` are the gradients of [`DeviceShare::fields`].
+    pub fn new(device: &Device, share: &DeviceShare, fields: SceneGradient) -> Result<Self> {
+        let mut gradient = Self { fields, blocks: Vec::new() };
+        gradient.replace_gaussians(device, share)?;
+        Ok(gradient)
+    }
+
+    /// Zeros for the Gaussians that a share has now.
+    pub fn replace_gaussians(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
+        // not both at once
+        self.blocks.clear();
+        for block in share.blocks() {
+            self.blocks.push(self.fields.of_block(device, block)?);
+        }
+        Ok(())
+    }
+
+    /// As [`SceneGradient::rollback`].
+    pub fn rollback(&self, device: &Device) {
+        self.blocks.iter().chain([&self.fields]).for_each(|gradient| gradient.rollback(device));
     }
 }
 
@@ -246,22 +295,23 @@ impl TensorGradient {
 
 impl FieldGradient {
     fn new(device: &Device, field: &DeviceField) -> Result<Self> {
+        let values = 4 * field.parameters.len();
         Ok(Self {
-            parameters: device.zeros("gradient of a network", field.parameters.len())?,
+            network: BinnedGradient::new(device, "gradient of a network", values)?,
             table: HashGridGradient::new(device, field)?,
         })
     }
 
     /// The same gradient, on the same memory.
     fn view(&self) -> Self {
-        Self { parameters: self.parameters.view(), table: self.table.view() }
+        Self { network: self.network.view(), table: self.table.view() }
     }
 
     fn tensors(&self) -> FieldTensors<TensorGradient> {
         let touched = Some(self.table.touched.view());
         FieldTensors {
             grid: TensorGradient::whole(self.table.gradient.view(), touched),
-            network: TensorGradient::whole(self.parameters.view(), None),
+            network: TensorGradient::whole(self.network.values.view(), None),
         }
     }
 }

@@ -2,10 +2,12 @@
 
 mod backward;
 mod bin;
+mod binned;
 mod block;
 mod capacity;
 mod channels;
 mod color;
+mod compare;
 mod composite;
 mod device_share;
 mod distortion;
@@ -32,28 +34,27 @@ mod plan;
 mod pose;
 mod project;
 mod recording;
+mod recording_backward;
 mod renderer;
 mod results;
 mod rows;
 mod scan;
 mod scene;
 mod share;
-mod share_gradient;
-mod share_step;
+mod step;
 #[cfg(test)]
 mod tests;
 mod transmittance;
-mod unit;
-mod units;
 mod upload;
 
 pub use backward::LossTarget;
 pub(crate) use bin::kernel_camera;
 pub use device_share::DeviceShare;
-pub(crate) use device_share::{in_slices, read_slices};
+pub(crate) use device_share::{in_blocks, read_blocks};
 pub(crate) use exposure::ExposureGradient;
 pub use eye::{EyeCache, EyeOptions};
 pub(crate) use frame::{Frame, FrameShape};
+pub(crate) use gradient::ShareGradient;
 pub use gradient::{SceneGradient, TensorGradient};
 #[doc(hidden)]
 pub use inspect::Stages;
@@ -70,6 +71,4 @@ pub use recording::Recording;
 pub use renderer::Renderer;
 pub use scene::DeviceScene;
 pub use share::share_bytes;
-pub(crate) use share_gradient::ShareGradient;
-pub use share_gradient::ShareRecording;
 pub use transmittance::Ray;

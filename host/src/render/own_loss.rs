@@ -1,5 +1,7 @@
 //! Losses that a caller computes, on the host or on the device.
 
+use std::slice::from_ref;
+
 use super::backward::{LossTarget, of_tiles};
 use super::gradient::SceneGradient;
 use super::loss::LossInputs;
@@ -93,14 +95,14 @@ impl Renderer {
         let (loss, squared) = match own {
             OwnLoss::Host(own) => self.host(step, batch, own)?,
             OwnLoss::Device(own) => {
-                gradient.begin(self.device());
+                gradient.snapshot(self.device());
                 self.in_parts(scene, batch, |plans| {
                     let add = |sum: (f64, f64), plan| {
                         let (loss, squared) = self.part(step, own, plan)?;
                         Ok((sum.0 + loss, sum.1 + squared))
                     };
                     let sum = plans.iter().try_fold((0.0, 0.0), add);
-                    sum.inspect_err(|_| gradient.restart(self.device()))
+                    sum.inspect_err(|_| gradient.rollback(self.device()))
                 })?
             }
         };
@@ -120,7 +122,7 @@ impl Renderer {
         let LossGradient { loss, grad_output } =
             own(&LossBatch { batch, rendered, target: *target })?;
         check_len(grad_output.len(), rendered.data.len())?;
-        recording.add_to(gradient, &grad_output)?;
+        recording.add_to(&grad_output, gradient, from_ref(gradient))?;
         let area = (batch.side * batch.side) as usize;
         Ok((loss, squared_error(&rendered.data, target.image, target.valid, area)))
     }

@@ -1,4 +1,4 @@
-//! Sums over the pairs of a Gaussian.
+//! Vectors of pairs, and their sums over the pairs of a Gaussian.
 
 use std::ops::Range;
 
@@ -9,29 +9,38 @@ use super::plan::words;
 use super::scene::DeviceScene;
 use organza_device::{Buffer, Device, Result};
 
-/// Adds the vectors of every Gaussian's pairs in some of a part's cameras, `pair_vector [pairs, width]`, to `vector
-/// [gaussians, width]`.
-pub fn sum_pairs(
-    device: &Device,
-    scene: &DeviceScene,
-    mask: &Mask,
-    cameras: &Range<u32>,
-    width: u32,
-    pair_vector: &Buffer<f32>,
-    vector: &Buffer<f32>,
-) -> Result<()> {
-    let kernel = PairSumKernel {
-        params: PairSumParams {
-            words: words(scene.gaussians),
-            first_camera: cameras.start,
-            cameras: cameras.end - cameras.start,
-            gaussians: scene.gaussians,
-            width,
-        },
-        mask: &mask.bits,
-        first_pair: &mask.first,
-        pair_vector,
-        vector,
-    };
-    device.run(&kernel, scene.gaussians * width.div_ceil(SUMMED), 1)
+/// A vector for each pair.
+#[derive(Debug)]
+pub struct PairVectors {
+    /// `[pairs, width]`
+    pub values: Buffer<f32>,
+    /// Values of a vector.
+    pub width: u32,
+}
+
+impl PairVectors {
+    /// Adds the vectors of every Gaussian's pairs in some of a part's cameras to `vector [gaussians, width]`.
+    pub fn sum(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        mask: &Mask,
+        cameras: &Range<u32>,
+        vector: &Buffer<f32>,
+    ) -> Result<()> {
+        let kernel = PairSumKernel {
+            params: PairSumParams {
+                words: words(scene.gaussians),
+                first_camera: cameras.start,
+                cameras: cameras.end - cameras.start,
+                gaussians: scene.gaussians,
+                width: self.width,
+            },
+            mask: &mask.bits,
+            first_pair: &mask.first,
+            pair_vector: &self.values,
+            vector,
+        };
+        device.run(&kernel, scene.gaussians * self.width.div_ceil(SUMMED), 1)
+    }
 }

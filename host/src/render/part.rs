@@ -92,17 +92,29 @@ pub fn render(
     capacity: Option<Capacity>,
 ) -> Result<((Part, RenderedPart), Needed)> {
     let part = Part::evaluate(device, scene, cameras, plan, keep, capacity)?;
-    let seen = Seen {
-        bins: &part.bins,
-        transmittance: &part.transmittance.transmittance,
-        composite: &part.composite,
-    };
+    let transmittance = &part.transmittance.transmittance;
+    let seen = Seen { bins: &part.bins, transmittance, composite: &part.composite };
+    let read = |buffers| part.read(device, buffers);
+    let (mut rendered, degenerate, needed) = read_tiles(device, scene, plan, channels, seen, read)?;
+    rendered.report = report_of_part(degenerate, needed);
+    Ok(((part, rendered), needed))
+}
+
+/// Reads the tiles of a part and their channels, and how many Gaussians could not be projected. The report is still empty.
+pub fn read_tiles<R>(
+    device: &Device,
+    scene: &DeviceScene,
+    plan: &Plan,
+    channels: &[Channel],
+    seen: Seen<'_>,
+    read: impl FnOnce(Vec<Buffer<u32>>) -> Result<(Vec<Vec<u32>>, R)>,
+) -> Result<(RenderedPart, u32, R)> {
+    let mut buffers = vec![seen.composite.image.view(), seen.bins.degenerate.view()];
     let sums = ChannelSums::new(device, scene, plan.side, seen, channels)?;
-    let mut buffers = vec![part.composite.image.view(), part.bins.degenerate.view()];
     buffers.extend(sums.buffers());
-    let (mut values, needed) = part.read(device, buffers)?;
-    let sums = sums.resolve(&values.split_off(2), plan.side, channels);
-    let report = report_of_part(values[1][0], needed);
+    let (mut values, more) = read(buffers)?;
+    let channels = sums.resolve(&values.split_off(2), plan.side, channels);
     let pixels = bytemuck::pod_collect_to_vec(&values[0]);
-    Ok(((part, RenderedPart { pixels, channels: sums, report }), needed))
+    let report = RenderReport::default();
+    Ok((RenderedPart { pixels, channels, report }, values[1][0], more))
 }

@@ -1,9 +1,15 @@
 //! A rendered batch that keeps what its gradient needs, so that nothing is rendered twice.
+//!
+//! With Gaussians that are dealt to ranks, every rank knows C and S of all Gaussians. So it has dL/dC and dL/dS of Eq. 13
+//! without another message, and from them the gradients of its own Gaussians. Those of the fields and the poses are added up as
+//! integers, as in [a step over views](super::step): their bits do not depend on the number of ranks, either. In a
+//! [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the same share add up its
+//! Gaussians' gradients camera by camera, as [`Rows`](super::rows::Rows).
 
-use organza_core::{Channel, RenderedTiles};
+use std::slice::from_ref;
 use std::sync::atomic::Ordering;
 
-use super::backward::of_tiles;
+use super::device_share::DeviceShare;
 use super::gradient::SceneGradient;
 use super::part::Part;
 use super::plan::Plan;
@@ -11,10 +17,13 @@ use super::pose::POSE;
 use super::renderer::Renderer;
 use super::results::place;
 use super::scene::DeviceScene;
+use super::share::ShareForward;
 use crate::camera::Camera;
 use crate::error::{Error, Result};
-use crate::scene::Gradient;
+use crate::ranks::{Grid, Ranks};
+use crate::scene::{Gradient, Scene};
 use crate::tile::TileBatch;
+use organza_core::{Channel, RenderedTiles};
 
 /// The most parts that are kept: 2 GiB of tables, unless [`Renderer::with_part_bytes`] says otherwise.
 const KEPT_PARTS: usize = 4;
@@ -38,15 +47,37 @@ const KEPT_PARTS: usize = 4;
 ///
 /// A batch in many parts keeps the first of them, as far as they fit; [`Recording::backward`] renders the others again.
 #[derive(Debug)]
-pub struct Recording {
-    renderer: Renderer,
-    scene: DeviceScene,
+pub struct Recording<'a> {
+    pub(super) renderer: Renderer,
+    pub(super) fields: DeviceScene,
+    /// The Gaussians, each block with the fields.
+    pub(super) blocks: Vec<DeviceScene>,
     /// [`DeviceScene::write`]s before it was rendered.
     version: u64,
-    cameras: Vec<Camera>,
-    batch: TileBatch,
-    parts: Vec<(Plan, Option<Part>)>,
+    pub(super) cameras: Vec<Camera>,
+    pub(super) batch: TileBatch,
+    /// Those that have other Gaussians, and the cameras that all of their groups show.
+    pub(super) shared: Option<(Grid<'a>, usize)>,
     tiles: RenderedTiles,
+    /// `[K, 4, S, S]`: C and S of the Gaussians of all ranks.
+    pub(super) sums: Vec<f32>,
+    /// Of each block.
+    pub(super) parts: Vec<Vec<KeptPart>>,
+}
+
+/// A part of a batch, of one block.
+#[derive(Debug)]
+pub(super) struct KeptPart {
+    pub plan: Plan,
+    /// Those of the color and of the transmittance field.
+    pub samples: [u64; 2],
+    /// None where it is rendered again.
+    pub part: Option<Part>,
+}
+
+/// [`DeviceScene::write`]s of all blocks.
+fn version(blocks: &[DeviceScene]) -> u64 {
+    blocks.iter().map(|block| block.version.load(Ordering::Relaxed)).sum()
 }
 
 impl Renderer {
@@ -59,7 +90,7 @@ impl Renderer {
         scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
-    ) -> Result<Recording> {
+    ) -> Result<Recording<'static>> {
         self.record_channels(scene, cameras, batch, &[])
     }
 
@@ -73,13 +104,13 @@ impl Renderer {
         cameras: &[Camera],
         batch: &TileBatch,
         channels: &[Channel],
-    ) -> Result<Recording> {
+    ) -> Result<Recording<'static>> {
         batch.validate(cameras)?;
         scene.require_gradients()?;
-        let version = scene.version.load(Ordering::Relaxed);
+        let version = version(from_ref(scene));
         let (parts, tiles) = self.in_parts(scene, batch, |plans| {
             let mut tiles = RenderedTiles::zeros(batch, channels)?;
-            let mut parts: Vec<(Plan, Option<Part>)> = Vec::with_capacity(plans.len());
+            let mut parts: Vec<KeptPart> = Vec::with_capacity(plans.len());
             let mut most = KEPT_PARTS;
             for plan in plans {
                 let render = || self.render_part(scene, cameras, plan, channels, true);
@@ -87,43 +118,93 @@ impl Renderer {
                     Err(error) if error.is_out_of_memory() && most > 0 && !parts.is_empty() => {
                         // those that were kept may be what takes the memory
                         most = 0;
-                        parts.iter_mut().for_each(|(_, part)| *part = None);
+                        parts.iter_mut().for_each(|kept| kept.part = None);
                         render()?
                     }
                     rendered => rendered?,
                 };
                 place(&mut tiles, plan, &rendered, channels);
-                let kept = (parts.len() < most).then_some(part);
-                parts.push((plan.clone(), kept));
+                let part = (parts.len() < most).then_some(part);
+                let samples = [rendered.report.pairs, rendered.report.samples];
+                parts.push(KeptPart { plan: plan.clone(), samples, part });
             }
             Ok((parts, tiles))
         })?;
-        let (renderer, scene) = (self.clone(), scene.view());
-        let (cameras, batch) = (cameras.to_vec(), batch.clone());
-        Ok(Recording { renderer, scene, version, cameras, batch, parts, tiles })
+        Ok(Recording {
+            renderer: self.clone(),
+            fields: scene.view(),
+            blocks: vec![scene.view()],
+            version,
+            cameras: cameras.to_vec(),
+            batch: batch.clone(),
+            shared: None,
+            tiles,
+            sums: Vec::new(),
+            parts: vec![parts],
+        })
+    }
+
+    /// As [`Renderer::render_share`], and keeps what the gradient needs.
+    ///
+    /// # Errors
+    /// As [`Renderer::render_share`]; [`Error::Argument`] where the scene's grids or networks are halves.
+    pub fn record_share<'a>(
+        &self,
+        share: &DeviceShare,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        ranks: &'a dyn Ranks,
+    ) -> Result<Recording<'a>> {
+        batch.validate(cameras)?;
+        let grid = Grid::of_one_group(ranks);
+        self.record_group((share, grid), cameras, batch, batch.tiles.len())
+    }
+
+    /// What a group renders of a batch that shows so many cameras.
+    pub(super) fn record_group<'a>(
+        &self,
+        (share, grid): (&DeviceShare, Grid<'a>),
+        cameras: &[Camera],
+        batch: &TileBatch,
+        views: usize,
+    ) -> Result<Recording<'a>> {
+        share.fields().require_gradients()?;
+        let version = version(share.blocks());
+        let ShareForward { tiles, sums, parts } =
+            self.share_forward(share, cameras, batch, &grid.row(), true)?;
+        Ok(Recording {
+            renderer: self.clone(),
+            fields: share.fields().view(),
+            blocks: share.blocks().iter().map(DeviceScene::view).collect(),
+            version,
+            cameras: cameras.to_vec(),
+            batch: batch.clone(),
+            shared: Some((grid, views)),
+            tiles,
+            sums,
+            parts,
+        })
     }
 }
 
-impl Recording {
-    /// Y `[K, 3, S, S]`
+impl Recording<'_> {
+    /// Y `[K, 3, S, S]`; if ranks share the batch, all of them have it.
     #[must_use]
     pub fn tiles(&self) -> &RenderedTiles {
         &self.tiles
     }
 
     /// dLoss/dtensor for every tensor of the scene, given `grad_output [K, 3, S, S]`, dLoss/dY: what
-    /// [`Renderer::gradient`] gives.
+    /// [`Renderer::gradient`] gives. If ranks share the batch, `grad_output` is the same on all of them. The gradients of the
+    /// Gaussians are those of this rank; those of the fields are of all Gaussians.
     ///
     /// # Errors
     /// [`Error::Argument`] where `grad_output` has another number of values, or where the scene has been written to
     /// since; [`Error::Diverged`] if a gradient is not finite; as [`Renderer::render`].
     pub fn backward(&self, grad_output: &[f32]) -> Result<Gradient> {
-        let device = self.renderer.device();
         self.check(grad_output)?;
-        let gradient = SceneGradient::new(device, &self.scene)?;
-        self.add_to(&gradient, grad_output)?;
-        gradient.check(device)?;
-        gradient.download(device, &self.scene.config, self.scene.len())
+        let gradient = SceneGradient::new(self.renderer.device(), &self.fields)?;
+        self.download(&gradient, grad_output)
     }
 
     /// As [`Recording::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation vector
@@ -133,39 +214,41 @@ impl Recording {
     /// # Errors
     /// As [`Recording::backward`].
     pub fn backward_with_poses(&self, grad_output: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
-        let device = self.renderer.device();
         self.check(grad_output)?;
-        let gradient = SceneGradient::new(device, &self.scene)?;
+        let device = self.renderer.device();
+        let gradient = SceneGradient::new(device, &self.fields)?;
         let gradient = gradient.with_poses(device, self.cameras.len())?;
-        self.add_to(&gradient, grad_output)?;
-        gradient.check(device)?;
-        let poses = gradient.read_poses(device)?;
-        Ok((gradient.download(device, &self.scene.config, self.scene.len())?, poses))
+        let found = self.download(&gradient, grad_output)?;
+        Ok((found, gradient.read_poses(device)?))
     }
 
     /// As [`Recording::backward`], into buffers that are kept from one batch to the next. Their values before do not
     /// matter. [`TensorGradient::read_into`](super::TensorGradient::read_into) and [`SceneGradient::download`] read them.
     ///
     /// # Errors
-    /// As [`Recording::backward`].
+    /// As [`Recording::backward`]; [`Error::Argument`] if ranks share the Gaussians.
     pub fn backward_into(&self, gradient: &SceneGradient, grad_output: &[f32]) -> Result<()> {
         let device = self.renderer.device();
         self.check(grad_output)?;
+        if self.shared.is_some() {
+            let reason = "the gradient of a share is not in one piece: use `backward`".to_owned();
+            return Err(Error::Argument { reason });
+        }
         gradient.clear(device);
-        self.add_to(gradient, grad_output)?;
+        self.add_to(grad_output, gradient, from_ref(gradient))?;
         gradient.check(device)
     }
 
     /// Gives up the memory of what was kept. [`Recording::backward`] then renders again.
     pub fn release(&mut self) {
-        self.parts.iter_mut().for_each(|(_, part)| *part = None);
+        self.parts.iter_mut().flatten().for_each(|kept| kept.part = None);
     }
 
     fn check(&self, grad_output: &[f32]) -> Result<()> {
         let (found, shape) = (grad_output.len(), self.batch.output_shape());
         let reason = if found != shape.iter().product::<usize>() {
             format!("the gradient has {found} values, but the batch is {shape:?}")
-        } else if self.version != self.scene.version.load(Ordering::Relaxed) {
+        } else if self.version != version(&self.blocks) {
             "the scene has been written to since the batch was recorded: record it again".to_owned()
         } else {
             return Ok(());
@@ -173,53 +256,31 @@ impl Recording {
         Err(Error::Argument { reason })
     }
 
-    /// Adds dLoss/dtensor to `gradient`: that of a step, zero before but for the statistics.
-    ///
-    /// # Errors
-    /// As [`Recording::backward`], but for [`Error::Diverged`]. The gradient is then as it was before.
-    pub(crate) fn add_to(&self, gradient: &SceneGradient, grad_output: &[f32]) -> Result<()> {
-        let device = self.renderer.device();
-        gradient.begin(device);
-        let add = || {
-            self.parts.iter().try_for_each(|(plan, part)| match part {
-                Some(part) => self.add_part(plan, part, grad_output, gradient),
-                None => self.add_again(std::slice::from_ref(plan), grad_output, gradient),
-            })
-        };
-        match add() {
-            Err(error) if error.is_out_of_memory() => {
-                gradient.restart(device);
-                let again = |plans: &[Plan]| {
-                    let added = self.add_again(plans, grad_output, gradient);
-                    added.inspect_err(|_| gradient.restart(device))
-                };
-                self.renderer.in_parts(&self.scene, &self.batch, again)
-            }
-            result => result.inspect_err(|_| gradient.restart(device)),
+    /// Adds to new gradients, and reads them.
+    fn download(&self, fields: &SceneGradient, grad_output: &[f32]) -> Result<Gradient> {
+        let (device, config) = (self.renderer.device(), &self.fields.config);
+        if self.shared.is_none() {
+            self.add_to(grad_output, fields, from_ref(fields))?;
+            fields.check(device)?;
+            return fields.download(device, config, self.fields.len());
         }
-    }
-
-    /// Adds the gradient of a part that was kept.
-    fn add_part(
-        &self,
-        plan: &Plan,
-        part: &Part,
-        grad_output: &[f32],
-        gradient: &SceneGradient,
-    ) -> Result<()> {
-        let device = self.renderer.device();
-        let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
-        let pixels = device.upload("gradient of the tiles", &pixels)?;
-        device.run_in_pool(|| part.backward(device, &self.scene, plan.side, &pixels, gradient))
-    }
-
-    /// Renders parts again, and adds their gradients.
-    fn add_again(
-        &self,
-        plans: &[Plan],
-        grad_output: &[f32],
-        gradient: &SceneGradient,
-    ) -> Result<()> {
-        self.renderer.add_parts(&self.scene, &self.cameras, plans, grad_output, gradient)
+        let of_blocks = self.blocks.iter().map(|block| fields.of_block(device, block));
+        let of_blocks = of_blocks.collect::<Result<Vec<_>>>()?;
+        self.add_to(grad_output, fields, &of_blocks)?;
+        fields.check(device)?;
+        let len = self.blocks.iter().map(DeviceScene::len).sum();
+        let mut values = Scene::zeros(config.clone(), len)?;
+        let of_fields = fields.download(device, config, self.fields.len())?.into_values();
+        (values.color, values.transmittance) = (of_fields.color, of_fields.transmittance);
+        let mut rest = values.gaussians.tensors_mut();
+        for gradient in &of_blocks {
+            rest =
+                rest.zip(gradient.tensors.gaussians.as_ref()).try_map(|_, (values, source)| {
+                    let (values, after) = values.split_at_mut(source.range.len());
+                    source.read_into(device, values)?;
+                    Ok::<_, Error>(after)
+                })?;
+        }
+        Ok(Gradient::of(values))
     }
 }

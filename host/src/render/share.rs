@@ -10,6 +10,7 @@ use super::device_share::DeviceShare;
 use super::part::Part;
 use super::part_counts::Capacity;
 use super::plan::{Plan, PlannedTile};
+use super::recording::KeptPart;
 use super::renderer::Renderer;
 use super::results::{REPORT_NUMBERS, report_from_numbers, report_of_part, report_to_numbers};
 use super::scene::DeviceScene;
@@ -64,16 +65,16 @@ impl Renderer {
     ) -> Result<ShareForward> {
         let mut all = FixedSums::new(batch)?;
         let mut report = RenderReport::default();
-        let mut parts = Vec::with_capacity(share.slices.len());
+        let mut parts = Vec::with_capacity(share.blocks().len());
         let mut room = if keep { KEPT_SAMPLES } else { 0 };
-        for slice in &share.slices {
+        for slice in share.blocks() {
             let render = |room: &mut u64| self.slice_sums(slice, cameras, batch, keep, room);
             let (sums, found, of_slice) = match render(&mut room) {
                 Err(error) if error.is_out_of_memory() && room < KEPT_SAMPLES && keep => {
                     // parts that were kept may be what takes the memory
                     room = 0;
                     let kept = parts.iter_mut().flatten();
-                    kept.for_each(|part: &mut SharePart| part.part = None);
+                    kept.for_each(|part: &mut KeptPart| part.part = None);
                     render(&mut room)?
                 }
                 result => result?,
@@ -97,7 +98,7 @@ impl Renderer {
         batch: &TileBatch,
         keep: bool,
         room: &mut u64,
-    ) -> Result<(Vec<f32>, RenderReport, Vec<SharePart>)> {
+    ) -> Result<(Vec<f32>, RenderReport, Vec<KeptPart>)> {
         let device = self.device();
         let len = PLANES * (batch.side * batch.side) as usize;
         self.in_parts(slice, batch, |plans| {
@@ -120,12 +121,12 @@ impl Renderer {
                     sums[tile.place * len..][..len].copy_from_slice(values);
                 }
                 report.add(&found);
-                let samples = [found.pairs as i64, found.samples as i64];
+                let samples = [found.pairs, found.samples];
                 let takes = found.pairs + found.samples;
                 let is_kept = keep && takes <= left;
                 left -= if is_kept { takes } else { 0 };
                 let part = is_kept.then_some(part);
-                parts.push(SharePart { plan: plan.clone(), samples, part });
+                parts.push(KeptPart { plan: plan.clone(), samples, part });
             }
             *room = left;
             Ok((sums, report, parts))
@@ -160,26 +161,8 @@ pub(super) struct ShareForward {
     pub tiles: RenderedTiles,
     /// `[K, 4, S, S]`: C and S of all Gaussians.
     pub sums: Vec<f32>,
-    /// Of each slice.
-    pub parts: Vec<Vec<SharePart>>,
-}
-
-/// A part of a batch, of one slice.
-#[derive(Debug)]
-pub(super) struct SharePart {
-    pub plan: Plan,
-    /// Those of the color and of the transmittance field.
-    pub samples: [i64; 2],
-    /// None where it is rendered again.
-    pub part: Option<Part>,
-}
-
-impl SharePart {
-    /// Whether it goes on with the last camera of another part.
-    pub fn begins_in(&self, last: &Self) -> bool {
-        let [first, last] = [self.plan.tiles.first(), last.plan.tiles.last()];
-        first.map(|tile| tile.tile.camera) == last.map(|tile| tile.tile.camera)
-    }
+    /// Of each block.
+    pub parts: Vec<Vec<KeptPart>>,
 }
 
 /// Parts of a batch, in its order, with their sums.

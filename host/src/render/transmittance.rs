@@ -18,11 +18,11 @@ use organza_shaders::unit_cube::Split;
 use super::bin::{Bins, Pairs};
 use super::block::{BlockOf, Blocks, Chunk, Layout};
 use super::field::{DeviceField, Scratch};
-use super::field_backward::{ChunkScratch, GroupScratch};
+use super::field_backward::{CameraSamples, ChunkScratch, GroupScratch};
 use super::gradient::SceneGradient;
+use super::pair::PairVectors;
 use super::scan::exclusive_scan;
 use super::scene::DeviceScene;
-use super::unit::{FieldUnits, Units};
 use organza_device::{Buffer, Count, Device, Error, Result};
 
 /// Transmittance of every pair.
@@ -241,9 +241,8 @@ fn inputs(
 }
 
 impl Transmittance {
-    /// Adds the gradient of the transmittance field's grid to its sums, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_shaders::splat)); returns the others, which are those of the units, unless there are no
-    /// samples.
+    /// Adds the gradients of the transmittance field to their sums, of `pair_gradient [pairs, 3]` (see
+    /// [`splat_backward`](organza_shaders::splat)); returns those of the pairs' extra vectors, unless there are no samples.
     pub fn backward(
         &self,
         device: &Device,
@@ -251,14 +250,15 @@ impl Transmittance {
         bins: &Bins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> Result<Option<FieldUnits>> {
+    ) -> Result<Option<PairVectors>> {
         if self.samples.at_most() == 0 {
             return Ok(None);
         }
         let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
         let layout = self.blocks.layout();
-        let units = Units::new(device, scene, bins, layout.slice, Some(&self.first_sample))?;
-        let group_scratch = GroupScratch::new(device, field, &self.blocks, units)?;
+        let samples = CameraSamples::new(scene, bins, Some(&self.first_sample));
+        let group_scratch = GroupScratch::new(device, field, &self.blocks, samples)?;
+        let of_field = &gradient.transmittance;
         let scratches = Mutex::default();
         let capacity = pairs.count.at_most();
         let pair_extra =
@@ -274,7 +274,7 @@ impl Transmittance {
                     field.activate(device, &scratch.network, &chunk)?;
                     let owners = owners.of_chunk(&chunk);
                     self.head_backward(device, scene, scratch, &chunk, &owners, pair_gradient)?;
-                    field.backward(device, &group_scratch, &scratch.network, &chunk, 0)
+                    field.backward(device, &group_scratch, &scratch.network, &chunk, 0, of_field)
                 })?;
                 // in their order: a pair may have samples of two
                 for chunk in group.chunks() {
@@ -282,12 +282,10 @@ impl Transmittance {
                     let inputs = group_scratch.input_gradient(field, &chunk);
                     self.extra_backward(device, scene, &inputs, &chunk, &owners, &pair_extra)?;
                 }
-                let gradient = &gradient.transmittance;
-                field.group_backward(device, &group_scratch, &group, 0, gradient)?;
+                field.grid_backward(device, &group_scratch, &group, 0, of_field)?;
             }
         }
-        let network = group_scratch.into_unit_sum();
-        Ok(Some(FieldUnits { network, pair_vector: pair_extra, width: extra }))
+        Ok(Some(PairVectors { values: pair_extra, width: extra }))
     }
 
     /// The gradient of the network's output for a chunk of samples.

@@ -12,7 +12,7 @@ use super::per_photograph::{PerPhotograph, VALUES_PREFIX, names};
 use crate::error::{Error, IN_MEMORY, Result};
 use crate::input::open_regular;
 use crate::scene::{
-    Scene, Tensor, TensorRef, read_metadata, read_scene, read_tensor, read_tensors_from,
+    Scene, Tensor, TensorRef, TensorSpec, read_metadata, read_scene, read_tensor, read_tensors_from,
 };
 
 /// The file's name in a run's folder.
@@ -149,26 +149,43 @@ impl Checkpoint {
         write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<R>,
     ) -> Result<R> {
         self.check(Path::new(IN_MEMORY))?;
-        let mut moments = Vec::new();
-        for (moment, prefix) in self.moments.iter().zip(MOMENTS) {
-            moments.extend(moment.tensors_with_prefix(prefix));
-        }
-        let mut tensors: Vec<_> = moments.iter().map(|(spec, data)| spec.of(data)).collect();
-        let shape = [self.statistics.len(), 4];
-        let data = self.statistics.as_flattened();
-        tensors.push(TensorRef { name: STATISTICS, shape: &shape, data });
-        let of_photographs = self.of_photographs();
-        tensors.extend(of_photographs.iter().map(|(name, tensor)| TensorRef {
-            name,
-            shape: &tensor.shape,
-            data: &tensor.data,
-        }));
-        let no_json = |error: serde_json::Error| Error::Argument { reason: error.to_string() };
-        let progress = serde_json::to_string(&self.progress).map_err(no_json)?;
-        let binding = binding.map(serde_json::to_string).transpose().map_err(no_json)?;
-        let mut metadata = vec![(PROGRESS, progress.as_str())];
-        metadata.extend(binding.as_deref().map(|binding| (BINDING, binding)));
+        let photographs = self.of_photographs();
+        let tensors = self.beside_scene(&photographs);
+        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
+        let metadata = self.metadata(binding)?;
+        let metadata: Vec<_> = metadata.iter().map(|(key, text)| (*key, &**text)).collect();
         write(&tensors, &metadata)
+    }
+
+    /// The tensors of a file beside those of the scene; `photographs` are those of [`Checkpoint::of_photographs`].
+    pub(super) fn beside_scene<'a>(
+        &'a self,
+        photographs: &'a [(String, Tensor)],
+    ) -> Vec<(TensorSpec, &'a [f32])> {
+        let moments = self.moments.iter().zip(MOMENTS);
+        let mut tensors: Vec<_> =
+            moments.flat_map(|(moment, prefix)| moment.tensors_with_prefix(prefix)).collect();
+        let (name, shape) = (STATISTICS.to_owned(), vec![self.statistics.len(), 4]);
+        let statistics = self.statistics.as_flattened();
+        tensors.push((TensorSpec { name, shape, why: "" }, statistics));
+        tensors.extend(photographs.iter().map(|(name, Tensor { shape, data })| {
+            (TensorSpec { name: name.clone(), shape: shape.clone(), why: "" }, &data[..])
+        }));
+        tensors
+    }
+
+    /// What a file tells beside the scene's configuration.
+    pub(super) fn metadata(
+        &self,
+        binding: Option<&Binding>,
+    ) -> Result<Vec<(&'static str, String)>> {
+        let no_json = |error: serde_json::Error| Error::Argument { reason: error.to_string() };
+        let mut metadata =
+            vec![(PROGRESS, serde_json::to_string(&self.progress).map_err(no_json)?)];
+        if let Some(binding) = binding {
+            metadata.push((BINDING, serde_json::to_string(binding).map_err(no_json)?));
+        }
+        Ok(metadata)
     }
 
     /// Reads a file that [`Checkpoint::save`] wrote.
@@ -287,14 +304,8 @@ impl Checkpoint {
 
     /// Everything beside the scene is what training can have come to.
     pub(super) fn check(&self, origin: &Path) -> Result<()> {
-        let moments = self.moments.iter().zip(MOMENTS);
-        let moments = moments.flat_map(|(moment, prefix)| moment.tensors_with_prefix(prefix));
-        let moments = moments.map(|(spec, values)| (spec.name, values));
-        let statistics = (STATISTICS.to_owned(), self.statistics.as_flattened());
-        let of_photographs = self.of_photographs();
-        let of_photographs =
-            of_photographs.iter().map(|(name, found)| (name.clone(), &found.data[..]));
-        for (tensor, values) in moments.chain([statistics]).chain(of_photographs) {
+        for (spec, values) in self.beside_scene(&self.of_photographs()) {
+            let tensor = spec.name;
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {
                 let (origin, value) = (origin.to_owned(), values[index]);
                 return Err(Error::NotFinite { origin, tensor, index, value });

@@ -5,7 +5,7 @@ use organza_shaders::adam::{AdamKernel, AdamParams};
 use super::config::{EPSILON, OptimizerConfig};
 use crate::error::Result;
 use crate::render::{
-    DeviceShare, ShareGradient, TensorGradient, in_slices, pack, read_slices, unpack, upload,
+    DeviceShare, ShareGradient, TensorGradient, in_blocks, pack, read_blocks, unpack, upload,
 };
 use crate::scene::{GaussianTensors, Gaussians, Scene, Tensors};
 use organza_device::{Buffer, Device};
@@ -13,10 +13,10 @@ use organza_device::{Buffer, Device};
 /// Both moments of every parameter, and the flag of tensors that are never sparse.
 #[derive(Debug)]
 pub struct Optimizer {
-    /// m and v of [`DeviceShare::fields`]: with the Gaussians of a whole scene.
+    /// m and v of [`DeviceShare::fields`].
     fields: [Tensors<Buffer<f32>>; 2],
-    /// Those of each slice of a share.
-    slices: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
+    /// Those of each block's Gaussians.
+    blocks: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
     is_whole: bool,
     always: Buffer<u32>,
 }
@@ -29,9 +29,6 @@ impl Optimizer {
     pub fn new(device: &Device, share: &DeviceShare, moments: &[Scene; 2]) -> Result<Self> {
         let is_whole = share.whole().is_some();
         let fields = |moment: &Scene| -> Result<_> {
-            if is_whole {
-                return Ok(upload(device, pack(moment))?);
-            }
             let mut fields = Scene::zeros(moment.config.clone(), 1)?;
             fields.color.clone_from(&moment.color);
             fields.transmittance.clone_from(&moment.transmittance);
@@ -40,10 +37,8 @@ impl Optimizer {
         let [first, second] = moments;
         let fields = [fields(first)?, fields(second)?];
         let always = device.upload("touched", &[1])?;
-        let mut optimizer = Self { fields, slices: Vec::new(), is_whole, always };
-        if !is_whole {
-            optimizer.replace_gaussians(device, moments)?;
-        }
+        let mut optimizer = Self { fields, blocks: Vec::new(), is_whole, always };
+        optimizer.replace_gaussians(device, moments)?;
         Ok(optimizer)
     }
 
@@ -55,17 +50,12 @@ impl Optimizer {
         let upload = |moment: &Gaussians| {
             moment.tensors().try_map(|name, values| device.upload(name, values))
         };
-        if self.is_whole {
-            for (fields, moment) in self.fields.iter_mut().zip(moments) {
-                fields.gaussians = upload(&moment.gaussians)?;
-            }
-            return Ok(());
-        }
         // not both at once
-        self.slices.clear();
-        let [first, second] = moments;
-        for (first, second) in in_slices(&first.gaussians).zip(in_slices(&second.gaussians)) {
-            self.slices.push([upload(&first)?, upload(&second)?]);
+        self.blocks.clear();
+        let [first, second] =
+            moments.each_ref().map(|moment| in_blocks(&moment.gaussians, self.is_whole));
+        for (first, second) in first.zip(second) {
+            self.blocks.push([upload(&first)?, upload(&second)?]);
         }
         Ok(())
     }
@@ -81,11 +71,9 @@ impl Optimizer {
                 unpack(share.config(), share.fields().len(), moment, |buffer, values| {
                     device.read_into(buffer, 0, values)
                 })?;
-            if !self.is_whole {
-                scene.gaussians = Gaussians::zeros(share.config(), share.len())?;
-                let slices = self.slices.iter().map(|moments| moments[place].as_ref());
-                read_slices(device, slices, &mut scene.gaussians)?;
-            }
+            scene.gaussians = Gaussians::zeros(share.config(), share.len())?;
+            let blocks = self.blocks.iter().map(|moments| moments[place].as_ref());
+            read_blocks(device, blocks, &mut scene.gaussians)?;
             Ok(scene)
         };
         Ok([read(0)?, read(1)?])
@@ -110,11 +98,10 @@ impl Optimizer {
         let tensors = fields.tensors().as_ref().zip(gradient.fields.tensors().as_ref());
         let all = tensors.zip(adam.rates).zip(first.zip(second));
         all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
-        // a whole scene has no slices
-        let slices = scene.blocks().iter().zip(gradient.blocks()).zip(&self.slices);
-        for ((slice, gradient), [first, second]) in slices {
+        let blocks = scene.blocks().iter().zip(&gradient.blocks).zip(&self.blocks);
+        for ((block, gradient), [first, second]) in blocks {
             let gradient = gradient.tensors().gaussians.as_ref();
-            let tensors = slice.tensors().gaussians.as_ref().zip(gradient);
+            let tensors = block.tensors().gaussians.as_ref().zip(gradient);
             let all = tensors.zip(adam.rates.gaussians).zip(first.as_ref().zip(second.as_ref()));
             all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
         }

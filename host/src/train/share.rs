@@ -68,7 +68,7 @@ impl Trainer {
         let CheckpointShare { state, gaussians, .. } = checkpoint;
         let upload = |config: &TrainConfig, photographs: usize| {
             let options = UploadOptions::default();
-            let share = DeviceShare::upload(renderer, &state.scene, *gaussians, options)?;
+            let share = DeviceShare::upload(renderer, &state.scene, options)?;
             State::new(renderer, config, share, (state, *gaussians), photographs)
         };
         let mut trainer = Self::with_state(renderer, config, dataset.into(), state, upload)?;
@@ -121,7 +121,7 @@ impl Trainer {
                 Ok(vec![evaluate_share(&self.renderer, self.share(), frame, &grid.row())?])
             }
             (None, Some(ranks)) => {
-                ranks::measure(&**ranks, &self.renderer, self.share().fields(), frames, first)
+                ranks::measure(&**ranks, &self.renderer, &self.share().blocks()[0], frames, first)
             }
             (None, None) => self.measure_alone(frames[first]),
         }
@@ -129,7 +129,7 @@ impl Trainer {
 
     /// Measures a view of the whole scene, as this rank alone.
     pub(super) fn measure_alone(&self, frame: &Frame) -> Result<Vec<(Evaluation, Image)>> {
-        Ok(vec![ranks::measure_one(&self.renderer, self.share().fields(), frame)?])
+        Ok(vec![ranks::measure_one(&self.renderer, &self.share().blocks()[0], frame)?])
     }
 
     /// Writes a checkpoint, as rank 0.

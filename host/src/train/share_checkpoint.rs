@@ -6,8 +6,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::binding::{BINDING, Binding};
-use super::checkpoint::{Checkpoint, MOMENTS, PROGRESS, Progress, STATISTICS};
+use super::binding::Binding;
+use super::checkpoint::{Checkpoint, MOMENTS, Progress, STATISTICS};
 use super::config::TrainConfig;
 use super::per_photograph::PerPhotograph;
 use crate::error::{Error, IN_MEMORY, Result};
@@ -163,13 +163,10 @@ impl CheckpointShare {
         binding: Option<&Binding>,
         ranks: &dyn Ranks,
     ) -> Result<()> {
-        let no_json = |error: serde_json::Error| Error::Argument { reason: error.to_string() };
         let config = self.state.scene.config.to_json()?;
-        let progress = serde_json::to_string(&self.state.progress).map_err(no_json)?;
-        let binding = binding.map(serde_json::to_string).transpose().map_err(no_json)?;
+        let beside = self.state.metadata(binding)?;
         let mut metadata = scene_metadata(&config).to_vec();
-        metadata.push((PROGRESS, &progress));
-        metadata.extend(binding.as_deref().map(|binding| (BINDING, binding)));
+        metadata.extend(beside.iter().map(|(key, text)| (*key, &**text)));
         let photographs = self.state.of_photographs();
         let specs: Vec<_> = self.tensors(&photographs).into_iter().map(|(spec, _)| spec).collect();
         let of_all: Vec<Vec<usize>> = specs
@@ -222,16 +219,8 @@ impl CheckpointShare {
 
     /// The tensors of the file, in its order; `photographs` are those of [`Checkpoint::of_photographs`].
     fn tensors<'a>(&'a self, photographs: &'a [(String, Tensor)]) -> Vec<(TensorSpec, &'a [f32])> {
-        let Checkpoint { scene, moments, statistics, .. } = &self.state;
-        let mut tensors = scene.tensors();
-        for (moment, prefix) in moments.iter().zip(MOMENTS) {
-            tensors.extend(moment.tensors_with_prefix(prefix));
-        }
-        let (name, shape) = (STATISTICS.to_owned(), vec![statistics.len(), 4]);
-        tensors.push((TensorSpec { name, shape, why: "" }, statistics.as_flattened()));
-        tensors.extend(photographs.iter().map(|(name, Tensor { shape, data })| {
-            (TensorSpec { name: name.clone(), shape: shape.clone(), why: "" }, &data[..])
-        }));
+        let mut tensors = self.state.scene.tensors();
+        tensors.extend(self.state.beside_scene(photographs));
         tensors.sort_by(|(a, _), (b, _)| a.name.cmp(&b.name));
         tensors
     }

@@ -52,7 +52,7 @@ impl State {
         (checkpoint, gaussians): (&Checkpoint, usize),
     ) -> Result<()> {
         self.gaussians = gaussians;
-        self.share.replace_gaussians(device, &checkpoint.scene.gaussians, gaussians)?;
+        self.share.replace_gaussians(device, &checkpoint.scene.gaussians)?;
         self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
         self.gradient.replace_gaussians(device, &self.share)?;
         self.write_statistics(device, &checkpoint.statistics)
@@ -61,7 +61,7 @@ impl State {
     /// `[N]`, of the Gaussians that are here: see [`SceneGradient::statistics`].
     pub fn statistics(&self, device: &Device) -> Result<Vec<[f32; 4]>> {
         let mut statistics = Vec::with_capacity(self.share.len());
-        for block in self.gradient.blocks() {
+        for block in &self.gradient.blocks {
             statistics.extend(device.read(&block.statistics)?.iter().map(|v| v.to_array()));
         }
         Ok(statistics)
@@ -69,7 +69,7 @@ impl State {
 
     fn write_statistics(&self, device: &Device, statistics: &[[f32; 4]]) -> Result<()> {
         let mut rest = statistics;
-        for block in self.gradient.blocks() {
+        for block in &self.gradient.blocks {
             let (mine, after) = rest.split_at(block.statistics.len());
             let mine: Vec<_> = mine.iter().map(|&v| Vec4::from_array(v)).collect();
             device.write(&block.statistics, 0, &mine)?;

@@ -110,7 +110,8 @@ impl Trainer {
         let dataset = dataset.into();
         let gaussians = checkpoint.scene.gaussians.len();
         let state = |config: &TrainConfig, photographs: usize| {
-            let share = DeviceShare::of_whole(renderer.upload(&checkpoint.scene)?);
+            let scene = renderer.upload(&checkpoint.scene)?;
+            let share = DeviceShare::of_whole(renderer.device(), scene)?;
             State::new(renderer, config, share, (checkpoint, gaussians), photographs)
         };
         Self::with_state(renderer, config, dataset, checkpoint, state)
@@ -239,7 +240,7 @@ impl Trainer {
     /// As [`Device::read`](crate::Device::read); [`Error::Diverged`] where a gradient was not finite.
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
         let (device, state) = (self.renderer.device(), &self.state);
-        state.gradient.check(device)?;
+        state.gradient.fields.check(device)?;
         Ok(Checkpoint {
             scene: state.share.download(device)?,
             moments: state.optimizer.moments(device, &state.share)?,
@@ -269,35 +270,35 @@ impl Trainer {
             Some(_) => self.batches.whole(self.step),
             None => self.batches.of_step(&self.config.run, self.step),
         };
-        let restart = |trainer: &Self| trainer.state.gradient.restart(trainer.renderer.device());
+        let rollback = |trainer: &Self| trainer.state.gradient.rollback(trainer.renderer.device());
         let (report, exposures) = self.add_gradient(&drawn, hooks)?;
-        report.check(self.step).inspect_err(|_| restart(self))?;
+        report.check(self.step).inspect_err(|_| rollback(self))?;
         let device = self.renderer.device();
         let State { share, optimizer, gradient, .. } = &self.state;
-        let scene = share.fields();
         if let Some(hook) = &mut hooks.gradient {
-            let between =
-                StepGradient { device, step: self.step, scene, gradient: &gradient.fields };
-            hook(&between).inspect_err(|_| restart(self))?;
+            // without ranks, all Gaussians are one block
+            let (scene, gradient) = (&share.blocks()[0], &gradient.blocks[0]);
+            let between = StepGradient { device, step: self.step, scene, gradient };
+            hook(&between).inspect_err(|_| rollback(self))?;
         }
         let done = self.config.run.share(self.step);
         let (settings, now) = (&self.config.optimizer, (self.step, done));
         if let Some(learned) = &mut self.exposures {
             let rate = settings.rate_at(settings.exposure, done);
             let moved = learned.step(&exposures, settings, rate);
-            moved.inspect_err(|_| gradient.restart(device))?;
+            moved.inspect_err(|_| gradient.rollback(device))?;
         }
         if let Some(poses) = &mut self.poses {
             let found = gradient.fields.read_poses(device)?;
             let shown = drawn.batch.tiles.iter().map(|tile| tile.camera);
             let rate = settings.rate_at(settings.pose, done);
-            let moved = poses.step(&found, shown, settings, rate, scene.extent());
-            moved.inspect_err(|_| gradient.restart(device))?;
+            let moved = poses.step(&found, shown, settings, rate, share.fields().extent());
+            moved.inspect_err(|_| gradient.rollback(device))?;
             gradient.fields.clear_poses(device);
             self.cameras = poses.cameras();
         }
         device.run_in_pool(|| optimizer.step(device, share, gradient, settings, now))?;
-        gradient.clear_touched(device);
+        gradient.fields.clear_touched(device);
         self.step += 1;
         let grows = is_time_to_grow(&self.config, self.step);
         let grown = grows.then(|| self.grow()).transpose()?;
@@ -325,8 +326,9 @@ impl Trainer {
                 renderer.add_share_gradient(shared, cameras, batch, kept, &target, gradient)?;
             return Ok((StepReport::of(&losses, target.ssim_weight), exposures));
         }
-        let scene = &share.fields().coarser(*factor, *ray_steps);
-        let gradient = &gradient.fields;
+        // all Gaussians are one block
+        let scene = &share.blocks()[0].coarser(*factor, *ray_steps);
+        let gradient = &gradient.blocks[0];
         if let Some(own) = &mut hooks.loss {
             let (loss, squared) =
                 renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;

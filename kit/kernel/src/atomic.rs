@@ -226,6 +226,27 @@ pub fn add_wide(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
     add_wide_lanes(buffer, [index], [(u64::from(high) << 32 | u64::from(low)) as i64]);
 }
 
+/// Like [`add_wide`], for integers that any workgroup may change: it is atomic on the CPU, too.
+#[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
+pub fn add_wide_shared(buffer: Write<u32>, index: u32, words: [u32; 2]) {
+    #[cfg(any(target_arch = "spirv", target_endian = "big"))]
+    {
+        let [low, high] = words;
+        let before = add(buffer, 2 * index, low);
+        let carry = if before.wrapping_add(low) < low { 1 } else { 0 };
+        add(buffer, 2 * index + 1, high.wrapping_add(carry));
+    }
+    #[cfg(all(not(target_arch = "spirv"), target_endian = "little"))]
+    {
+        let [low, high] = words;
+        let at = buffer.wide_addresses([index], Touch::Atomic);
+        // SAFETY: the address is in range and aligned, and kernels touch such sums only through atomics
+        let at = unsafe { AtomicU64::from_ptr(at.add(index as usize)) };
+        at.fetch_add(u64::from(high) << 32 | u64::from(low), Ordering::Relaxed);
+    }
+}
+
 /// Like [`add_wide`], for several integers one after another.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]

@@ -35,7 +35,7 @@ pub fn number(words: [u32; 2]) -> f32 {
 
 /// `-x` modulo 2^64
 #[inline(always)]
-fn negated([low, high]: [u32; 2]) -> [u32; 2] {
+pub(crate) fn negated([low, high]: [u32; 2]) -> [u32; 2] {
     let low = (!low).wrapping_add(1);
     let high = if low == 0 { (!high).wrapping_add(1) } else { !high };
     [low, high]

@@ -109,7 +109,8 @@
 //! # The crate
 //!
 //! Start with the [`prelude`], [`memory`] (buffers) and [`invocation`]. [`shared_tile`] is workgroup memory as a
-//! cache, [`fixed`] has sums that do not depend on the order, and [`count`] has numbers that stay on the device.
+//! cache, [`fixed`] and [`binned`] have sums that do not depend on the order, and [`count`] has numbers that stay on
+//! the device.
 //!
 //! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are
 //! storage buffers. For the CPU they are views of slices, and every access is checked.
@@ -122,6 +123,7 @@
 extern crate self as organza_kernel;
 
 pub mod atomic;
+pub mod binned;
 pub mod count;
 pub mod fixed;
 pub mod half;

@@ -18,10 +18,9 @@ struct Sizes {
     pub d: u64,
     /// Number of values of each grid.
     pub grids: [u64; 2],
-    /// Parameters of both networks on a device: a hidden layer's outputs are padded to multiples of 16, the last
-    /// one's to 4.
-    pub p: u64,
-    /// Number of layers of both networks.
+    /// Parameters of each network, as devices have them: a hidden layer's outputs in multiples of 16, the last one's of 4.
+    pub networks: [u64; 2],
+    /// Layers of both networks.
     pub layers: u64,
 }
 
@@ -45,14 +44,24 @@ impl Sizes {
         Self {
             d: 11 + material + extra,
             grids: grids.map(|grid| grid.entries() as u64 * u64::from(grid.features)),
-            p: network(networks[0], sh + features(0) + material)
-                + network(networks[1], features(1) + extra),
+            networks: [
+                network(networks[0], sh + features(0) + material),
+                network(networks[1], features(1) + extra),
+            ],
             layers: networks.iter().map(|mlp| mlp.hidden.len() as u64 + 1).sum(),
         }
     }
 
-    pub fn flags(&self) -> u64 {
-        self.grids.iter().map(|values| values.div_ceil(64) + 1).sum()
+    /// Flags of blocks, and a status of each grid; with the poses of so many photographs.
+    pub fn flags(&self, photographs: u64) -> u64 {
+        let grids: u64 = self.grids.iter().map(|values| values.div_ceil(64) + 1).sum();
+        let binned = self.networks.into_iter().chain([6 * photographs]);
+        grids + binned.map(|values| (17 * values).div_ceil(64)).sum::<u64>()
+    }
+
+    /// The most bytes of sums.
+    pub fn sums(&self) -> u64 {
+        8 * (self.grids.iter().sum::<u64>() + 17 * self.networks.iter().sum::<u64>())
     }
 
     /// Bytes in a Gaussian's row: its index, its values, and three statistics.
@@ -155,21 +164,20 @@ fn a_step_of_shares_hands_over_what_the_formulas_say() {
     // the scene is a single slice, which the second rank has
     for (calls, held) in all.iter().zip([0, gaussians]) {
         let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
-        let expected = ["sum", "or", "sum", "max", "max", "sum", "or", "sum", "gather", "exchange"];
+        let expected = ["sum", "or", "sum", "max", "or", "sum", "gather", "exchange"];
         assert_eq!(names, expected);
         let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
         let pixels = tiles * side * side;
         assert_eq!(bytes[..2], [8 * (4 * pixels + 5), 4 * pixels.div_ceil(8)]);
         assert_eq!(bytes[0] + bytes[1], share_bytes(tiles as usize, side as u32));
-        assert_eq!(bytes[2..6], [16, 4 * (2 + sizes.layers), 4, 8 * sizes.p]);
-        assert_eq!(bytes[6], 4 * sizes.flags());
-        assert!(bytes[7] > 0 && bytes[7] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
-        assert_eq!(bytes[8], 8 * held);
-        assert_eq!(bytes[9] % (12 * sizes.d), 0, "rows: {}", bytes[9]);
-        let rows = bytes[9] / (12 * sizes.d);
+        assert_eq!(bytes[2..5], [16, 4 * (2 + sizes.layers), 4 * sizes.flags(0)]);
+        assert!(bytes[5] > 0 && bytes[5] <= sizes.sums(), "{bytes:?}");
+        assert_eq!(bytes[6], 8 * held);
+        assert_eq!(bytes[7] % (12 * sizes.d), 0, "rows: {}", bytes[7]);
+        let rows = bytes[7] / (12 * sizes.d);
         assert!(rows <= held && rows * 2 >= held, "{rows} of {held}");
     }
-    assert_eq!(all[0][7], all[1][7], "all ranks add the same blocks");
+    assert_eq!(all[0][5], all[1][5], "all ranks add the same blocks");
 }
 
 /// Like the test above, but in two groups of two ranks.
@@ -199,23 +207,20 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
     for (rank, calls) in (0..).zip(&all) {
         let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
         let pixels = ["exchange"; 4];
-        let added = ["sum", "max", "exchange", "exchange", "max", "sum", "or", "sum", "gather"];
+        let added = ["sum", "max", "exchange", "exchange", "or", "sum", "gather"];
         assert_eq!(names, [&pixels[..], &added, &["exchange"; 2]].concat());
         let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
-        let share = rank % SHARES;
-        let first = rank / SHARES * SHARES;
-        let of_group = all[first as usize][12].1 / 32;
+        let (share, first) = (rank % SHARES, rank / SHARES * SHARES);
+        let of_group = all[first as usize][10].1 / 40;
         tiles += of_group;
-        assert_eq!(bytes[12], if share == 0 { 32 * of_group } else { 0 }, "losses");
-        let values = 4 * of_group * side * side + 5;
-        let words = of_group * side * side / 8;
+        assert_eq!(bytes[10], if share == 0 { 40 * of_group } else { 0 }, "losses");
+        let (values, words) = (4 * of_group * side * side + 5, of_group * side * side / 8);
         assert_eq!(bytes[..2], [8 * values, 8 * SHARES * told(share, values)]);
         assert_eq!(bytes[2..4], [4 * words, 4 * SHARES * told(share, words)]);
         assert_eq!(bytes[4..6], [16, 4 * (2 + sizes.layers)]);
-        assert_eq!(bytes[8..11], [4, 8 * sizes.p, 4 * sizes.flags()]);
-        assert!(bytes[11] > 0 && bytes[11] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
-        // the scene is a single slice, in the second share: a number for each owner and camera, less than a row, and
-        // rows
+        assert_eq!(bytes[8], 4 * sizes.flags(0));
+        assert!(bytes[9] > 0 && bytes[9] <= sizes.sums(), "{bytes:?}");
+        // the scene is one slice, which the second share has: a number for each owner and camera, less than a row, and rows
         let held = [0, gaussians][share as usize];
         let units = bytes[6] % sizes.row() / (4 * GROUPS);
         assert_eq!((bytes[6] - 4 * GROUPS * units) % sizes.row(), 0, "rows of units");
@@ -223,8 +228,8 @@ fn a_step_of_groups_hands_over_what_the_formulas_say() {
         assert_eq!(bytes[7] % (GROUPS * sizes.row()), 0, "sums of rows");
         let sums = bytes[7] / (GROUPS * sizes.row());
         assert!(sums <= held.div_ceil(GROUPS) && (sums > 0) == (held > 0), "{sums} of {held}");
-        assert_eq!(bytes[13], SHARES * 8 * held);
-        assert_eq!(bytes[14] % (12 * sizes.d), 0, "rows that move");
+        assert_eq!(bytes[11], SHARES * 8 * held);
+        assert_eq!(bytes[12] % (12 * sizes.d), 0, "rows that move");
     }
     assert_eq!(tiles, SHARES * u64::from(config.run.tiles_per_step));
 }
@@ -242,33 +247,28 @@ fn a_step_hands_over_what_the_formulas_say() {
         let mut trainer = trainer.expect("a trainer").with_ranks(ranks);
         trainer.step().expect("a step");
     });
-    let mut units = 0;
-    let mut tiles = 0;
+    let photographs = dataset.train_frames().count() as u64;
+    let (mut units, mut tiles) = (0, 0);
     for calls in &all {
         let names: Vec<_> = calls.iter().map(|(name, _)| *name).collect();
-        let expected =
-            ["sum", "max", "gather", "exchange", "gather", "or", "sum", "gather", "gather"];
-        assert_eq!(names, expected);
+        assert_eq!(names, ["sum", "max", "exchange", "gather", "or", "sum", "gather"]);
         let bytes: Vec<_> = calls.iter().map(|(_, bytes)| *bytes).collect();
         assert_eq!(bytes[0], 16, "samples");
         assert_eq!(bytes[1], 4 * (2 + sizes.layers), "bounds");
-        assert_eq!(bytes[2] % (4 * sizes.p), 0, "networks: {} of {}", bytes[2], sizes.p);
-        let own = bytes[2] / (4 * sizes.p);
-        let rows = bytes[3] - 4 * RANKS * own;
+        // a number for each owner and unit, less than a row, and rows
+        let own = bytes[2] % sizes.row() / (4 * RANKS);
+        let rows = bytes[2] - 4 * RANKS * own;
         assert_eq!(rows % sizes.row(), 0, "rows of units: {rows}");
         assert!((1..=own * gaussians).contains(&(rows / sizes.row())), "rows of units: {rows}");
-        assert_eq!(bytes[4] % sizes.row(), 0, "sums of rows");
-        assert!((1..=gaussians.div_ceil(RANKS)).contains(&(bytes[4] / sizes.row())), "{bytes:?}");
-        assert_eq!(bytes[5], 4 * sizes.flags(), "flags");
-        assert!(bytes[6] > 0 && bytes[6] <= 8 * sizes.grids.iter().sum::<u64>(), "{bytes:?}");
-        assert_eq!(bytes[8] % 32, 0, "losses");
-        units += own;
-        tiles += bytes[8] / 32;
+        assert_eq!(bytes[3] % sizes.row(), 0, "sums of rows");
+        assert!((1..=gaussians.div_ceil(RANKS)).contains(&(bytes[3] / sizes.row())), "{bytes:?}");
+        assert_eq!(bytes[4], 4 * sizes.flags(photographs), "flags");
+        let poses = 8 * 17 * 6 * photographs;
+        assert!(bytes[5] > 0 && bytes[5] <= sizes.sums() + poses, "{bytes:?}");
+        assert_eq!(bytes[6] % 40, 0, "losses");
+        (units, tiles) = (units + own, tiles + bytes[6] / 40);
     }
-    for calls in &all {
-        assert_eq!(calls[7].1, 24 * units, "poses");
-    }
-    assert_eq!(all[0][6], all[1][6], "all ranks add the same blocks");
+    assert_eq!(all[0][5], all[1][5], "all ranks add the same blocks");
     assert_eq!(tiles, u64::from(config.run.tiles_per_step));
     assert!((2..=tiles).contains(&units), "{units}");
 }
@@ -278,7 +278,8 @@ fn a_step_hands_over_what_the_formulas_say() {
 fn the_page_has_the_sizes() {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/cluster.md");
     let page = std::fs::read_to_string(page).expect("the page");
-    let Sizes { d, grids, p, .. } = Sizes::of(&TrainConfig::default());
+    let Sizes { d, grids, networks, .. } = Sizes::of(&TrainConfig::default());
+    let p: u64 = networks.iter().sum();
     for fact in [format!("V = {} for each grid", grids[0]), format!("P = {p}"), format!("d = {d}")]
     {
         assert!(page.contains(&fact), "docs/cluster.md lacks `{fact}`");

@@ -35,7 +35,7 @@ fn batch() -> crate::TileBatch {
     batch
 }
 
-fn record(renderer: &Renderer, scene: &DeviceScene) -> crate::Result<Recording> {
+fn record(renderer: &Renderer, scene: &DeviceScene) -> crate::Result<Recording<'static>> {
     renderer.record(scene, &demo::turntable(2, 64), &batch())
 }
 

@@ -1,0 +1,107 @@
+//! The case of `binned_gradient`, and binned sums for other cases.
+
+use organza_check::{
+    Bound, KernelRunner, Output, Parity, Rounding, Values,
+    inputs::{self, Fill},
+};
+use organza_kernel::binned::ROWS;
+use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
+
+use organza_device::Result;
+
+/// The unit of a row.
+fn unit(row: usize) -> f64 {
+    2_f64.powi(16 * row as i32 - 150)
+}
+
+/// What the words of sums `[17, values, 2]` come to.
+#[must_use]
+pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
+    let integer = |w: &[u32]| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64;
+    let rows: Vec<_> = words.chunks_exact(2).map(integer).collect();
+    let sum = |value: usize| {
+        (0..ROWS as usize - 1).map(|row| rows[row * values + value] as f64 * unit(row)).sum()
+    };
+    (0..values).map(sum).collect()
+}
+
+/// An output, with the sums' values in place of their words.
+#[must_use]
+pub fn with_sums(output: Output, values: usize) -> Output {
+    match output.name {
+        "sum" => {
+            let values = Values::Float(read_sums(output.words(), values));
+            Output { name: output.name, values }
+        }
+        _ => output,
+    }
+}
+
+/// Sums of one number each, `[17, values, 2]`.
+#[must_use]
+pub fn write_sums(values: &[f32]) -> Vec<u32> {
+    let mut words = vec![[0; 2]; ROWS as usize * values.len()];
+    for (index, &value) in values.iter().enumerate().filter(|(_, value)| value.is_normal()) {
+        let row = (value.to_bits() >> 23 & 0xff) as usize / 16;
+        let integer = (f64::from(value) / unit(row)) as i64;
+        words[row * values.len() + index] = [integer as u32, (integer >> 32) as u32];
+    }
+    words.into_flattened()
+}
+
+/// Inputs of `binned_gradient`.
+#[derive(Clone, Debug)]
+pub struct BinnedGradient {
+    /// `[17, values, 2]`
+    pub sum: Vec<u32>,
+    /// `[values]`
+    pub gradient: Vec<f32>,
+}
+
+impl Parity for BinnedGradient {
+    const KERNEL: &'static str = "binned_gradient";
+    const TOLERANCE: f64 = 3e-7;
+    const WHY: &'static str = "three roundings of a sum and one of the gradient, of the sum's size";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, fill, random| {
+            let len = count as usize;
+            let mut sum = write_sums(&fill.values(random, len, [-1.0, 1.0], 1e30));
+            if fill != Fill::Huge {
+                // rows that many numbers were added to, and that cancel each other
+                for words in sum.chunks_exact_mut(2).take(9 * len) {
+                    let integer = (u64::from(random.below(u32::MAX)) << 20) as i64 - (1 << 51);
+                    words.copy_from_slice(&[integer as u32, (integer >> 32) as u32]);
+                }
+            }
+            Self { sum, gradient: fill.values(random, len, [-1.0, 1.0], 1e30) }
+        })
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let values = self.gradient.len() as u32;
+        let kernel = BinnedGradientKernel {
+            params: BinnedGradientParams { values },
+            sum: &self.sum,
+            gradient: &self.gradient,
+        };
+        runner.run(&kernel, values, 1)
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let sums = read_sums(&self.sum, self.gradient.len());
+        let before = self.gradient.get(index).map_or(0.0, |value| f64::from(value.abs()));
+        Bound::of(sums.get(index).map_or(0.0, |sum| sum.abs()) + before)
+    }
+
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+        if output == "sum" {
+            return (0..len).map(|index| (index < self.sum.len()).then_some(0.0)).collect();
+        }
+        let sums = read_sums(&self.sum, self.gradient.len());
+        let all = sums.iter().zip(&self.gradient);
+        let mut exact: Vec<_> = all.map(|(sum, &before)| Some(sum + f64::from(before))).collect();
+        exact.resize(len, None);
+        exact
+    }
+}

@@ -1,0 +1,27 @@
+//! From [binned] sums to gradients: those of the networks and of the cameras' poses.
+
+use organza_kernel::binned;
+use organza_kernel::prelude::*;
+
+/// Parameters of [`binned_gradient`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct BinnedGradientParams {
+    /// Values of the gradient.
+    pub values: u32,
+}
+
+/// Adds the sums to the gradient, and clears them: `sum [17, values, 2]`, `gradient [values]`.
+#[kernel(threads(64), iterations = 2 * binned::ROWS)]
+pub fn binned_gradient(
+    id: Invocation,
+    params: &BinnedGradientParams,
+    sum: Write<u32>,
+    gradient: Write<f32>,
+) {
+    let index = id.index();
+    if index < params.values {
+        let found = binned::take(sum, params.values, index);
+        gradient.write(index, gradient.read(index) + found);
+    }
+}

@@ -370,8 +370,8 @@ fn function_() {
                                 let _e187 = ((1u - _e181) * _e184);
                                 let _e188 = (_e168 <= _e70);
                                 let _e190 = select(false, true, (_e161 < _e66));
-                                let _e194 = global_5.member.member_2;
-                                let _e195 = ((4u * _e171) * _e194);
+                                let _e193 = global_5.member.member_2;
+                                let _e195 = ((4u * _e171) * _e193);
                                 if (_e170 < (_e62 + 1u)) {
                                     let _e527 = (_e170 * 4u);
                                     let _e530 = global_5.member.member_5;
@@ -380,13 +380,13 @@ fn function_() {
                                     let _e538 = (_e533 + (select(_e534, 1u, (1u < _e534)) * _e54));
                                     let _e542 = (_e533 + (select(_e534, 2u, (2u < _e534)) * _e54));
                                     let _e546 = (_e533 + (select(_e534, 3u, (3u < _e534)) * _e54));
-                                    let _e551 = (_e527 * _e194);
+                                    let _e551 = (_e527 * _e193);
                                     let _e552 = (_e527 + 1u);
-                                    let _e555 = (select(_e61, _e552, (_e552 < _e61)) * _e194);
+                                    let _e555 = (select(_e61, _e552, (_e552 < _e61)) * _e193);
                                     let _e556 = (_e527 + 2u);
-                                    let _e559 = (select(_e61, _e556, (_e556 < _e61)) * _e194);
+                                    let _e559 = (select(_e61, _e556, (_e556 < _e61)) * _e193);
                                     let _e560 = (_e527 + 3u);
-                                    let _e563 = (select(_e61, _e560, (_e560 < _e61)) * _e194);
+                                    let _e563 = (select(_e61, _e560, (_e560 < _e61)) * _e193);
                                     if _e190 {
                                         let _e566 = global_8.member[(_e185 + _e533)];
                                         phi_603_ = _e566;
@@ -447,9 +447,9 @@ fn function_() {
                                         if (_e614 <= _e178) {
                                             let _e616 = (_e195 + _e613);
                                             let _e619 = global_7.member[_e616];
-                                            let _e623 = global_7.member[(_e616 + _e194)];
-                                            let _e628 = global_7.member[(_e616 + (2u * _e194))];
-                                            let _e633 = global_7.member[(_e616 + (3u * _e194))];
+                                            let _e623 = global_7.member[(_e616 + _e193)];
+                                            let _e628 = global_7.member[(_e616 + (2u * _e193))];
+                                            let _e633 = global_7.member[(_e616 + (3u * _e193))];
                                             let _e637 = global_3.member[(_e551 + _e613)];
                                             let _e654 = global_3.member[(_e555 + _e613)];
                                             let _e671 = global_3.member[(_e559 + _e613)];
@@ -522,9 +522,9 @@ fn function_() {
                                         if (_e760 <= _e178) {
                                             let _e762 = (_e195 + _e759);
                                             let _e765 = global_7.member[_e762];
-                                            let _e769 = global_7.member[(_e762 + _e194)];
-                                            let _e774 = global_7.member[(_e762 + (2u * _e194))];
-                                            let _e779 = global_7.member[(_e762 + (3u * _e194))];
+                                            let _e769 = global_7.member[(_e762 + _e193)];
+                                            let _e774 = global_7.member[(_e762 + (2u * _e193))];
+                                            let _e779 = global_7.member[(_e762 + (3u * _e193))];
                                             let _e783 = global_3.member[(_e551 + _e759)];
                                             let _e800 = global_3.member[(_e555 + _e759)];
                                             let _e817 = global_3.member[(_e559 + _e759)];
@@ -1147,9 +1147,9 @@ fn function_() {
                                         if (_e216 <= _e178) {
                                             let _e218 = (_e195 + _e213);
                                             let _e221 = global_7.member[_e218];
-                                            let _e225 = global_7.member[(_e218 + _e194)];
-                                            let _e230 = global_7.member[(_e218 + (2u * _e194))];
-                                            let _e235 = global_7.member[(_e218 + (3u * _e194))];
+                                            let _e225 = global_7.member[(_e218 + _e193)];
+                                            let _e230 = global_7.member[(_e218 + (2u * _e193))];
+                                            let _e235 = global_7.member[(_e218 + (3u * _e193))];
                                             local_48 = type_21((_e215.member + _e221), (_e215.member_1 + _e225), (_e215.member_2 + _e230), (_e215.member_3 + _e235));
                                             continue;
                                         } else {
@@ -1179,9 +1179,9 @@ fn function_() {
                                         if (_e261 <= _e178) {
                                             let _e263 = (_e195 + _e258);
                                             let _e266 = global_7.member[_e263];
-                                            let _e270 = global_7.member[(_e263 + _e194)];
-                                            let _e275 = global_7.member[(_e263 + (2u * _e194))];
-                                            let _e280 = global_7.member[(_e263 + (3u * _e194))];
+                                            let _e270 = global_7.member[(_e263 + _e193)];
+                                            let _e275 = global_7.member[(_e263 + (2u * _e193))];
+                                            let _e280 = global_7.member[(_e263 + (3u * _e193))];
                                             local_50 = type_21((_e260.member + _e266), (_e260.member_1 + _e270), (_e260.member_2 + _e275), (_e260.member_3 + _e280));
                                             continue;
                                         } else {

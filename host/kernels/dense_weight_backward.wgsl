@@ -410,8 +410,8 @@ fn function_() {
                                 let _e187 = ((1u - _e181) * _e184);
                                 let _e188 = (_e168 <= _e70);
                                 let _e190 = select(false, true, (_e161 < _e66));
-                                let _e194 = global_5.member.member_2;
-                                let _e195 = ((4u * _e171) * _e194);
+                                let _e193 = global_5.member.member_2;
+                                let _e195 = ((4u * _e171) * _e193);
                                 if (_e170 < (_e62 + 1u)) {
                                     let _e670 = (_e170 * 4u);
                                     let _e673 = global_5.member.member_5;
@@ -420,13 +420,13 @@ fn function_() {
                                     let _e681 = (_e676 + (select(_e677, 1u, (1u < _e677)) * _e54));
                                     let _e685 = (_e676 + (select(_e677, 2u, (2u < _e677)) * _e54));
                                     let _e689 = (_e676 + (select(_e677, 3u, (3u < _e677)) * _e54));
-                                    let _e694 = (_e670 * _e194);
+                                    let _e694 = (_e670 * _e193);
                                     let _e695 = (_e670 + 1u);
-                                    let _e698 = (select(_e61, _e695, (_e695 < _e61)) * _e194);
+                                    let _e698 = (select(_e61, _e695, (_e695 < _e61)) * _e193);
                                     let _e699 = (_e670 + 2u);
-                                    let _e702 = (select(_e61, _e699, (_e699 < _e61)) * _e194);
+                                    let _e702 = (select(_e61, _e699, (_e699 < _e61)) * _e193);
                                     let _e703 = (_e670 + 3u);
-                                    let _e706 = (select(_e61, _e703, (_e703 < _e61)) * _e194);
+                                    let _e706 = (select(_e61, _e703, (_e703 < _e61)) * _e193);
                                     if _e190 {
                                         let _e709 = global_8.member[(_e185 + _e676)];
                                         phi_732_ = _e709;
@@ -481,9 +481,9 @@ fn function_() {
                                         if (_e765 <= select(_e178, _e752, (_e752 < _e178))) {
                                             let _e767 = (_e195 + _e764);
                                             let _e770 = global_7.member[_e767];
-                                            let _e774 = global_7.member[(_e767 + _e194)];
-                                            let _e779 = global_7.member[(_e767 + (2u * _e194))];
-                                            let _e784 = global_7.member[(_e767 + (3u * _e194))];
+                                            let _e774 = global_7.member[(_e767 + _e193)];
+                                            let _e779 = global_7.member[(_e767 + (2u * _e193))];
+                                            let _e784 = global_7.member[(_e767 + (3u * _e193))];
                                             let _e788 = global_3.member[(_e694 + _e764)];
                                             let _e805 = global_3.member[(_e698 + _e764)];
                                             let _e822 = global_3.member[(_e702 + _e764)];
@@ -508,7 +508,7 @@ fn function_() {
                                             phi_791_ = _e765;
                                         }
                                     }
-                                    let _e858 = (_e194 / 4u);
+                                    let _e858 = (_e193 / 4u);
                                     phi_878_ = (_e752 / 4u);
                                     let _e2472 = local_62;
                                     phi_881_ = _e2472;
@@ -631,9 +631,9 @@ fn function_() {
                                         if (_e1170 <= _e178) {
                                             let _e1172 = (_e195 + _e1169);
                                             let _e1175 = global_7.member[_e1172];
-                                            let _e1179 = global_7.member[(_e1172 + _e194)];
-                                            let _e1184 = global_7.member[(_e1172 + (2u * _e194))];
-                                            let _e1189 = global_7.member[(_e1172 + (3u * _e194))];
+                                            let _e1179 = global_7.member[(_e1172 + _e193)];
+                                            let _e1184 = global_7.member[(_e1172 + (2u * _e193))];
+                                            let _e1189 = global_7.member[(_e1172 + (3u * _e193))];
                                             let _e1193 = global_3.member[(_e694 + _e1169)];
                                             let _e1210 = global_3.member[(_e698 + _e1169)];
                                             let _e1227 = global_3.member[(_e702 + _e1169)];
@@ -706,9 +706,9 @@ fn function_() {
                                         if (_e1316 <= _e178) {
                                             let _e1318 = (_e195 + _e1315);
                                             let _e1321 = global_7.member[_e1318];
-                                            let _e1325 = global_7.member[(_e1318 + _e194)];
-                                            let _e1330 = global_7.member[(_e1318 + (2u * _e194))];
-                                            let _e1335 = global_7.member[(_e1318 + (3u * _e194))];
+                                            let _e1325 = global_7.member[(_e1318 + _e193)];
+                                            let _e1330 = global_7.member[(_e1318 + (2u * _e193))];
+                                            let _e1335 = global_7.member[(_e1318 + (3u * _e193))];
                                             let _e1339 = global_3.member[(_e694 + _e1315)];
                                             let _e1356 = global_3.member[(_e698 + _e1315)];
                                             let _e1373 = global_3.member[(_e702 + _e1315)];
@@ -1334,9 +1334,9 @@ fn function_() {
                                         if (_e224 <= select(_e178, _e217, (_e217 < _e178))) {
                                             let _e226 = (_e195 + _e221);
                                             let _e229 = global_7.member[_e226];
-                                            let _e233 = global_7.member[(_e226 + _e194)];
-                                            let _e238 = global_7.member[(_e226 + (2u * _e194))];
-                                            let _e243 = global_7.member[(_e226 + (3u * _e194))];
+                                            let _e233 = global_7.member[(_e226 + _e193)];
+                                            let _e238 = global_7.member[(_e226 + (2u * _e193))];
+                                            let _e243 = global_7.member[(_e226 + (3u * _e193))];
                                             local_48 = type_21((_e223.member + _e229), (_e223.member_1 + _e233), (_e223.member_2 + _e238), (_e223.member_3 + _e243));
                                             continue;
                                         } else {
@@ -1359,7 +1359,7 @@ fn function_() {
                                         local_53 = _e257;
                                         if ((_e258 + 4u) <= _e178) {
                                             let _e262 = ((_e195 / 4u) + _e255);
-                                            let _e263 = (_e194 / 4u);
+                                            let _e263 = (_e193 / 4u);
                                             let _e264 = (4u * _e262);
                                             let _e267 = global_7.member[_e264];
                                             let _e271 = global_7.member[(_e264 + 1u)];
@@ -1409,9 +1409,9 @@ fn function_() {
                                         if (_e359 <= _e178) {
                                             let _e361 = (_e195 + _e356);
                                             let _e364 = global_7.member[_e361];
-                                            let _e368 = global_7.member[(_e361 + _e194)];
-                                            let _e373 = global_7.member[(_e361 + (2u * _e194))];
-                                            let _e378 = global_7.member[(_e361 + (3u * _e194))];
+                                            let _e368 = global_7.member[(_e361 + _e193)];
+                                            let _e373 = global_7.member[(_e361 + (2u * _e193))];
+                                            let _e378 = global_7.member[(_e361 + (3u * _e193))];
                                             local_54 = type_21((_e358.member + _e364), (_e358.member_1 + _e368), (_e358.member_2 + _e373), (_e358.member_3 + _e378));
                                             continue;
                                         } else {
@@ -1441,9 +1441,9 @@ fn function_() {
                                         if (_e404 <= _e178) {
                                             let _e406 = (_e195 + _e401);
                                             let _e409 = global_7.member[_e406];
-                                            let _e413 = global_7.member[(_e406 + _e194)];
-                                            let _e418 = global_7.member[(_e406 + (2u * _e194))];
-                                            let _e423 = global_7.member[(_e406 + (3u * _e194))];
+                                            let _e413 = global_7.member[(_e406 + _e193)];
+                                            let _e418 = global_7.member[(_e406 + (2u * _e193))];
+                                            let _e423 = global_7.member[(_e406 + (3u * _e193))];
                                             local_56 = type_21((_e403.member + _e409), (_e403.member_1 + _e413), (_e403.member_2 + _e418), (_e403.member_3 + _e423));
                                             continue;
                                         } else {

@@ -412,7 +412,8 @@ fn add_slice<L: Lane>(
     // one lane goes on where the chunk before has ended: the sum does not depend on where that was
     let continues = first < chunk;
     let (of_lanes, of_rest) = (continues && L::WIDTH == 1, continues && L::WIDTH > 1);
-    let g = 4 * column * params.stride;
+    let (range, stride) = ([begin, end], params.stride);
+    let g = 4 * column * stride;
     if block < blocks {
         let first = block * WEIGHT_ROWS_PER_INVOCATION;
         let to = params.weight + first * columns + column;
@@ -421,11 +422,10 @@ fn add_slice<L: Lane>(
         let to2 = to + least(2, inputs - 1 - first) * columns;
         let to3 = to + least(3, inputs - 1 - first) * columns;
         let from = [before + to, before + to1, before + to2, before + to3];
-        let (rows, stride) = (input_rows(params, first), params.stride);
+        let rows = input_rows(params, first);
         let sums = begin_sums::<L>(carry, from, of_lanes);
-        let (sums, sample) =
-            sum_products::<L>(sums, input, rows, output_gradient, g, stride, [begin, end]);
-        let [sum0, sum1, sum2, sum3] = sums;
+        let ([sum0, sum1, sum2, sum3], sample) =
+            sum_products::<L>(sums, input, rows, output_gradient, g, stride, range);
         let (sum0, sum1) = (settled(sum0), settled(sum1));
         let (sum2, sum3) = (settled(sum2), settled(sum3));
         let rests = begin_sums::<L::One>(carry, from, of_rest);
@@ -444,16 +444,27 @@ fn add_slice<L: Lane>(
         }
     } else {
         let to = params.bias + column;
-        let range = [begin, end];
-        let of_column = begin_sum::<L>(carry, before + to, of_lanes);
-        let (of_column, sample) =
-            sum_lanes::<L>(of_column, output_gradient, g, params.stride, range);
-        let of_column = settled(of_column);
-        let rest = begin_sum::<L::One>(carry, before + to, of_rest);
-        let range = [sample, end];
-        let (rest, _) = sum_each_lane::<L::One>(rest, output_gradient, g, params.stride, range);
-        add_sum(params, carry, sum, is_whole, after, to, total(of_column, rest));
+        let begin_lanes = begin_sum::<L>(carry, before + to, of_lanes);
+        let begin_rest = begin_sum::<L::One>(carry, before + to, of_rest);
+        let of_column = sum_column::<L>(begin_lanes, begin_rest, output_gradient, g, stride, range);
+        add_sum(params, carry, sum, is_whole, after, to, of_column);
     }
+}
+
+/// The sum of a column's four rows, over all samples of a range.
+#[inline(always)]
+fn sum_column<L: Lane>(
+    lanes: LaneVec4<L>,
+    rest: LaneVec4<L::One>,
+    rows: Read<f32>,
+    first: u32,
+    stride: u32,
+    [begin, end]: [u32; 2],
+) -> Vec4 {
+    let (lanes, sample) = sum_lanes::<L>(lanes, rows, first, stride, [begin, end]);
+    let lanes = settled(lanes);
+    let (rest, _) = sum_each_lane::<L::One>(rest, rows, first, stride, [sample, end]);
+    total(lanes, rest)
 }
 
 /// Adds four sums of a slice to those of all slices, or leaves them for the next chunk.

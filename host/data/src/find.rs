@@ -94,11 +94,12 @@ fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
         name.push(extension);
         PathBuf::from(name)
     };
-    let is_file = |path: &PathBuf| {
-        let path = folder.join(path);
-        path.exists() && !path.is_dir()
-    };
-    EXTENSIONS.iter().map(with).find(is_file)
+    EXTENSIONS.iter().map(with).find(|path| is_there(&folder.join(path)))
+}
+
+/// Whether there is something to read. If it is a pipe or a device, reading it reports that.
+fn is_there(path: &Path) -> bool {
+    path.exists() && !path.is_dir()
 }
 
 /// The mask of a photograph: the one that the data set names, or `masks/NAME.png` for `images/NAME`, as in COLMAP, or
@@ -119,5 +120,5 @@ fn mask_of(
     let mut appended = beside.clone().into_os_string();
     appended.push(".png");
     let candidates = [PathBuf::from(appended), beside.with_extension("png"), beside];
-    candidates.into_iter().map(|path| folder.join(path)).find(|path| path.is_file())
+    candidates.into_iter().map(|path| folder.join(path)).find(|path| is_there(path))
 }

@@ -114,6 +114,11 @@ impl Folder {
         Ok(())
     }
 
+    /// Unlocks the folder, and removes the lock's file.
+    pub fn unlock(&mut self) {
+        self.lock = None;
+    }
+
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -138,7 +143,7 @@ impl Folder {
 impl Drop for Folder {
     fn drop(&mut self) {
         // The lock's file is in the folder.
-        self.lock = None;
+        self.unlock();
         for path in &self.made {
             // Fails on purpose if the folder is not empty.
             let _ = fs::remove_dir(path);

@@ -45,7 +45,8 @@ fn an_image_does_not_depend_on_how_it_was_cut() {
 
 #[test]
 fn bands_cover_every_pixel_once_whatever_the_size() {
-    let cuts = [([9000, 9000], 512, 3), ([65536, 3], 1, 1), ([1, 65536], 4096, 8), ([1, 1], 64, 1)];
+    let cuts =
+        [([9000, 9000], 512, 18), ([65536, 3], 1, 1), ([1, 65536], 4096, 16), ([1, 1], 64, 1)];
     for (size, side, expected) in cuts {
         let mut next = 0;
         let mut batches = 0;

@@ -115,6 +115,17 @@ fn what_a_mask_hides_is_not_valid() {
     assert_refused(folder.path(), &["masks/1.png.png", "5 x 4"]);
 }
 
+/// The user meant a mask: a photograph without one would show what it hides.
+#[cfg(unix)]
+#[test]
+fn a_mask_that_is_no_file_is_refused() {
+    let folder = nerfstudio_folder(&transforms(2));
+    fs::create_dir(folder.path().join("masks")).unwrap();
+    let mask = folder.path().join("masks/1.png.png");
+    let _socket = std::os::unix::net::UnixListener::bind(mask).expect("a special file");
+    assert_refused(folder.path(), &["masks/1.png.png", "expected a regular file"]);
+}
+
 #[test]
 fn masks_of_colmap_and_of_smaller_photographs() {
     let folder = tempfile::tempdir().unwrap();

@@ -211,6 +211,7 @@ impl Film<'_> {
                 }
                 written.discard()?;
                 remove_leftovers(folder.path());
+                folder.unlock();
                 // fails on purpose if somebody has put a file into the folder
                 let _ = fs::remove_dir(folder.path());
             }

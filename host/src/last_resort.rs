@@ -9,8 +9,8 @@ static ALLOCATOR: LastResort = LastResort;
 
 struct LastResort;
 
-// SAFETY: every call goes to the system's allocator unchanged. A null that it returns is passed on or ends the
-// program.
+// SAFETY: every call goes to the system's allocator unchanged, and asks the same of its caller. A null that it returns
+// is passed on or ends the program.
 unsafe impl GlobalAlloc for LastResort {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         // SAFETY: the caller's promise

@@ -7,6 +7,7 @@
 
 mod about;
 mod assets;
+mod connections;
 mod explain;
 mod film;
 mod frame_renderer;

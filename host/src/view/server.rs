@@ -1,6 +1,5 @@
 //! The HTTP server: delivers the page, and puts its requests in the queue.
 
-use std::collections::HashMap;
 use std::convert::Infallible;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
@@ -17,11 +16,13 @@ use hyper::service::service_fn;
 use hyper::{Method, Request, Response, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use serde::de::DeserializeOwned;
+use tokio::net::TcpStream;
 use tokio::sync::{Semaphore, oneshot};
 use tokio_io_timeout::TimeoutStream;
 
 use super::about::About;
 use super::assets;
+use super::connections::{Connections, Place};
 use super::film::{self, FilmRequest};
 use super::guard::{Guard, Verdict};
 use super::keyframes::{self, PathRequest};
@@ -35,10 +36,6 @@ use crate::web::WebPage;
 const PORT: u16 = 4747;
 /// Largest request, in bytes: 1,000 keyframes. Parsed, it can take a hundred times as much.
 const MAX_BODY: usize = 1 << 19;
-/// Most connected clients.
-const MAX_CONNECTIONS: usize = 256;
-/// Most connections from one address.
-const MAX_OF_PEER: usize = 64;
 /// Most films in the making.
 const MAX_FILMS: usize = 2;
 /// Longest time until a request has arrived, and until a client takes a part of an answer.
@@ -182,42 +179,38 @@ fn broken(error: io::Error) -> Error {
 
 async fn accept(listener: TcpListener, shared: Arc<Shared>) {
     let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
-    let places = Arc::new(Semaphore::new(MAX_CONNECTIONS));
-    let mut peers: HashMap<IpAddr, Arc<Semaphore>> = HashMap::new();
+    let connections = Arc::new(Connections::default());
     loop {
         let Ok((stream, peer)) = listener.accept().await else {
             // for example, after too many open files
             tokio::time::sleep(Duration::from_millis(100)).await;
             continue;
         };
-        let of_peer =
-            peers.entry(peer.ip()).or_insert_with(|| Arc::new(Semaphore::new(MAX_OF_PEER)));
-        let of_peer = Arc::clone(of_peer).try_acquire_owned();
-        let (Ok(place), Ok(of_peer)) = (Arc::clone(&places).try_acquire_owned(), of_peer) else {
-            continue;
-        };
-        peers.retain(|_, places| places.available_permits() < MAX_OF_PEER);
-        let _ = stream.set_nodelay(true);
-        // a client that reads nothing would keep its place for ever
-        let mut stream = TimeoutStream::new(stream);
-        stream.set_write_timeout(Some(PATIENCE));
-        let stream = Box::pin(stream);
         let shared = Arc::clone(&shared);
-        tokio::spawn(async move {
-            let answer = |request| {
-                let shared = Arc::clone(&shared);
-                async move { Ok::<_, Infallible>(answer(&shared, request).await) }
-            };
-            // a client's mistake only ends its own connection
-            let _ = http1::Builder::new()
-                .timer(TokioTimer::new())
-                .header_read_timeout(PATIENCE)
-                .max_buf_size(64 << 10)
-                .serve_connection(TokioIo::new(stream), service_fn(answer))
-                .await;
-            drop((place, of_peer));
+        connections.admit(peer.ip(), |place| {
+            tokio::spawn(connection(stream, shared, Arc::new(place))).abort_handle()
         });
     }
+}
+
+/// Answers the requests of one client.
+async fn connection(stream: TcpStream, shared: Arc<Shared>, place: Arc<Place>) {
+    let _ = stream.set_nodelay(true);
+    // a client that reads nothing would keep its place for ever
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(PATIENCE));
+    let answer = |request| {
+        let shared = Arc::clone(&shared);
+        let place = Arc::clone(&place);
+        async move { Ok::<_, Infallible>(answer(&shared, &place, request).await) }
+    };
+    // a client's mistake only ends its own connection
+    let _ = http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(PATIENCE)
+        .max_buf_size(64 << 10)
+        .serve_connection(TokioIo::new(Box::pin(stream)), service_fn(answer))
+        .await;
 }
 
 /// A complete answer, or a film in the making.
@@ -226,9 +219,12 @@ type Reply = Response<Either<Full<Bytes>, Channel<Bytes>>>;
 /// Status and reason of a refused request.
 struct Refusal(StatusCode, String);
 
-async fn answer(shared: &Shared, request: Request<Incoming>) -> Reply {
+async fn answer(shared: &Shared, place: &Place, request: Request<Incoming>) -> Reply {
     let cookie = match shared.guard.judge(request.headers(), request.uri().query()) {
-        Verdict::Allowed { cookie } => cookie,
+        Verdict::Allowed { cookie } => {
+            place.keep();
+            cookie
+        }
         Verdict::Refused(reason) => {
             return text(StatusCode::FORBIDDEN, "text/plain; charset=utf-8", reason.as_bytes());
         }

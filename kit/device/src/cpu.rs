@@ -211,12 +211,14 @@ impl Cpu {
             CpuRun::Lanes(_) => unreachable!("replaced above"),
             CpuRun::Workgroup(run) => {
                 // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
-                // element from two invocations without atomics
+                // element from two invocations without atomics. `new` has checked the instruction set.
                 unsafe { run(&bindings, place(index), size) };
                 Ok(())
             }
             CpuRun::Invocation(run) => {
-                workgroup::run_bound(point.shared, local, run, &bindings, place(index), size)
+                let shared = point.shared;
+                // SAFETY: as above, and the workgroup memory is what this kernel declares
+                unsafe { workgroup::run_bound(shared, local, run, &bindings, place(index), size) }
             }
         };
         let run_some = |mut indices: Range<u64>| {

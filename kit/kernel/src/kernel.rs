@@ -119,6 +119,9 @@ pub struct KernelInfo {
     /// The CPU execution.
     pub run: CpuRun,
     /// The CPU execution of the variant: one invocation, with the workgroup memory of the variant after the bindings.
+    ///
+    /// # Safety
+    /// The same as for [`CpuRun`].
     pub run_variant: Option<unsafe fn(&[CpuBinding], Invocation)>,
 }
 
@@ -157,12 +160,12 @@ impl KernelInfo {
 /// The function with which the CPU runs a kernel.
 ///
 /// # Safety
-/// Both functions take the bindings in the order of [`KernelInfo::bindings`], then those of [`KernelInfo::shared`].
+/// All functions take the bindings in the order of [`KernelInfo::bindings`], then those of [`KernelInfo::shared`].
 /// Each contains values of the declared type, with its alignment. Nobody else writes to a written binding meanwhile.
 #[derive(Clone, Copy)]
 pub enum CpuRun {
     /// Runs a whole workgroup: bindings, workgroup, workgroups.
-    Workgroup(unsafe fn(&[CpuBinding], UVec3, UVec3)),
+    Workgroup(WorkgroupRun),
     /// Runs one invocation, which may wait at barriers.
     Invocation(unsafe fn(&[CpuBinding], Invocation)),
     /// Like `Workgroup`, for each instruction set.
@@ -170,6 +173,9 @@ pub enum CpuRun {
 }
 
 /// Runs a whole workgroup: bindings, workgroup, workgroups.
+///
+/// # Safety
+/// The same as for [`CpuRun`]. One of [`LaneRuns`] also needs a CPU that has its instruction set.
 pub type WorkgroupRun = unsafe fn(&[CpuBinding], UVec3, UVec3);
 
 /// A kernel that is generic over [`Lane`](crate::lane::Lane), compiled for each instruction set.
@@ -250,6 +256,7 @@ impl InstructionSet {
 #[macro_export]
 macro_rules! lane_runs {
     ($run:ident) => {{
+        // SAFETY: called as `CpuRun` says
         unsafe fn scalar(
             bindings: &[$crate::kernel::CpuBinding],
             workgroup: $crate::dependencies::glam::UVec3,
@@ -258,6 +265,7 @@ macro_rules! lane_runs {
             // SAFETY: the caller's
             unsafe { $run::<$crate::lane::Wide<1, false>>(bindings, workgroup, workgroups) }
         }
+        // SAFETY: called as `CpuRun` says
         unsafe fn plain(
             bindings: &[$crate::kernel::CpuBinding],
             workgroup: $crate::dependencies::glam::UVec3,
@@ -266,6 +274,7 @@ macro_rules! lane_runs {
             // SAFETY: the caller's
             unsafe { $run::<$crate::lane::Wide<8, false>>(bindings, workgroup, workgroups) }
         }
+        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::of`
         #[cfg(target_arch = "x86_64")]
         #[target_feature(enable = "avx2,fma")]
         unsafe fn avx2(
@@ -276,6 +285,7 @@ macro_rules! lane_runs {
             // SAFETY: the caller's
             unsafe { $run::<$crate::lane::Wide<8, true>>(bindings, workgroup, workgroups) }
         }
+        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::of`
         #[cfg(target_arch = "x86_64")]
         #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
         unsafe fn avx512(

@@ -116,8 +116,12 @@ fn wait(at: &'static Location<'static>) {
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.
+///
+/// # Safety
+/// The same as for [`CpuRun`](crate::kernel::CpuRun), with the bindings alone. `run` is the run of a kernel that
+/// declares `shared`.
 #[doc(hidden)]
-pub fn run_bound(
+pub unsafe fn run_bound(
     shared: &[SharedInfo],
     size: UVec3,
     run: unsafe fn(&[CpuBinding], Invocation),

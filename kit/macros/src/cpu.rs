@@ -30,6 +30,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     if kernel.has_shared() {
         return quote! {
+            // SAFETY: called as `CpuRun` says
             unsafe fn run_invocation(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
                 #(
                     // SAFETY: the caller passes bindings of the declared types
@@ -49,6 +50,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     };
     let body = workgroup(kernel, &views.collect::<Vec<_>>(), &step);
     quote! {
+        // SAFETY: called as `CpuRun` says
         unsafe fn run_workgroup #body
         const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Workgroup(run_workgroup) }
     }
@@ -75,7 +77,7 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
             Role::Write => quote!(write::<#element>()),
             Role::Shared(len) => quote!(shared::<#element, {#len}>()),
             Role::SharedTile(len) => {
-                // SAFETY: as the others
+                // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
                 return quote! { let #name = &mut unsafe { bindings[#index].shared::<#element, {#len}>() }.named(#text); };
             }
         };
@@ -85,6 +87,7 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
     let names = kernel.parameters.iter().map(|parameter| &parameter.name);
     let lane = kernel.lanes.is_some().then(|| quote!(::<f32>));
     quote! {{
+        // SAFETY: called as `CpuRun` says
         unsafe fn run_variant(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
             #(
                 // SAFETY: the caller passes bindings of the declared types
@@ -162,6 +165,7 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
     let body = workgroup(kernel, views, &step);
     quote! {
         #whole
+        // SAFETY: called as `CpuRun` says
         #[inline(always)]
         unsafe fn run_lanes<L: ::organza_kernel::lane::Lane> #body
         const fn run() -> ::organza_kernel::kernel::CpuRun {

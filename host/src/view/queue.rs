@@ -69,6 +69,8 @@ struct State {
     clients: BTreeMap<u64, Client>,
     questions: VecDeque<(Question, oneshot::Sender<Answer>)>,
     requests: u64,
+    /// Time of the client that was served last, before its image.
+    least: Duration,
 }
 
 /// Waiting requests.
@@ -118,12 +120,9 @@ impl Queue {
             };
         }
         // time that a client did not use is not saved up
-        let least = state.clients.values().filter(|client| client.is_waiting());
-        let least = least.map(|client| client.spent).min().unwrap_or_default();
+        let least = state.least;
         let client = state.clients.entry(id).or_default();
-        if client.job.is_none() {
-            client.spent = client.spent.max(least);
-        }
+        client.spent = client.spent.max(least);
         client.last = now;
         // requests may overtake each other on the way
         if job.request.sequence >= client.sequence {
@@ -176,7 +175,8 @@ impl Queue {
             return Some(Job::Question(question, reply));
         }
         let waiting = state.clients.iter().filter(|(_, client)| client.is_waiting());
-        let next = *waiting.min_by_key(|(id, client)| (client.spent, **id))?.0;
+        let (&next, client) = waiting.min_by_key(|(id, client)| (client.spent, **id))?;
+        state.least = client.spent;
         state.clients.get_mut(&next).and_then(|client| client.job.take()).map(Job::Frame)
     }
 
@@ -216,5 +216,75 @@ impl State {
     fn is_waiting(&self) -> bool {
         self.questions.iter().any(|(_, reply)| !reply.is_closed())
             || self.clients.values().any(Client::is_waiting)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::message::{CameraMessage, Mode};
+    use super::*;
+
+    /// Adds a request of a client. Its answer is awaited until the receiver is dropped.
+    fn post(queue: &Queue, client: u64, sequence: u64) -> oneshot::Receiver<Answer> {
+        let camera = crate::demo::turntable(1, 16).remove(0);
+        let (reply, answer) = oneshot::channel();
+        let request = FrameRequest {
+            client,
+            sequence,
+            camera: CameraMessage::from(&camera),
+            mode: Mode::Color,
+            quality: Quality::Still,
+            background: None,
+            view: None,
+        };
+        queue.post(Box::new(FrameJob { request, camera, reply }));
+        answer
+    }
+
+    /// The first client's images take 1 ms, and those of five others 10 ms: in turns of one image each, the first would
+    /// get a sixth of the images.
+    #[test]
+    fn clients_share_the_time_and_not_the_number_of_images() {
+        let queue = Queue::default();
+        let mut answers: Vec<_> = (0..6).map(|client| post(&queue, client, 0)).collect();
+        let mut images = [0; 6];
+        for sequence in 1..=1000 {
+            let Some(Job::Frame(job)) = queue.take(Duration::ZERO) else { panic!("all wait") };
+            let client = job.request.client;
+            images[client as usize] += 1;
+            queue.charge(client, Duration::from_millis(if client == 0 { 1 } else { 10 }));
+            answers[client as usize] = post(&queue, client, sequence);
+        }
+        let [small, large @ ..] = images;
+        let expected = 1000.0 * (1.0 / 1.0) / (1.0 / 1.0 + 5.0 / 10.0);
+        assert!((f64::from(small) - expected).abs() < 20.0, "{images:?}");
+        assert!(large.iter().all(|count| (60..=73).contains(count)), "{images:?}");
+    }
+
+    /// A client that comes back does not get the time that it did not use.
+    #[test]
+    fn time_is_not_saved_up() {
+        let queue = Queue::default();
+        let mut busy = post(&queue, 1, 0);
+        for sequence in 1..=100 {
+            assert!(matches!(queue.take(Duration::ZERO), Some(Job::Frame(_))));
+            queue.charge(1, Duration::from_millis(10));
+            busy = post(&queue, 1, sequence);
+        }
+        let mut images = 0;
+        let mut back = post(&queue, 0, 0);
+        for sequence in 101..=120 {
+            let Some(Job::Frame(job)) = queue.take(Duration::ZERO) else { panic!("both wait") };
+            let client = job.request.client;
+            queue.charge(client, Duration::from_millis(10));
+            if client == 0 {
+                images += 1;
+                back = post(&queue, 0, sequence);
+            } else {
+                busy = post(&queue, 1, sequence);
+            }
+        }
+        drop((busy, back));
+        assert!((9..=11).contains(&images), "{images} of 20");
     }
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::{Read, Write};
 use std::net::{TcpListener, TcpStream, UdpSocket};
-use std::sync::atomic::{AtomicBool, Ordering};
+
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -317,40 +317,4 @@ fn a_client_that_keeps_its_connections_locks_nobody_out() {
     stream.read_to_string(&mut back).expect("an answer");
     assert!(back.starts_with("HTTP/1.1 200"), "{back}");
     drop(greedy);
-}
-
-/// Small images do not wait behind many large ones of another client.
-#[test]
-fn clients_share_the_time_and_not_the_number_of_images() {
-    let sandbox = Sandbox::new("tiny");
-    let viewer = Viewer::start(&sandbox, VIEW);
-    let small = viewer.scene()["views"][0]["camera"].clone();
-    let mut large = small.clone();
-    large["w"] = json!(500);
-    large["h"] = json!(500);
-    let done = AtomicBool::new(false);
-    let [small_images, large_images] = thread::scope(|scope| {
-        let many = |client: u64, camera: &serde_json::Value| {
-            let viewer = &viewer;
-            let done = &done;
-            let camera = camera.clone();
-            scope.spawn(move || {
-                let mut images = 0;
-                while !done.load(Ordering::Relaxed) {
-                    images += 1;
-                    let more = json!({"client": client, "sequence": images});
-                    viewer.frame(&camera, "still", &more).ok();
-                }
-                images
-            })
-        };
-        let small = many(1, &small);
-        let large: Vec<_> = (2..7).map(|client| many(client, &large)).collect();
-        thread::sleep(Duration::from_secs(2));
-        done.store(true, Ordering::Relaxed);
-        let large = large.into_iter().map(|client| client.join().expect("images")).sum();
-        [small.join().expect("images"), large]
-    });
-    // in turns, there would be a small one for every five large ones
-    assert!(2 * small_images > large_images, "{small_images} small, {large_images} large");
 }

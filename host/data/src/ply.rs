@@ -40,7 +40,7 @@ pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<V
 /// Errors name `path`.
 ///
 /// # Errors
-/// The same errors as [`read`].
+/// [`Error::ReadFile`]; [`Error::Invalid`] for a file that is no PLY or is truncated; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
 pub fn vertices<V: PropertyAccess>(
     source: impl Read,
     length: u64,

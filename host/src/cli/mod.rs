@@ -36,7 +36,7 @@ mod written;
 
 use std::ops::RangeInclusive;
 use std::panic;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
@@ -194,4 +194,9 @@ fn size(text: &str, sides: RangeInclusive<u32>) -> Result<[u32; 2], String> {
 /// An error about an argument.
 fn refuse<T>(reason: impl Into<String>) -> Result<T> {
     Err(organza::Error::Invalid { origin: PathBuf::new(), reason: reason.into() })
+}
+
+/// The path from the root of the file system.
+fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }

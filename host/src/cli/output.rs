@@ -22,34 +22,42 @@ pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
 /// An input is a file, or the folder of a run or of a data set. All files of a run are inputs, and so is the data set
 /// that it was trained on. In a data set's folder, every file of a kind that data sets have is one.
 pub fn refuse_inputs(path: &Path, inputs: &[&Path]) -> Result<()> {
-    let Ok(existing) = fs::canonicalize(path) else { return Ok(()) };
-    for input in inputs {
-        let Some(replaced) = replaced(&existing, input) else { continue };
-        let path = path.display();
-        return refuse(format!("the output {path} would replace {replaced}; choose another"));
-    }
-    Ok(())
+    refuse_replacing(path, inputs, replaced)
 }
 
 /// Fails if writing to a path would replace one of these files.
 pub fn refuse_same(path: &Path, inputs: &[&Path]) -> Result<()> {
-    let is_same = |input: &&&Path| matches!((fs::canonicalize(path), fs::canonicalize(input)), (Ok(a), Ok(b)) if a == b);
-    match inputs.iter().find(is_same) {
-        Some(input) => {
+    refuse_replacing(path, inputs, same)
+}
+
+/// Fails if `replaced` names what writing to a path would replace: it gets the existing file and each input.
+fn refuse_replacing(
+    path: &Path,
+    inputs: &[&Path],
+    replaced: fn(&Path, &Path) -> Option<String>,
+) -> Result<()> {
+    let Ok(existing) = fs::canonicalize(path) else { return Ok(()) };
+    match inputs.iter().find_map(|input| replaced(&existing, input)) {
+        Some(replaced) => {
             let path = path.display();
-            let input = input.display();
-            refuse(format!("the output {path} would replace the input {input}; choose another"))
+            refuse(format!("the output {path} would replace {replaced}; choose another"))
         }
         None => Ok(()),
     }
 }
 
+/// The input in words, if it is the existing file.
+fn same(existing: &Path, input: &Path) -> Option<String> {
+    let is_same = fs::canonicalize(input).is_ok_and(|full| full == existing);
+    is_same.then(|| format!("the input {}", input.display()))
+}
+
 /// The input that an existing file is or belongs to, in words.
 fn replaced(existing: &Path, input: &Path) -> Option<String> {
-    let full = fs::canonicalize(input).ok()?;
-    if full == existing {
-        return Some(format!("the input {}", input.display()));
+    if let Some(input) = same(existing, input) {
+        return Some(input);
     }
+    let full = fs::canonicalize(input).ok()?;
     let folder = if full.is_dir() { full.as_path() } else { full.parent()? };
     if folder.join(CONFIG).exists() {
         if existing.strip_prefix(folder).is_ok_and(train::is_run_file) {

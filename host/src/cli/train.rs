@@ -24,9 +24,9 @@ use super::inputs::DataSet;
 use super::output::Folder;
 use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
-use super::refuse;
 use super::signals::Signals;
 use super::view::{ServerArgs, title};
+use super::{absolute, refuse};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -467,9 +467,4 @@ impl SettingsArgs {
 fn minutes(text: &str) -> Result<f64, String> {
     let value = text.parse().ok().filter(|value| (0.01..=500_000.0).contains(value));
     value.ok_or_else(|| "expected a number of minutes, such as 10 or 0.5".to_owned())
-}
-
-/// The path from the root of the file system.
-fn absolute(path: &Path) -> PathBuf {
-    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }

@@ -205,7 +205,7 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
 
 /// The title of a page: the last part of a path.
 pub fn title(path: &Path) -> String {
-    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let path = super::absolute(path);
     path.file_name()
         .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }

@@ -75,24 +75,10 @@ impl RunConfig {
 impl TrainConfig {
     /// Every setting as `table.name` with its value, in the order and with the digits of the file.
     pub(super) fn list(&self) -> Vec<(String, String)> {
-        fn walk(prefix: &str, value: &toml::Value, found: &mut Vec<(String, String)>) {
-            match value {
-                toml::Value::Table(table) => {
-                    for (key, value) in table {
-                        let name =
-                            if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
-                        walk(&name, value, found);
-                    }
-                }
-                value => found.push((prefix.to_owned(), value.to_string())),
-            }
-        }
-        let mut found = Vec::new();
         // through the text: there an `f32` of 0.2 is 0.2, and not the f64 nearest to it
-        if let Ok(table) = toml::from_str(&self.to_toml()) {
-            walk("", &toml::Value::Table(table), &mut found);
-        }
-        found
+        let table: toml::Table = toml::from_str(&self.to_toml()).unwrap_or_default();
+        let leaves = builder::leaves(&table, |_| false);
+        leaves.into_iter().map(|(name, value)| (name, value.to_string())).collect()
     }
 
     /// The configuration of a run's scene.

@@ -1,16 +1,18 @@
 //! Assignments `key=value`, which set one setting in its own type.
 
+use std::sync::LazyLock;
+
 use serde::Deserialize;
 use toml::{Table, Value};
 
 use super::TrainConfig;
-use super::builder::merge;
+use super::builder::{leaves, merge};
 
 /// Similarity of two names, 0 to 1, from which one is suggested for the other.
 const ALIKE: f64 = 0.8;
 
 /// A table with all settings, including those that a file omits if they have their default.
-fn template() -> Table {
+static TEMPLATE: LazyLock<Table> = LazyLock::new(|| {
     let mut config = TrainConfig::default();
     config.data.path = Some("the built-in scene".into());
     config.start.path = Some("the data set's points".into());
@@ -21,46 +23,23 @@ fn template() -> Table {
         data.insert("allow_outside".to_owned(), Value::Boolean(false));
     }
     table
-}
+});
 
 /// Every setting as `table.name`, and its default. A learning rate is one setting.
 #[must_use]
 pub fn defaults() -> Vec<(String, String)> {
-    fn walk(prefix: &str, table: &Table, found: &mut Vec<(String, String)>) {
-        for (key, value) in table {
-            let name = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
-            let text = match value {
-                Value::Table(rate) if is_rate(value) => {
-                    rate.values().map(Value::to_string).collect::<Vec<_>>().join(",")
-                }
-                Value::Table(table) => {
-                    walk(&name, table, found);
-                    continue;
-                }
-                Value::String(text) => text.clone(),
-                value => value.to_string().replace(['[', ']', ' '], ""),
-            };
-            found.push((name, text));
-        }
-    }
-    let mut found = Vec::new();
-    walk("", &template(), &mut found);
-    found
+    let text = |value: &Value| match value {
+        Value::Table(rate) => rate.values().map(Value::to_string).collect::<Vec<_>>().join(","),
+        Value::String(text) => text.clone(),
+        value => value.to_string().replace(['[', ']', ' '], ""),
+    };
+    let settings = leaves(&TEMPLATE, is_rate);
+    settings.into_iter().map(|(name, value)| (name, text(value))).collect()
 }
 
 /// Checks that every name in a file's table is that of a setting.
 pub fn check_names(table: &Table) -> Result<(), String> {
-    fn walk(prefix: &str, table: &Table) -> Result<(), String> {
-        for (key, value) in table {
-            let name = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
-            match value {
-                Value::Table(table) => walk(&name, table)?,
-                _ => drop(find(&name)?),
-            }
-        }
-        Ok(())
-    }
-    walk("", table)
+    leaves(table, |_| false).into_iter().try_for_each(|(name, _)| find(&name).map(drop))
 }
 
 /// Parses an assignment into a table with one setting.
@@ -77,7 +56,7 @@ pub fn parse(text: &str) -> Result<Table, String> {
     let Value::Table(table) = key.rsplit('.').fold(value, wrap) else {
         unreachable!("a key has at least one name")
     };
-    let mut all = template();
+    let mut all = TEMPLATE.clone();
     merge(&mut all, table.clone());
     match TrainConfig::deserialize(all) {
         Ok(_) => Ok(table),
@@ -87,8 +66,9 @@ pub fn parse(text: &str) -> Result<Table, String> {
 
 /// The default of a setting. If there is none of that name, the error suggests a similar one.
 fn find(key: &str) -> Result<Value, String> {
-    let table = Value::Table(template());
-    let found = key.split('.').try_fold(&table, |value, name| value.get(name));
+    let mut names = key.split('.');
+    let first = names.next().and_then(|name| TEMPLATE.get(name));
+    let found = first.and_then(|value| names.try_fold(value, |value, name| value.get(name)));
     match found {
         Some(value @ Value::Table(table)) if !is_rate(value) => {
             let first = table.keys().next().map_or("", String::as_str);

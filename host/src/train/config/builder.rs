@@ -88,7 +88,6 @@ impl ConfigBuilder {
     /// # Errors
     /// [`Error::Invalid`] if there is no such setting, or if the value is not of its type.
     pub fn set(mut self, assignment: &str) -> Result<Self> {
-        let invalid = |reason| Error::Invalid { origin: Path::new("").to_owned(), reason };
         let table = assignment::parse(assignment).map_err(invalid)?;
         merge(&mut self.table, table);
         Ok(self)
@@ -98,12 +97,10 @@ impl ConfigBuilder {
     ///
     /// # Errors
     /// [`Error::Invalid`] for a value that is not of its type.
-    pub fn limit_start(mut self) -> Result<Self> {
-        let invalid = |reason| Error::Invalid { origin: Path::new("").to_owned(), reason };
+    pub fn limit_start(self) -> Result<Self> {
         let config = self.parse().map_err(invalid)?;
         let gaussians = config.start.gaussians.min(config.growth.max_gaussians);
-        self = self.set(&format!("start.gaussians={gaussians}"))?;
-        Ok(self)
+        self.set(&format!("start.gaussians={gaussians}"))
     }
 
     /// Returns the combined settings.
@@ -111,7 +108,6 @@ impl ConfigBuilder {
     /// # Errors
     /// [`Error::Invalid`] for a value out of range.
     pub fn build(self) -> Result<TrainConfig> {
-        let invalid = |reason| Error::Invalid { origin: Path::new("").to_owned(), reason };
         let config = self.parse().map_err(invalid)?;
         config.check().map_err(invalid)?;
         Ok(config)
@@ -120,6 +116,26 @@ impl ConfigBuilder {
     fn parse(&self) -> Result<TrainConfig, String> {
         TrainConfig::deserialize(self.table.clone()).map_err(|error| error.message().to_owned())
     }
+}
+
+/// An error about settings that are in no file.
+fn invalid(reason: String) -> Error {
+    Error::Invalid { origin: Path::new("").to_owned(), reason }
+}
+
+/// Every value of a table with its name, such as `run.steps`. A table is a value of its own if `is_leaf` says so.
+pub(super) fn leaves(table: &Table, is_leaf: fn(&Value) -> bool) -> Vec<(String, &Value)> {
+    let mut found = Vec::new();
+    for (key, value) in table {
+        match value {
+            Value::Table(inner) if !is_leaf(value) => {
+                let below = leaves(inner, is_leaf).into_iter();
+                found.extend(below.map(|(name, value)| (format!("{key}.{name}"), value)));
+            }
+            value => found.push((key.clone(), value)),
+        }
+    }
+    found
 }
 
 /// Overwrites values of the table `under` with those of `over`.

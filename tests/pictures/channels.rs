@@ -1,11 +1,12 @@
 //! Depth, alpha, visibility and normal in the cases of the float64 reference, on every device. They are compared with
 //! the equations in f64, using the reference's transmittances.
 
-use organza::{Camera, Channel, Tile, TileBatch};
+use organza::{Camera, Channel, Renderer, Tile, TileBatch};
 use organza_parity::exact::channels::{depth, normal};
 use organza_parity::exact::composite::{self, Splat};
 use organza_parity::exact::project;
 use organza_tests::cases::{self, Case};
+use organza_tests::devices;
 
 use crate::snapshot::exact;
 
@@ -173,4 +174,55 @@ fn pixels_without_a_gaussian_are_zero() {
             assert!(values.iter().all(|&value| value == 0.0), "{} on {backend}", channel.name());
         }
     });
+}
+
+/// A GPU may take numbers below 1.2e-38 for 0. Pixels with such weights are empty on every device.
+#[test]
+fn pixels_of_nearly_no_weight_are_empty_on_every_device() {
+    let mut case = Case::load(&cases::folder().join("basic"));
+    // sigmoid(-92) = 1e-40, and exp(-60) = 1e-26 is far above every limit
+    for (index, opacity) in case.scene.gaussians.opacity.iter_mut().enumerate() {
+        *opacity = [-92.0, -60.0][index % 2];
+    }
+    let members = members(&case, 0);
+    let Camera { width, height, .. } = case.cameras[0];
+    let side = 16;
+    let batch = TileBatch::cover(0, width, height, side).unwrap();
+    let area = (side * side) as usize;
+    let mut kinds = [0; 2];
+    for (device, renderer) in devices::all().into_iter().chain(devices::cpus()) {
+        let renderer = Renderer::new(renderer);
+        let scene = renderer.upload(&case.scene).unwrap();
+        let channels = Channel::ALL;
+        let tiles = renderer
+            .render_channels(&scene, &case.cameras, &batch, &channels, &mut |_, _| {})
+            .unwrap();
+        for (tile, at) in
+            (0..batch.tiles.len()).flat_map(|tile| (0..area).map(move |at| (tile, at)))
+        {
+            let [left, top] = batch.tiles[tile].origin.map(|origin| f64::from(origin) + 0.5);
+            let place = [left + (at % 16) as f64, top + (at / 16) as f64];
+            let Some([depth, alpha, ..]) = pixel(&members, place) else { continue };
+            let found = |channel: Channel, plane: usize| {
+                tiles.channels[&channel][(tile * channel.planes() + plane) * area + at]
+            };
+            if alpha < 1e-31 {
+                let values = [
+                    found(Channel::Depth, 0),
+                    found(Channel::Alpha, 0),
+                    found(Channel::Visibility, 0),
+                    found(Channel::Normal, 0),
+                    found(Channel::Normal, 1),
+                    found(Channel::Normal, 2),
+                ];
+                assert_eq!(values, [0.0; 6], "an alpha of {alpha:e} on {device}");
+                kinds[0] += usize::from(alpha > 0.0);
+            } else if alpha > 1e-29 {
+                let apart = (f64::from(found(Channel::Depth, 0)) - depth).abs();
+                assert!(apart <= TOLERANCE * depth, "an alpha of {alpha:e} on {device}");
+                kinds[1] += 1;
+            }
+        }
+    }
+    assert!(kinds.iter().all(|&pixels| pixels > 20), "{kinds:?}");
 }

@@ -3,16 +3,17 @@
 //! An image does not depend on the cut.
 
 mod channel;
+mod origin;
 #[cfg(test)]
 mod tests;
 
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
-
-use ::image::codecs::png::PngEncoder;
-use ::image::{ExtendedColorType, ImageEncoder, ImageError};
+pub use origin::{Marked, Origin, read_origin};
+use png::{BitDepth, ColorType};
 
 use crate::error::{Error, Result};
 use crate::rendered::RenderedTiles;
@@ -165,7 +166,25 @@ impl Image {
     /// # Errors
     /// [`Error::WriteFile`].
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
-        save_png(path, self.pixels.as_flattened(), self.size(), ExtendedColorType::Rgb8)
+        write_atomic(path, |writer| self.encode(writer, None, None))
+    }
+
+    /// Writes the image as PNG, atomically, with its origin. `stop` ends the encoding, which is then an error.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn save_with_origin(
+        &self,
+        path: &Path,
+        origin: &Origin,
+        stop: Option<&AtomicBool>,
+    ) -> Result<()> {
+        write_atomic(path, |writer| {
+            let mut file = Vec::new();
+            self.encode(&mut file, Some(origin), stop)?;
+            origin::seal(&mut file, path)?;
+            writer.write_all(&file)
+        })
     }
 
     /// The image as a PNG file.
@@ -174,32 +193,62 @@ impl Image {
     /// If the encoder fails. It writes to memory.
     pub fn encode_png(&self) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
-        let pixels = self.pixels.as_flattened();
-        write_png(&mut bytes, pixels, self.size(), ExtendedColorType::Rgb8)?;
+        self.encode(&mut bytes, None, None)?;
         Ok(bytes)
+    }
+
+    fn encode(
+        &self,
+        writer: impl Write,
+        origin: Option<&Origin>,
+        stop: Option<&AtomicBool>,
+    ) -> io::Result<()> {
+        let pixels = Pixels {
+            bytes: self.pixels.as_flattened(),
+            size: self.size(),
+            color: ColorType::Rgb,
+            depth: BitDepth::Eight,
+        };
+        pixels.write_png(writer, origin, stop)
     }
 }
 
-/// Writes pixels as PNG, atomically.
-fn save_png(
-    path: impl AsRef<Path>,
-    bytes: &[u8],
-    [width, height]: [u32; 2],
-    color: ExtendedColorType,
-) -> Result<()> {
-    write_atomic(path, |writer| write_png(writer, bytes, [width, height], color))
+/// Pixels for a PNG, row by row. Those of 16 bits have their higher byte first.
+struct Pixels<'a> {
+    bytes: &'a [u8],
+    size: [u32; 2],
+    color: ColorType,
+    depth: BitDepth,
 }
 
-fn write_png(
-    writer: impl io::Write,
-    bytes: &[u8],
-    [width, height]: [u32; 2],
-    color: ExtendedColorType,
-) -> io::Result<()> {
-    PngEncoder::new(writer).write_image(bytes, width, height, color).map_err(|error| match error {
-        ImageError::IoError(error) => error,
-        other => io::Error::other(other),
-    })
+impl Pixels<'_> {
+    fn write_png(
+        &self,
+        writer: impl Write,
+        origin: Option<&Origin>,
+        stop: Option<&AtomicBool>,
+    ) -> io::Result<()> {
+        let [width, height] = self.size;
+        let mut encoder = png::Encoder::new(writer, width, height);
+        encoder.set_color(self.color);
+        encoder.set_depth(self.depth);
+        encoder.set_compression(png::Compression::Fast);
+        encoder.set_filter(png::Filter::Adaptive);
+        if let Some(origin) = origin {
+            encoder.add_text_chunk(origin::KEY.to_owned(), origin.text())?;
+        }
+        let mut writer = encoder.write_header()?;
+        let mut rows = writer.stream_writer_with_size(1 << 20)?;
+        let row = self.bytes.len() / (height as usize).max(1);
+        for row in self.bytes.chunks(row.max(1)) {
+            if stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) {
+                return Err(io::Error::other("stopped by a signal"));
+            }
+            rows.write_all(row)?;
+        }
+        rows.finish()?;
+        Ok(writer.finish()?)
+    }
 }
 
 /// Rounds a value from 0 to 1 to the nearest of 256 levels. Values outside are clamped, and NaN is 0.

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use organza::image::Origin;
 use organza::{Camera, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
 use serde::Serialize;
 
@@ -62,9 +63,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     scene.save(&scene_file)?;
     Camera::save_all(&cameras_file, &cameras)?;
     center_tiles(&cameras).save(&tiles_file)?;
-    let mut written = Written::open(&folder, &scene_file, &cameras)?;
-    let (images, cost) = render(&renderer, &scene, &cameras, &folder, &mut written, console)?;
-    let removed = written.finish(console)?;
+    let written = Written::new(&folder, &scene_file, &cameras, &())?;
+    let (images, cost) = render(&renderer, &scene, &cameras, &folder, written.origin(), console)?;
+    let removed = written.remove_stale(console)?;
     console.note(&whats_next(&args.output, &cameras));
     if args.json {
         let scene = scene_file;
@@ -114,7 +115,7 @@ fn render(
     scene: &Scene,
     cameras: &[Camera],
     folder: &Folder,
-    written: &mut Written,
+    origin: &Origin,
     console: Console,
 ) -> Result<(Vec<Picture>, Cost)> {
     let scene = renderer.upload(scene)?;
@@ -132,8 +133,7 @@ fn render(
             progress.say(&names[view]);
             let image = pictures.render(view, &mut summary, &progress)?;
             let file = folder.file(&format!("{}.png", names[view]))?;
-            image.save_png(&file)?;
-            written.add(&file)?;
+            image.save_with_origin(&file, origin, None)?;
             images.push(Picture::new(view, &file, &cameras[view]));
             sheet.add(&image)?;
             not_finite += image.not_finite();

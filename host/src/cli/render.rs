@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use organza::image::{ChannelFormat, ChannelImage};
+use organza::image::{ChannelFormat, ChannelImage, Origin};
 use organza::tile::MAX_TILE_SIDE;
 use organza::{Channel, DeviceShare, Image, Renderer, Result};
 use serde::Serialize;
@@ -38,8 +38,8 @@ run's folder says which frames are held out. Views count within the split.
 If each camera names a photograph of its own, files are named after these; otherwise after the \
 view's index. The tile size does not change the image.
 
-The folder also gets .organza-files.json, a list of the images with their hashes. The next call removes those that \
-were made from another scene or other cameras, unless you have changed them. It removes nothing else.
+Each image has a hash of its scene and cameras in its metadata. The next call removes images of another scene or of \
+other cameras from the folder, unless you have changed or renamed them. It removes nothing else.
 
 `--shard I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
 one folder at the same time. A shard removes nothing. With `--missing`, images that are there and were made from the \
@@ -174,10 +174,9 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
     };
     let pictures =
         Pictures { renderer, shown, cameras: list, tile_size: args.tile_size, stop: None };
-    let shard = args.shard.map(|shard| [shard.index, shard.count]);
     let of_ranks = rank.is_some().then_some("added up by ranks");
-    let mut written = Written::open_shard(&folder, source.file(), &cameras.all, shard)?
-        .with_options(&(&args.scene_args, format, of_ranks));
+    let options = (&args.scene_args, format, of_ranks);
+    let written = Written::new(&folder, source.file(), &cameras.all, &options)?;
     let todo = match args.missing {
         true => written.missing(files.iter().map(Vec::as_slice))?,
         false => (0..views.len()).collect(),
@@ -188,15 +187,14 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
         console.note(&format!("{there} of {all} are there from an earlier call"));
     }
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
-    written
-        .announce(&rendered.iter().flat_map(|(_, files)| *files).cloned().collect::<Vec<_>>())?;
     if let Some(rank) = rank {
         let todo: Vec<_> = rendered.iter().map(|(view, _)| *view as u64).collect();
         rank.ranks.broadcast(bytemuck::cast_slice(&todo).to_vec())?;
     }
     let output = (&channels[..], format);
-    let cost = write_all(&pictures, &rendered, output, &mut written, console)?;
-    let removed = written.finish(console)?;
+    let cost = write_all(&pictures, &rendered, output, written.origin(), console)?;
+    // Another shard may be writing the image again.
+    let removed = if args.shard.is_some() { 0 } else { written.remove_stale(console)? };
     let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();
     console.note(&match names.as_slice() {
         [] => "nothing to render".to_owned(),
@@ -238,12 +236,13 @@ fn write_all(
     pictures: &Pictures<'_>,
     todo: &[(usize, &Vec<PathBuf>)],
     (channels, format): (&[Channel], ChannelFormat),
-    written: &mut Written,
+    origin: &Origin,
     console: Console,
 ) -> Result<Cost> {
     let mut summary = Summary::start();
     let views: Vec<_> = todo.iter().map(|(view, _)| *view).collect();
     let mut not_finite = 0;
+    let mut not_finite_channels = 0;
     let mut clipped = 0;
     {
         let progress = console.progress(pictures.tiles(&views), "tiles");
@@ -251,13 +250,12 @@ fn write_all(
             progress.say(&name(&paths[0]));
             let (image, beside) =
                 pictures.render_channels(view, channels, &mut summary, &progress)?;
-            image.save_png(&paths[0])?;
-            written.add(&paths[0])?;
+            image.save_with_origin(&paths[0], origin, None)?;
             not_finite += image.not_finite();
             for (image, path) in beside.iter().zip(&paths[1..]) {
-                image.save(path, format)?;
-                written.add(path)?;
+                image.save(path, format, Some(origin))?;
                 clipped += image.clipped(format);
+                not_finite_channels += image.not_finite();
             }
         }
     }
@@ -267,6 +265,12 @@ fn write_all(
         console.note(&summary.line(&format!("{number} of {size}")));
     }
     warn_not_finite(console, not_finite);
+    if not_finite_channels > 0 {
+        let values = grouped(not_finite_channels);
+        console.warn(&format!(
+            "NaN or infinite values in channels: {values}; check the Gaussians' positions and the networks' weights"
+        ));
+    }
     if clipped > 0 {
         let clipped = grouped(clipped);
         console.warn(&format!(

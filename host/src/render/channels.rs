@@ -26,22 +26,29 @@ fn source(channel: Channel) -> Source {
     }
 }
 
+/// A pixel of less weight shows no Gaussian. A GPU may take numbers below 1.2e-38 for 0, so means with such weights would
+/// depend on the device.
+const LEAST_WEIGHT: f32 = 1e-30;
+
 /// The channel of one tile, `[planes, S, S]`, of its sums `[4, S, S]`.
 fn resolve(channel: Channel, sum: &[f32], area: usize) -> Vec<f32> {
     let weight = &sum[3 * area..];
+    // NaN is covered: it shows what an overflowing network makes of its pixels.
+    let is_empty = |weight: f32| weight < LEAST_WEIGHT;
+    let covered = |value: f32, weight: f32| if is_empty(weight) { 0.0 } else { value };
     let mean = |plane: usize| {
         let sum = &sum[plane * area..][..area];
-        let mean = |(sum, &weight): (&f32, &f32)| if weight > 0.0 { sum / weight } else { 0.0 };
-        sum.iter().zip(weight).map(mean).collect()
+        sum.iter().zip(weight).map(|(sum, &weight)| covered(sum / weight, weight)).collect()
     };
     match channel {
         Channel::Depth => mean(0),
         Channel::Visibility => mean(1),
-        Channel::Alpha => weight.to_vec(),
+        Channel::Alpha => weight.iter().map(|&weight| covered(weight, weight)).collect(),
         Channel::Normal => {
             let mut normals = sum[..3 * area].to_vec();
             for at in 0..area {
                 let sum = Vec3::from([0, 1, 2].map(|axis| normals[axis * area + at]));
+                let sum = if is_empty(weight[at]) { Vec3::ZERO } else { sum };
                 // the squares of small weights would be 0
                 let normal = (sum / sum.abs().max_element()).normalize_or_zero();
                 for axis in 0..3 {

@@ -3,10 +3,12 @@
 use std::io::{self, Cursor};
 use std::path::Path;
 
-use ::image::ExtendedColorType;
+use exr::meta::attribute::{AttributeValue, Text};
 use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, WritableImage};
+use png::{BitDepth, ColorType};
 
-use super::{Image, save_png, to_8_bit, visible_pixels};
+use super::origin::{self, Origin};
+use super::{Image, Pixels, to_8_bit, visible_pixels};
 use crate::error::{Error, Result};
 use crate::rendered::{Channel, RenderedTiles};
 use crate::tile::TileBatch;
@@ -126,7 +128,13 @@ impl ChannelImage {
         }
     }
 
-    /// Writes the image, atomically.
+    /// Number of values that are NaN or infinite: networks with huge weights and Gaussians far away can cause that.
+    #[must_use]
+    pub fn not_finite(&self) -> u64 {
+        self.values.iter().filter(|value| !value.is_finite()).count() as u64
+    }
+
+    /// Writes the image, atomically, with its origin if there is one.
     ///
     /// - PNG: depth times `depth_scale`; alpha and visibility from 0 to 1; each component of a normal from -1 to 1.
     ///   Values are clamped, and rounded to the nearest of 65,536 levels. NaN is 0.
@@ -134,11 +142,23 @@ impl ChannelImage {
     ///
     /// # Errors
     /// [`Error::WriteFile`].
-    pub fn save(&self, path: impl AsRef<Path>, format: ChannelFormat) -> Result<()> {
-        match format {
-            ChannelFormat::Png { depth_scale } => self.save_png(path, depth_scale),
-            ChannelFormat::Exr => self.save_exr(path),
-        }
+    pub fn save(
+        &self,
+        path: impl AsRef<Path>,
+        format: ChannelFormat,
+        origin: Option<&Origin>,
+    ) -> Result<()> {
+        let path = path.as_ref();
+        write_atomic(path, |writer| {
+            let mut file = match format {
+                ChannelFormat::Png { depth_scale } => self.encode_png(depth_scale, origin)?,
+                ChannelFormat::Exr => self.encode_exr(origin)?,
+            };
+            if origin.is_some() {
+                origin::seal(&mut file, path)?;
+            }
+            writer.write_all(&file)
+        })
     }
 
     /// The channel as a picture for people. Depth goes from red at `near` to blue at `far`, in Google's color map
@@ -165,7 +185,7 @@ impl ChannelImage {
         Image::of_pixels(self.size, &colors)
     }
 
-    fn save_png(&self, path: impl AsRef<Path>, depth_scale: f32) -> Result<()> {
+    fn encode_png(&self, depth_scale: f32, origin: Option<&Origin>) -> io::Result<Vec<u8>> {
         let planes = self.channel.planes();
         let pixels = self.values.len() / planes;
         let level = |value: f32| match self.channel {
@@ -174,12 +194,19 @@ impl ChannelImage {
             Channel::Normal => to_16_bit(0.5 * value + 0.5),
         };
         let values = (0..pixels).flat_map(|at| (0..planes).map(move |plane| plane * pixels + at));
-        let levels: Vec<u16> = values.map(|at| level(self.values[at])).collect();
-        let color = if planes == 3 { ExtendedColorType::Rgb16 } else { ExtendedColorType::L16 };
-        save_png(path, bytemuck::cast_slice(&levels), self.size, color)
+        let levels: Vec<_> = values.map(|at| level(self.values[at]).to_be_bytes()).collect();
+        let pixels = Pixels {
+            bytes: levels.as_flattened(),
+            size: self.size,
+            color: if planes == 3 { ColorType::Rgb } else { ColorType::Grayscale },
+            depth: BitDepth::Sixteen,
+        };
+        let mut file = Vec::new();
+        pixels.write_png(&mut file, origin, None)?;
+        Ok(file)
     }
 
-    fn save_exr(&self, path: impl AsRef<Path>) -> Result<()> {
+    fn encode_exr(&self, origin: Option<&Origin>) -> io::Result<Vec<u8>> {
         let names: &[&str] = if self.channel.planes() == 3 { &["R", "G", "B"] } else { &["Y"] };
         let planes = self.values.chunks_exact(self.values.len() / names.len());
         let channels: SmallVec<_> = names
@@ -188,17 +215,19 @@ impl ChannelImage {
             .map(|(&name, plane)| AnyChannel::new(name, FlatSamples::F32(plane.to_vec())))
             .collect();
         let size = self.size.map(|size| size as usize);
-        let image = exr::image::Image::from_encoded_channels(
+        let mut image = exr::image::Image::from_encoded_channels(
             (size[0], size[1]),
             Encoding::SMALL_LOSSLESS,
             AnyChannels::sort(channels),
         );
-        write_atomic(path, |writer| {
-            // in EXR, offsets of the lines come first
-            let mut file = Cursor::new(Vec::new());
-            image.write().non_parallel().to_buffered(&mut file).map_err(io::Error::other)?;
-            writer.write_all(file.get_ref())
-        })
+        if let Some(origin) = origin {
+            let text = AttributeValue::Text(Text::from(origin.text().as_str()));
+            image.attributes.other.insert(Text::from(origin::KEY), text);
+        }
+        // in EXR, offsets of the lines come first
+        let mut file = Cursor::new(Vec::new());
+        image.write().non_parallel().to_buffered(&mut file).map_err(io::Error::other)?;
+        Ok(file.into_inner())
     }
 }
 

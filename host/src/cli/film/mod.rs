@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::film::{Frames, Kind};
-use organza::image::ChannelImage;
+use organza::image::{ChannelImage, Origin};
 use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
 use organza_core::remove_leftovers;
 use serde::Serialize;
@@ -178,20 +178,18 @@ impl Film<'_> {
         };
         let mut folder = Folder::make(&folder)?;
         folder.lock(false)?;
-        let mut written = Written::open(&folder, source.file(), &(self.cameras, self.look))?;
+        let written = Written::new(&folder, source.file(), &(self.cameras, self.look), &())?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
         let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;
         let todo = written.missing(files.iter().map(std::slice::from_ref))?;
         // before this, a signal has ended the program, and nothing was changed
         let signals = Signals::listen()?;
         signals.keeps_results();
-        let announced: Vec<_> = todo.iter().map(|&frame| files[frame].clone()).collect();
-        written.announce(&announced)?;
-        let cost = self.render(&files, &todo, &mut written, &signals, console)?;
+        let cost = self.render(&files, &todo, written.origin(), &signals, console)?;
         let Some(cost) = cost else { return stopped(&written, &files, &folder) };
         match kind {
             Kind::Frames => {
-                written.finish(console)?;
+                written.remove_stale(console)?;
             }
             Kind::Mp4 | Kind::Png => {
                 let progress = console.progress(files.len() as u64, "frames");
@@ -209,7 +207,7 @@ impl Film<'_> {
                     console.note(&kept);
                     return Err(error);
                 }
-                written.discard()?;
+                written.remove_all()?;
                 remove_leftovers(folder.path());
                 folder.unlock();
                 // fails on purpose if somebody has put a file into the folder
@@ -229,7 +227,7 @@ impl Film<'_> {
         &self,
         files: &[PathBuf],
         todo: &[usize],
-        written: &mut Written,
+        origin: &Origin,
         signals: &Signals,
         console: Console,
     ) -> Result<Option<Cost>> {
@@ -249,13 +247,16 @@ impl Film<'_> {
                 if signals.stop().load(Ordering::Relaxed) {
                     return Ok(None);
                 }
-                let image = match self.frame(frame, Some(signals.stop()), &mut summary, &silent) {
-                    Err(_) if signals.stop().load(Ordering::Relaxed) => return Ok(None),
-                    image => image?,
+                let stop = signals.stop();
+                let saved =
+                    self.frame(frame, Some(stop), &mut summary, &silent).and_then(|image| {
+                        image.save_with_origin(&files[frame], origin, Some(stop))?;
+                        Ok(image.not_finite())
+                    });
+                not_finite += match saved {
+                    Err(_) if stop.load(Ordering::Relaxed) => return Ok(None),
+                    saved => saved?,
                 };
-                not_finite += image.not_finite();
-                image.save_png(&files[frame])?;
-                written.add(&files[frame])?;
                 progress.advance(1);
             }
         }

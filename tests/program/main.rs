@@ -5,6 +5,7 @@ mod bad_files;
 mod bad_requests;
 mod bench;
 mod benchmark;
+mod capture;
 mod corpus;
 #[cfg(target_os = "linux")]
 mod docs;

@@ -332,6 +332,13 @@ impl Layout {
 /// Recognizes the format of a data set, and lists its content.
 fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Listing> {
     if !path.is_dir() {
+        if has_extension(path, &["avi", "m4v", "mkv", "mov", "mp4", "webm"]) {
+            let reason = format!(
+                "this is a video; `organza capture {} -o FOLDER` makes a data set of it",
+                path.display()
+            );
+            return invalid(path, reason);
+        }
         let is_blender = path.file_name().is_some_and(|name| name == transforms::BLENDER_TRAIN);
         return if is_blender {
             transforms::blender(path, options, access)
@@ -371,8 +378,33 @@ fn hint(path: &Path) -> Option<String> {
         return Some(format!("; images_{factor} is there: use it with `--downscale {factor}`"));
     }
     let dense = ["dense/0", "dense"].map(|name| path.join(name));
-    let nested = dense.into_iter().chain(folders).find(|folder| Layout::of(folder).is_some())?;
-    Some(format!("; {} is a data set", nested.display()))
+    let mut nested = dense.into_iter().chain(folders);
+    if let Some(nested) = nested.find(|folder| Layout::of(folder).is_some()) {
+        return Some(format!("; {} is a data set", nested.display()));
+    }
+    let mut files = fs::read_dir(path).ok()?.flatten();
+    files.find(|file| has_extension(&file.path(), &["jpg", "jpeg", "png"]))?;
+    let path = path.display();
+    Some(format!("; `organza capture {path} -o FOLDER` finds the poses of photographs"))
+}
+
+/// The folder of the data set that a path names. The folder of its photographs names it, too.
+fn folder_of(path: &Path) -> PathBuf {
+    let parent = match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    let is_images = path.is_dir() && path.file_name().is_some_and(|name| name == "images");
+    if is_images && Layout::of(path).is_none() && Layout::of(parent).is_some() {
+        return parent.to_owned();
+    }
+    path.to_owned()
+}
+
+fn has_extension(path: &Path, extensions: &[&str]) -> bool {
+    let extension =
+        path.extension().and_then(|extension| extension.to_str()).map(str::to_lowercase);
+    extension.is_some_and(|extension| extensions.contains(&&*extension))
 }
 
 /// Most bytes that the photographs will take.

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 
 use super::{
     Access, Background, Budget, Dataset, DatasetKind, DatasetOptions, Frame, Layout, Listing,
-    Point, Shot, hint, invalid, list,
+    Point, Shot, folder_of, hint, invalid, list,
 };
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
@@ -49,6 +49,7 @@ impl Poses {
     pub fn load(path: &Path, options: &DatasetOptions) -> Result<Self> {
         options.check()?;
         fs::metadata(path).map_err(|source| Error::read(path, source))?;
+        let path = &folder_of(path);
         let mut access = Access::of(path, options.allow_outside)?;
         let mut listing = list(path, options, &mut access)?;
         let missing = std::mem::take(&mut listing.missing);
@@ -150,7 +151,7 @@ impl Poses {
 /// The format of the data set in a folder, by the names of its files; `None` if there is no data set.
 #[must_use]
 pub fn kind_of(folder: &Path) -> Option<DatasetKind> {
-    Layout::of(folder).map(|layout| match layout {
+    Layout::of(&folder_of(folder)).map(|layout| match layout {
         Layout::Nerfstudio(_) => DatasetKind::Nerfstudio,
         Layout::Blender(_) => DatasetKind::Blender,
         Layout::Colmap(_) => DatasetKind::Colmap,

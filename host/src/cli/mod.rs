@@ -2,6 +2,7 @@
 
 mod bench;
 mod benchmark;
+mod capture;
 mod channels;
 mod compare;
 mod completions;
@@ -74,6 +75,7 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Capture(capture::Args),
     Train(train::Args),
     Tiles(tiles::Args),
     Render(render::Args),
@@ -104,6 +106,7 @@ pub fn main() -> ExitCode {
     };
     let console = Console::new(verbosity.level());
     let run = || match &command {
+        Command::Capture(args) => capture::run(args, console).map(done),
         Command::Train(args) => train::run(args, console).map(done),
         Command::Tiles(args) => tiles::run(args, console).map(done),
         Command::Render(args) => render::run(args, console).map(done),

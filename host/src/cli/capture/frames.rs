@@ -1,0 +1,146 @@
+//! The images of a capture: the sharpest frames of a video, or photographs.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use organza::{Error, Result};
+
+use super::programs::command;
+use super::{Job, Source};
+use crate::cli::refuse;
+use crate::cli::summary::count;
+
+/// Folder of the images, in the work.
+pub const IMAGES: &str = "images";
+/// Width and height at which frames are compared. The shape of a video does not matter for that.
+const PROBE: [usize; 2] = [960, 540];
+
+impl Job<'_> {
+    /// Collects the images, and returns their number.
+    pub fn images(&self, source: &Source<'_>) -> Result<usize> {
+        self.step(IMAGES, |folder| match source {
+            Source::Video(video) => self.frames(video, folder),
+            Source::Photographs(files) => copy(files, folder),
+        })?;
+        let images = self.path(IMAGES);
+        let entries = fs::read_dir(&images).map_err(|source| Error::read(&images, source))?;
+        Ok(entries.count())
+    }
+
+    /// Writes the sharpest frame of each of N equal parts of a video.
+    fn frames(&self, video: &Path, folder: &Path) -> Result<()> {
+        let mut sharpness = Vec::new();
+        self.console.during("looking for sharp frames", || {
+            let [width, height] = PROBE;
+            let mut ffmpeg = ffmpeg(video);
+            ffmpeg.arg("-vf").arg(format!("scale={width}:{height}"));
+            ffmpeg.args(["-vsync", "passthrough", "-pix_fmt", "gray", "-f", "rawvideo", "-"]);
+            self.programs
+                .read(ffmpeg, width * height, |gray| sharpness.push(sharpness_of(gray, width)))
+        })?;
+        let chosen = sharpest(&sharpness, self.args.frames as usize);
+        if chosen.len() < 3 {
+            let frames = count(sharpness.len() as u64, "frame");
+            return refuse(format!("{} has {frames}, expected 3 or more", video.display()));
+        }
+        let all = sharpness.len();
+        self.console.note(&format!("taking the {} sharpest of {all} frames", chosen.len()));
+        let select: Vec<_> = chosen.iter().map(|frame| format!("eq(n,{frame})")).collect();
+        let side = self.args.side;
+        // The longer side has at most this many pixels, and the other one follows.
+        let scale =
+            format!("scale='if(gt(iw,ih),min(iw,{side}),-2)':'if(gt(iw,ih),-2,min(ih,{side}))'");
+        let mut ffmpeg = ffmpeg(video);
+        ffmpeg.arg("-vf").arg(format!("select='{}',{scale}", select.join("+")));
+        ffmpeg.args(["-vsync", "passthrough"]).arg(folder.join("%05d.png"));
+        self.console.during("writing frames", || self.programs.run(ffmpeg, |_| {}))?;
+        // ffmpeg counts what it writes. A name says which frame of the video it is.
+        for (written, frame) in chosen.iter().enumerate() {
+            let from = folder.join(format!("{:05}.png", written + 1));
+            let to = folder.join(format!("frame-{frame:06}.png"));
+            fs::rename(&from, &to).map_err(|source| Error::write(&to, source))?;
+        }
+        Ok(())
+    }
+}
+
+/// ffmpeg, reading the first stream of a video.
+fn ffmpeg(video: &Path) -> Command {
+    let mut ffmpeg = command("ffmpeg");
+    // A name such as `-x` or `http:x` is a file's, too.
+    let file = std::path::absolute(video).unwrap_or_else(|_| video.to_owned());
+    let mut name = OsString::from("file:");
+    name.push(file);
+    ffmpeg.args(["-v", "error", "-nostdin", "-y", "-i"]).arg(name).args(["-map", "0:v:0"]);
+    ffmpeg
+}
+
+/// How sharp a gray image is: the variance of its Laplacian. Pech-Pacheco et al., "Diatom autofocusing in brightfield
+/// microscopy" (2000).
+fn sharpness_of(gray: &[u8], width: usize) -> f64 {
+    let at = |place: usize| f64::from(gray[place]);
+    let height = gray.len() / width;
+    let mut sum = 0.0;
+    let mut squares = 0.0;
+    for row in 1..height - 1 {
+        for place in row * width + 1..(row + 1) * width - 1 {
+            let neighbors = at(place - 1) + at(place + 1) + at(place - width) + at(place + width);
+            let laplacian = neighbors - 4.0 * at(place);
+            sum += laplacian;
+            squares += laplacian * laplacian;
+        }
+    }
+    let count = ((height - 2) * (width - 2)) as f64;
+    squares / count - (sum / count).powi(2)
+}
+
+/// The sharpest frame of each of `count` equal parts of a video, in order; all frames if there are fewer.
+fn sharpest(sharpness: &[f64], count: usize) -> Vec<usize> {
+    let frames = sharpness.len();
+    let count = count.min(frames);
+    (0..count)
+        .map(|part| {
+            let part = part * frames / count..(part + 1) * frames / count;
+            part.max_by(|a, b| sharpness[*a].total_cmp(&sharpness[*b])).expect("a part has a frame")
+        })
+        .collect()
+}
+
+/// Copies photographs, so that the data set needs no other folder.
+fn copy(files: &[PathBuf], folder: &Path) -> Result<()> {
+    for file in files {
+        let to = folder.join(file.file_name().expect("a photograph has a name"));
+        fs::copy(file, &to).map_err(|source| Error::read(file, source))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_part_of_a_video_gives_its_sharpest_frame() {
+        let sharpness = [1.0, 3.0, 2.0, 9.0, 8.0, 7.0, 0.5];
+        assert_eq!(sharpest(&sharpness, 3), [1, 3, 4]);
+        assert_eq!(sharpest(&sharpness, 7), [0, 1, 2, 3, 4, 5, 6]);
+        assert_eq!(sharpest(&sharpness, 90), [0, 1, 2, 3, 4, 5, 6]);
+        assert_eq!(sharpest(&[], 3), [0_usize; 0]);
+    }
+
+    #[test]
+    fn blur_lowers_sharpness() {
+        let width = 40;
+        let stripes: Vec<u8> = (0..width * 30).map(|at| 200 * (at % width / 2 % 2) as u8).collect();
+        let blurred: Vec<u8> = (0..stripes.len())
+            .map(|at| {
+                let near = stripes[at.saturating_sub(2)..(at + 3).min(stripes.len())].iter();
+                (near.map(|&value| u32::from(value)).sum::<u32>() / 5) as u8
+            })
+            .collect();
+        assert_eq!(sharpness_of(&vec![77; width * 30], width), 0.0);
+        assert!(sharpness_of(&stripes, width) > 4.0 * sharpness_of(&blurred, width));
+    }
+}

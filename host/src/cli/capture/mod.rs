@@ -1,0 +1,306 @@
+//! `organza capture`: from a video or photographs to a data set, with ffmpeg and COLMAP.
+
+mod colmap;
+mod frames;
+mod programs;
+
+use std::ffi::OsStr;
+use std::fs::{self, Metadata};
+use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
+
+use organza::{Error, Result};
+use organza_core::write_inside;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::console::Console;
+use super::output::Folder;
+use super::refuse;
+use super::signals::Signals;
+use super::summary::count;
+use colmap::Colmap;
+use programs::Programs;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza capture garden.mp4 -o garden              from a video
+  organza capture photographs/ -o garden            from a folder of photographs
+  organza train garden -o run
+
+Walk slowly around what you want to show, and look at it from many places: turning on the spot shows no depth. Keep the \
+light and the zoom as they are.
+
+Of a video, the sharpest frames are taken by ffmpeg. COLMAP finds out where the camera stood: minutes for 100 images, \
+hours for a thousand. Both programs must be installed. Ctrl-C stops, and the same command goes on: steps that are done \
+are not repeated. The folder then has images without lens distortion and their cameras, ready for `organza train`.";
+
+/// Make a data set from a video or from photographs: sharp frames by ffmpeg, poses by COLMAP
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// A video, a folder of photographs, or photographs: JPEG or PNG
+    #[arg(required = true, value_name = "VIDEO|PHOTOS")]
+    inputs: Vec<PathBuf>,
+    /// The folder of the data set
+    #[arg(short, long, value_name = "FOLDER")]
+    output: PathBuf,
+    /// Number of frames to take from a video
+    #[arg(long, value_name = "N", default_value_t = 150)]
+    #[arg(value_parser = clap::value_parser!(u32).range(3..=2000))]
+    frames: u32,
+    /// The longest side of an image, in pixels: larger ones become smaller
+    #[arg(long, value_name = "S", default_value_t = 1920)]
+    #[arg(value_parser = clap::value_parser!(u32).range(64..=16_384))]
+    side: u32,
+    /// Compare each frame of a video with all others, not only with those before it. It takes longer, and helps where
+    /// the camera came back to a place
+    #[arg(long)]
+    exhaustive: bool,
+}
+
+/// The file that says that a data set is whole.
+const DONE: &str = "capture.json";
+/// Folder of unfinished steps.
+const WORK: &str = ".organza-capture";
+/// File in it that says what its steps are made from.
+const KEY: &str = "key";
+
+/// What a data set was made from.
+#[derive(Debug, Serialize, Deserialize)]
+struct Done {
+    /// SHA-256 of the inputs' names, sizes and times, and of the options.
+    key: String,
+    /// Number of images.
+    images: usize,
+    /// Number of images that have a pose.
+    posed: usize,
+}
+
+/// What to take images from.
+enum Source<'a> {
+    Video(&'a Path),
+    /// Photographs, by name.
+    Photographs(Vec<PathBuf>),
+}
+
+/// Where a step finds its inputs, and puts its result.
+struct Job<'a> {
+    args: &'a Args,
+    work: PathBuf,
+    programs: Programs<'a>,
+    console: Console,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let source = Source::find(&args.inputs)?;
+    let is_video = matches!(source, Source::Video(_));
+    let mut needed = vec![programs::COLMAP];
+    if is_video {
+        needed.insert(0, programs::FFMPEG);
+    }
+    programs::find(&needed)?;
+    let mut folder = Folder::make(&args.output)?;
+    folder.lock(false)?;
+    let key = key(&source, args)?;
+    if let Some(done) = done(&folder, &key)? {
+        console.note(&format!("{} is there from an earlier call", args.output.display()));
+        return finish(args, &done, console);
+    }
+    let work = begin(&folder, &key)?;
+    let signals = Signals::listen()?;
+    signals.keeps_results();
+    let programs = Programs::new(&work, signals.stop());
+    let job = Job { args, work, programs, console };
+    let images = job.images(&source).inspect_err(|_| {
+        // Without images there is nothing to keep. What cannot be removed does no harm.
+        let _ = fs::remove_dir_all(&job.work);
+    })?;
+    let posed = Colmap::new(&job, is_video)?.run(images)?;
+    let done = Done { key, images, posed };
+    job.publish(&folder, &done)?;
+    finish(args, &done, console)
+}
+
+impl<'a> Source<'a> {
+    /// The video or the photographs that the user names.
+    fn find(inputs: &'a [PathBuf]) -> Result<Self> {
+        if let [path] = inputs {
+            let found = fs::metadata(path).map_err(|source| Error::read(path, source))?;
+            if found.is_dir() {
+                return Self::folder(path);
+            }
+            if !is_photograph(path) {
+                return Ok(Self::Video(path));
+            }
+        }
+        if let Some(other) = inputs.iter().find(|path| !is_photograph(path)) {
+            let other = other.display();
+            return refuse(format!(
+                "{other} is neither JPEG nor PNG; expected one video, one folder, or photographs"
+            ));
+        }
+        Self::photographs(inputs.to_vec())
+    }
+
+    fn folder(path: &Path) -> Result<Self> {
+        let entries = fs::read_dir(path).map_err(|source| Error::read(path, source))?;
+        let files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+        let (photographs, others): (Vec<_>, Vec<_>) =
+            files.into_iter().partition(|path| is_photograph(path));
+        let is_heic = |path: &PathBuf| has_extension(path, &["heic", "heif"]);
+        if photographs.is_empty() && others.iter().any(is_heic) {
+            let path = path.display();
+            return refuse(format!(
+                "{path} has photographs as HEIC, which COLMAP does not read; convert them to JPEG first"
+            ));
+        }
+        Self::photographs(photographs)
+    }
+
+    fn photographs(mut files: Vec<PathBuf>) -> Result<Self> {
+        files.sort();
+        let names: std::collections::BTreeSet<_> =
+            files.iter().map(|path| path.file_name()).collect();
+        if names.len() < files.len() {
+            return refuse("two photographs have the same name; rename one of them");
+        }
+        if files.len() < 3 {
+            let photographs = count(files.len() as u64, "photograph");
+            return refuse(format!("{photographs}, expected 3 or more: JPEG or PNG files"));
+        }
+        Ok(Self::Photographs(files))
+    }
+
+    fn files(&self) -> Vec<&Path> {
+        match self {
+            Self::Video(path) => vec![path],
+            Self::Photographs(files) => files.iter().map(PathBuf::as_path).collect(),
+        }
+    }
+}
+
+/// Whether a file's name is that of a photograph.
+fn is_photograph(path: &Path) -> bool {
+    has_extension(path, &["jpg", "jpeg", "png"])
+}
+
+fn has_extension(path: &Path, extensions: &[&str]) -> bool {
+    let extension = path.extension().and_then(OsStr::to_str).map(str::to_lowercase);
+    extension.is_some_and(|extension| extensions.contains(&&*extension))
+}
+
+/// Identifies inputs and options. Reading a video of gigabytes would take long, so its size and its time stand for its
+/// content.
+fn key(source: &Source<'_>, args: &Args) -> Result<String> {
+    let mut hash = Sha256::new();
+    for file in source.files() {
+        let found = fs::metadata(file).map_err(|source| Error::read(file, source))?;
+        hash.update(format!("{file:?} {} {}\n", found.len(), changed(&found)));
+    }
+    hash.update(format!("{} {} {}", args.frames, args.side, args.exhaustive));
+    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+/// When a file was changed, in nanoseconds.
+fn changed(found: &Metadata) -> u128 {
+    let since = found.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+    since.map_or(0, |since| since.as_nanos())
+}
+
+/// The data set in a folder, if it is whole and made from the same inputs. Another one is an error.
+fn done(folder: &Folder, key: &str) -> Result<Option<Done>> {
+    let found = fs::read(folder.file(DONE)?).ok();
+    let found = found.and_then(|text| serde_json::from_slice::<Done>(&text).ok());
+    match found {
+        Some(done) if done.key == key => Ok(Some(done)),
+        Some(_) => refuse(format!(
+            "{} holds a data set of other inputs or options; choose another folder",
+            folder.path().display()
+        )),
+        None => Ok(None),
+    }
+}
+
+/// The folder of unfinished steps. Steps of other inputs are removed from it.
+fn begin(folder: &Folder, key: &str) -> Result<PathBuf> {
+    let work = folder.join(WORK);
+    let found = fs::symlink_metadata(&work);
+    let is_ours = found.as_ref().is_ok_and(Metadata::is_dir);
+    if found.is_ok() && !is_ours {
+        return refuse(format!("{} is not a folder; remove it", work.display()));
+    }
+    if is_ours && fs::read_to_string(work.join(KEY)).is_ok_and(|found| found == key) {
+        return Ok(work);
+    }
+    for name in ["images", "sparse"] {
+        if folder.join(name).exists() {
+            return refuse(format!(
+                "{} has a folder `{name}` already; choose another folder",
+                folder.path().display()
+            ));
+        }
+    }
+    if is_ours {
+        fs::remove_dir_all(&work).map_err(|source| Error::write(&work, source))?;
+    }
+    fs::create_dir(&work).map_err(|source| Error::write(&work, source))?;
+    write_inside(work.join(KEY), |writer| writer.write_all(key.as_bytes()))?;
+    Ok(work)
+}
+
+impl Job<'_> {
+    /// A folder of the work.
+    fn path(&self, name: &str) -> PathBuf {
+        self.work.join(name)
+    }
+
+    /// Runs a step that fills a folder, unless it is done. So a folder under its own name is always whole.
+    fn step(&self, name: &str, fill: impl FnOnce(&Path) -> Result<()>) -> Result<()> {
+        let path = self.path(name);
+        if path.exists() {
+            return Ok(());
+        }
+        let unfinished = self.path(&format!("{name}.part"));
+        if unfinished.exists() {
+            fs::remove_dir_all(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
+        }
+        fs::create_dir(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
+        fill(&unfinished)?;
+        fs::rename(&unfinished, &path).map_err(|source| Error::write(&path, source))
+    }
+
+    /// Moves the undistorted images and their cameras to their places, and removes the unfinished steps.
+    fn publish(&self, folder: &Folder, done: &Done) -> Result<()> {
+        let undistorted = self.path(colmap::UNDISTORTED);
+        let sparse = folder.join("sparse");
+        fs::create_dir_all(&sparse).map_err(|source| Error::write(&sparse, source))?;
+        for (from, to) in [("images", folder.join("images")), ("sparse", sparse.join("0"))] {
+            let from = undistorted.join(from);
+            if from.exists() {
+                fs::rename(&from, &to).map_err(|source| Error::write(&to, source))?;
+            }
+        }
+        write_inside(folder.file(DONE)?, |writer| {
+            serde_json::to_writer_pretty(&mut *writer, done)?;
+            writer.write_all(b"\n")
+        })?;
+        // What cannot be removed does no harm.
+        let _ = fs::remove_dir_all(&self.work);
+        Ok(())
+    }
+}
+
+fn finish(args: &Args, done: &Done, console: Console) -> Result<()> {
+    let output = args.output.display();
+    let Done { images, posed, .. } = done;
+    if 2 * posed < *images {
+        console.warn(&format!(
+            "COLMAP found out where the camera stood for {posed} of {images} images: the scene will show only a part. \
+             More images of what lies between help, and `--exhaustive` for a video"
+        ));
+    }
+    console.note(&format!("wrote {output}: {posed} of {images} images have a pose"));
+    console.note(&format!("next: organza train {output} -o run"));
+    Ok(())
+}

@@ -15,6 +15,10 @@ const ELEVATION: f64 = 0.3;
 /// Part of an image's horizontal direction that may point upward. It is small: the horizon of photographs is nearly
 /// always level.
 const SLANT: f64 = 0.01;
+/// Cameras with no wider gap between them, in radians, stand all around.
+const WIDEST_GAP: f64 = TAU / 6.0;
+/// Cameras that stand this far apart around the center, in radians, have little to do with each other.
+const NEAR: f64 = TAU / 24.0;
 
 /// A circle of cameras that all look at its center.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +68,46 @@ impl Orbit {
         })
     }
 
+    /// `count` cameras on a way that stays where given cameras stood, and ends where it begins. Where these stand all around,
+    /// it is a ring; otherwise it goes to and fro on the arc that they cover. Distance and elevation follow the cameras that
+    /// stand on the same side. The way begins in the middle of the arc, or at the first camera.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] without cameras; [`Error::Camera`] as [`Camera::look_at`].
+    pub fn among(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
+        let orbit = Self::around(cameras)?;
+        let center = DVec3::from(orbit.center);
+        let up = DVec3::from(orbit.up);
+        let ahead = DVec3::from(orbit.toward).normalize();
+        let aside = up.cross(ahead);
+        let places: Vec<_> = cameras
+            .iter()
+            .map(|camera| {
+                let offset = DVec3::from(camera.eye()) - center;
+                let azimuth = offset.dot(aside).atan2(offset.dot(ahead));
+                [azimuth, offset.normalize_or_zero().dot(up).asin(), offset.length()]
+            })
+            .collect();
+        let (middle, half) = arc(places.iter().map(|[azimuth, ..]| *azimuth));
+        let camera = |index: usize| {
+            let turn = TAU * index as f64 / count as f64;
+            let azimuth = half.map_or(turn, |half| middle + half * turn.sin());
+            let weight = |place: &[f64; 3]| {
+                let apart = (azimuth - place[0] + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+                (-0.5 * (apart / NEAR).powi(2)).exp()
+            };
+            let all: f64 = places.iter().map(weight).sum();
+            let mean =
+                |of: usize| places.iter().map(|place| weight(place) * place[of]).sum::<f64>() / all;
+            let (height, reach) = mean(1).sin_cos();
+            let (sin, cos) = azimuth.sin_cos();
+            let offset = reach * (cos * ahead + sin * aside) + height * up;
+            let eye = (center + mean(2) * offset).to_array();
+            Camera::look_at(eye, orbit.center, orbit.up, orbit.angle, orbit.size)
+        };
+        (0..count).map(camera).collect()
+    }
+
     /// An orbit around a box (its lowest and highest corner) that sees all of it; z is up.
     #[must_use]
     pub fn of_box([low, high]: [[f64; 3]; 2], size: [u32; 2]) -> Self {
@@ -106,6 +150,17 @@ impl Orbit {
         };
         (0..count).map(camera).collect()
     }
+}
+
+/// The middle of the arc that some azimuths cover, and half its length. That is `None` where they are all around.
+fn arc(azimuths: impl Iterator<Item = f64>) -> (f64, Option<f64>) {
+    let mut sorted: Vec<_> = azimuths.collect();
+    sorted.sort_by(f64::total_cmp);
+    let next = sorted.iter().skip(1).copied().chain(sorted.first().map(|first| first + TAU));
+    let gaps = sorted.iter().zip(next).map(|(&from, to)| (to - from, to));
+    let (gap, begin) = gaps.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((TAU, 0.0));
+    let half = 0.5 * (TAU - gap);
+    (begin + half, (gap > WIDEST_GAP).then_some(half))
 }
 
 /// The world's upward direction, a unit vector, from how cameras were held.
@@ -212,6 +267,64 @@ mod tests {
         assert!((found.elevation.to_degrees() - 90.0).abs() < 1e-3);
         // there is no orbit right above the center, but a little lower there is
         assert!(Orbit { elevation: 1.4, ..found }.cameras(3).is_ok());
+    }
+
+    /// Azimuth, elevation and distance of a camera, as an orbit with z up sees them.
+    fn place(camera: &Camera) -> [f64; 3] {
+        let eye = DVec3::from(camera.eye());
+        [eye.y.atan2(eye.x), (eye.z / eye.length()).asin(), eye.length()]
+    }
+
+    /// A camera that looks at the origin.
+    fn at([azimuth, elevation, distance]: [f64; 3]) -> Camera {
+        let (sin, cos) = azimuth.sin_cos();
+        let (height, reach) = elevation.sin_cos();
+        let eye = [reach * cos, reach * sin, height].map(|x| distance * x);
+        Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 0.7, [64, 48]).unwrap()
+    }
+
+    #[test]
+    fn a_way_among_cameras_stays_where_they_stood() {
+        // on an arc of 100 degrees around azimuth 170, which has the jump from 180 to -180 in it; higher at one end
+        let arc: Vec<_> = (0..30)
+            .map(|i| {
+                let part = f64::from(i) / 29.0;
+                let azimuth = (120.0 + 100.0 * part).to_radians();
+                at([azimuth, 0.2 + 0.5 * part, 3.0 + 0.4 * f64::from(i % 3)])
+            })
+            .collect();
+        let way = Orbit::among(&arc, 90).unwrap();
+        let mut before = way[89].eye();
+        let mut lowest = [f64::MAX; 3];
+        let mut highest = [f64::MIN; 3];
+        for camera in &way {
+            let mut place = place(camera);
+            place[0] = place[0].rem_euclid(TAU);
+            for axis in 0..3 {
+                lowest[axis] = lowest[axis].min(place[axis]);
+                highest[axis] = highest[axis].max(place[axis]);
+            }
+            let step = DVec3::from(camera.eye()).distance(DVec3::from(before));
+            assert!(step < 0.35, "a step of {step}");
+            before = camera.eye();
+        }
+        let degrees = [lowest[0], highest[0]].map(f64::to_degrees);
+        assert!(degrees[0] > 118.0 && degrees[0] < 125.0, "{degrees:?}");
+        assert!(degrees[1] < 222.0 && degrees[1] > 215.0, "{degrees:?}");
+        assert!(lowest[1] > 0.19 && highest[1] < 0.71 && highest[1] - lowest[1] > 0.3);
+        assert!(lowest[2] > 2.9 && highest[2] < 3.9);
+
+        // all around: once around, evenly
+        let ring: Vec<_> = (0..9).map(|i| at([TAU * f64::from(i) / 9.0, 0.3, 4.0])).collect();
+        let way = Orbit::among(&ring, 12).unwrap();
+        for (index, camera) in way.iter().enumerate() {
+            let apart = place(camera)[0] - TAU * index as f64 / 12.0;
+            let apart = (apart + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+            assert!(apart.abs() < 0.02, "{apart} at {index}");
+        }
+        assert!(Orbit::among(&[], 3).is_err());
+        let [one] = &Orbit::among(&arc[..1], 1).unwrap()[..] else { panic!("one camera") };
+        assert!(DVec3::from(one.eye()).distance(DVec3::from(arc[0].eye())) < 1e-6);
     }
 
     #[test]

@@ -21,7 +21,8 @@ const SIZE: [u32; 2] = [640, 480];
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Camera")]
 pub struct PathArgs {
-    /// Turn once around the point that the cameras look at [default without CAMERAS]
+    /// Turn once around the point that the cameras look at. The default without CAMERAS is an arc or a ring that stays where
+    /// the run's cameras stood; without any cameras it is this full turn
     #[arg(long, conflicts_with = "between")]
     orbit: bool,
     /// Move smoothly through the cameras, in their order [default with CAMERAS]
@@ -93,6 +94,10 @@ impl PathArgs {
         };
         let frames = match &cameras {
             Some(cameras) if is_between => self.between(cameras, frames, size)?,
+            Some(cameras) if !self.orbit => Orbit::among(&cameras.list, frames)?
+                .iter()
+                .map(|camera| camera.with_size(size(camera)))
+                .collect(),
             Some(cameras) => {
                 let mut orbit = Orbit::around(&cameras.list)?;
                 orbit.size = [cameras.list[0].width, cameras.list[0].height];

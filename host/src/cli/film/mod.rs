@@ -34,7 +34,7 @@ const LEFT_OUT: f64 = 0.01;
 
 const EXAMPLES: &str = "\
 Examples:
-  organza film run -o film.mp4                                      around what the run's cameras look at
+  organza film run -o film.mp4                                      on an arc or a ring, where the run's cameras stood
   organza film run -o film.mp4 --between --views 0,10,20,30 --loop  through cameras of its data set
   organza film scene.safetensors keys.json -o film.mp4              through keyframes of your own
   organza film run -o depth.mp4 --channel depth --size 1280x720
@@ -51,7 +51,7 @@ Ctrl-C stops. Finished frames are kept in FILE.frames, or in the folder, and the
 if the program was killed. A file that is already there under the film's name is replaced when the film is complete, not \
 before. A film's frames are the images that `organza render` writes of the same cameras.";
 
-/// Make a film: around a scene, or along a path through cameras
+/// Make a film: where a run's cameras stood, around a scene, or along a path through cameras
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

@@ -1,4 +1,4 @@
-//! Embeds the compiled kernels of `kernels/`, and the commit that the program is built from.
+//! Embeds the commit that the program is built from.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::process::Command;
 
 fn main() {
     let host = Path::new(env!("CARGO_MANIFEST_DIR"));
-    organza_manifest::embed(&host.join("kernels"), &host.join(".."));
+    println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=ORGANZA_COMMIT");
     if std::env::var_os("ORGANZA_COMMIT").is_none()
         && let Some(commit) = of_package(host).or_else(|| of_repository(host))

@@ -44,9 +44,6 @@ pub mod evaluate;
 pub mod film;
 #[doc(hidden)]
 pub mod fuzz;
-#[cfg(feature = "ndarray")]
-pub mod ndarray;
-pub mod render;
 #[doc(hidden)]
 pub mod splats;
 pub mod train;
@@ -66,28 +63,15 @@ pub use organza_data as data;
 pub use organza_device::{
     BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
 };
-#[doc(hidden)]
-pub use render::Stages;
-pub use render::{DeviceScene, DeviceShare, Inspection, Recording, Renderer, UploadOptions};
+#[cfg(feature = "ndarray")]
+pub use organza_render::ndarray;
+pub use organza_render::{
+    self as render, DeviceScene, DeviceShare, Inspection, MODULES, Recording, Renderer, Stages,
+    UploadOptions, open_device,
+};
 pub use train::{TrainConfig, Trainer};
 
 /// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
 /// packages that cargo made, and for release builds in a git repository. Otherwise, the environment variable
 /// `ORGANZA_COMMIT` sets it.
 pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");
-
-/// The compiled kernels for GPUs.
-#[doc(hidden)]
-pub static MODULES: Modules = organza_device::modules!();
-
-/// Opens the device that `options` describe, with the kernels of this crate.
-///
-/// Without `XDG_RUNTIME_DIR`, as over ssh or in a container, Mesa's Vulkan layer `device_select` may write `error:
-/// XDG_RUNTIME_DIR is invalid or not set` to stderr. It does no harm. A process that starts with `NODEVICE_SELECT=1`
-/// in its environment does not load the layer. The program `organza` sets that for itself.
-///
-/// # Errors
-/// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) if a GPU was demanded and none can be used.
-pub fn open_device(options: &DeviceOptions) -> Result<Device> {
-    Ok(Device::open(options, &MODULES)?)
-}

@@ -9,7 +9,6 @@ use rayon::prelude::*;
 use super::Splat;
 use super::harmonics::{color_of, harmonics};
 use crate::camera::Camera;
-use crate::render::kernel_camera;
 
 /// Side of the image's tiles, in pixels.
 const SIDE: usize = 16;
@@ -83,7 +82,7 @@ impl Placed {
 impl View {
     pub fn new(splats: &[Splat], camera: &Camera) -> Self {
         let size = [camera.width as usize, camera.height as usize];
-        let camera = kernel_camera(camera);
+        let camera = camera.for_kernels();
         let mut placed: Vec<_> = splats
             .par_iter()
             .enumerate()

@@ -5,11 +5,13 @@
 //! that the photograph does not have, as after undistorting, are ignored: PSNR is over the other pixels, and SSIM
 //! over windows without any such pixel.
 
+mod beside;
 pub(crate) mod csv;
 mod fitted;
 #[cfg(test)]
 mod tests;
 
+pub use beside::{Beside, beside};
 use serde::{Deserialize, Serialize};
 
 use crate::camera::Camera;

@@ -44,8 +44,6 @@ pub mod evaluate;
 pub mod film;
 #[doc(hidden)]
 pub mod fuzz;
-#[doc(hidden)]
-pub mod splats;
 pub mod train;
 #[doc(hidden)]
 pub mod view;
@@ -75,3 +73,10 @@ pub use train::{TrainConfig, Trainer};
 /// packages that cargo made, and for release builds in a git repository. Otherwise, the environment variable
 /// `ORGANZA_COMMIT` sets it.
 pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");
+
+/// Gaussians for viewers that sort: their files, the fit of a scene's Gaussians, and scenes made of such files.
+pub mod splats {
+    pub use crate::evaluate::{Beside, beside};
+    pub use crate::train::{Import, Imported, import};
+    pub use organza_splats::*;
+}

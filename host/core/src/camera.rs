@@ -174,6 +174,18 @@ impl Camera {
         self.with_size([self.width, self.height].map(|side| side.div_ceil(factor)))
     }
 
+    /// The same view, whose longest side has at most `side` pixels: see [`Self::with_size`].
+    #[must_use]
+    pub fn within(&self, side: u32) -> Self {
+        let longest = self.width.max(self.height);
+        if longest <= side {
+            return self.clone();
+        }
+        let scale = f64::from(side) / f64::from(longest);
+        let size = [self.width, self.height];
+        self.with_size(size.map(|pixels| ((f64::from(pixels) * scale).round() as u32).max(1)))
+    }
+
     /// The depth of a place along the camera's axis, in world units; negative behind the camera.
     #[must_use]
     pub fn depth(&self, place: [f64; 3]) -> f64 {

@@ -56,7 +56,8 @@ fn seen(
     let mut points: Vec<_> = points
         .step_by(stride)
         .map(|point| {
-            let depths = cameras.iter().filter_map(|camera| depth(camera, point));
+            let depths =
+                cameras.iter().filter_map(|camera| camera.depth_in_image(point.to_array()));
             (point, depths.map(|depth| (target.distance + depth).powi(-2)).sum::<f64>())
         })
         .collect();
@@ -82,18 +83,6 @@ fn after<'a>(mut points: impl Iterator<Item = &'a (DVec3, f64)>, left_out: f64) 
         sum > left_out
     });
     found.map_or(DVec3::ZERO, |(point, _)| *point)
-}
-
-/// Depth of a place in front of a camera; `None` if it is outside the camera's image.
-pub(crate) fn depth(camera: &Camera, place: DVec3) -> Option<f64> {
-    let offset = place - DVec3::from(camera.eye());
-    let [x, y, z] = camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
-    let column = camera.fl_x * x / z + camera.cx;
-    let row = camera.fl_y * y / z + camera.cy;
-    let is_seen = z > 0.0
-        && (0.0..f64::from(camera.width)).contains(&column)
-        && (0.0..f64::from(camera.height)).contains(&row);
-    is_seen.then_some(z)
 }
 
 #[cfg(test)]

@@ -13,14 +13,14 @@ use rayon::prelude::*;
 
 use super::config::TrainConfig;
 use super::requirements;
-use super::space::{depth, scene_box};
+use super::space::scene_box;
 use super::trainer::check;
 use crate::camera::{Camera, Target};
 use crate::data::{Dataset, Frame, Point, sweep};
 use crate::error::{Error, Result};
 use crate::scene::{Network, Scene, logit};
-use crate::splats::{self, Splat};
 use organza_core::random;
+use organza_splats::{self as splats, Splat};
 
 const PLACES: u64 = 2;
 const FIELDS: u64 = 3;
@@ -171,7 +171,8 @@ fn spread(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64)
                 return along_a_ray(target, cameras, random);
             }
             let seen = |place: &DVec3| {
-                cameras.iter().filter(|camera| depth(camera, *place).is_some()).take(needed).count()
+                let shows = |camera: &&Camera| camera.depth_in_image(place.to_array()).is_some();
+                cameras.iter().filter(shows).take(needed).count()
             };
             let mut tries = (0..100).map(|_| in_ball(target, random));
             match tries.find(|place| seen(place) == needed) {
@@ -317,8 +318,8 @@ mod tests {
         let scene = start(&config, [0.0; 3], &cameras, &[]).unwrap();
         assert_eq!(scene.gaussians.len(), 500);
         let is_seen = |place: &[f32; 3]| {
-            let place = glam::Vec3::from(*place).as_dvec3();
-            cameras.iter().any(|camera| depth(camera, place).is_some())
+            let place = place.map(f64::from);
+            cameras.iter().any(|camera| camera.depth_in_image(place).is_some())
         };
         assert!(scene.gaussians.position.iter().all(is_seen));
         assert_eq!(scene, start(&config, [0.0; 3], &cameras, &[]).unwrap());

@@ -81,7 +81,7 @@ fn share([low, high]: [DVec3; 2], places: &[Point]) -> f64 {
 
 /// The points that some camera sees.
 fn visible(cameras: &[Camera], mut all: Vec<Point>) -> Vec<Point> {
-    all.retain(|point| cameras.iter().any(|at| depth(at, DVec3::from(point.position)).is_some()));
+    all.retain(|point| cameras.iter().any(|at| at.depth_in_image(point.position).is_some()));
     assert!(all.len() > 300, "the cameras see {} points", all.len());
     all
 }

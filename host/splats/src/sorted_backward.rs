@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::Splat;
 use super::harmonics::{HARMONICS, harmonics};
 use super::sorted::{BLUR, Hit, MOST, Placed, View, blend};
-use crate::camera::Camera;
+use organza_core::camera::Camera;
 
 /// Derivatives of a loss with respect to a Gaussian in an image.
 #[derive(Clone, Copy, Debug, Default)]

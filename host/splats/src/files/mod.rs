@@ -12,8 +12,8 @@ use organza_kernel::math::sigmoid;
 
 use super::harmonics::{FIRST, MIDDLE};
 use super::{Splat, VALUES};
-use crate::error::{Error, Result};
-use crate::input::open_regular;
+use organza_core::error::{Error, Result};
+use organza_core::input::open_regular;
 use organza_core::write_atomic;
 
 /// A file format.
@@ -52,7 +52,7 @@ impl Format {
 /// Writes a file, atomically. `up` is the world's upward direction, for formats with a fixed one.
 ///
 /// # Errors
-/// [`Error::Invalid`] for values that [`load`] would refuse; [`Error::WriteFile`](crate::Error::WriteFile).
+/// [`Error::Invalid`] for values that [`load`] would refuse; [`Error::WriteFile`](organza_core::Error::WriteFile).
 pub fn save(splats: &[Splat], path: impl AsRef<Path>, format: Format, up: [f64; 3]) -> Result<()> {
     check(splats, path.as_ref(), "no viewer can show it; do the scene's networks overflow?")?;
     write_atomic(path, |file| match format {
@@ -70,7 +70,7 @@ const LARGEST_LOG_SCALE: f32 = 80.0;
 ///
 /// # Errors
 /// [`Error::ReadFile`]; [`Error::Invalid`] for another kind of file, a truncated one, or values that are not valid
-/// for a Gaussian; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+/// for a Gaussian; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
 pub fn load(path: impl AsRef<Path>) -> Result<Vec<Splat>> {
     let path = path.as_ref();
     let (file, length) = open_regular(path)?;
@@ -100,7 +100,7 @@ fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
 }
 
 /// [`load`] from a reader of `length` bytes. Errors name `path`.
-pub(crate) fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<Vec<Splat>> {
+pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let begin = source.fill_buf().map_err(|error| Error::read(path, error))?;
     let splats = match begin {
         [0x1f, 0x8b, ..] => spz::read(source, length, path)?,
@@ -139,7 +139,7 @@ fn write_splat(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
 }
 
 /// The color without the parts that depend on the direction.
-pub(crate) fn base_color(splat: &Splat) -> [f32; 3] {
+pub fn base_color(splat: &Splat) -> [f32; 3] {
     splat.color[0].map(|value| MIDDLE + FIRST * value)
 }
 
@@ -158,7 +158,7 @@ fn byte(value: f32) -> u8 {
 mod tests {
     use super::super::harmonics::HARMONICS;
     use super::*;
-    use crate::error::chain;
+    use organza_core::error::chain;
 
     /// Gaussians of all kinds.
     pub fn splats() -> Vec<Splat> {

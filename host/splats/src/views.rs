@@ -1,11 +1,9 @@
-//! The views in which a scene is compared with Gaussians of other programs.
+//! The views in which a scene is compared with Gaussians of other programs, and the box of these.
 
-use super::{Splat, psnr};
-use crate::camera::{Camera, Orbit};
-use crate::data::{Dataset, Frame};
-use crate::error::Result;
-use crate::evaluate::evaluate;
-use crate::render::{DeviceScene, Renderer};
+use super::Splat;
+use organza_core::camera::{Camera, Orbit};
+use organza_core::error::Result;
+use organza_data::{Dataset, Frame};
 
 /// Number of cameras on each circle around a box.
 const AROUND: usize = 16;
@@ -14,6 +12,11 @@ const ELEVATIONS: [f64; 3] = [-15.0, 17.0, 45.0];
 const SIZE: [u32; 2] = [640, 480];
 /// Without photographs, every Nth camera is only measured.
 const JUDGES: usize = 8;
+
+/// Part of the centers that [`bounds`] leaves out at each end of an axis.
+const LEFT_OUT: f64 = 0.01;
+/// Standard deviations that a Gaussian reaches.
+const SUPPORT: f64 = 3.0;
 
 /// The views of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +57,7 @@ impl Views {
     /// Cameras on several circles that see a whole box from all sides. Every eighth is only measured.
     ///
     /// # Errors
-    /// [`Error::Camera`](crate::Error::Camera) if the box has no outside.
+    /// [`Error::Camera`](organza_core::Error::Camera) if the box has no outside.
     pub fn around(aabb: [[f64; 3]; 2]) -> Result<Self> {
         let orbit = Orbit::of_box(aabb, SIZE);
         let circle = |elevation: f64| {
@@ -67,35 +70,21 @@ impl Views {
     }
 }
 
-/// Mean PSNRs compared with photographs, in dB.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beside {
-    /// Number of photographs.
-    pub photographs: usize,
-    /// PSNR of the scene's own images.
-    pub scene: f64,
-    /// PSNR of the Gaussians' images, as a viewer that sorts shows them.
-    pub splats: f64,
-}
-
-/// Compares a scene, and Gaussians that were [distilled from it](super::distill()), with photographs. `None` without
-/// photographs that have a valid pixel.
-///
-/// # Errors
-/// The same errors as [`Renderer::render`].
-pub fn beside(
-    renderer: &Renderer,
-    scene: &DeviceScene,
-    splats: &[Splat],
-    photographs: &[&Frame],
-) -> Result<Option<Beside>> {
-    let Some(own) = evaluate(renderer, scene, photographs)?.mean.psnr else { return Ok(None) };
-    let background = scene.config().background.map(|x| x as f32);
-    let of = |frame: &&Frame| {
-        let Frame { camera, image, .. } = frame;
-        psnr(splats, camera, background, image.pixels(), image.valid())
-    };
-    let found: Vec<_> = photographs.iter().filter_map(of).collect();
-    let splats = found.iter().sum::<f64>() / found.len() as f64;
-    Ok(Some(Beside { photographs: found.len(), scene: own, splats }))
+/// The box of the centers, without the few that are farthest out on each axis. Where all centers are in one place, the
+/// Gaussians' own size makes the box.
+#[must_use]
+pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
+    let left_out = (LEFT_OUT * splats.len() as f64) as usize;
+    let ends: [[f64; 2]; 3] = std::array::from_fn(|axis| {
+        let mut places: Vec<_> = splats.iter().map(|splat| splat.position[axis]).collect();
+        places.sort_unstable_by(f32::total_cmp);
+        let end = |place: Option<&f32>| place.copied().unwrap_or_default().into();
+        let places = &places[left_out..places.len() - left_out];
+        [end(places.first()), end(places.last())]
+    });
+    let longest = ends.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    let scales = splats.iter().flat_map(|splat| splat.log_scale);
+    let largest = f64::from(scales.fold(f32::MIN, f32::max)).exp();
+    let margin = if longest < largest { SUPPORT * largest } else { 0.0 };
+    [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
 }

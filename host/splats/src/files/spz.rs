@@ -11,9 +11,9 @@ use organza_device::memory;
 use organza_kernel::math::sigmoid;
 
 use super::{Splat, byte, invalid, turned};
-use crate::error::Result;
-use crate::scene::logit;
-use crate::splats::harmonics::{DEGREE, HARMONICS};
+use crate::harmonics::{DEGREE, HARMONICS};
+use organza_core::error::Result;
+use organza_core::scene::logit;
 
 const MAGIC: u32 = 0x5053_474e;
 const VERSION: u32 = 2;
@@ -110,7 +110,7 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let mut array = |width: usize| {
         let mut bytes = memory::zeros::<u8>(count * width, "the Gaussians of an SPZ file")?;
         fill(&mut source, &mut bytes, path)?;
-        Ok::<_, crate::Error>(bytes)
+        Ok::<_, organza_core::Error>(bytes)
     };
     let unit = 2_f32.powi(-i32::from(fraction));
     for (value, fixed) in values(&mut splats, |splat| &mut splat.position).zip(array(9)?.chunks(3))

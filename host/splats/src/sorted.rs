@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::Splat;
 use super::harmonics::{color_of, harmonics};
-use crate::camera::Camera;
+use organza_core::camera::Camera;
 
 /// Side of the image's tiles, in pixels.
 const SIDE: usize = 16;

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::camera::{Camera, CameraPath};
-use crate::error::Result;
+use organza_core::camera::{Camera, CameraPath};
+use organza_core::error::Result;
 
 /// Number of nearest cameras to which a camera has a path.
 const NEAREST: usize = 6;
@@ -14,7 +14,7 @@ const GOLDEN: f64 = 0.618_033_988_749_895;
 /// degrees apart. Empty if there is no such path.
 ///
 /// # Errors
-/// [`Error::Camera`](crate::Error::Camera) for a camera that is not valid.
+/// [`Error::Camera`](organza_core::Error::Camera) for a camera that is not valid.
 pub fn between(cameras: &[Camera], count: usize) -> Result<Vec<Camera>> {
     if count == 0 {
         return Ok(Vec::new());
@@ -57,7 +57,7 @@ fn axis(camera: &Camera) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::Orbit;
+    use organza_core::camera::Orbit;
 
     #[test]
     fn cameras_on_a_circle_have_others_between_them() {

@@ -6,9 +6,9 @@ use std::path::Path;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
 use super::{Splat, invalid, turned};
-use crate::data::ply::{number, vertices};
-use crate::error::Result;
-use crate::splats::harmonics::HARMONICS;
+use crate::harmonics::HARMONICS;
+use organza_core::error::Result;
+use organza_data::ply::{number, vertices};
 
 /// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
 const REST: usize = 3 * (HARMONICS - 1);

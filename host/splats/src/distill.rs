@@ -14,13 +14,12 @@ use super::harmonics::{HARMONICS, Sample, fit, harmonics};
 use super::sorted::render;
 use super::sorted_backward::gradient;
 use super::{Splat, VALUES, Views};
-use crate::camera::Camera;
-use crate::error::{Error, Result};
-use crate::image::Image;
-use crate::metrics;
-use crate::render::{DeviceScene, Renderer};
-use crate::scene::{Scene, logit};
-use crate::train::in_image;
+use organza_core::camera::Camera;
+use organza_core::error::{Error, Result};
+use organza_core::image::Image;
+use organza_core::metrics;
+use organza_core::scene::{Scene, logit};
+use organza_render::{DeviceScene, Renderer};
 
 /// Most pairs of a camera and a Gaussian to which the harmonics are fitted.
 const MOST_PAIRS: usize = 8_000_000;
@@ -111,7 +110,7 @@ pub fn distill(
     let background = scene.config.background.map(|x| x as f32);
     let mut splats = first(renderer, scene, uploaded, cameras)?;
     let target = |camera: &Camera| -> Result<Target> {
-        let camera = shrunk(camera, options.side);
+        let camera = camera.within(options.side);
         let image = renderer.render_view(uploaded, &camera)?;
         Ok(Target { camera, image })
     };
@@ -130,7 +129,7 @@ pub fn distill(
     let others = between(cameras, VIEWS.min(steps).saturating_sub(cameras.len()))?;
     let targets: Vec<_> = cameras.iter().chain(&others).take(steps).collect();
     let pixels = |camera: &&Camera| {
-        let Camera { width, height, .. } = shrunk(camera, options.side);
+        let Camera { width, height, .. } = camera.within(options.side);
         u64::from(width) * u64::from(height)
     };
     memory::check(3 * targets.iter().map(pixels).sum::<u64>(), "the images to compare")?;
@@ -166,7 +165,7 @@ fn colors(pixels: &[[u8; 3]]) -> Vec<[f32; 3]> {
 }
 
 /// Clamps colors to the range of a screen.
-pub(super) fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
+fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
     image.as_flattened_mut().iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
     image
 }
@@ -184,17 +183,6 @@ fn stride(n: usize) -> usize {
     (1..=n * 6 / 10).rev().find(has_no_divisor).unwrap_or(1)
 }
 
-/// The camera, reduced so that its longest side has at most `side` pixels.
-pub(super) fn shrunk(camera: &Camera, side: u32) -> Camera {
-    let longest = camera.width.max(camera.height);
-    if longest <= side {
-        return camera.clone();
-    }
-    let scale = f64::from(side) / f64::from(longest);
-    let size = [camera.width, camera.height];
-    camera.with_size(size.map(|pixels| ((f64::from(pixels) * scale).round() as u32).max(1)))
-}
-
 /// The start of the fit: harmonics fitted to the networks' colors for the cameras, and opacities times the largest T.
 fn first(
     renderer: &Renderer,
@@ -209,11 +197,11 @@ fn first(
     let cameras = cameras.iter().step_by(every).map(shades).collect::<Result<Vec<_>>>()?;
     let splat = |gaussian: usize| {
         let position = gaussians.position[gaussian];
-        let place = Vec3::from(position).as_dvec3();
+        let place = position.map(f64::from);
         let mut largest: f32 = 0.0;
         let sample = |(camera, (colors, transmittance)): &(&Camera, (Vec<_>, Vec<f32>))| {
             let eye = Vec3::from(camera.eye().map(|x| x as f32));
-            let is_seen = in_image(camera, place).is_some();
+            let is_seen = camera.depth_in_image(place).is_some();
             let through = if is_seen { transmittance[gaussian] } else { 0.0 };
             largest = largest.max(through);
             let weight = through + LEAST_WEIGHT[usize::from(!is_seen)];

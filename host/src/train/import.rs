@@ -2,22 +2,17 @@
 
 use std::ops::RangeInclusive;
 
-use super::distill::{displayed, shrunk};
-use super::sorted::render;
-use super::{Splat, Views};
+use super::checkpoint::Checkpoint;
+use super::config::{Rate, TrainConfig};
+use super::start::of_splats;
+use super::trainer::Trainer;
 use crate::camera::Camera;
 use crate::data::{Dataset, Frame, Photograph};
 use crate::error::Result;
 use crate::image::to_8_bit;
 use crate::render::Renderer;
 use crate::scene::Scene;
-use crate::train::config::Rate;
-use crate::train::{Checkpoint, TrainConfig, Trainer, of_splats};
-
-/// Part of the centers that [`bounds`] leaves out at each end of an axis.
-const LEFT_OUT: f64 = 0.01;
-/// Standard deviations that a Gaussian reaches.
-const SUPPORT: f64 = 3.0;
+use organza_splats::{Splat, Views, render};
 
 /// Settings for turning Gaussians into a scene.
 #[derive(Clone, Copy, Debug)]
@@ -66,8 +61,8 @@ pub fn import(
 ) -> Result<Imported> {
     let Views { fitted: cameras, judges } = views;
     let frame = |(index, camera): (usize, &Camera)| {
-        let camera = shrunk(camera, options.side);
-        let colors = displayed(render(splats, &camera, options.background));
+        let camera = camera.within(options.side);
+        let colors = render(splats, &camera, options.background);
         let pixels = colors.into_iter().map(|color| color.map(to_8_bit)).collect();
         let image = Photograph::new([camera.width, camera.height], pixels, None)?;
         Ok(Frame { name: format!("view-{index:03}"), camera, image })
@@ -99,23 +94,4 @@ fn config(gaussians: usize, steps: u32) -> TrainConfig {
     config.optimizer.position = Rate { first: 1e-4, last: 1e-5 };
     config.optimizer.log_scale = Rate { first: 3e-3, last: 1e-3 };
     config
-}
-
-/// The box of the centers, without the few that are farthest out on each axis. Where all centers are in one place, the
-/// Gaussians' own size makes the box.
-#[must_use]
-pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
-    let left_out = (LEFT_OUT * splats.len() as f64) as usize;
-    let ends: [[f64; 2]; 3] = std::array::from_fn(|axis| {
-        let mut places: Vec<_> = splats.iter().map(|splat| splat.position[axis]).collect();
-        places.sort_unstable_by(f32::total_cmp);
-        let end = |place: Option<&f32>| place.copied().unwrap_or_default().into();
-        let places = &places[left_out..places.len() - left_out];
-        [end(places.first()), end(places.last())]
-    });
-    let longest = ends.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-    let scales = splats.iter().flat_map(|splat| splat.log_scale);
-    let largest = f64::from(scales.fold(f32::MIN, f32::max)).exp();
-    let margin = if longest < largest { SUPPORT * largest } else { 0.0 };
-    [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
 }

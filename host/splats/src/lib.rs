@@ -1,21 +1,21 @@
 //! Gaussians for viewers that sort (Kerbl et al., 3D Gaussian Splatting, 2023). Each has an opacity and a color as
 //! spherical harmonics. Only the Gaussians in front hide it.
+//!
+//! Use it through the crate [`organza`](https://crates.io/crates/organza), whose module `splats` also makes scenes of
+//! such Gaussians.
 
 mod between;
 mod distill;
 mod files;
 mod harmonics;
-mod import;
 mod sorted;
 mod sorted_backward;
 mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};
-pub use files::{Format, load, save};
-pub(crate) use files::{base_color, read_from};
-pub use import::{Import, Imported, bounds, import};
+pub use files::{Format, base_color, load, read_from, save};
 pub use sorted::render;
-pub use views::{Beside, Views, beside};
+pub use views::{Views, bounds};
 
 use bytemuck::{Pod, Zeroable};
 use harmonics::HARMONICS;

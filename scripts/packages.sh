@@ -30,7 +30,8 @@ for manifest in "${manifests[@]}"; do
     grep -q "^$key = " "$manifest" || fail "$manifest has no $key"
   done
   needed=(Cargo.toml README.md LICENSE-MIT LICENSE-APACHE src/lib.rs)
-  if [[ $name == organza ]]; then needed+=(build.rs src/main.rs); fi
+  if [[ $name == organza ]]; then needed+=(src/main.rs); fi
+  if [[ $name == organza-train ]]; then needed+=(build.rs); fi
   if [[ $name == organza-render ]]; then
     mapfile -t modules < <(cd host/render && find kernels -name '*.spv')
     (( ${#modules[@]} )) || fail "there are no compiled kernels"

@@ -39,19 +39,18 @@
 
 #[doc(hidden)]
 pub mod bench;
-pub mod evaluate;
 #[doc(hidden)]
 pub mod film;
 #[doc(hidden)]
 pub mod fuzz;
-pub mod train;
+#[doc(hidden)]
+pub mod report;
 #[doc(hidden)]
 pub mod view;
 #[doc(hidden)]
 pub mod web;
 
 pub use data::{Dataset, DatasetOptions};
-pub use evaluate::{Evaluation, evaluate};
 use organza_core::input;
 pub use organza_core::{
     Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
@@ -67,16 +66,17 @@ pub use organza_render::{
     self as render, DeviceScene, DeviceShare, Inspection, MODULES, Recording, Renderer, Stages,
     UploadOptions, open_device,
 };
-pub use train::{TrainConfig, Trainer};
-
-/// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
-/// packages that cargo made, and for release builds in a git repository. Otherwise, the environment variable
-/// `ORGANZA_COMMIT` sets it.
-pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");
+pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
 
 /// Gaussians for viewers that sort: their files, the fit of a scene's Gaussians, and scenes made of such files.
 pub mod splats {
-    pub use crate::evaluate::{Beside, beside};
-    pub use crate::train::{Import, Imported, import};
     pub use organza_splats::*;
+    pub use organza_train::evaluate::{Beside, beside};
+    pub use organza_train::{Import, Imported, import};
+}
+
+/// Training: from photographs with poses to a scene.
+pub mod train {
+    pub use crate::report;
+    pub use organza_train::*;
 }

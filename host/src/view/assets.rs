@@ -22,8 +22,8 @@ const ASSETS: [Asset; 15] = [
     ("/overlay.js", SCRIPT, include_str!("page/overlay.js")),
     ("/page.js", SCRIPT, include_str!("page/page.js")),
     ("/training.js", SCRIPT, include_str!("page/training.js")),
-    ("/uplot.js", SCRIPT, include_str!("../train/report/assets/uPlot.iife.min.js")),
-    ("/uplot.css", STYLE, include_str!("../train/report/assets/uPlot.min.css")),
+    ("/uplot.js", SCRIPT, include_str!("../report/assets/uPlot.iife.min.js")),
+    ("/uplot.css", STYLE, include_str!("../report/assets/uPlot.min.css")),
 ];
 
 /// The file at an address.

@@ -9,8 +9,8 @@ use crate::camera::Camera;
 use crate::data::Photograph;
 use crate::error::Result;
 use crate::image::{ChannelImage, Image};
+use crate::metrics::{ERROR_FACTOR, error_levels};
 use crate::render::DeviceScene;
-use crate::train::error_levels;
 use organza_core::Channel;
 
 /// JPEG quality of images that are not exact, out of 100.
@@ -106,14 +106,12 @@ pub fn of_members(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
 }
 
 /// The image of the difference from a photograph: the mean over the channels, from 0 to 1 / [`ERROR_FACTOR`].
-///
-/// [`ERROR_FACTOR`]: crate::train::ERROR_FACTOR
 pub fn of_error(image: &Image, truth: &Photograph) -> Result<(Image, Option<Range>)> {
     if image.size() != [truth.width(), truth.height()] {
         return super::message::refuse("the photograph has another size".to_owned());
     }
     let levels = error_levels(truth.pixels(), image.pixels(), truth.valid());
-    let range = Range { low: 0.0, high: 1.0 / f64::from(crate::train::ERROR_FACTOR) };
+    let range = Range { low: 0.0, high: 1.0 / f64::from(ERROR_FACTOR) };
     let values = levels.iter().map(|&level| f64::from(level) / 255.0 * range.high);
     Ok((scaled(Mode::Error, image.size(), values, range), Some(range)))
 }

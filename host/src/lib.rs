@@ -44,8 +44,6 @@ pub mod film;
 #[doc(hidden)]
 pub mod fuzz;
 #[doc(hidden)]
-pub mod report;
-#[doc(hidden)]
 pub mod view;
 #[doc(hidden)]
 pub mod web;
@@ -77,6 +75,6 @@ pub mod splats {
 
 /// Training: from photographs with poses to a scene.
 pub mod train {
-    pub use crate::report;
+    pub use organza_report as report;
     pub use organza_train::*;
 }

@@ -1,5 +1,7 @@
 //! The page: plain modules that are part of the program.
 
+use organza_report::{UPLOT_SCRIPT, UPLOT_STYLE};
+
 /// A file of the page: its address, its media type, and its content.
 type Asset = (&'static str, &'static str, &'static str);
 
@@ -22,8 +24,8 @@ const ASSETS: [Asset; 15] = [
     ("/overlay.js", SCRIPT, include_str!("page/overlay.js")),
     ("/page.js", SCRIPT, include_str!("page/page.js")),
     ("/training.js", SCRIPT, include_str!("page/training.js")),
-    ("/uplot.js", SCRIPT, include_str!("../report/assets/uPlot.iife.min.js")),
-    ("/uplot.css", STYLE, include_str!("../report/assets/uPlot.min.css")),
+    ("/uplot.js", SCRIPT, UPLOT_SCRIPT),
+    ("/uplot.css", STYLE, UPLOT_STYLE),
 ];
 
 /// The file at an address.

@@ -20,5 +20,10 @@ pub use reporter::Reporter;
 pub use run::{Run, Summary};
 pub use single::write_report;
 
+/// uPlot, which draws the curves of every page.
+pub const UPLOT_SCRIPT: &str = include_str!("assets/uPlot.iife.min.js");
+/// The style of uPlot.
+pub const UPLOT_STYLE: &str = include_str!("assets/uPlot.min.css");
+
 /// Number of views that a report shows; others are left out.
 pub const MAX_VIEWS: usize = 8;

@@ -5,19 +5,19 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 
 use super::pictures::Pictures;
-use crate::error::Result;
-use crate::evaluate::ViewScore;
-use crate::train::Change;
-use crate::train::config::TrainConfig;
-use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
-use crate::train::{CONFIG, METRICS};
+use organza_core::error::Result;
+use organza_train::Change;
+use organza_train::config::TrainConfig;
+use organza_train::evaluate::ViewScore;
+use organza_train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
+use organza_train::{CONFIG, METRICS};
 
 /// The files of a run that pages are made from: settings, log and pictures.
 #[derive(Debug)]
 pub struct Run {
     pub(super) folder: PathBuf,
     pub(super) config: TrainConfig,
-    pub(crate) records: Vec<Record>,
+    pub(super) records: Vec<Record>,
     pub(super) pictures: Pictures,
 }
 
@@ -42,7 +42,7 @@ impl Run {
     /// Reads a run's folder.
     ///
     /// # Errors
-    /// [`Error::ReadFile`](crate::Error::ReadFile) and [`Error::Invalid`](crate::Error::Invalid), like
+    /// [`Error::ReadFile`](organza_core::Error::ReadFile) and [`Error::Invalid`](organza_core::Error::Invalid), like
     /// [`TrainConfig::load`] and [`MetricsLog::read`].
     pub fn load(folder: impl AsRef<Path>) -> Result<Self> {
         let folder = folder.as_ref();

@@ -10,7 +10,7 @@ use super::charts::Charts;
 use super::page::{clean, curves, duration, grouped, image, page, score, section, table};
 use super::pictures::{Kind, Picture};
 use super::run::Run;
-use crate::error::Result;
+use organza_core::error::Result;
 use organza_core::write_atomic;
 
 /// Largest number of pictures on the page: with many runs it shows few views.
@@ -45,7 +45,7 @@ pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Differenc
 /// Writes a page that shows runs side by side, each with its name, atomically.
 ///
 /// # Errors
-/// [`Error::WriteFile`](crate::Error::WriteFile).
+/// [`Error::WriteFile`](organza_core::Error::WriteFile).
 pub fn write_comparison(path: impl AsRef<Path>, runs: &[(String, Run)]) -> Result<()> {
     let html = html_of(runs);
     write_atomic(path, |writer| writer.write_all(html.as_bytes()))

@@ -15,13 +15,13 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::MAX_VIEWS;
-use crate::data::Photograph;
-use crate::error::{Error, Result};
-use crate::image::Image;
-use crate::input::read_file;
-use crate::metrics::error_levels;
-use crate::train::PICTURES;
+use organza_core::error::{Error, Result};
+use organza_core::image::Image;
+use organza_core::input::read_file;
+use organza_core::metrics::error_levels;
 use organza_core::{remove_leftovers, write_inside};
+use organza_data::Photograph;
+use organza_train::PICTURES;
 
 /// JPEG quality, out of 100.
 const QUALITY: u8 = 88;

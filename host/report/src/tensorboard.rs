@@ -13,11 +13,11 @@ use std::time::SystemTime;
 
 use prost::Message;
 
-use crate::error::{Error, Result};
-use crate::image::Image;
-use crate::input::read_file;
-use crate::train::TENSORBOARD;
+use organza_core::error::{Error, Result};
+use organza_core::image::Image;
+use organza_core::input::read_file;
 use organza_core::write_inside;
+use organza_train::TENSORBOARD;
 
 /// Name of the file in it. TensorBoard reads every file with `tfevents` in its name.
 const FILE: &str = "events.out.tfevents.0.organza";

@@ -4,24 +4,25 @@ use super::pictures::Pictures;
 use super::run::Run;
 use super::single::write_report;
 use super::tensorboard::{EventLog, MAX_VIEWS};
-use crate::data::Frame;
-use crate::error::Result;
-use crate::image::Image;
-use crate::train::metrics::Record;
-use crate::train::{Event, REPORT, RunFolder, TrainConfig};
+use organza_core::error::Result;
+use organza_core::image::Image;
+use organza_data::Frame;
+use organza_train::metrics::Record;
+use organza_train::{Event, REPORT, RunFolder, TrainConfig};
 use std::path::PathBuf;
 
 /// Keeps what there is to see of a run in its folder: `report.html` with its pictures, and TensorBoard's file if the
-/// settings ask for it. It makes them of the [events](Event) of a [`Session`](crate::train::Session).
+/// settings ask for it. It makes them of the [events](Event) of a [`Session`](organza_train::Session).
 ///
 /// ```
 /// use std::sync::Arc;
 ///
-/// use organza::train::report::Reporter;
-/// use organza::train::{Outcome, RunFolder, Session, TrainConfig, built_in};
-/// use organza::{DeviceOptions, Renderer};
+/// use organza_device::DeviceOptions;
+/// use organza_render::Renderer;
+/// use organza_report::Reporter;
+/// use organza_train::{Outcome, RunFolder, Session, TrainConfig, built_in};
 ///
-/// let renderer = Renderer::new(organza::open_device(&DeviceOptions::cpu(None))?);
+/// let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
 /// let dataset = Arc::new(built_in::dataset(&renderer, 4, 32, 2)?);
 /// let mut config = TrainConfig::default();
 /// (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (2, 2, 16);
@@ -34,7 +35,7 @@ use std::path::PathBuf;
 /// let outcome = session.run(false, &mut |event| reporter.see(&event))?;
 /// assert_eq!(outcome, Outcome::Finished);
 /// assert!(path.path().join("report.html").exists());
-/// # Ok::<(), organza::Error>(())
+/// # Ok::<(), organza_core::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Reporter {
@@ -77,7 +78,7 @@ impl Reporter {
     /// Writes what belongs to an event.
     ///
     /// # Errors
-    /// [`Error::WriteFile`](crate::Error::WriteFile); after the log is complete, those of [`Run::load`], too.
+    /// [`Error::WriteFile`](organza_core::Error::WriteFile); after the log is complete, those of [`Run::load`], too.
     pub fn see(&mut self, event: &Event<'_>) -> Result<()> {
         match event {
             Event::Opened { step, resume } => self.open(*step, *resume),

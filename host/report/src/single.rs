@@ -11,12 +11,12 @@ use super::page::{
 };
 use super::pictures::{Kind, Picture};
 use super::run::{Evaluation, Run};
-use crate::error::Result;
-use crate::evaluate::ViewScore;
-use crate::metrics::ERROR_FACTOR;
-use crate::train::config::TrainConfig;
-use crate::train::metrics::TimingRow;
+use organza_core::error::Result;
+use organza_core::metrics::ERROR_FACTOR;
 use organza_core::write_inside;
+use organza_train::config::TrainConfig;
+use organza_train::evaluate::ViewScore;
+use organza_train::metrics::TimingRow;
 
 /// Largest number of pictures over time.
 const MAX_TIMES: usize = 24;
@@ -26,7 +26,7 @@ const MAX_ROWS: usize = 100;
 /// Writes a run's page, atomically. It takes a few MiB: pictures and curves are thinned out to fit.
 ///
 /// # Errors
-/// [`Error::WriteFile`](crate::Error::WriteFile).
+/// [`Error::WriteFile`](organza_core::Error::WriteFile).
 pub fn write_report(path: impl AsRef<Path>, run: &Run) -> Result<()> {
     let html = html_of(run);
     write_inside(path, |writer| writer.write_all(html.as_bytes()))

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::run::Run;
-use crate::train::metrics::Record;
+use organza_train::metrics::Record;
 
 /// Largest number of points in a curve. A longer one is thinned to every second, third, ... point.
 const MAX_POINTS: usize = 4000;

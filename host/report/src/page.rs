@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 
 use super::charts::Charts;
 use super::pictures::{Picture, error_color};
-use crate::metrics::ERROR_FACTOR;
+use organza_core::metrics::ERROR_FACTOR;
 
 const STYLE: &str =
     concat!(include_str!("assets/uPlot.min.css"), "\n", include_str!("assets/page.css"));

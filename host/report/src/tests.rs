@@ -13,13 +13,13 @@ use sha2::{Digest, Sha256};
 use super::charts::Number;
 use super::pictures::Pictures;
 use super::*;
-use crate::data::Photograph;
-use crate::evaluate::{Score, ViewScore};
-use crate::image::Image;
-use crate::train::Change;
-use crate::train::config::TrainConfig;
-use crate::train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
-use crate::train::{CONFIG, METRICS};
+use organza_core::image::Image;
+use organza_data::Photograph;
+use organza_train::Change;
+use organza_train::config::TrainConfig;
+use organza_train::evaluate::{Score, ViewScore};
+use organza_train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
+use organza_train::{CONFIG, METRICS};
 
 /// Text that must not become part of a page's markup.
 const NASTY: &str =

@@ -40,13 +40,7 @@
 #[doc(hidden)]
 pub mod bench;
 #[doc(hidden)]
-pub mod film;
-#[doc(hidden)]
 pub mod fuzz;
-#[doc(hidden)]
-pub mod view;
-#[doc(hidden)]
-pub mod web;
 
 pub use data::{Dataset, DatasetOptions};
 use organza_core::input;
@@ -65,6 +59,7 @@ pub use organza_render::{
     UploadOptions, open_device,
 };
 pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
+pub use organza_view::{self as view, film, web};
 
 /// Gaussians for viewers that sort: their files, the fit of a scene's Gaussians, and scenes made of such files.
 pub mod splats {

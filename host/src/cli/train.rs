@@ -26,7 +26,8 @@ use super::output::Folder;
 use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
 use super::signals::Signals;
-use super::view::{ServerArgs, title};
+use super::title;
+use super::view::ServerArgs;
 use super::{absolute, refuse};
 
 const EXAMPLES: &str = "\

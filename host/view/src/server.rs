@@ -23,14 +23,13 @@ use tokio_io_timeout::TimeoutStream;
 use super::about::About;
 use super::assets;
 use super::connections::{Connections, Place};
-use super::film::{self, FilmRequest};
+use super::films::{self, FilmRequest};
 use super::guard::{Guard, Verdict};
 use super::keyframes::{self, PathRequest};
 use super::message::{CameraMessage, FrameRequest, PixelRequest, checked};
 use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
 use super::training_status::{Command, TrainingStatus};
-use crate::error::{self, Error, Result};
-use crate::web::WebPage;
+use organza_core::error::{self, Error, Result};
 
 /// Default port.
 const PORT: u16 = 4747;
@@ -134,17 +133,17 @@ impl Server {
         Ok(Films(films))
     }
 
-    /// Starts to serve a page that renders by itself.
+    /// Starts to serve a page that renders by itself: its files by name, of which the first is the page, and the others
+    /// are scripts.
     ///
     /// # Errors
     /// The same errors as [`Server::start`].
-    pub fn start_page(self, page: &WebPage) -> Result<()> {
-        let [index, ..] = WebPage::FILES;
-        let file = |(name, text): (&str, String)| match name == index {
-            true => ("/".to_owned(), assets::PAGE, text.into()),
-            false => (format!("/{name}"), assets::SCRIPT, text.into()),
+    pub fn start_page(self, files: impl IntoIterator<Item = (&'static str, String)>) -> Result<()> {
+        let file = |(index, (name, text)): (usize, (&str, String))| match index {
+            0 => ("/".to_owned(), assets::PAGE, text.into()),
+            _ => (format!("/{name}"), assets::SCRIPT, text.into()),
         };
-        self.serve(Site::Client(page.files().into_iter().map(file).collect()))
+        self.serve(Site::Client(files.into_iter().enumerate().map(file).collect()))
     }
 
     fn serve(self, site: Site) -> Result<()> {
@@ -322,7 +321,7 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             let (sender, body) = Channel::new(1);
             let queue = Arc::clone(&viewer.queue);
             tokio::spawn(async move {
-                film::make(&queue, &request, cameras, sender).await;
+                films::make(&queue, &request, cameras, sender).await;
                 drop(place);
             });
             Ok(reply(StatusCode::OK, "application/octet-stream", Either::Right(body)))

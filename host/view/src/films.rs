@@ -18,9 +18,9 @@ use tokio::sync::oneshot;
 use super::keyframes::PathRequest;
 use super::message::{CameraMessage, FrameRequest, Mode, Quality, checked_background, refuse};
 use super::queue::{FrameJob, Queue};
-use crate::camera::Camera;
-use crate::error::{self, Result};
 use crate::film::{Frames, Kind};
+use organza_core::camera::Camera;
+use organza_core::error::{self, Result};
 
 /// Largest frame rate, in frames per second.
 const MAX_FPS: u32 = 240;

@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use super::frame_renderer::Stage;
 use super::message::refuse;
-use crate::camera::Camera;
-use crate::error::Result;
-use crate::image::to_8_bit;
-use crate::render::{Contribution, Inspection, Trace};
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::image::to_8_bit;
+use organza_render::{Contribution, Inspection, Trace};
 
 /// Most Gaussians in an answer: those with the largest alpha.
 const MAX_GAUSSIANS: usize = 200;

@@ -4,11 +4,11 @@ use glam::DVec3;
 use serde::Serialize;
 
 use super::message::{CameraMessage, Mode};
-use crate::camera::{Camera, Orbit, upward};
-use crate::data::{Point, Pose};
-use crate::demo;
 use crate::film::Kind;
-use crate::render::{DeviceScene, Renderer};
+use organza_core::camera::{Camera, Orbit, upward};
+use organza_core::demo;
+use organza_data::{Point, Pose};
+use organza_render::{DeviceScene, Renderer};
 
 /// Most points that the page draws; others are left out.
 const MAX_POINTS: usize = 20_000;

@@ -13,12 +13,12 @@ use super::pace::Pace;
 use super::photographs::Photographs;
 use super::picture::{self, Range};
 use super::queue::{FrameJob, Job, Question, Queue, Rendered};
-use crate::data::Photograph;
-use crate::error::{self, Result};
-use crate::image::{ChannelImage, Image, TILE_SIDE};
-use crate::render::{DeviceScene, EyeCache, EyeOptions, Renderer};
-use crate::tile::TileBatch;
 use organza_core::RenderReport;
+use organza_core::error::{self, Result};
+use organza_core::image::{ChannelImage, Image, TILE_SIDE};
+use organza_core::tile::TileBatch;
+use organza_data::Photograph;
+use organza_render::{DeviceScene, EyeCache, EyeOptions, Renderer};
 
 /// Number of clients whose evaluated fields are kept.
 const MAX_EYES: usize = 8;

@@ -6,12 +6,12 @@ mod plans;
 
 use serde::Serialize;
 
-use crate::camera::{Camera, Orbit};
-use crate::error::Result;
-use crate::render::{Renderer, UploadOptions};
-use crate::scene::Scene;
-use crate::view::CameraMessage;
+use crate::message::CameraMessage;
+use organza_core::camera::{Camera, Orbit};
+use organza_core::error::Result;
+use organza_core::scene::Scene;
 use organza_device::Device;
+use organza_render::{Renderer, UploadOptions};
 
 /// Options of a page.
 #[derive(Clone, Debug)]
@@ -70,7 +70,7 @@ impl WebPage {
     /// memory that their images need.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::upload`]; [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory)
+    /// The same errors as [`Renderer::upload`]; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory)
     /// if the scene is larger than a browser can bind.
     pub fn new(
         scene: &Scene,
@@ -87,7 +87,8 @@ impl WebPage {
         let every = cameras.len().div_ceil(VIEWS).max(1);
         let measured: Vec<_> = around.iter().chain(cameras.iter().step_by(every)).collect();
         let home = cameras.first().or(around.first()).cloned();
-        let home = home.unwrap_or_else(|| crate::demo::turntable(1, options.size[1]).remove(0));
+        let home =
+            home.unwrap_or_else(|| organza_core::demo::turntable(1, options.size[1]).remove(0));
 
         let upload = UploadOptions::default().half_grids(options.half_grids);
         let planner = Renderer::new(Device::planner());

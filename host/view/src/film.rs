@@ -9,7 +9,7 @@ use std::thread;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Error, Result};
+use organza_core::error::{Error, Result};
 use organza_core::write_atomic;
 
 /// The format of a film.

@@ -5,11 +5,11 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::message::refuse;
-use crate::camera::Camera;
-use crate::data::{Dataset, Photograph, Poses};
-use crate::demo;
-use crate::error::Result;
-use crate::render::{DeviceScene, Renderer};
+use organza_core::camera::Camera;
+use organza_core::demo;
+use organza_core::error::Result;
+use organza_data::{Dataset, Photograph, Poses};
+use organza_render::{DeviceScene, Renderer};
 
 /// Number of photographs that are kept after reading.
 const KEPT: usize = 4;

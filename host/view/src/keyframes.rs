@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::message::{CameraMessage, checked, refuse};
-use crate::camera::{Camera, CameraPath, file_of, parse};
-use crate::error::Result;
+use organza_core::camera::{Camera, CameraPath, file_of, parse};
+use organza_core::error::Result;
 
 /// Most keyframes in a file.
 const MAX_KEYFRAMES: usize = 1000;

@@ -10,10 +10,10 @@ use super::photographs::Photographs;
 use super::queue::Queue;
 use super::server::{Films, Server};
 use super::training_status::TrainingStatus;
-use crate::data::{Dataset, Pose};
-use crate::error::Result;
-use crate::render::{DeviceScene, Renderer};
-use crate::train::Event;
+use organza_core::error::Result;
+use organza_data::{Dataset, Pose};
+use organza_render::{DeviceScene, Renderer};
+use organza_train::Event;
 
 /// Longest delay until a signal ends the waiting.
 const PATIENCE: Duration = Duration::from_millis(100);
@@ -129,9 +129,11 @@ impl<'a> TrainingView<'a> {
 
     fn start(&self, server: Server, scene: &DeviceScene) -> Result<Films> {
         let Dataset { frames, held_out, points, .. } = &**self.dataset;
-        let pose = |(index, frame): (usize, &crate::data::Frame)| {
-            let camera =
-                crate::Camera { file_path: Some(frame.name.clone()), ..frame.camera.clone() };
+        let pose = |(index, frame): (usize, &organza_data::Frame)| {
+            let camera = organza_core::Camera {
+                file_path: Some(frame.name.clone()),
+                ..frame.camera.clone()
+            };
             Pose { camera, held_out: held_out.contains(&index), photograph: None }
         };
         let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();

@@ -9,7 +9,7 @@ use std::time::Duration;
 use tokio::sync::oneshot;
 
 use super::message::{FrameRequest, Quality};
-use crate::camera::Camera;
+use organza_core::camera::Camera;
 
 /// Number of clients that are remembered.
 const MAX_CLIENTS: usize = 256;
@@ -226,7 +226,7 @@ mod tests {
 
     /// Adds a request of a client. Its answer is awaited until the receiver is dropped.
     fn post(queue: &Queue, client: u64, sequence: u64) -> oneshot::Receiver<Answer> {
-        let camera = crate::demo::turntable(1, 16).remove(0);
+        let camera = organza_core::demo::turntable(1, 16).remove(0);
         let (reply, answer) = oneshot::channel();
         let request = FrameRequest {
             client,

@@ -5,13 +5,13 @@ use ::image::codecs::jpeg::JpegEncoder;
 use colorous::Gradient;
 
 use super::message::Mode;
-use crate::camera::Camera;
-use crate::data::Photograph;
-use crate::error::Result;
-use crate::image::{ChannelImage, Image};
-use crate::metrics::{ERROR_FACTOR, error_levels};
-use crate::render::DeviceScene;
 use organza_core::Channel;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::image::{ChannelImage, Image};
+use organza_core::metrics::{ERROR_FACTOR, error_levels};
+use organza_data::Photograph;
+use organza_render::DeviceScene;
 
 /// JPEG quality of images that are not exact, out of 100.
 const QUALITY: u8 = 85;

@@ -7,10 +7,10 @@ use organza_kernel::KernelInfo;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::MODULES;
-use crate::camera::Camera;
-use crate::error::Result;
-use crate::render::{Capacity, DeviceScene, Frame, FrameShape, Renderer};
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_render::MODULES;
+use organza_render::{Capacity, DeviceScene, Frame, FrameShape, Renderer};
 
 /// Side of a page's tiles, in pixels.
 const SIDE: u32 = 32;

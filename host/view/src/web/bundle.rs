@@ -4,16 +4,16 @@ use maud::{DOCTYPE, PreEscaped, html};
 
 /// The modules. Each comes after those that it imports.
 const MODULES: [&str; 6] = [
-    include_str!("../view/page/camera.js"),
-    include_str!("../view/page/controls.js"),
+    include_str!("../page/camera.js"),
+    include_str!("../page/controls.js"),
     include_str!("page/player.js"),
     include_str!("page/screen.js"),
     include_str!("page/pace.js"),
     include_str!("page/main.js"),
 ];
-const STYLE: &str = concat!(include_str!("../view/page/page.css"), include_str!("page/page.css"));
+const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("page/page.css"));
 const BODY: &str = include_str!("page/body.html");
-const ICON: &str = include_str!("../view/page/icon.svg");
+const ICON: &str = include_str!("../page/icon.svg");
 
 /// All modules as one script.
 pub fn script() -> String {

@@ -2,7 +2,7 @@
 
     python bench/gpu_model.py --organza target/release/organza
 
-The numbers of operations and bytes come from `organza bench`, the instructions from host/kernels/navi21.snap. For each kernel the model takes
+The numbers of operations and bytes come from `organza bench`, the instructions from host/render/kernels/navi21.snap. For each kernel the model takes
 the longest of three times: to issue its instructions, to move its bytes from memory, and to fetch the cache lines that its random accesses
 touch. So these are floors: a kernel that waits for memory, or that cannot fill the GPU, takes longer.
 """
@@ -37,7 +37,7 @@ KERNELS = {
 
 def machine_code():
     """Instructions and integer products of each kernel and of its largest loop, from the accepted table."""
-    lines = (Path(__file__).parent.parent / "host/kernels/navi21.snap").read_text().splitlines()
+    lines = (Path(__file__).parent.parent / "host/render/kernels/navi21.snap").read_text().splitlines()
     table = {}
     for line in lines[5:]:
         whole, _, loop = line.partition("|")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the package of every crate that is published, and holds each to what it needs: a README, both licenses, words
-# to find it by, and in organza's the compiled kernels. Takes seconds and compiles nothing.
+# to find it by, and in organza-render's the compiled kernels. Takes seconds and compiles nothing.
 #
 # usage: scripts/packages.sh
 set -euo pipefail
@@ -30,10 +30,12 @@ for manifest in "${manifests[@]}"; do
     grep -q "^$key = " "$manifest" || fail "$manifest has no $key"
   done
   needed=(Cargo.toml README.md LICENSE-MIT LICENSE-APACHE src/lib.rs)
-  if [[ $name == organza ]]; then
-    mapfile -t modules < <(cd host && find kernels -name '*.spv')
+  if [[ $name == organza ]]; then needed+=(src/main.rs); fi
+  if [[ $name == organza-train ]]; then needed+=(build.rs); fi
+  if [[ $name == organza-render ]]; then
+    mapfile -t modules < <(cd host/render && find kernels -name '*.spv')
     (( ${#modules[@]} )) || fail "there are no compiled kernels"
-    needed+=(build.rs src/main.rs kernels/manifest.json "${modules[@]}")
+    needed+=(build.rs kernels/manifest.json "${modules[@]}")
   fi
   files=$(tar -tzf "$target/package/$name-$version.crate")
   for file in "${needed[@]}"; do

@@ -8,10 +8,10 @@ use crate::camera::parse;
 use crate::data::fuzz as data;
 use crate::input::parse_json;
 use crate::scene::{Scene, read_tensors_from};
-use crate::splats::read_from;
 use crate::tile::TileBatch;
 use crate::train::metrics;
 use crate::train::{Checkpoint, TrainConfig};
+use organza_splats::read_from;
 
 /// A parser of bytes, which must return.
 pub type Target = fn(&[u8]);

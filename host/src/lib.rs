@@ -39,24 +39,10 @@
 
 #[doc(hidden)]
 pub mod bench;
-pub mod evaluate;
-#[doc(hidden)]
-pub mod film;
 #[doc(hidden)]
 pub mod fuzz;
-#[cfg(feature = "ndarray")]
-pub mod ndarray;
-pub mod render;
-#[doc(hidden)]
-pub mod splats;
-pub mod train;
-#[doc(hidden)]
-pub mod view;
-#[doc(hidden)]
-pub mod web;
 
 pub use data::{Dataset, DatasetOptions};
-pub use evaluate::{Evaluation, evaluate};
 use organza_core::input;
 pub use organza_core::{
     Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
@@ -66,28 +52,24 @@ pub use organza_data as data;
 pub use organza_device::{
     BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
 };
-#[doc(hidden)]
-pub use render::Stages;
-pub use render::{DeviceScene, DeviceShare, Inspection, Recording, Renderer, UploadOptions};
-pub use train::{TrainConfig, Trainer};
+#[cfg(feature = "ndarray")]
+pub use organza_render::ndarray;
+pub use organza_render::{
+    self as render, DeviceScene, DeviceShare, Inspection, MODULES, Recording, Renderer, Stages,
+    UploadOptions, open_device,
+};
+pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
+pub use organza_view::{self as view, film, web};
 
-/// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
-/// packages that cargo made, and for release builds in a git repository. Otherwise, the environment variable
-/// `ORGANZA_COMMIT` sets it.
-pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");
+/// Gaussians for viewers that sort: their files, the fit of a scene's Gaussians, and scenes made of such files.
+pub mod splats {
+    pub use organza_splats::*;
+    pub use organza_train::evaluate::{Beside, beside};
+    pub use organza_train::{Import, Imported, import};
+}
 
-/// The compiled kernels for GPUs.
-#[doc(hidden)]
-pub static MODULES: Modules = organza_device::modules!();
-
-/// Opens the device that `options` describe, with the kernels of this crate.
-///
-/// Without `XDG_RUNTIME_DIR`, as over ssh or in a container, Mesa's Vulkan layer `device_select` may write `error:
-/// XDG_RUNTIME_DIR is invalid or not set` to stderr. It does no harm. A process that starts with `NODEVICE_SELECT=1`
-/// in its environment does not load the layer. The program `organza` sets that for itself.
-///
-/// # Errors
-/// [`DeviceError::NoGpu`](error::DeviceError::NoGpu) if a GPU was demanded and none can be used.
-pub fn open_device(options: &DeviceOptions) -> Result<Device> {
-    Ok(Device::open(options, &MODULES)?)
+/// Training: from photographs with poses to a scene.
+pub mod train {
+    pub use organza_report as report;
+    pub use organza_train::*;
 }

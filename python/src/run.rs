@@ -8,6 +8,7 @@ use organza::Renderer as Device;
 use organza::error::chain;
 use organza::ranks::Ranks;
 use organza::render::{LossBatch, LossGradient};
+use organza::train::report::Reporter;
 use organza::train::{self, Event, Outcome, RunFolder, Session, StepHooks, Trainer};
 
 use crate::ranks::PythonRanks;
@@ -98,28 +99,33 @@ impl Run {
             .with_time_limit(self.time_limit)
             .with_stop(&self.stop)
             .with_ranks(ranks, mixed);
+        let mut reporter = Reporter::new(folder, &self.config);
         let mut now = 0;
-        let mut watch = |event: Event<'_>| match event {
-            Event::Begin(step) => {
-                now = step;
-                self.send(Message::Begin(step));
+        let mut watch = |event: Event<'_>| {
+            reporter.see(&event)?;
+            match event {
+                Event::Begin(step) => {
+                    now = step;
+                    self.send(Message::Begin(step));
+                }
+                Event::Warning(text) => self.send(Message::Warning(text.to_owned())),
+                Event::Step { step, seconds, report, scene: Some(scene), .. } => {
+                    now = step;
+                    let loss = report.loss;
+                    let psnr = report.psnr;
+                    let gaussians = scene.len();
+                    let grown = report.grown.is_some();
+                    let seconds = Some(seconds);
+                    self.step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }, scene);
+                }
+                Event::Evaluated(evaluation) => {
+                    let psnr = evaluation.mean.psnr;
+                    let ssim = evaluation.mean.ssim;
+                    self.send(Message::Evaluated { step: now, psnr, ssim });
+                }
+                _ => {}
             }
-            Event::Warning(text) => self.send(Message::Warning(text.to_owned())),
-            Event::Step { step, seconds, report, scene: Some(scene), .. } => {
-                now = step;
-                let loss = report.loss;
-                let psnr = report.psnr;
-                let gaussians = scene.len();
-                let grown = report.grown.is_some();
-                let seconds = Some(seconds);
-                self.step(StepNumbers { step, seconds, loss, psnr, gaussians, grown }, scene);
-            }
-            Event::Evaluated(evaluation) => {
-                let psnr = evaluation.mean.psnr;
-                let ssim = evaluation.mean.ssim;
-                self.send(Message::Evaluated { step: now, psnr, ssim });
-            }
-            _ => {}
+            Ok(())
         };
         let outcome = session.run_with(self.resume, &mut watch, &mut self.hooks())?;
         Ok(match outcome {

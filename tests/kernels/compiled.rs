@@ -6,7 +6,7 @@ use std::path::Path;
 use organza::MODULES;
 use organza_manifest::{Interface, sha256, source_hash};
 
-const REMEDY: &str = "run `cargo xtask kernels` and commit what it writes to host/kernels \
+const REMEDY: &str = "run `cargo xtask kernels` and commit what it writes to host/render/kernels \
                       (docs/rebuilding-kernels.md tells how to get the compiler)";
 
 #[test]
@@ -61,7 +61,7 @@ fn modules_are_those_of_the_manifest() {
     assert_eq!(
         MODULES.all().count(),
         MODULES.manifest().kernels.len(),
-        "modules are missing from host/kernels: {REMEDY}"
+        "modules are missing from host/render/kernels: {REMEDY}"
     );
     for kernel in MODULES.all() {
         let entry = kernel.entry();

@@ -14,7 +14,7 @@ const REQUIRED: &str = "ORGANZA_REQUIRE_ISA";
 
 #[test]
 fn machine_code_is_as_accepted() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../host/kernels");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../host/render/kernels");
     if answer(&folder) {
         return;
     }

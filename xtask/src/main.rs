@@ -21,7 +21,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Compile the kernels to SPIR-V and WGSL, into host/kernels
+    /// Compile the kernels to SPIR-V and WGSL, into host/render/kernels
     Kernels(Options),
     /// Show what the compiler of an AMD GPU makes of the kernels, without the GPU
     Isa(IsaOptions),
@@ -38,7 +38,7 @@ enum Task {
 fn project() -> Project {
     Project {
         sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
-        kernels: "host/kernels".into(),
+        kernels: "host/render/kernels".into(),
         wgsl: true,
         ..Project::of_xtask(env!("CARGO_MANIFEST_DIR"), "shader-crate")
     }

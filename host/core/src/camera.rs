@@ -15,6 +15,8 @@ pub use orbit::{Orbit, upward};
 pub use path::CameraPath;
 pub use target::{Target, median};
 
+use glam::{DVec3, Vec2, Vec3};
+use organza_shaders::camera::Camera as KernelCamera;
 use serde_json::{Map, Value, json};
 
 use crate::atomic_file::write_atomic;
@@ -172,12 +174,50 @@ impl Camera {
         self.with_size([self.width, self.height].map(|side| side.div_ceil(factor)))
     }
 
+    /// The same view, whose longest side has at most `side` pixels: see [`Self::with_size`].
+    #[must_use]
+    pub fn within(&self, side: u32) -> Self {
+        let longest = self.width.max(self.height);
+        if longest <= side {
+            return self.clone();
+        }
+        let scale = f64::from(side) / f64::from(longest);
+        let size = [self.width, self.height];
+        self.with_size(size.map(|pixels| ((f64::from(pixels) * scale).round() as u32).max(1)))
+    }
+
     /// The depth of a place along the camera's axis, in world units; negative behind the camera.
     #[must_use]
     pub fn depth(&self, place: [f64; 3]) -> f64 {
         let eye = self.eye();
         let [.., axis] = self.world_to_camera_opencv();
         dot(axis, std::array::from_fn(|at| place[at] - eye[at]))
+    }
+
+    /// The depth of a place in world units, as [`Self::depth`]; `None` if it is outside of the camera's image.
+    #[must_use]
+    pub fn depth_in_image(&self, place: [f64; 3]) -> Option<f64> {
+        let offset = DVec3::from(place) - DVec3::from(self.eye());
+        let [x, y, z] = self.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
+        let column = self.fl_x * x / z + self.cx;
+        let row = self.fl_y * y / z + self.cy;
+        let is_seen = z > 0.0
+            && (0.0..f64::from(self.width)).contains(&column)
+            && (0.0..f64::from(self.height)).contains(&row);
+        is_seen.then_some(z)
+    }
+
+    /// The camera in the form that kernels read: OpenCV axes, f32.
+    #[must_use]
+    pub fn for_kernels(&self) -> KernelCamera {
+        let vector = |v: [f64; 3]| Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32);
+        KernelCamera {
+            rotation: self.world_to_camera_opencv().map(vector),
+            eye: vector(self.eye()),
+            focal: Vec2::new(self.fl_x as f32, self.fl_y as f32),
+            center: Vec2::new(self.cx as f32, self.cy as f32),
+            size: Vec2::new(self.width as f32, self.height as f32),
+        }
     }
 
     /// The rotation from world axes to OpenCV camera axes (x right, y down, z forward), row by row.

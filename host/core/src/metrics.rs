@@ -192,3 +192,17 @@ fn similarity([x, y, xx, yy, xy]: Moments) -> f64 {
     let luminance = (2.0 * x * y + C1) / (x * x + y * y + C1);
     luminance * (2.0 * covariance + C2) / (variances + C2)
 }
+
+/// Factor of the difference in error pictures.
+pub const ERROR_FACTOR: u32 = 5;
+
+/// The mean absolute difference of the channels times [`ERROR_FACTOR`]; 0 where the photograph has no valid pixel.
+#[must_use]
+pub fn error_levels(truth: &[[u8; 3]], rendered: &[[u8; 3]], valid: Option<&[bool]>) -> Vec<u8> {
+    let level = |(at, (a, b)): (usize, (&[u8; 3], &[u8; 3]))| {
+        let sum: u32 = a.iter().zip(b).map(|(a, b)| u32::from(a.abs_diff(*b))).sum();
+        let is_valid = valid.is_none_or(|valid| valid[at]);
+        if is_valid { ((sum * ERROR_FACTOR + 1) / 3).min(255) as u8 } else { 0 }
+    };
+    truth.iter().zip(rendered).enumerate().map(level).collect()
+}

@@ -12,8 +12,7 @@ use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{Folder, check_file};
-use super::refuse;
-use super::view::title;
+use super::{refuse, title};
 
 const USAGE: &str = "organza export-web SCENE CAMERAS -o FOLDER";
 /// Longest side of a page's images, in pixels.

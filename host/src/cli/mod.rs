@@ -203,3 +203,10 @@ fn refuse<T>(reason: impl Into<String>) -> Result<T> {
 fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
+
+/// The title of a page: the last part of a path.
+pub fn title(path: &Path) -> String {
+    let path = absolute(path);
+    path.file_name()
+        .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
+}

@@ -11,6 +11,7 @@ use organza::Result;
 use organza::data::Background;
 use organza::error::{self, format_bytes};
 use organza::train::config::{SETTINGS, Setting};
+use organza::train::report::Reporter;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
     TrainConfig,
@@ -25,7 +26,8 @@ use super::output::Folder;
 use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
 use super::signals::Signals;
-use super::view::{ServerArgs, title};
+use super::title;
+use super::view::ServerArgs;
 use super::{absolute, refuse};
 
 const EXAMPLES: &str = "\
@@ -359,10 +361,12 @@ impl Job<'_> {
             TrainingView::new(server, &renderer, &dataset, stop, share, title)
         });
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);
+        let mut reporter = Reporter::new(&folder, &config);
         let mut see = |event: Event<'_>| {
             if matches!(event, Event::Begin(_)) {
                 signals.keeps_results();
             }
+            reporter.see(&event)?;
             watch(&event);
             progress.show(&event);
             if let Some(view) = &mut view
@@ -370,6 +374,7 @@ impl Job<'_> {
             {
                 console.warn(&error::chain(&error));
             }
+            Ok(())
         };
         let outcome = thread::scope(|scope| {
             // the session ends before the threads are joined, because its end also ends them

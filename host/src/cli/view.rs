@@ -1,7 +1,7 @@
 //! `organza view`: shows a scene in a browser.
 
 use std::net::IpAddr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::sync::mpsc::channel;
@@ -15,7 +15,7 @@ use organza::{Camera, Result};
 use super::console::Console;
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource};
-use super::{export_web, refuse};
+use super::{export_web, refuse, title};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -162,7 +162,7 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
     };
     at_signals(handler)?;
     let url = server.url();
-    server.start_page(&page)?;
+    server.start_page(page.files())?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
     let _ = stopped.recv();
     Ok(())
@@ -201,13 +201,6 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
     let poses = data.cameras()?;
     let (photographs, points) = data.photographs();
     Ok(Surroundings { poses, photographs, points })
-}
-
-/// The title of a page: the last part of a path.
-pub fn title(path: &Path) -> String {
-    let path = super::absolute(path);
-    path.file_name()
-        .map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
 fn at_signals(handler: impl FnMut() + Send + 'static) -> Result<()> {

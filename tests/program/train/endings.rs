@@ -108,7 +108,7 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
         let folder = RunFolder::lock(&folder, resume).expect("nobody else has it");
         let session = Session::new(&renderer, &config, &dataset, &folder);
         let session = session.with_time_limit(time_limit);
-        session.run(resume, &mut |_| {}).expect("it trains")
+        session.run(resume, &mut |_| Ok(())).expect("it trains")
     };
     assert_eq!(train("whole", false, None), train::Outcome::Finished);
     // no step takes so little time

@@ -112,8 +112,9 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     let mut scenes = Vec::new();
     let mut watch = |event: Event<'_>| {
         if let Event::Step { scene: Some(scene), .. } = event {
-            scenes.push(scene.download(renderer.device()).expect("a scene"));
+            scenes.push(scene.download(renderer.device())?);
         }
+        Ok(())
     };
     let mut hooks = StepHooks::new().gradient(|step| {
         hooked.push((step.step, step.scene.download(step.device)?));

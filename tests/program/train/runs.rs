@@ -10,6 +10,7 @@ use image::RgbImage;
 use organza::data::Dataset;
 use organza::scene::read_tensors;
 use organza::train::metrics::{MetricsLog, Record};
+use organza::train::report::Reporter;
 use organza::train::{
     CHECKPOINT, CONFIG, Checkpoint, Event, METRICS, Outcome, RunFolder, Session, TrainConfig,
     built_in,
@@ -116,10 +117,13 @@ pub fn stopped(sandbox: &Sandbox, run: &str, settings_of: &str, steps: u32) {
     let dataset = dataset(sandbox, &config);
     let stop = AtomicBool::new(false);
     let session = Session::new(&renderer, &config, &dataset, &folder).with_stop(&stop);
+    let mut reporter = Reporter::new(&folder, &config);
     let outcome = session.run(false, &mut |event| {
+        reporter.see(&event)?;
         if matches!(event, Event::Step { step, .. } if step == steps) {
             stop.store(true, Ordering::Relaxed);
         }
+        Ok(())
     });
     assert_eq!(outcome.expect("a run"), Outcome::Stopped);
 }

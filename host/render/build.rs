@@ -1,0 +1,8 @@
+//! Embeds the compiled kernels of `kernels/`.
+
+use std::path::Path;
+
+fn main() {
+    let render = Path::new(env!("CARGO_MANIFEST_DIR"));
+    organza_manifest::embed(&render.join("kernels"), &render.join("../.."));
+}

@@ -1,0 +1,184 @@
+//! Losses that a caller computes, on the host or on the device.
+
+use std::slice::from_ref;
+
+use super::gradient::SceneGradient;
+use super::loss::LossInputs;
+use super::part_backward::{LossTarget, of_tiles};
+use crate::batch::plan::Plan;
+use crate::batch::renderer::Renderer;
+use crate::forward::part::Part;
+use crate::forward::part_counts::{Capacity, Needed};
+use crate::scene::device_scene::DeviceScene;
+use organza_core::RenderedTiles;
+use organza_core::camera::Camera;
+use organza_core::error::{Error, Result};
+use organza_core::tile::TileBatch;
+use organza_device::{Buffer, Device};
+
+/// The tiles of a step, and what they should look like: the argument of a loss on the host.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct LossBatch<'a> {
+    /// Where the tiles are; `camera` is an index into the frames that are trained on.
+    pub batch: &'a TileBatch,
+    /// Y `[K, 3, S, S]`
+    pub rendered: &'a RenderedTiles,
+    /// The photographs behind the tiles, `[K, 3, S, S]`, and which of their pixels count.
+    pub target: LossTarget<'a>,
+}
+
+/// What a loss on the host returns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LossGradient {
+    /// The loss of the batch.
+    pub loss: f64,
+    /// dL/dY `[K, 3, S, S]`
+    pub grad_output: Vec<f32>,
+}
+
+/// Tiles on the device, and what they should look like: the argument of a loss on the device.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct DeviceLossBatch<'a> {
+    /// The device of the buffers.
+    pub device: &'a Device,
+    /// S, in pixels.
+    pub side: u32,
+    /// Y, the photographs behind it, and which pixels count; [`Loss::evaluate`](crate::Loss::evaluate) takes them.
+    pub inputs: LossInputs<'a>,
+}
+
+/// What a loss on the device returns.
+#[derive(Debug)]
+pub struct DeviceLossGradient {
+    /// The loss of these tiles. The losses of a batch's parts are added.
+    pub loss: f64,
+    /// dL/dY `[K, 3, S, S]`
+    pub grad_image: Buffer<f32>,
+}
+
+type HostLoss<'h> = dyn FnMut(&LossBatch<'_>) -> Result<LossGradient> + 'h;
+type DeviceLoss<'h> = dyn FnMut(&DeviceLossBatch<'_>) -> Result<DeviceLossGradient> + 'h;
+
+/// A caller's loss, as [`Renderer::add_own_loss_gradient`] takes it.
+pub enum OwnLoss<'h> {
+    /// A function of the tiles and the photographs on the host.
+    Host(Box<HostLoss<'h>>),
+    /// A function of the buffers on the device.
+    Device(Box<DeviceLoss<'h>>),
+}
+
+/// A step's batch.
+#[derive(Clone, Copy)]
+struct Step<'a> {
+    scene: &'a DeviceScene,
+    cameras: &'a [Camera],
+    target: &'a LossTarget<'a>,
+    gradient: &'a SceneGradient,
+}
+
+impl Renderer {
+    /// Adds the gradients of a caller's loss to `gradient`, which is that of a step; returns the loss, and the mean
+    /// squared error of the valid pixels.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another number of values.
+    pub fn add_own_loss_gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        own: &mut OwnLoss<'_>,
+        target: &LossTarget<'_>,
+        gradient: &SceneGradient,
+    ) -> Result<(f64, f64)> {
+        let step = Step { scene, cameras, target, gradient };
+        let (loss, squared) = match own {
+            OwnLoss::Host(own) => self.host(step, batch, own)?,
+            OwnLoss::Device(own) => {
+                gradient.snapshot(self.device());
+                self.in_parts(scene, batch, |plans| {
+                    let add = |sum: (f64, f64), plan| {
+                        let (loss, squared) = self.part(step, own, plan)?;
+                        Ok((sum.0 + loss, sum.1 + squared))
+                    };
+                    let sum = plans.iter().try_fold((0.0, 0.0), add);
+                    sum.inspect_err(|_| gradient.rollback(self.device()))
+                })?
+            }
+        };
+        Ok((loss, squared / (3.0 * target.valid_pixels).max(1.0)))
+    }
+
+    /// A loss on the host needs all tiles at once.
+    fn host(
+        &self,
+        step: Step<'_>,
+        batch: &TileBatch,
+        own: &mut HostLoss<'_>,
+    ) -> Result<(f64, f64)> {
+        let Step { scene, cameras, target, gradient } = step;
+        let recording = self.record(scene, cameras, batch)?;
+        let rendered = recording.tiles();
+        let LossGradient { loss, grad_output } =
+            own(&LossBatch { batch, rendered, target: *target })?;
+        check_len(grad_output.len(), rendered.data.len())?;
+        recording.add_to(&grad_output, gradient, from_ref(gradient))?;
+        let area = (batch.side * batch.side) as usize;
+        Ok((loss, squared_error(&rendered.data, target.image, target.valid, area)))
+    }
+
+    /// Renders a part, has the loss evaluated, and goes back.
+    fn part(&self, step: Step<'_>, own: &mut DeviceLoss<'_>, plan: &Plan) -> Result<(f64, f64)> {
+        let Step { scene, cameras, target, gradient } = step;
+        let (device, side) = (self.device(), plan.side);
+        let area = (side * side) as usize;
+        let image = of_tiles(target.image, &plan.tiles, 3 * area);
+        let valid = of_tiles(target.valid, &plan.tiles, area);
+        let work = |capacity: Option<Capacity>| {
+            let evaluate = || Part::evaluate(device, scene, cameras, plan, true, capacity);
+            let part = device.run_in_pool(evaluate)?;
+            let (values, needed) = part.read(device, vec![part.composite.image.view()])?;
+            if needed == Needed::Overflow {
+                return Ok(((0.0, 0.0), needed));
+            }
+            let pixels = bytemuck::cast_slice(&values[0]);
+            let squared = squared_error(pixels, &image, &valid, area);
+            let target_image = device.upload("photographs", &image)?;
+            let valid = device.upload("masks", &valid)?;
+            let inputs = LossInputs {
+                image: &part.composite.image,
+                target: &target_image,
+                valid: &valid,
+                valid_pixels: target.valid_pixels,
+                ssim_weight: target.ssim_weight,
+            };
+            let DeviceLossGradient { loss, grad_image } =
+                own(&DeviceLossBatch { device, side, inputs })?;
+            check_len(grad_image.len(), pixels.len())?;
+            device.run_in_pool(|| part.backward(device, scene, side, &grad_image, gradient))?;
+            Ok(((loss, squared), needed))
+        };
+        self.with_predicted_capacity(scene, plan, work)
+    }
+}
+
+fn check_len(found: usize, expected: usize) -> Result<()> {
+    if found == expected {
+        return Ok(());
+    }
+    let reason = format!("the loss returned {found} values of dL/dY, expected {expected}");
+    Err(Error::Argument { reason })
+}
+
+/// The sum of squares over the valid pixels and the channels of tiles of `area` pixels.
+fn squared_error(rendered: &[f32], image: &[f32], valid: &[f32], area: usize) -> f64 {
+    let planes = rendered.chunks_exact(area).zip(image.chunks_exact(area)).enumerate();
+    let squares = planes.flat_map(|(plane, (x, y))| {
+        let valid = &valid[plane / 3 * area..][..area];
+        let pixels = x.iter().zip(y).zip(valid);
+        pixels.filter(|(_, valid)| **valid > 0.0).map(|((x, y), _)| f64::from(x - y).powi(2))
+    });
+    squares.sum()
+}

@@ -1,0 +1,237 @@
+//! What is kept of one place: colors and transmittances depend on where the eye is, and on nothing else of a camera.
+//!
+//! Looking around, zooming and resizing then take the projection and the composite alone.
+
+use organza_core::{Channel, RenderReport, RenderedTiles};
+use std::time::Instant;
+
+use organza_shaders::composite::splat_distance;
+use organza_shaders::project::{EVERYWHERE, in_support};
+use rayon::prelude::*;
+
+use super::plan::Plan;
+use super::renderer::Renderer;
+use crate::forward::bin::{Bins, Pairs, project};
+use crate::forward::channels::Seen;
+use crate::forward::color::Color;
+use crate::forward::composite::Composite;
+use crate::forward::part::{RenderedPart, read_tiles};
+use crate::forward::transmittance::Transmittance;
+use crate::scene::device_scene::DeviceScene;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::tile::TileBatch;
+use organza_device::{Buffer, Count, Device, memory};
+
+/// Pairs that are evaluated at once, so that a frame nobody waits for any more ends soon: on a CPU about a tenth of a second.
+const CPU_PAIRS: usize = 1 << 12;
+const GPU_PAIRS: usize = 1 << 17;
+
+/// Colors c (Eq. 3) and transmittances T (Eq. 11) of a scene's Gaussians, as seen from one place. It belongs to one scene
+/// as it is: after the scene changes, begin with another.
+#[derive(Debug, Default)]
+pub struct EyeCache {
+    /// The place in world space, as kernels have it.
+    eye: Option<[u32; 3]>,
+    /// For each Gaussian, the length of T's steps in multiples of sigma; 0 where nothing is known.
+    steps: Vec<u16>,
+    transmittance: Vec<f32>,
+    color: Vec<[f32; 3]>,
+    /// What evaluating them took for the last image.
+    seconds: f64,
+}
+
+/// How [`Renderer::render_from_eye`] renders.
+#[derive(Clone, Copy)]
+#[allow(missing_debug_implementations, reason = "a function has nothing to show")]
+pub struct EyeOptions<'a> {
+    /// Channels beside color.
+    pub channels: &'a [Channel],
+    /// The length of T's steps in multiples of sigma, Eq. 8. With 1, the image is that of [`Renderer::render`].
+    pub steps: u16,
+    /// Instead of the scene's background.
+    pub background: Option<[f64; 3]>,
+    /// Whether nobody waits for the image any more.
+    pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
+}
+
+impl EyeCache {
+    /// The seconds that colors and transmittances of the last image took.
+    #[must_use]
+    pub fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
+    /// Forgets what was seen from another place.
+    fn look_from(&mut self, eye: [f32; 3], gaussians: usize) -> Result<()> {
+        let eye = Some(eye.map(f32::to_bits));
+        if self.steps.len() != gaussians {
+            self.steps = memory::zeros(gaussians, "what is kept of one place")?;
+            self.transmittance = memory::zeros(gaussians, "what is kept of one place")?;
+            self.color = memory::zeros(gaussians, "what is kept of one place")?;
+        } else if self.eye != eye {
+            self.steps.fill(0);
+        }
+        (self.eye, self.seconds) = (eye, 0.0);
+        Ok(())
+    }
+
+    /// Evaluates what is not known of some Gaussians. Returns the number of samples, or nothing where it was cancelled.
+    fn complete(
+        &mut self,
+        device: &Device,
+        scene: &DeviceScene,
+        bins: &Bins,
+        gaussians: &[u32],
+        options: &EyeOptions<'_>,
+    ) -> Result<Option<u64>> {
+        let steps = options.steps;
+        let scene = &scene.with_ray_steps(steps.into());
+        let is_missing = |&gaussian: &u32| {
+            let found = self.steps[gaussian as usize];
+            found == 0 || found > steps
+        };
+        let missing: Vec<_> = gaussians.iter().copied().filter(is_missing).collect();
+        let (mut samples, at_once) = (0, if device.is_cpu_like() { CPU_PAIRS } else { GPU_PAIRS });
+        for some in missing.chunks(at_once) {
+            if (options.is_cancelled)() {
+                return Ok(None);
+            }
+            let pairs = pairs_of(device, bins, some)?;
+            let evaluated = Transmittance::evaluate(device, scene, &pairs, false, |first| {
+                pairs.read_samples(device, first)
+            })?;
+            samples += u64::from(evaluated.samples.at_most());
+            let without: Vec<_> =
+                some.iter().copied().filter(|&at| self.steps[at as usize] == 0).collect();
+            let color = match &*without {
+                [] => Vec::new(),
+                some => {
+                    let pairs = pairs_of(device, bins, some)?;
+                    device.read(&Color::evaluate(device, scene, &pairs, false)?.color)?
+                }
+            };
+            for (&at, t) in some.iter().zip(device.read(&evaluated.transmittance)?) {
+                self.transmittance[at as usize] = t;
+                self.steps[at as usize] = steps;
+            }
+            for (&at, color) in without.iter().zip(color.as_chunks().0) {
+                self.color[at as usize] = *color;
+            }
+        }
+        Ok(Some(samples))
+    }
+
+    /// T `[pairs]` and c `[pairs, 3]` of some Gaussians, on the device.
+    fn gather(&self, device: &Device, gaussians: &[u32]) -> Result<(Buffer<f32>, Buffer<f32>)> {
+        let transmittance: Vec<_> =
+            gaussians.iter().map(|&at| self.transmittance[at as usize]).collect();
+        let color: Vec<_> = gaussians.iter().map(|&at| self.color[at as usize]).collect();
+        let transmittance = device.upload("transmittance", &transmittance)?;
+        Ok((transmittance, device.upload("color", color.as_flattened())?))
+    }
+
+    fn render(
+        &mut self,
+        device: &Device,
+        scene: &DeviceScene,
+        camera: &Camera,
+        plan: &Plan,
+        options: &EyeOptions<'_>,
+    ) -> Result<Option<RenderedPart>> {
+        let bins = Bins::new(device, scene, std::slice::from_ref(camera), plan, None)?;
+        // of one camera, a pair is its Gaussian
+        let gaussians = device.read(&bins.pairs.pair)?;
+        let begin = Instant::now();
+        let samples = self.complete(device, scene, &bins, &gaussians, options)?;
+        self.seconds += begin.elapsed().as_secs_f64();
+        let Some(samples) = samples else { return Ok(None) };
+        let (transmittance, color) = self.gather(device, &gaussians)?;
+        let background = options.background.unwrap_or(scene.config.background);
+        let (side, transmittance) = (plan.side, &transmittance);
+        let composite =
+            &Composite::new(device, scene, background, side, &bins, transmittance, &color)?;
+        let seen = Seen { bins: &bins, transmittance, composite };
+        let read = |buffers: Vec<_>| Ok((device.read_all(&buffers)?, ()));
+        let (mut rendered, degenerate, ()) =
+            read_tiles(device, scene, plan, options.channels, seen, read)?;
+        rendered.report = RenderReport {
+            parts: 1,
+            pairs: gaussians.len() as u64,
+            members: u64::from(bins.members.at_most()),
+            samples,
+            degenerate: u64::from(degenerate),
+        };
+        Ok(Some(rendered))
+    }
+}
+
+/// Pairs of some Gaussians and the camera of `bins`.
+fn pairs_of(device: &Device, bins: &Bins, gaussians: &[u32]) -> organza_device::Result<Pairs> {
+    Ok(Pairs {
+        count: Count::known(gaussians.len() as u32),
+        pair: device.upload("pairs", gaussians)?,
+        camera: bins.pairs.camera.view(),
+        projection: bins.pairs.projection.view(),
+        unit_ends: Vec::new(),
+    })
+}
+
+impl Renderer {
+    /// Renders tiles of one camera, whose index does not matter. Colors and transmittances that are in the cache are not
+    /// computed again. Returns nothing where it was cancelled; what was computed by then is kept.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_from_eye(
+        &self,
+        scene: &DeviceScene,
+        camera: &Camera,
+        batch: &TileBatch,
+        cache: &mut EyeCache,
+        options: &EyeOptions<'_>,
+    ) -> Result<Option<RenderedTiles>> {
+        batch.validate(std::slice::from_ref(camera))?;
+        cache.look_from(camera.for_kernels().eye.to_array(), scene.len())?;
+        let (device, channels) = (self.device(), options.channels);
+        self.render_parts(scene, batch, channels, &mut |_, _| {}, &mut |plan| {
+            device.run_in_pool(|| cache.render(device, scene, camera, plan, options))
+        })
+    }
+
+    /// How many Gaussians each pixel sums up, row by row: those whose support reaches the pixel's center.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn count_members(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<u32>> {
+        let device = self.device();
+        let (_, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let projection = device.read(&projection)?;
+        let width = camera.width as usize;
+        let mut count = memory::zeros(width * camera.height as usize, "members of pixels")?;
+        const ROWS: usize = 16;
+        count.par_chunks_mut(ROWS * width).enumerate().for_each(|(band, count)| {
+            let top = band * ROWS;
+            for [placed, conic] in projection.as_chunks().0 {
+                let (mean, reach) = ([placed.x, placed.y], placed.z);
+                // the pixels whose centers the radius may reach; of what is culled it is negative
+                let range = |axis: usize, first: usize, len: usize| {
+                    let at = |value: f32| (value as isize - first as isize).clamp(0, len as isize);
+                    at(mean[axis] - reach - 1.0) as usize..at(mean[axis] + reach + 1.0) as usize
+                };
+                let rows = range(1, top, count.len() / width);
+                if reach < 0.0 || rows.is_empty() {
+                    continue;
+                }
+                for row in rows {
+                    let y = (top + row) as f32 + 0.5;
+                    for column in range(0, 0, width) {
+                        let q = splat_distance(*placed, *conic, column as f32 + 0.5, y);
+                        count[row * width + column] += u32::from(in_support(q));
+                    }
+                }
+            }
+        });
+        Ok(count)
+    }
+}

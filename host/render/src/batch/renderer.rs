@@ -1,0 +1,234 @@
+//! Renders batches of tiles, part by part.
+
+use organza_core::{Channel, RenderedTiles};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::capacity::CapacityPredictor;
+use super::plan::{Limits, PART_BYTES, Plan};
+use super::results::place;
+use crate::forward::part::{self, Part, RenderedPart};
+use crate::forward::part_counts::{Capacity, Needed};
+use crate::scene::device_scene::DeviceScene;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::image::{self, Image};
+use organza_core::tile::TileBatch;
+use organza_device::Device;
+
+/// Renders scenes on a device.
+///
+/// ```
+/// use organza_core::{Tile, TileBatch, demo};
+/// use organza_device::DeviceOptions;
+/// use organza_render::{Renderer, open_device};
+///
+/// // DeviceOptions::default() takes a GPU if there is one
+/// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);
+/// // or Scene::load("scene.safetensors") and Camera::load_all("cameras.json")
+/// let scene = renderer.upload(&demo::scene())?;
+/// let cameras = demo::turntable(2, 48);
+///
+/// // two tiles of 16 x 16 pixels, one of each camera
+/// let tiles = (0..2).map(|camera| Tile { camera, origin: [16, 16] }).collect();
+/// let rendered = renderer.render(&scene, &cameras, &TileBatch { side: 16, tiles })?;
+/// assert_eq!(rendered.data.len(), 2 * 3 * 16 * 16); // [K, 3, S, S]
+/// let [red, green, blue] = rendered.rgb(1, 8, 8);
+/// assert!(red > 0.0 && green > 0.0 && blue > 0.0);
+///
+/// // a whole image
+/// let image = renderer.render_view(&scene, &cameras[0])?;
+/// assert_eq!(image.size(), [48, 48]);
+/// # Ok::<(), organza_core::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Renderer {
+    device: Arc<Device>,
+    pub(crate) part_bytes: Arc<AtomicU64>,
+    predictor: Arc<Mutex<CapacityPredictor>>,
+}
+
+impl Renderer {
+    /// A renderer on `device`.
+    #[must_use]
+    pub fn new(device: Device) -> Self {
+        Self {
+            device: Arc::new(device),
+            part_bytes: Arc::new(PART_BYTES.into()),
+            predictor: Arc::default(),
+        }
+    }
+
+    /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set.
+    ///
+    /// A part holds at least one tile, so that it may take more; what a part takes beside its tables grows with the
+    /// pairs and samples of its tiles.
+    #[must_use]
+    pub fn with_part_bytes(mut self, bytes: u64) -> Self {
+        self.part_bytes = Arc::new(bytes.into());
+        self
+    }
+
+    /// The device it renders on.
+    #[must_use]
+    pub fn device(&self) -> &Device {
+        &self.device
+    }
+
+    /// Renders a batch of tiles.  A batch that does not fit into the device's memory is rendered in parts; a part does
+    /// not change the image.
+    ///
+    /// # Errors
+    /// [`Error::Tile`](organza_core::Error::Tile) where a tile has no camera or an impossible place, [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) where a single tile
+    /// does not fit, [`DeviceError::DeviceLost`](organza_core::error::DeviceError::DeviceLost).
+    pub fn render(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+    ) -> Result<RenderedTiles> {
+        self.render_with_progress(scene, cameras, batch, &mut |_, _| {})
+    }
+
+    /// As [`Renderer::render`]; calls `progress` after each part with the number of tiles that are done, and of all.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_with_progress(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<RenderedTiles> {
+        self.render_channels(scene, cameras, batch, &[], progress)
+    }
+
+    /// As [`Renderer::render_with_progress`], with [channels](Channel) beside the color.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_channels(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        channels: &[Channel],
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<RenderedTiles> {
+        batch.validate(cameras)?;
+        let rendered = self.render_parts(scene, batch, channels, progress, &mut |plan| {
+            let (_, part) = self.render_part(scene, cameras, plan, channels, false)?;
+            Ok(Some(part))
+        })?;
+        Ok(rendered.expect("every part is rendered"))
+    }
+
+    /// Renders a batch part by part; nothing where `render` gives none.
+    pub(crate) fn render_parts(
+        &self,
+        scene: &DeviceScene,
+        batch: &TileBatch,
+        channels: &[Channel],
+        progress: &mut dyn FnMut(usize, usize),
+        render: &mut dyn FnMut(&Plan) -> Result<Option<RenderedPart>>,
+    ) -> Result<Option<RenderedTiles>> {
+        let mut tiles = RenderedTiles::zeros(batch, channels)?;
+        let mut done = 0;
+        let mut plans = self.plans(scene, batch)?;
+        while let Some(plan) = plans.pop() {
+            match render(&plan) {
+                Ok(None) => return Ok(None),
+                Ok(Some(part)) => {
+                    place(&mut tiles, &plan, &part, channels);
+                    done += plan.tiles.len();
+                    progress(done, batch.tiles.len());
+                }
+                Err(error) if error.is_out_of_memory() && plan.tiles.len() > 1 => {
+                    plans.extend(plan.halves())
+                }
+                Err(error) if error.is_out_of_memory() && self.forget() => plans.push(plan),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(Some(tiles))
+    }
+
+    /// Renders a part; `keep` says whether it will be gone back through.
+    pub(crate) fn render_part(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        plan: &Plan,
+        channels: &[Channel],
+        keep: bool,
+    ) -> Result<(Part, RenderedPart)> {
+        let device = self.device();
+        let render =
+            |capacity| Ok(part::render(device, scene, cameras, plan, channels, keep, capacity)?);
+        device.run_in_pool(|| self.with_predicted_capacity(scene, plan, render))
+    }
+}
+
+impl Renderer {
+    /// Renders the whole image of a camera. Values are clamped to 0 to 1 and rounded to 8 bits.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`].
+    pub fn render_view(&self, scene: &DeviceScene, camera: &Camera) -> Result<Image> {
+        let size = [camera.width, camera.height];
+        let mut image = Image::new(size[0], size[1])?;
+        for batch in image::bands(0, size, image::TILE_SIDE) {
+            let batch = batch?;
+            image.paste(&batch, &self.render(scene, std::slice::from_ref(camera), &batch)?)?;
+        }
+        Ok(image)
+    }
+
+    /// The parts of a batch, last first.
+    pub(crate) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
+        Ok(Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    }
+
+    /// The units of a batch, and what joins them to parts.
+    pub(crate) fn units(
+        &self,
+        scene: &DeviceScene,
+        batch: &TileBatch,
+    ) -> Result<(Vec<Plan>, Limits)> {
+        Ok(Plan::units(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    }
+
+    /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the capacity
+    /// was too small, or without a prediction, does it with room for everything.
+    pub(crate) fn with_predicted_capacity<R>(
+        &self,
+        scene: &DeviceScene,
+        plan: &Plan,
+        mut work: impl FnMut(Option<Capacity>) -> Result<(R, Needed)>,
+    ) -> Result<R> {
+        let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
+        let guesses = self.device.leaves_counts_on_device();
+        let mut capacity = if guesses { self.predictor().predict(kind, tiles) } else { None };
+        loop {
+            match work(capacity)? {
+                (result, Needed::Capacity(needed)) => {
+                    if guesses {
+                        self.predictor().observe(kind, tiles, needed);
+                    }
+                    return Ok(result);
+                }
+                (_, Needed::Overflow) => capacity = None,
+            }
+        }
+    }
+
+    /// Forgets the predictions, after memory ran out: a part may need less. Returns whether there were any.
+    pub(crate) fn forget(&self) -> bool {
+        std::mem::take(&mut *self.predictor()) != CapacityPredictor::default()
+    }
+
+    fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
+        self.predictor.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,47 @@
+//! The results of the parts of a batch.
+
+use super::plan::Plan;
+use crate::forward::part::RenderedPart;
+use crate::forward::part_counts::{Capacity, Needed};
+use organza_core::{Channel, RenderReport, RenderedTiles};
+
+/// Puts the tiles of a part in their places; `channels` are those of the part.
+pub fn place(tiles: &mut RenderedTiles, plan: &Plan, part: &RenderedPart, channels: &[Channel]) {
+    let area = (tiles.side * tiles.side) as usize;
+    let place = |values: &[f32], len: usize, batch: &mut [f32]| {
+        for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
+            batch[tile.place * len..][..len].copy_from_slice(values);
+        }
+    };
+    place(&part.pixels, 3 * area, &mut tiles.data);
+    for (channel, values) in channels.iter().zip(&part.channels) {
+        let all = tiles.channels.get_mut(channel).expect("made by `zeros`");
+        place(values, channel.planes() * area, all);
+    }
+    tiles.report.add(&part.report);
+}
+
+/// The report of a part, from the capacity that it needed.
+pub fn report_of_part(degenerate: u32, needed: Needed) -> RenderReport {
+    let mut report =
+        RenderReport { parts: 1, degenerate: u64::from(degenerate), ..RenderReport::default() };
+    if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
+        [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
+    }
+    report
+}
+
+/// How many numbers a report has.
+pub const REPORT_NUMBERS: usize = 5;
+
+/// A report as numbers, for other ranks.
+pub fn report_to_numbers(report: RenderReport) -> [u64; REPORT_NUMBERS] {
+    let RenderReport { parts, pairs, members, samples, degenerate } = report;
+    [parts as u64, pairs, members, samples, degenerate]
+}
+
+/// The report that another rank has sent.
+pub fn report_from_numbers(numbers: [u64; REPORT_NUMBERS]) -> RenderReport {
+    let [parts, pairs, members, samples, degenerate] = numbers;
+    RenderReport { parts: parts as usize, pairs, members, samples, degenerate }
+}

@@ -1,0 +1,273 @@
+//! Projection and binning: which Gaussians each tile needs, in ascending order, and which pairs that makes.
+
+use glam::Vec4;
+use organza_shaders::count::{MEMBERS, PAIRS, SAMPLES};
+use organza_shaders::pair::{PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams};
+use organza_shaders::project::{ProjectKernel, ProjectParams, WINDOW};
+use organza_shaders::tile::{
+    TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
+    TileRangeParams,
+};
+
+use super::mask::Mask;
+use super::part_counts::{Capacity, PartCounts};
+use crate::batch::plan::{Plan, words};
+use crate::scene::device_scene::DeviceScene;
+use organza_core::camera::Camera;
+use organza_device::{Buffer, Count, Device, Result};
+
+/// The (Gaussian, camera) pairs to evaluate.
+#[derive(Debug)]
+pub struct Pairs {
+    pub count: Count,
+    /// `camera slot * gaussians + gaussian`, ascending.
+    pub pair: Buffer<u32>,
+    /// Packed cameras.
+    pub camera: Buffer<f32>,
+    /// `[cameras, gaussians, 2]`
+    pub projection: Buffer<Vec4>,
+    /// Where each camera's pairs end, on a CPU; nothing elsewhere.
+    pub unit_ends: Vec<u32>,
+}
+
+impl Pairs {
+    /// The pairs that chunks have to end with, if they are kept for gradients, which are summed unit by unit.
+    pub fn chunk_ends(&self, keep: bool) -> &[u32] {
+        if keep { &self.unit_ends } else { &[] }
+    }
+
+    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: waits for the device.
+    pub fn read_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
+        let pairs = self.count.at_most() as usize;
+        Ok(Count::known(device.read_range(first_sample, pairs, 1)?[0]))
+    }
+}
+
+/// Which pairs each tile sums up.
+#[derive(Debug)]
+pub struct Bins {
+    pub pairs: Pairs,
+    /// The cameras' places in the list that the batch's tiles name them by.
+    pub cameras: Vec<u32>,
+    pub tiles: u32,
+    pub tile: Buffer<i32>,
+    /// Where each camera's tiles begin.
+    pub first_tile: Buffer<u32>,
+    /// `[tiles, words]`: the Gaussians that reach each tile.
+    pub tile_mask: Mask,
+    /// `[cameras, words]`: the Gaussians that each camera's tiles need.
+    pub pair_mask: Mask,
+    /// Where each tile's members begin.
+    pub tile_first: Buffer<u32>,
+    /// Indices of pairs.
+    pub member: Buffer<u32>,
+    /// Memberships of all tiles.
+    pub members: Count,
+    /// Members of the fullest tile, or more.
+    pub largest: u32,
+    /// Where the host does not know how many there are.
+    pub tally: Option<PartCounts>,
+    /// Gaussians that could not be projected.
+    pub degenerate: Buffer<u32>,
+}
+
+/// Projects every Gaussian into every camera, and leaves out those that certainly end before the camera's window: packed
+/// cameras, projections, and the count of degenerate ones.
+pub fn project(
+    device: &Device,
+    scene: &DeviceScene,
+    cameras: &[&Camera],
+    windows: &[[f32; WINDOW]],
+) -> Result<(Buffer<f32>, Buffer<Vec4>, Buffer<u32>)> {
+    let packed: Vec<_> = cameras.iter().flat_map(|camera| camera.for_kernels().pack()).collect();
+    let camera = device.upload("cameras", &packed)?;
+    let window = device.upload("windows", windows.as_flattened())?;
+    let projection = device.unwritten("projection", cameras.len() * scene.len() * 2)?;
+    let degenerate = device.zeros("degenerate", 1)?;
+    let kernel = ProjectKernel {
+        params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
+        camera: &camera,
+        window: &window,
+        position: &scene.tensors.gaussians.position,
+        rotation: &scene.tensors.gaussians.rotation,
+        log_scale: &scene.tensors.gaussians.log_scale,
+        projection: &projection,
+        degenerate: &degenerate,
+    };
+    device.run(&kernel, scene.gaussians, cameras.len() as u32)?;
+    Ok((camera, projection, degenerate))
+}
+
+/// Which Gaussians reach which tiles (Eq. 15): `[tiles, words]`.
+fn tile_mask(
+    device: &Device,
+    params: TileMaskParams,
+    tile: &Buffer<i32>,
+    tiles: u32,
+    projection: &Buffer<Vec4>,
+) -> Result<Mask> {
+    let len = (tiles * params.words) as usize;
+    let (mask, count) =
+        (device.unwritten("tile masks", len)?, device.unwritten("member counts", len)?);
+    let kernel = TileMaskKernel { params, tile, projection, mask: &mask, count: &count };
+    device.run(&kernel, params.words, tiles)?;
+    Mask::new(device, mask, &count)
+}
+
+/// Which Gaussians any tile of a camera needs: `[cameras, words]`.
+fn pair_mask(
+    device: &Device,
+    words: u32,
+    cameras: u32,
+    first_tile: &Buffer<u32>,
+    tile_mask: &Mask,
+) -> Result<Mask> {
+    let len = (cameras * words) as usize;
+    let (mask, count) =
+        (device.unwritten("pair masks", len)?, device.unwritten("pair counts", len)?);
+    let kernel = PairMaskKernel {
+        params: PairMaskParams { words },
+        first_tile,
+        tile_mask: &tile_mask.bits,
+        mask: &mask,
+        count: &count,
+    };
+    device.run(&kernel, words, cameras)?;
+    Mask::new(device, mask, &count)
+}
+
+/// Where each camera's pairs end.
+fn unit_ends(device: &Device, pair_mask: &Mask, cameras: u32, words: u32) -> Result<Vec<u32>> {
+    let end = |camera| device.read_range(&pair_mask.first, (camera * words) as usize, 1);
+    (1..=cameras).map(|camera| Ok(end(camera)?[0])).collect()
+}
+
+/// How many pairs and members there are.
+struct Numbers {
+    pairs: Count,
+    members: Count,
+    /// Members of the fullest tile, or more.
+    largest: u32,
+    tally: Option<PartCounts>,
+}
+
+impl Numbers {
+    /// Waits for the device: a number for each tile, and one.
+    fn read(device: &Device, pair_mask: &Mask, tile_first: &Buffer<u32>) -> Result<Self> {
+        let first = device.read(tile_first)?;
+        let pairs = device.read_range(&pair_mask.first, pair_mask.bits.len(), 1)?[0];
+        let members = first.windows(2).map(|range| range[1] - range[0]);
+        Ok(Self {
+            pairs: Count::known(pairs),
+            members: Count::known(first[first.len() - 1]),
+            largest: members.max().unwrap_or(0),
+            tally: None,
+        })
+    }
+
+    /// Leaves the counts on the device; if they exceed `capacity`, the bins are empty.
+    fn keep(
+        device: &Device,
+        pair_mask: &Mask,
+        tile_mask: &Mask,
+        tile_first: &Buffer<u32>,
+        gaussians: u32,
+        capacity: Capacity,
+    ) -> Result<Self> {
+        let tally = PartCounts::new(device, capacity)?;
+        tally.record_total(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
+        tally.record_total(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
+        tally.clear_on_overflow(device, [pair_mask, tile_mask], &[tile_first])?;
+        let (pairs, members) = (tally.count(PAIRS), tally.count(MEMBERS));
+        let largest = members.at_most().min(gaussians);
+        Ok(Self { pairs, members, largest, tally: Some(tally) })
+    }
+}
+
+impl Bins {
+    /// With a `capacity`, nothing waits. Without one, waits for the counts and has room for everything.
+    pub fn new(
+        device: &Device,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        plan: &Plan,
+        capacity: Option<Capacity>,
+    ) -> Result<Self> {
+        let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
+        let (camera, projection, degenerate) = project(device, scene, &used, &plan.windows())?;
+        let (packed, first_tile) = plan.pack();
+        let tile = device.upload("tiles", &packed)?;
+        let first_tile = device.upload("first tiles", &first_tile)?;
+        let (tiles, slots) = (plan.tiles.len() as u32, used.len() as u32);
+        let (gaussians, words) = (scene.gaussians, words(scene.gaussians));
+
+        let params = TileMaskParams { gaussians, words, side: plan.side };
+        let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;
+        let pair_mask = pair_mask(device, words, slots, &first_tile, &tile_mask)?;
+
+        let tile_first = device.unwritten("tile members", tiles as usize + 1)?;
+        let params = TileRangeParams { tiles, words };
+        let kernel =
+            TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
+        device.run(&kernel, tiles + 1, 1)?;
+        let numbers = match capacity {
+            None => Numbers::read(device, &pair_mask, &tile_first)?,
+            Some(capacity) => {
+                Numbers::keep(device, &pair_mask, &tile_mask, &tile_first, gaussians, capacity)?
+            }
+        };
+        let Numbers { pairs: count, members, largest, tally } = numbers;
+
+        let pair = device.unwritten("pairs", count.at_most() as usize)?;
+        let kernel = PairFillKernel {
+            params: PairFillParams { words, gaussians },
+            mask: &pair_mask.bits,
+            first_pair: &pair_mask.first,
+            pair: &pair,
+        };
+        device.run(&kernel, words, slots)?;
+        let member = device.unwritten("members", members.at_most() as usize)?;
+        let kernel = TileFillKernel {
+            params: TileFillParams { words },
+            tile: &tile,
+            tile_mask: &tile_mask.bits,
+            first_member: &tile_mask.first,
+            pair_mask: &pair_mask.bits,
+            first_pair: &pair_mask.first,
+            member: &member,
+        };
+        device.run(&kernel, words, tiles)?;
+        let unit_ends = match device.backend() {
+            "cpu" => unit_ends(device, &pair_mask, slots, words)?,
+            _ => Vec::new(),
+        };
+        let pairs = Pairs { count, pair, camera, projection, unit_ends };
+        let cameras = plan.cameras().into_iter().map(|index| index as u32).collect();
+        Ok(Self {
+            pairs,
+            cameras,
+            tiles,
+            tile,
+            first_tile,
+            tile_mask,
+            pair_mask,
+            tile_first,
+            member,
+            members,
+            largest,
+            tally,
+            degenerate,
+        })
+    }
+
+    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`.
+    pub fn count_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
+        let Some(tally) = &self.tally else {
+            return self.pairs.read_samples(device, first_sample);
+        };
+        tally.record_total(device, SAMPLES, first_sample, self.pairs.count.at_most() as usize)?;
+        let ranges = [&self.tile_first, first_sample];
+        tally.clear_on_overflow(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
+        Ok(tally.count(SAMPLES))
+    }
+}

@@ -1,0 +1,69 @@
+//! Renders Gaussians without sorting them: from a scene, cameras and tiles to pixels, and back to gradients.
+//!
+//! Whoever only renders needs this crate, and [`organza_core`] for scenes, cameras and tiles. The compiled kernels are
+//! part of it. [`organza`](https://crates.io/crates/organza) exports all of it, and trains.
+//!
+//! ```
+//! use organza_core::{TileBatch, demo};
+//! use organza_device::DeviceOptions;
+//! use organza_render::{Renderer, open_device};
+//!
+//! let renderer = Renderer::new(open_device(&DeviceOptions::default())?);
+//! let scene = renderer.upload(&demo::scene())?;
+//! let cameras = demo::turntable(1, 32);
+//! let tiles = renderer.render(&scene, &cameras, &TileBatch::cover(0, 32, 32, 16)?)?;
+//! assert_eq!(tiles.data.len(), 4 * 3 * 16 * 16); // [K, 3, S, S]
+//! # Ok::<(), organza_core::Error>(())
+//! ```
+
+mod backward;
+mod batch;
+mod forward;
+mod inspect;
+#[cfg(feature = "ndarray")]
+pub mod ndarray;
+mod scene;
+#[cfg(test)]
+mod tests;
+
+pub use backward::exposure::ExposureGradient;
+pub use backward::gradient::{SceneGradient, ShareGradient, TensorGradient};
+pub use backward::loss::{Loss, LossInputs, LossOutput, TileLoss};
+pub use backward::own_loss::{
+    DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss,
+};
+pub use backward::part_backward::LossTarget;
+pub use backward::pose::POSE;
+pub use batch::eye::{EyeCache, EyeOptions};
+pub use batch::frame::{Frame, FrameShape};
+pub use batch::recording::Recording;
+pub use batch::renderer::Renderer;
+pub use batch::share::share_bytes;
+pub use forward::part_counts::Capacity;
+pub use forward::transmittance::Ray;
+#[doc(hidden)]
+pub use inspect::inspection::Stages;
+pub use inspect::inspection::{Contribution, Inspection, Trace};
+pub use inspect::leakage::Leakage;
+pub use scene::device_scene::DeviceScene;
+pub use scene::device_share::{DeviceShare, in_blocks, read_blocks};
+pub use scene::options::UploadOptions;
+pub use scene::packed::{pack, unpack, upload};
+
+use organza_core::Result;
+use organza_device::{Device, DeviceOptions, Modules};
+
+/// The compiled kernels for GPUs, of which [`open_device`] makes a device.
+pub static MODULES: Modules = organza_device::modules!();
+
+/// Opens the device that `options` describe, with the kernels of this crate.
+///
+/// Without `XDG_RUNTIME_DIR`, as over ssh or in a container, Mesa's Vulkan layer `device_select` may write `error:
+/// XDG_RUNTIME_DIR is invalid or not set` to stderr. It does no harm. A process that starts with `NODEVICE_SELECT=1`
+/// in its environment does not load the layer. The program `organza` sets that for itself.
+///
+/// # Errors
+/// [`DeviceError::NoGpu`](organza_core::error::DeviceError::NoGpu) if a GPU was demanded and none can be used.
+pub fn open_device(options: &DeviceOptions) -> Result<Device> {
+    Ok(Device::open(options, &MODULES)?)
+}

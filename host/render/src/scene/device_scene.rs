@@ -1,0 +1,161 @@
+//! A scene on a device.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use organza_shaders::hash_grid::GridLevel;
+
+use super::packed::{pack, unpack};
+use crate::forward::field::DeviceField;
+use organza_core::error::{Error, Result};
+use organza_core::scene::{Scene, SceneConfig, Tensors};
+use organza_device::{Buffer, Device};
+
+/// A scene whose tensors lie on a device.
+#[derive(Debug)]
+pub struct DeviceScene {
+    pub(crate) config: SceneConfig,
+    pub(crate) gaussians: u32,
+    /// Eq. 13's, but in comparisons.
+    pub(crate) divide_above: f32,
+    /// See [`DeviceScene::with_ray_steps`].
+    pub(crate) ray_steps: u32,
+    pub(crate) scene_box: Buffer<f32>,
+    pub(crate) tensors: Tensors<Buffer<f32>>,
+    pub(crate) color: DeviceField,
+    pub(crate) transmittance: DeviceField,
+    /// How often [`DeviceScene::write`] has changed it.
+    pub(crate) version: Arc<AtomicU64>,
+}
+
+impl DeviceScene {
+    /// The scene's configuration.
+    #[must_use]
+    pub fn config(&self) -> &SceneConfig {
+        &self.config
+    }
+
+    /// Each tensor's values. Writing to them changes the scene. A grid of 16-bit floats has no values here.
+    #[must_use]
+    pub fn tensors(&self) -> &Tensors<Buffer<f32>> {
+        &self.tensors
+    }
+
+    /// Number of Gaussians.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.gaussians as usize
+    }
+
+    /// Whether there are no Gaussians; an empty scene is not uploaded.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.gaussians == 0
+    }
+
+    /// Half the longest side of the scene's box, in world units.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        let [low, high] = self.config.aabb;
+        (0..3).map(|axis| (high[axis] - low[axis]) / 2.0).fold(0.0, f64::max)
+    }
+
+    /// Bytes that the scene takes on the device.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let tensors: u64 = self.tensors.iter().map(|(_, buffer)| buffer.bytes()).sum();
+        tensors + self.color.bytes_beside_tensors() + self.transmittance.bytes_beside_tensors()
+    }
+
+    /// Bytes that a scene takes on a device after [`Renderer::upload`](crate::Renderer::upload).
+    #[must_use]
+    pub fn bytes_of(scene: &Scene) -> u64 {
+        let tensors: usize = pack(scene).iter().map(|(_, values)| size_of_val(&**values)).sum();
+        let grids = [&scene.config.color_grid, &scene.config.transmittance_grid];
+        let levels: u32 = grids.iter().map(|grid| grid.levels).sum();
+        (tensors + levels as usize * size_of::<GridLevel>()) as u64
+    }
+
+    /// The scene as it is now.
+    ///
+    /// # Errors
+    /// As [`Device::read`]; [`Error::Argument`](organza_core::Error::Argument) where the grids are halves.
+    pub fn download(&self, device: &Device) -> Result<Scene> {
+        self.require_gradients()?;
+        let read = |buffer: &Buffer<f32>, values: &mut [f32]| device.read_into(buffer, 0, values);
+        unpack(&self.config, self.len(), self.tensors.as_ref(), read)
+    }
+
+    /// Replaces a tensor's values, after everything that was dispatched before. `name` is that of [`Scene::tensors`],
+    /// such as `gaussians.position` or `color.mlp.0.weight`; values are row-major. Nothing is allocated on a CPU.
+    ///
+    /// A [`Recording`](crate::Recording) of the scene as it was before has no gradient anymore.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where there is no such tensor, or where the scene was uploaded as halves;
+    /// [`Error::WrongShape`] or [`Error::NotFinite`] where the values are not those of the tensor; as [`Device::write`].
+    pub fn write(&self, device: &Device, name: &str, values: &[f32]) -> Result<()> {
+        self.require_gradients()?;
+        let specs = self.config.tensors(self.len());
+        let Some(spec) = specs.iter().find(|spec| spec.name == name) else {
+            let names: Vec<_> = specs.iter().map(|spec| &*spec.name).collect();
+            let reason = format!("a scene has no tensor `{name}`, only {}", names.join(", "));
+            return Err(Error::Argument { reason });
+        };
+        spec.check(values)?;
+        self.version.fetch_add(1, Ordering::Relaxed);
+        if let Some((_, buffer)) = self.tensors.iter().find(|(own, _)| *own == name) {
+            return Ok(device.write(buffer, 0, values)?);
+        }
+        let (field, rest) = match name.strip_prefix("color.mlp.") {
+            Some(rest) => (&self.color, rest),
+            None => (&self.transmittance, name.trim_start_matches("transmittance.mlp.")),
+        };
+        let (layer, kind) = rest.split_once('.').expect("a layer's tensor");
+        let place = &field.layers[layer.parse::<usize>().expect("a layer's number")];
+        let parameters = field.parameters.view::<f32>();
+        if kind == "bias" {
+            return Ok(device.write(&parameters, place.bias_value(), values)?);
+        }
+        let mut packed = vec![0.0; place.weight_values().len()];
+        place.pack_weight(values, &mut packed);
+        Ok(device.write(&parameters, place.weight_values().start, &packed)?)
+    }
+
+    /// The length of T's steps, in the unit cube.
+    pub(crate) fn ray_step(&self) -> f64 {
+        self.config.step * f64::from(self.ray_steps)
+    }
+
+    /// The same scene, on the same memory, with steps of T that are so many times as long as sigma.
+    pub(crate) fn with_ray_steps(&self, ray_steps: u32) -> Self {
+        Self { ray_steps, ..self.view() }
+    }
+
+    /// The same scene, on the same memory, as early steps of a training see it: in images that are `factor` times smaller,
+    /// and with steps of T that are `ray_steps` times as long as sigma.
+    ///
+    /// A pixel is the mean of a square of `factor` by `factor` pixels, whose places have a variance of `(factor^2 - 1) / 12`
+    /// along each axis. The blur has this variance, too, in square pixels of the smaller image.
+    pub fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
+        let square = f64::from(factor).powi(2);
+        let mut seen = self.with_ray_steps(ray_steps);
+        seen.config.blur = (self.config.blur + (square - 1.0) / 12.0) / square;
+        seen
+    }
+
+    /// The same scene, on the same memory.
+    pub(crate) fn view(&self) -> Self {
+        Self {
+            config: self.config.clone(),
+            gaussians: self.gaussians,
+            divide_above: self.divide_above,
+            ray_steps: self.ray_steps,
+            scene_box: self.scene_box.view(),
+            tensors: self.tensors.as_ref().map(|_, buffer| buffer.view()),
+            color: self.color.view(),
+            transmittance: self.transmittance.view(),
+            version: Arc::clone(&self.version),
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! A scene on a device: how it gets there, how it lies there, and the share of it that one rank has.
+
+pub mod device_scene;
+pub mod device_share;
+pub mod network;
+pub mod options;
+pub mod packed;
+pub mod upload;

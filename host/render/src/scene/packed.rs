@@ -1,0 +1,79 @@
+//! A scene's tensors as kernels read them, on the way to a device and back.
+
+use std::borrow::Cow;
+
+use super::network::{pack_network, packed_len, unpack_network};
+use organza_core::error::Result;
+use organza_core::scene::{Field, FieldTensors, Network, Scene, SceneConfig, Tensors};
+use organza_device::{Buffer, Device};
+
+/// A scene's tensors as kernels read them.
+pub fn pack(scene: &Scene) -> Tensors<Cow<'_, [f32]>> {
+    Tensors {
+        gaussians: scene.gaussians.tensors().map(Cow::Borrowed),
+        color: pack_field(&scene.color),
+        transmittance: pack_field(&scene.transmittance),
+    }
+}
+
+/// A field's tensors as kernels read them.
+pub fn pack_field(field: &Field) -> FieldTensors<Cow<'_, [f32]>> {
+    FieldTensors {
+        grid: Cow::Borrowed(&field.grid),
+        network: Cow::Owned(pack_network(&field.network)),
+    }
+}
+
+/// Copies tensors to a device.
+///
+/// # Errors
+/// As [`Device::upload`].
+pub fn upload(
+    device: &Device,
+    tensors: Tensors<Cow<'_, [f32]>>,
+) -> organza_device::Result<Tensors<Buffer<f32>>> {
+    tensors.try_map(|name, values| device.upload(name, &values))
+}
+
+/// Where a tensor goes on the host.
+enum Target<'a> {
+    Values(&'a mut [f32]),
+    Network(&'a mut Network),
+}
+
+fn field_targets(field: &mut Field) -> FieldTensors<Target<'_>> {
+    FieldTensors {
+        grid: Target::Values(&mut field.grid),
+        network: Target::Network(&mut field.network),
+    }
+}
+
+/// The scene of `gaussians` Gaussians whose tensors `read` fills in as kernels read them.
+///
+/// # Errors
+/// As [`Scene::zeros`]; those of `read`.
+pub fn unpack<T>(
+    config: &SceneConfig,
+    gaussians: usize,
+    tensors: Tensors<T>,
+    read: impl Fn(T, &mut [f32]) -> organza_device::Result<()>,
+) -> Result<Scene> {
+    let mut scene = Scene::zeros(config.clone(), gaussians)?;
+    let targets = Tensors {
+        gaussians: scene.gaussians.tensors_mut().map(Target::Values),
+        color: field_targets(&mut scene.color),
+        transmittance: field_targets(&mut scene.transmittance),
+    };
+    targets.zip(tensors).try_map(|_, (target, tensor)| -> Result<()> {
+        match target {
+            Target::Values(target) => read(tensor, target)?,
+            Target::Network(network) => {
+                let mut values = vec![0.0; packed_len(network)];
+                read(tensor, &mut values)?;
+                unpack_network(&values, network);
+            }
+        }
+        Ok(())
+    })?;
+    Ok(scene)
+}

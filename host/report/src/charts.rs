@@ -1,0 +1,285 @@
+//! The curves of runs: numbers that `page.js` draws with uPlot.
+
+use serde::Serialize;
+
+use super::run::Run;
+use organza_train::metrics::Record;
+
+/// Largest number of points in a curve. A longer one is thinned to every second, third, ... point.
+const MAX_POINTS: usize = 4000;
+/// Largest number of points in a curve of learning rates, which are smooth.
+const MAX_RATES: usize = 250;
+/// Number of colors in the style sheet, besides `--batch` and `--held-out`.
+const COLORS: usize = 8;
+
+/// The data that `page.js` reads.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub(super) struct Charts {
+    pub tables: Vec<Table>,
+    pub charts: Vec<Chart>,
+}
+
+/// Columns that several curves share.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub(super) struct Table {
+    pub step: Vec<u64>,
+    pub seconds: Vec<Number>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Chart {
+    pub title: &'static str,
+    pub unit: &'static str,
+    pub scale: Scale,
+    /// Digits after the point for the value under the pointer. `None` means four digits in all.
+    pub digits: Option<usize>,
+    pub series: Vec<Series>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Scale {
+    Linear,
+    Log,
+    /// Linear, starting at 0.
+    Zero,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Style {
+    Line,
+    /// Values, with their running mean in front.
+    Noise,
+    /// Only the running mean.
+    Mean,
+    /// A mark at each value.
+    Marks,
+    /// A step curve: each value holds until the next.
+    Steps,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Series {
+    pub name: String,
+    /// A variable of the style sheet.
+    pub color: String,
+    pub dash: bool,
+    pub style: Style,
+    /// Index of the curve's table.
+    pub table: usize,
+    pub y: Vec<Number>,
+}
+
+/// A number of the log, with the digits of the `f32` that it was computed from. Null if it is not finite.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(transparent)]
+pub(super) struct Number(pub Option<f32>);
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        let value = value as f32;
+        Self(value.is_finite().then_some(value))
+    }
+}
+
+/// Reads a curve's value from a record.
+type Value = fn(&Record) -> f64;
+
+const STEP_CHARTS: [(&str, &str, Scale, Option<usize>, Value); 4] = [
+    ("Loss", "", Scale::Log, None, |record| step(record, |values| values[0])),
+    ("PSNR", "dB", Scale::Linear, Some(2), |record| step(record, |values| values[1])),
+    ("L1", "", Scale::Log, None, |record| step(record, |values| values[2])),
+    ("SSIM", "", Scale::Linear, Some(4), |record| step(record, |values| values[3])),
+];
+
+/// Loss, PSNR, L1 and SSIM of a step.
+fn step(record: &Record, value: fn([f64; 4]) -> f64) -> f64 {
+    match record {
+        Record::Step { loss, psnr, l1, ssim, .. } => value([*loss, *psnr, *l1, *ssim]),
+        _ => f64::NAN,
+    }
+}
+
+fn gaussians(record: &Record) -> f64 {
+    if let Record::Step { gaussians, .. } = record { *gaussians as f64 } else { f64::NAN }
+}
+
+fn speed(record: &Record) -> f64 {
+    if let Record::Step { tiles_per_second, .. } = record { *tiles_per_second } else { f64::NAN }
+}
+
+/// Records of steps and of evaluations, thinned for drawing, with their tables.
+struct Source<'a> {
+    steps: Vec<&'a Record>,
+    evaluations: Vec<&'a Record>,
+    /// Index of the table of steps; that of evaluations follows.
+    table: usize,
+}
+
+impl<'a> Source<'a> {
+    fn new(run: &'a Run, charts: &mut Charts) -> Self {
+        let of = |is: fn(&Record) -> bool| -> Vec<&Record> {
+            thinned(run.records.iter().filter(|record| is(record)).collect(), MAX_POINTS)
+        };
+        let steps = of(|record| matches!(record, Record::Step { .. }));
+        let evaluations = of(|record| matches!(record, Record::Evaluation { .. }));
+        let table = charts.tables.len();
+        charts.tables.extend([Table::of(&steps), Table::of(&evaluations)]);
+        Self { steps, evaluations, table }
+    }
+
+    fn of_steps(
+        &self,
+        name: &str,
+        color: &str,
+        style: Style,
+        scale: Scale,
+        value: Value,
+    ) -> Series {
+        let y = self.steps.iter().map(|record| drawn(value(record), scale)).collect();
+        let name = name.to_owned();
+        let color = format!("--{color}");
+        Series { name, color, dash: false, style, table: self.table, y }
+    }
+
+    /// PSNR or SSIM of the held-out views.
+    fn held_out(&self, name: &str, color: &str, is_psnr: bool) -> Series {
+        let value = |record: &&Record| match record {
+            Record::Evaluation { psnr, ssim, .. } => {
+                (if is_psnr { psnr } else { ssim }).unwrap_or(f64::NAN).into()
+            }
+            _ => Number(None),
+        };
+        let y = self.evaluations.iter().map(value).collect();
+        let name = name.to_owned();
+        let color = format!("--{color}");
+        Series { name, color, dash: false, style: Style::Marks, table: self.table + 1, y }
+    }
+}
+
+impl Table {
+    fn of(records: &[&Record]) -> Self {
+        let seconds = |record: &&Record| match record {
+            Record::Step { seconds, .. } | Record::Evaluation { seconds, .. } => (*seconds).into(),
+            _ => Number(None),
+        };
+        let step = records.iter().map(|record| record.step()).collect();
+        Self { step, seconds: records.iter().map(seconds).collect() }
+    }
+}
+
+/// The value as a scale can show it.
+fn drawn(value: f64, scale: Scale) -> Number {
+    if scale == Scale::Log && value <= 0.0 { Number(None) } else { value.into() }
+}
+
+/// At most `most` of the elements, evenly chosen, including the last.
+pub(super) fn thinned<T>(all: Vec<T>, most: usize) -> Vec<T> {
+    let every = all.len().div_ceil(most.max(1)).max(1);
+    let last = all.len().saturating_sub(1);
+    let chosen =
+        all.into_iter().enumerate().filter(|(at, _)| at.is_multiple_of(every) || *at == last);
+    chosen.map(|(_, item)| item).collect()
+}
+
+impl Charts {
+    /// The charts of one run.
+    pub fn of_run(run: &Run) -> Self {
+        let mut charts = Self::default();
+        let source = Source::new(run, &mut charts);
+        for (title, unit, scale, digits, value) in STEP_CHARTS {
+            let mut series =
+                vec![source.of_steps("training batch", "batch", Style::Noise, scale, value)];
+            if ["PSNR", "SSIM"].contains(&title) {
+                series.push(source.held_out("held-out views", "held-out", title == "PSNR"));
+            }
+            charts.add(Chart { title, unit, scale, digits, series });
+        }
+        let zero = Scale::Zero;
+        let series = vec![source.of_steps("Gaussians", "batch", Style::Steps, zero, gaussians)];
+        charts.add(Chart { title: "Gaussians", unit: "", scale: zero, digits: Some(0), series });
+        let series = vec![source.of_steps("tiles", "batch", Style::Noise, zero, speed)];
+        let title = "Speed";
+        let unit = "tiles per second";
+        charts.add(Chart { title, unit, scale: zero, digits: Some(1), series });
+        charts.add_rates(&source.steps);
+        charts
+    }
+
+    /// The charts of several runs. Each curve has its run's name.
+    pub fn of_runs(runs: &[(String, Run)]) -> Self {
+        let mut charts = Self::default();
+        let sources: Vec<_> = runs.iter().map(|(_, run)| Source::new(run, &mut charts)).collect();
+        let series = |of: &dyn Fn(&Source<'_>, &str, &str) -> Series| -> Vec<Series> {
+            let of_run = |(at, ((name, _), source)): (usize, (&(String, Run), &Source<'_>))| {
+                let series = of(source, name, &format!("run-{}", at % COLORS));
+                Series { dash: at / COLORS % 2 == 1, ..series }
+            };
+            runs.iter().zip(&sources).enumerate().map(of_run).collect()
+        };
+        for (title, unit, is_psnr, digits) in
+            [("Held-out PSNR", "dB", true, 2), ("Held-out SSIM", "", false, 4)]
+        {
+            let series = series(&|source, name, color| source.held_out(name, color, is_psnr));
+            charts.add(Chart { title, unit, scale: Scale::Linear, digits: Some(digits), series });
+        }
+        let mut numbers = STEP_CHARTS.to_vec();
+        numbers.push(("Gaussians", "", Scale::Zero, Some(0), gaussians));
+        numbers.push(("Speed", "tiles per second", Scale::Zero, Some(1), speed));
+        for (title, unit, scale, digits, value) in numbers {
+            let unit = match title {
+                "PSNR" => "dB, training batches",
+                "SSIM" => "training batches",
+                _ => unit,
+            };
+            let style = if title == "Gaussians" { Style::Steps } else { Style::Mean };
+            let series =
+                series(&|source, name, color| source.of_steps(name, color, style, scale, value));
+            charts.add(Chart { title, unit, scale, digits, series });
+        }
+        charts
+    }
+
+    /// Adds a curve for each learning rate.
+    fn add_rates(&mut self, steps: &[&Record]) {
+        let steps = thinned(steps.to_vec(), MAX_RATES);
+        let rates = |record: &&Record| match record {
+            Record::Step { rates, .. } => Some(rates.clone()),
+            _ => None,
+        };
+        let found: Vec<_> = steps.iter().filter_map(rates).collect();
+        let Some(names) = found.last().map(|rates| rates.keys().cloned().collect::<Vec<_>>())
+        else {
+            return;
+        };
+        let table = self.tables.len();
+        self.tables.push(Table::of(&steps));
+        let scale = Scale::Log;
+        let style = Style::Line;
+        let series = names.into_iter().enumerate().map(|(at, name)| {
+            let rate = |rates: &std::collections::BTreeMap<String, f32>| {
+                drawn(rates.get(&name).map_or(f64::NAN, |rate| f64::from(*rate)), scale)
+            };
+            let y = found.iter().map(rate).collect();
+            let color = format!("--run-{}", at % COLORS);
+            Series { name, color, dash: false, style, table, y }
+        });
+        let series = series.collect();
+        self.add(Chart { title: "Learning rates", unit: "", scale, digits: None, series });
+    }
+
+    /// Adds a chart, without curves that have no value.
+    fn add(&mut self, mut chart: Chart) {
+        chart.series.retain(|series| series.y.iter().any(|value| value.0.is_some()));
+        if !chart.series.is_empty() {
+            self.charts.push(chart);
+        }
+    }
+
+    /// JSON that is safe inside a page: no `<` can end its element.
+    pub fn json(&self) -> String {
+        let text = serde_json::to_string(self).unwrap_or_default();
+        text.replace('<', "\\u003c")
+    }
+}

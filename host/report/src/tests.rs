@@ -1,0 +1,417 @@
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use html5ever::tendril::TendrilSink;
+use html5ever::{ParseOpts, parse_document};
+use markup5ever_rcdom::{Handle, NodeData, RcDom};
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+use super::charts::Number;
+use super::pictures::Pictures;
+use super::*;
+use organza_core::image::Image;
+use organza_data::Photograph;
+use organza_train::Change;
+use organza_train::config::TrainConfig;
+use organza_train::evaluate::{Score, ViewScore};
+use organza_train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
+use organza_train::{CONFIG, METRICS};
+
+/// Text that must not become part of a page's markup.
+const NASTY: &str =
+    "</title></script><script>alert(\"1\")</script><img src=x onerror=alert(1)>&amp;\0'\u{1b}";
+/// The same text as a page shows it.
+const SHOWN: &str = "</title></script><script>alert(\"1\")</script><img src=x onerror=alert(1)>&amp;\u{fffd}'\u{fffd}";
+
+fn step(step: u64) -> Record {
+    let t = step as f64 / 2000.0;
+    let noise = (step as f64 * 1.7).sin() * (step as f64 * 0.31).cos();
+    let loss = 0.02 + 0.4 * (-12.0 * t).exp() + 0.006 * noise;
+    Record::Step {
+        step,
+        seconds: 760.0 * t,
+        loss,
+        l1: 0.8 * loss,
+        ssim: 1.0 - 1.2 * loss,
+        psnr: 27.0 - 14.0 * (-6.0 * t).exp() + 1.2 * noise,
+        tiles_per_second: 90.0 - 30.0 * t + 5.0 * noise,
+        gaussians: 1000 + step,
+        rates: [("grids", 1e-2), ("position", 1e-3)]
+            .map(|(name, rate)| (name.to_owned(), (rate * (1.0 - 0.5 * t)) as f32))
+            .into(),
+    }
+}
+
+fn evaluation(step: u64, names: &[&str]) -> Record {
+    let score = Score {
+        psnr: Some(20.0 + step as f64 / 777.0),
+        ssim: Some(0.5 + step as f64 / 7e3),
+        ..Score::default()
+    };
+    let view = |name: &&str| ViewScore { name: (*name).to_owned(), score };
+    let views = names.iter().map(view).collect();
+    let psnr = score.psnr;
+    let ssim = score.ssim;
+    Record::Evaluation { step, seconds: 0.38 * step as f64, psnr, ssim, views }
+}
+
+/// 1500 steps of 2000, three evaluations.
+fn records(names: &[&str]) -> Vec<Record> {
+    let session = SessionInfo {
+        date: "2026-01-31T09:30:00Z".to_owned(),
+        command: Some("organza train garden -o 'a run'".to_owned()),
+        version: "0.1.0".to_owned(),
+        commit: Some("0123abc".to_owned()),
+        device: "cpu: 2 threads".to_owned(),
+    };
+    let mut records = vec![Record::Session { step: 0, session }];
+    for at in (10..=1500).step_by(10) {
+        records.push(step(at));
+        if at % 500 == 0 && at < 1500 {
+            let split = 23_000;
+            let pruned = 1_500;
+            records.push(Record::Growth { step: at, split, pruned, gaussians: 1000 + at });
+            records.push(evaluation(at, names));
+        }
+    }
+    let name = "run.steps".to_owned();
+    let from = 1500.into();
+    let to = 2000.into();
+    records.push(Record::Change(Change { step: 1000, name, from, to }));
+    let row = |stage: &str, seconds| TimingRow { stage: stage.to_owned(), seconds, share: 0.5 };
+    let rows = vec![row("composite", 100.0), row("adam", 100.0)];
+    records.push(Record::Timing { step: 1500, rows });
+    records
+}
+
+/// Writes a run's folder, with pictures of the first two views after steps 0, 500 and 1000.
+fn run(folder: &Path, config: &str, records: &[Record]) -> Run {
+    fs::create_dir_all(folder).unwrap();
+    let config = TrainConfig::parse(config, Path::new("")).unwrap();
+    config.save(folder.join(CONFIG)).unwrap();
+    let mut log = MetricsLog::create(folder.join(METRICS)).unwrap();
+    records.iter().for_each(|record| log.append(record).unwrap());
+    let pictures = Pictures::of_run(folder);
+    pictures.begin(0).unwrap();
+    let image = Image::new(30, 20).unwrap();
+    pictures.write_first(&image).unwrap();
+    for step in [500, 1000] {
+        for view in 0..2 {
+            pictures.write(view, step, &Photograph::from(&image), &image).unwrap();
+        }
+        pictures.keep(step);
+    }
+    Run::load(folder).unwrap()
+}
+
+/// An element: its name, its attributes and its text.
+#[derive(Debug)]
+struct Element {
+    tag: String,
+    attributes: BTreeMap<String, String>,
+    text: String,
+}
+
+/// Every element of a page, after a parser of HTML has accepted it.
+fn elements(html: &str) -> Vec<Element> {
+    let page = parse_document(RcDom::default(), ParseOpts::default()).one(html);
+    assert!(page.errors.borrow().is_empty(), "{:?}", page.errors.borrow());
+    let mut found = Vec::new();
+    walk(&page.document, &mut found);
+    found
+}
+
+fn walk(node: &Handle, found: &mut Vec<Element>) {
+    if let NodeData::Element { name, attrs, .. } = &node.data {
+        let attributes = attrs.borrow();
+        let attributes =
+            attributes.iter().map(|one| (one.name.local.to_string(), one.value.to_string()));
+        let tag = name.local.to_string();
+        let attributes = attributes.collect();
+        found.push(Element { tag, attributes, text: text(node) });
+    }
+    node.children.borrow().iter().for_each(|child| walk(child, found));
+}
+
+fn text(node: &Handle) -> String {
+    match &node.data {
+        NodeData::Text { contents } => contents.borrow().to_string(),
+        _ => node.children.borrow().iter().map(text).collect(),
+    }
+}
+
+fn texts<'a>(elements: &'a [Element], tag: &str) -> Vec<&'a str> {
+    let found = elements.iter().filter(|element| element.tag == tag);
+    found.map(|element| element.text.as_str()).collect()
+}
+
+/// Asserts that a browser would fetch nothing, and that the page's script is the only one.
+fn assert_alone(elements: &[Element]) {
+    let policy = elements.iter().find_map(|element| element.attributes.get("content")).unwrap();
+    assert!(policy.starts_with("default-src 'none'; img-src data:;"), "{policy}");
+    let mut scripts = 0;
+    for Element { tag, attributes, text } in elements {
+        for tags in ["iframe", "object", "embed", "a", "base", "form", "svg", "video", "audio"] {
+            assert!(tag != tags, "{tag}");
+        }
+        for (name, value) in attributes {
+            assert!(!name.starts_with("on") && !["srcset", "action"].contains(&&**name), "{name}");
+            let is_target = ["src", "href", "data", "poster"].contains(&&**name);
+            assert!(!is_target || value.starts_with("data:"), "{name}={value}");
+            assert!(name != "style" || !value.contains("url("), "{value}");
+        }
+        match tag.as_str() {
+            "style" => assert!(!text.contains("url(") && !text.contains("@import"), "{text}"),
+            "script" if attributes.get("type").is_some_and(|kind| kind == "application/json") => {}
+            "script" => {
+                scripts += 1;
+                let hash = STANDARD.encode(Sha256::digest(text));
+                assert!(policy.contains(&format!("script-src 'sha256-{hash}'")), "{policy}");
+            }
+            _ => {}
+        }
+    }
+    assert_eq!(scripts, 1);
+}
+
+fn data(elements: &[Element]) -> Value {
+    let is_data = |element: &&Element| element.attributes.get("id").is_some_and(|id| id == "data");
+    serde_json::from_str(&elements.iter().find(is_data).unwrap().text).unwrap()
+}
+
+/// A series of a chart: the steps, the seconds and the values.
+fn series(data: &Value, chart: &str, name: &str) -> [Vec<Value>; 3] {
+    let named = |list: &Value, key: &str, name: &str| {
+        let list = list.as_array().unwrap();
+        list.iter().find(|item| item[key] == name).unwrap_or_else(|| panic!("{name}")).clone()
+    };
+    let series = named(&named(&data["charts"], "title", chart)["series"], "name", name);
+    let table = &data["tables"][series["table"].as_u64().unwrap() as usize];
+    [&table["step"], &table["seconds"], &series["y"]]
+        .map(|values| values.as_array().unwrap().clone())
+}
+
+#[test]
+fn every_number_that_is_drawn_is_in_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let records = records(&["a", "b", "c"]);
+    let run = run(folder.path(), "", &records);
+    let path = folder.path().join("report.html");
+    write_report(&path, &run).unwrap();
+    let page = elements(&fs::read_to_string(path).unwrap());
+    assert_alone(&page);
+    let data = data(&page);
+    // as text: a JSON value would hold the digits of an f64
+    let number = |value: f64| -> Value {
+        let text = serde_json::to_string(&Number::from(value)).unwrap();
+        serde_json::from_str(&text).unwrap()
+    };
+    let mut count = 0;
+    let mut assert_drawn =
+        |chart: &str, name: &str, value: &dyn Fn(&Record) -> Option<[f64; 2]>| {
+            let points = records.iter().filter_map(|record| Some((record.step(), value(record)?)));
+            let points: Vec<_> = points.collect();
+            let [steps, seconds, y] = series(&data, chart, name);
+            assert_eq!(
+                steps,
+                points.iter().map(|(step, _)| Value::from(*step)).collect::<Vec<_>>()
+            );
+            let column =
+                |at: usize| points.iter().map(|point| number(point.1[at])).collect::<Vec<_>>();
+            assert_eq!((seconds, y), (column(0), column(1)), "{chart}: {name}");
+            count += points.len();
+        };
+    type Of = fn(&Record) -> Option<[f64; 2]>;
+    let of_steps: [(&str, &str, Of); 6] = [
+        ("Loss", "training batch", |record| match record {
+            Record::Step { seconds, loss, .. } => Some([*seconds, *loss]),
+            _ => None,
+        }),
+        ("PSNR", "training batch", |record| match record {
+            Record::Step { seconds, psnr, .. } => Some([*seconds, *psnr]),
+            _ => None,
+        }),
+        ("L1", "training batch", |record| match record {
+            Record::Step { seconds, l1, .. } => Some([*seconds, *l1]),
+            _ => None,
+        }),
+        ("SSIM", "training batch", |record| match record {
+            Record::Step { seconds, ssim, .. } => Some([*seconds, *ssim]),
+            _ => None,
+        }),
+        ("Gaussians", "Gaussians", |record| match record {
+            Record::Step { seconds, gaussians, .. } => Some([*seconds, *gaussians as f64]),
+            _ => None,
+        }),
+        ("Speed", "tiles", |record| match record {
+            Record::Step { seconds, tiles_per_second, .. } => Some([*seconds, *tiles_per_second]),
+            _ => None,
+        }),
+    ];
+    for (chart, name, value) in of_steps {
+        assert_drawn(chart, name, &value);
+    }
+    let of_views: [(&str, Of); 2] = [
+        ("PSNR", |record| match record {
+            Record::Evaluation { seconds, psnr, .. } => Some([*seconds, (*psnr)?]),
+            _ => None,
+        }),
+        ("SSIM", |record| match record {
+            Record::Evaluation { seconds, ssim, .. } => Some([*seconds, (*ssim)?]),
+            _ => None,
+        }),
+    ];
+    for (chart, value) in of_views {
+        assert_drawn(chart, "held-out views", &value);
+    }
+    for name in ["grids", "position"] {
+        assert_drawn("Learning rates", name, &|record| match record {
+            Record::Step { seconds, rates, .. } => Some([*seconds, f64::from(rates[name])]),
+            _ => None,
+        });
+    }
+    assert_eq!(count, 8 * 150 + 2 * 2);
+}
+
+#[test]
+fn the_page_says_what_ran_and_how_far_it_came() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[loss]\nssim_weight = 0.3\n[optimizer]\nbeta1 = 0.8\n";
+    let run = run(&folder.path().join("garden run"), text, &records(&["a", "b", "c"]));
+    let page = elements(&single::html_of(&run));
+    // from the last evaluation, not from the last step
+    let facts = texts(&page, "dd");
+    for fact in ["21.29 dB", "0.6429", "1,000 of 2,000", "6 min 20 s", "2,000"] {
+        assert!(facts.contains(&fact), "{fact}: {facts:?}");
+    }
+    for fact in [
+        "organza train garden -o 'a run'",
+        "2026-01-31 09:30 UTC",
+        "cpu: 2 threads",
+        "0.1.0, commit 0123abc",
+    ] {
+        assert!(facts.contains(&fact), "{fact}: {facts:?}");
+    }
+    let notes = texts(&page, "p").join("\n");
+    for note in [
+        "Training run garden run",
+        "went on to step 1,500",
+        "2 times: 46,000 split",
+        "changed run.steps from 1500 to 2000",
+    ] {
+        assert!(notes.contains(note), "{note}: {notes}");
+    }
+    let cells = texts(&page, "td");
+    for row in [["loss.ssim_weight", "0.3", "0.2"], ["run.steps", "2000", "run.plan"]] {
+        assert!(cells.windows(3).any(|cells| cells == row), "{row:?}: {cells:?}");
+    }
+    let pictures: Vec<_> = page
+        .iter()
+        .filter_map(|element| element.attributes.get("alt"))
+        .map(String::as_str)
+        .collect();
+    let times = ["a after 0 steps", "a after 500 steps", "a after 1000 steps"];
+    let views = ["a", "b"].map(|view| {
+        ["Photograph", "Rendered image", "Error"].map(|what| format!("{what} of {view}"))
+    });
+    let views = views.as_flattened().iter().map(String::as_str);
+    assert_eq!(pictures, times.into_iter().chain(views).collect::<Vec<_>>());
+}
+
+#[test]
+fn nothing_in_a_run_gets_out_of_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut records = records(&[NASTY, NASTY]);
+    let nasty = || NASTY.to_owned();
+    let session = SessionInfo {
+        date: nasty(),
+        command: Some(nasty()),
+        version: nasty(),
+        commit: Some(nasty()),
+        device: nasty(),
+    };
+    records.insert(0, Record::Session { step: 0, session });
+    for record in &mut records {
+        if let Record::Step { loss, l1, rates, .. } = record {
+            *loss = f64::NAN;
+            *l1 = -1.0;
+            *rates = [(nasty(), 0.0), ("b".to_owned(), 1.0)].into();
+        }
+    }
+    let row = TimingRow { stage: nasty(), seconds: f64::MAX, share: -1e300 };
+    records.push(Record::Timing { step: 1500, rows: vec![row] });
+    let run = run(folder.path(), "", &records);
+    let page = elements(&single::html_of(&run));
+    assert_alone(&page);
+    for tag in ["dd", "code", "td", "span"] {
+        assert!(texts(&page, tag).contains(&SHOWN), "{tag}: {:?}", texts(&page, tag));
+    }
+    let runs = [(nasty(), run), ("other".to_owned(), self::run(&folder.path().join("b"), "", &[]))];
+    let page = elements(&comparison::html_of(&runs));
+    assert_alone(&page);
+    assert_eq!(texts(&page, "title"), [format!("{SHOWN}, other – organza")]);
+    let curve = series(&data(&page), "Held-out PSNR", NASTY);
+    assert_eq!(curve[0], [500, 1000]);
+}
+
+#[test]
+fn a_run_of_nothing_has_a_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    fs::write(path.join(CONFIG), "").unwrap();
+    fs::write(path.join(METRICS), "").unwrap();
+    let page = elements(&single::html_of(&Run::load(path).unwrap()));
+    assert_alone(&page);
+    assert_eq!(texts(&page, "h2"), ["Settings"]);
+}
+
+#[test]
+fn a_long_run_is_thinned_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let records: Vec<_> = (1..=30_000).map(step).collect();
+    let html = single::html_of(&run(folder.path(), "", &records));
+    assert!(html.len() < 1 << 20, "{}", html.len());
+    let [steps, ..] = series(&data(&elements(&html)), "Loss", "training batch");
+    assert_eq!(
+        (steps.len(), &steps[0], &steps[3750]),
+        (3751, &Value::from(1), &Value::from(30_000))
+    );
+}
+
+#[test]
+fn runs_are_compared_by_what_differs_and_by_what_they_share() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[run]\nseed = 7\n[data]\npath = \"garden\"\n";
+    let first = run(&folder.path().join("a"), "", &records(&["x", "y"]));
+    let second = run(&folder.path().join("b"), text, &records(&["y", "z"]));
+    let found: Vec<_> = differences([&first, &second])
+        .into_iter()
+        .map(|found| (found.setting, found.values))
+        .collect();
+    let value = |text: &str| Some(text.to_owned());
+    let expected = [
+        ("run.seed".to_owned(), vec![value("0"), value("7")]),
+        ("data.path".to_owned(), vec![None, value("\"garden\"")]),
+    ];
+    assert_eq!(found, expected);
+    let runs = [("a".to_owned(), first), ("b".to_owned(), second)];
+    let page = elements(&comparison::html_of(&runs));
+    assert_alone(&page);
+    let pictures: Vec<_> = page
+        .iter()
+        .filter_map(|element| element.attributes.get("alt"))
+        .map(String::as_str)
+        .collect();
+    assert_eq!(pictures, ["Photograph of y", "y, rendered by a", "y, rendered by b"]);
+    let cells = texts(&page, "td");
+    for row in [["a", "21.29", "0.6429"], ["run.seed", "0", "7"]] {
+        assert!(cells.windows(3).any(|cells| cells == row), "{row:?}: {cells:?}");
+    }
+    for name in ["a", "b"] {
+        assert_eq!(series(&data(&page), "Held-out SSIM", name)[0], [500, 1000]);
+    }
+}

@@ -1,0 +1,305 @@
+//! Distills a scene into Gaussians for viewers that sort. Colors and opacities first come from the scene's networks,
+//! and are then fitted to its images.
+
+use std::ops::RangeInclusive;
+
+use bytemuck::Zeroable;
+use glam::Vec3;
+use organza_device::memory;
+use organza_kernel::math::sigmoid;
+use rayon::prelude::*;
+
+use super::between::between;
+use super::harmonics::{HARMONICS, Sample, fit, harmonics};
+use super::sorted::render;
+use super::sorted_backward::gradient;
+use super::{Splat, VALUES, Views};
+use organza_core::camera::Camera;
+use organza_core::error::{Error, Result};
+use organza_core::image::Image;
+use organza_core::metrics;
+use organza_core::scene::{Scene, logit};
+use organza_render::{DeviceScene, Renderer};
+
+/// Most pairs of a camera and a Gaussian to which the harmonics are fitted.
+const MOST_PAIRS: usize = 8_000_000;
+/// Fewest and most cameras to which the harmonics are fitted.
+const CAMERAS: [usize; 2] = [8, 64];
+/// Least number of compared views. If there are fewer cameras, cameras between them are added: otherwise, harmonics
+/// and opacities would only fit a few views.
+const VIEWS: usize = 160;
+/// Least weight of a color: if nothing of it is visible, and if it is outside the image.
+const LEAST_WEIGHT: [f32; 2] = [0.02, 0.002];
+/// Smallest and largest opacity at the start: at 0 and 1, no gradient would change them.
+const OPACITIES: [f32; 2] = [0.002, 0.98];
+/// Largest absolute value of an opacity's logit.
+const LARGEST_LOGIT: f32 = 9.0;
+/// Adam's rates at the first step. That of a position is relative to the Gaussian's own size.
+const POSITION: f32 = 0.02;
+const ROTATION: f32 = 4e-3;
+const LOG_SCALE: f32 = 8e-3;
+const OPACITY: f32 = 0.05;
+const FIRST_COLOR: f32 = 0.015;
+const OTHER_COLORS: f32 = 0.003;
+/// Factor of the rates at the last step.
+const LAST: f32 = 0.05;
+/// Adam's decays and epsilon.
+const DECAY: [f32; 2] = [0.9, 0.99];
+const EPSILON: f32 = 1e-12;
+/// PSNR of equal images, in dB: they have 8 bits.
+const BEST_PSNR: f64 = 60.0;
+
+/// Settings of the fit.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit {
+    /// Number of steps. Each compares one view.
+    pub steps: u32,
+    /// Longest side of a view, in pixels.
+    pub side: u32,
+}
+
+impl Fit {
+    /// Allowed numbers of steps.
+    pub const STEPS: RangeInclusive<i64> = 0..=1_000_000;
+    /// Allowed sides of views, in pixels.
+    pub const SIDES: RangeInclusive<i64> = 16..=4096;
+}
+
+/// 500 steps, with views of 480 pixels.
+impl Default for Fit {
+    fn default() -> Self {
+        Self { steps: 500, side: 480 }
+    }
+}
+
+/// A distilled scene.
+#[derive(Clone, Debug)]
+pub struct Distilled {
+    /// The Gaussians for a viewer. Those with an opacity below 1/255 are left out.
+    pub splats: Vec<Splat>,
+    /// Mean PSNR, in dB, of their images compared with the scene's own, over views that were not fitted.
+    pub psnr: f64,
+    /// The same PSNR before the first step.
+    pub first_psnr: f64,
+}
+
+/// A camera, with the scene's image.
+struct Target {
+    camera: Camera,
+    image: Image,
+}
+
+/// Fits Gaussians to a scene, as some cameras and others between them see it. Without views that are only measured,
+/// the fitted views are measured. `progress` is called with the number of finished steps. An error of it ends the
+/// fit.
+///
+/// # Errors
+/// [`Error::Argument`] without cameras; those of [`Renderer::render`]; those of `progress`.
+pub fn distill(
+    renderer: &Renderer,
+    scene: &Scene,
+    uploaded: &DeviceScene,
+    views: &Views,
+    options: Fit,
+    progress: &mut dyn FnMut(usize) -> Result<()>,
+) -> Result<Distilled> {
+    let Views { fitted: cameras, judges } = views;
+    if cameras.is_empty() {
+        return Err(Error::Argument { reason: "distilling a scene needs a camera".to_owned() });
+    }
+    let background = scene.config.background.map(|x| x as f32);
+    let mut splats = first(renderer, scene, uploaded, cameras)?;
+    let target = |camera: &Camera| -> Result<Target> {
+        let camera = camera.within(options.side);
+        let image = renderer.render_view(uploaded, &camera)?;
+        Ok(Target { camera, image })
+    };
+    let judges = if judges.is_empty() { cameras } else { judges };
+    let judges = judges.iter().map(target).collect::<Result<Vec<_>>>()?;
+    let mean = |splats: &[Splat]| {
+        let of = |Target { camera, image }: &Target| {
+            let psnr = psnr(splats, camera, background, image.pixels(), None);
+            psnr.unwrap_or(BEST_PSNR).min(BEST_PSNR)
+        };
+        judges.iter().map(of).sum::<f64>() / judges.len() as f64
+    };
+    let first_psnr = mean(&splats);
+    let steps = options.steps as usize;
+    // views that no step will see need no image
+    let others = between(cameras, VIEWS.min(steps).saturating_sub(cameras.len()))?;
+    let targets: Vec<_> = cameras.iter().chain(&others).take(steps).collect();
+    let pixels = |camera: &&Camera| {
+        let Camera { width, height, .. } = camera.within(options.side);
+        u64::from(width) * u64::from(height)
+    };
+    memory::check(3 * targets.iter().map(pixels).sum::<u64>(), "the images to compare")?;
+    let targets = targets.into_iter().map(target).collect::<Result<Vec<_>>>()?;
+    let mut adam = Adam::new(splats.len())?;
+    let stride = stride(targets.len());
+    for step in 0..steps {
+        let Target { camera, image } = &targets[step * stride % targets.len()];
+        let gradient = gradient(&splats, camera, background, &colors(image.pixels()));
+        let rate = LAST.powf(step as f32 / options.steps as f32);
+        adam.step(&mut splats, &gradient, rate);
+        progress(step + 1)?;
+    }
+    splats.retain(|splat| sigmoid(splat.opacity) >= 1.0 / 255.0);
+    let psnr = mean(&splats);
+    Ok(Distilled { splats, psnr, first_psnr })
+}
+
+/// PSNR of the image that a viewer shows, compared with an 8-bit image, over its valid pixels. See [`metrics::psnr`].
+pub fn psnr(
+    splats: &[Splat],
+    camera: &Camera,
+    background: [f32; 3],
+    pixels: &[[u8; 3]],
+    valid: Option<&[bool]>,
+) -> Option<f64> {
+    let image = displayed(render(splats, camera, background));
+    metrics::psnr(&image, &colors(pixels), valid)
+}
+
+fn colors(pixels: &[[u8; 3]]) -> Vec<[f32; 3]> {
+    pixels.iter().map(|pixel| pixel.map(|x| f32::from(x) / 255.0)).collect()
+}
+
+/// Clamps colors to the range of a screen.
+fn displayed(mut image: Vec<[f32; 3]>) -> Vec<[f32; 3]> {
+    image.as_flattened_mut().iter_mut().for_each(|value| *value = value.clamp(0.0, 1.0));
+    image
+}
+
+/// A number near 0.6 n whose multiples visit all n views, so that successive steps do not compare neighbors.
+fn stride(n: usize) -> usize {
+    let has_no_divisor = |&stride: &usize| {
+        let mut a = n;
+        let mut b = stride;
+        while b > 0 {
+            (a, b) = (b, a % b);
+        }
+        a == 1
+    };
+    (1..=n * 6 / 10).rev().find(has_no_divisor).unwrap_or(1)
+}
+
+/// The start of the fit: harmonics fitted to the networks' colors for the cameras, and opacities times the largest T.
+fn first(
+    renderer: &Renderer,
+    scene: &Scene,
+    uploaded: &DeviceScene,
+    cameras: &[Camera],
+) -> Result<Vec<Splat>> {
+    let gaussians = &scene.gaussians;
+    let most = (MOST_PAIRS / gaussians.len().max(1)).clamp(CAMERAS[0], CAMERAS[1]);
+    let every = cameras.len().div_ceil(most).max(1);
+    let shades = |camera| Ok((camera, renderer.shades(uploaded, camera)?));
+    let cameras = cameras.iter().step_by(every).map(shades).collect::<Result<Vec<_>>>()?;
+    let splat = |gaussian: usize| {
+        let position = gaussians.position[gaussian];
+        let place = position.map(f64::from);
+        let mut largest: f32 = 0.0;
+        let sample = |(camera, (colors, transmittance)): &(&Camera, (Vec<_>, Vec<f32>))| {
+            let eye = Vec3::from(camera.eye().map(|x| x as f32));
+            let is_seen = camera.depth_in_image(place).is_some();
+            let through = if is_seen { transmittance[gaussian] } else { 0.0 };
+            largest = largest.max(through);
+            let weight = through + LEAST_WEIGHT[usize::from(!is_seen)];
+            Sample { basis: harmonics(eye, position), color: colors[gaussian], weight }
+        };
+        let samples: Vec<_> = cameras.iter().map(sample).collect();
+        let opacity = sigmoid(gaussians.opacity[gaussian]) * largest;
+        let opacity = opacity.clamp(OPACITIES[0], OPACITIES[1]);
+        Splat {
+            position,
+            rotation: gaussians.rotation[gaussian],
+            log_scale: gaussians.log_scale[gaussian],
+            opacity: logit(opacity),
+            color: fit(&samples),
+        }
+    };
+    Ok((0..gaussians.len()).into_par_iter().map(splat).collect())
+}
+
+/// Adam (Kingma and Ba 2015). A Gaussian takes a step if the view shows it.
+struct Adam {
+    moments: Vec<Moments>,
+}
+
+#[derive(Clone, Copy, Zeroable)]
+struct Moments {
+    first: [f32; VALUES],
+    second: [f32; VALUES],
+    steps: i32,
+    /// Index of the Gaussian's gradient in this step, plus 1.
+    slope: u32,
+}
+
+impl Adam {
+    fn new(len: usize) -> Result<Self> {
+        Ok(Self { moments: memory::zeros(len, "distilling the Gaussians")? })
+    }
+
+    fn step(&mut self, splats: &mut [Splat], gradient: &[(u32, Splat)], rate: f32) {
+        for (index, (gaussian, _)) in gradient.iter().enumerate() {
+            self.moments[*gaussian as usize].slope = index as u32 + 1;
+        }
+        splats.par_iter_mut().zip(&mut self.moments).for_each(|(splat, moments)| {
+            let slope = std::mem::take(&mut moments.slope);
+            if slope > 0 {
+                moments.step(splat, &gradient[slope as usize - 1].1, rate);
+            }
+        });
+    }
+}
+
+impl Moments {
+    fn step(&mut self, splat: &mut Splat, slope: &Splat, rate: f32) {
+        let slope: &[f32; VALUES] = bytemuck::cast_ref(slope);
+        if !slope.iter().all(|value| value.is_finite()) {
+            return;
+        }
+        self.steps += 1;
+        let corrections = DECAY.map(|decay| 1.0 - decay.powi(self.steps));
+        let rates = rates(splat);
+        let rates: &[f32; VALUES] = bytemuck::cast_ref(&rates);
+        let values: &mut [f32; VALUES] = bytemuck::cast_mut(splat);
+        for at in 0..VALUES {
+            let g = slope[at];
+            self.first[at] += (1.0 - DECAY[0]) * (g - self.first[at]);
+            self.second[at] += (1.0 - DECAY[1]) * (g * g - self.second[at]);
+            let size = (self.second[at] / corrections[1]).sqrt() + EPSILON;
+            values[at] -= rate * rates[at] * (self.first[at] / corrections[0]) / size;
+        }
+        splat.opacity = splat.opacity.clamp(-LARGEST_LOGIT, LARGEST_LOGIT);
+    }
+}
+
+/// The learning rate of each value.
+fn rates(splat: &Splat) -> Splat {
+    let size = (splat.log_scale.iter().sum::<f32>() / 3.0).exp();
+    let length = splat.rotation.iter().map(|x| x * x).sum::<f32>().sqrt();
+    let mut color = [[OTHER_COLORS; 3]; HARMONICS];
+    color[0] = [FIRST_COLOR; 3];
+    Splat {
+        position: [POSITION * size; 3],
+        rotation: [ROTATION * length; 4],
+        log_scale: [LOG_SCALE; 3],
+        opacity: OPACITY,
+        color,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_views_are_visited() {
+        for n in 1..100 {
+            let mut seen = vec![false; n];
+            (0..n).for_each(|step| seen[step * stride(n) % n] = true);
+            assert!(seen.iter().all(|&seen| seen), "{n}");
+        }
+    }
+}

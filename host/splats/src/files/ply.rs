@@ -1,0 +1,184 @@
+//! PLY in the form of the authors of 3D Gaussian Splatting: an element `vertex` whose properties are floats.
+
+use std::io::{self, Read, Write};
+use std::path::Path;
+
+use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+
+use super::{Splat, invalid, turned};
+use crate::harmonics::HARMONICS;
+use organza_core::error::Result;
+use organza_data::ply::{number, vertices};
+
+/// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
+const REST: usize = 3 * (HARMONICS - 1);
+/// Numbered properties: the name, their number, and their index in a [`Row`].
+const NUMBERED: [(&str, usize, usize); 4] =
+    [("f_dc_", 3, 3), ("f_rest_", REST, 6), ("scale_", 3, OPACITY + 1), ("rot_", 4, OPACITY + 4)];
+const OPACITY: usize = 6 + REST;
+/// Properties that a Gaussian must have.
+const NEEDED: [&str; 14] = [
+    "x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
+    "rot_0", "rot_1", "rot_2", "rot_3",
+];
+
+/// Names of the properties, in the order of the file. Normals are zeros, which viewers expect and ignore.
+fn names() -> impl Iterator<Item = String> {
+    let numbered = |at: usize| {
+        let (name, count, _) = NUMBERED[at];
+        (0..count).map(move |index| format!("{name}{index}"))
+    };
+    let named = |names: &'static [&str]| names.iter().map(|name| (*name).to_owned());
+    named(&["x", "y", "z", "nx", "ny", "nz"])
+        .chain(numbered(0))
+        .chain(numbered(1))
+        .chain(named(&["opacity"]))
+        .chain(numbered(2))
+        .chain(numbered(3))
+}
+
+pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
+    writeln!(file, "ply\nformat binary_little_endian 1.0")?;
+    writeln!(file, "comment written by organza {}", env!("CARGO_PKG_VERSION"))?;
+    writeln!(file, "element vertex {}", splats.len())?;
+    for name in names() {
+        writeln!(file, "property float {name}")?;
+    }
+    writeln!(file, "end_header")?;
+    for splat in splats {
+        let [first, others @ ..] = &splat.color;
+        let others = (0..3).flat_map(|channel| others.iter().map(move |value| value[channel]));
+        let values = splat.position.into_iter().chain([0.0; 3]).chain(*first).chain(others);
+        let values = values.chain([splat.opacity]).chain(splat.log_scale).chain(turned(splat));
+        for value in values {
+            file.write_all(&value.to_le_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+/// The values of a vertex: position, f_dc, f_rest, opacity, scale, rot.
+struct Row([f32; OPACITY + 8]);
+
+impl PropertyAccess for Row {
+    fn new() -> Self {
+        Self([0.0; OPACITY + 8])
+    }
+
+    fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
+        let place = match key {
+            "x" => Some(0),
+            "y" => Some(1),
+            "z" => Some(2),
+            "opacity" => Some(OPACITY),
+            _ => NUMBERED.iter().find_map(|(name, count, first)| {
+                let index: usize = key.strip_prefix(name)?.parse().ok()?;
+                (index < *count).then_some(first + index)
+            }),
+        };
+        if let Some(place) = place {
+            let Some(value) = number(&property) else {
+                return PropertyAccessResult::UnsupportedType;
+            };
+            self.0[place] = value as f32;
+        }
+        PropertyAccessResult::Set
+    }
+}
+
+pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+    let (rows, properties) = vertices::<Row>(source, length, path, &NEEDED)?;
+    let rest = properties.iter().filter(|name| name.starts_with("f_rest_")).count();
+    if ![0, 9, 24, 45].contains(&rest) {
+        return invalid(
+            path,
+            format!(
+                "vertices have {rest} properties `f_rest_*`, expected 0, 9, 24 or 45: harmonics of degree 0 to 3"
+            ),
+        );
+    }
+    let others = rest / 3;
+    let splat = |Row(row): Row| {
+        let values = |first: usize| std::array::from_fn(|at| row[first + at]);
+        Splat {
+            position: [row[0], row[1], row[2]],
+            rotation: std::array::from_fn(|at| row[OPACITY + 4 + at]),
+            log_scale: values(OPACITY + 1),
+            // some programs write an opacity of 1 as an infinite logit
+            opacity: row[OPACITY].clamp(-100.0, 100.0),
+            color: std::array::from_fn(|harmonic| match harmonic {
+                0 => values(3),
+                _ if harmonic > others => [0.0; 3],
+                _ => std::array::from_fn(|channel| row[6 + channel * others + harmonic - 1]),
+            }),
+        }
+    };
+    Ok(rows.into_iter().map(splat).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{assert_refused, splats};
+    use super::*;
+
+    /// One Gaussian with harmonics of degree 1, as text.
+    fn text() -> String {
+        let mut text = "ply\nformat ascii 1.0\nelement vertex 1\n".to_owned();
+        let names = NEEDED.into_iter().map(str::to_owned);
+        let names: Vec<_> = names.chain((0..9).map(|i| format!("f_rest_{i}"))).collect();
+        names.iter().for_each(|name| text += &format!("property float {name}\n"));
+        text += "end_header\n1 2 3 0.1 0.2 0.3 -1.5 -3 -4 -5 1 0 0 0 ";
+        text + "10 11 12 20 21 22 30 31 32\n"
+    }
+
+    fn read_text(text: &str) -> Result<Vec<Splat>> {
+        super::super::read_from(text.as_bytes(), text.len() as u64, Path::new("a.ply"))
+    }
+
+    #[test]
+    fn harmonics_of_a_lower_degree_are_read_channel_by_channel() {
+        let [splat] = read_text(&text()).unwrap()[..] else { panic!("one Gaussian") };
+        assert_eq!((splat.position, splat.opacity), ([1.0, 2.0, 3.0], -1.5));
+        assert_eq!((splat.log_scale, splat.rotation), ([-3.0, -4.0, -5.0], [1.0, 0.0, 0.0, 0.0]));
+        let expected =
+            [[0.1, 0.2, 0.3], [10.0, 20.0, 30.0], [11.0, 21.0, 31.0], [12.0, 22.0, 32.0]];
+        assert_eq!(splat.color[..4], expected);
+        assert_eq!(splat.color[4..], [[0.0; 3]; 12]);
+    }
+
+    #[test]
+    fn what_was_written_is_read() {
+        let splats = splats();
+        let mut bytes = Vec::new();
+        write(&splats, &mut bytes).unwrap();
+        let again =
+            super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.ply")).unwrap();
+        for (found, expected) in again.iter().zip(&splats) {
+            assert_eq!(Splat { rotation: expected.rotation, ..*found }, *expected);
+            assert_eq!(found.rotation, turned(expected));
+        }
+        for length in (0..bytes.len()).step_by(7) {
+            assert_refused(&bytes[..length], &[]);
+        }
+    }
+
+    #[test]
+    fn errors_say_what_is_wrong() {
+        let text = text();
+        let with = |from: &str, to: &str| text.replace(from, to);
+        assert_refused(with("opacity", "alpha").as_bytes(), &["no property `opacity`", "rot_3"]);
+        assert_refused(with("f_rest_8", "other").as_bytes(), &["8 properties `f_rest_*`"]);
+        assert_refused(with("-1.5", "nan").as_bytes(), &["does not parse"]);
+        let mut splats = splats();
+        let mut bytes = Vec::new();
+        splats[3].opacity = f32::NAN;
+        write(&splats, &mut bytes).unwrap();
+        assert_refused(&bytes, &["Gaussian 3", "not finite"]);
+        assert_refused(with(" -4 ", " 1e30 ").as_bytes(), &["Gaussian 0", "scale"]);
+        assert_refused(with("1 2 3", "1 1e39 3").as_bytes(), &["Gaussian 0", "inf"]);
+        assert_refused(with("vertex 1", "vertex 0").as_bytes(), &["no Gaussians"]);
+        let packed = with("property float x", "property float packed_position");
+        assert_refused(packed.as_bytes(), &["no property `x`", "SuperSplat"]);
+        assert_refused(b"solid cube", &["neither a PLY nor an SPZ"]);
+    }
+}

@@ -1,0 +1,224 @@
+//! Derivatives of the image that a viewer that sorts shows, with respect to every value of the Gaussians.
+
+use glam::{Vec2, Vec3, Vec4};
+use organza_shaders::camera::Camera as KernelCamera;
+use organza_shaders::project_backward::project_gaussian_backward;
+use rayon::prelude::*;
+
+use super::Splat;
+use super::harmonics::{HARMONICS, harmonics};
+use super::sorted::{BLUR, Hit, MOST, Placed, View, blend};
+use organza_core::camera::Camera;
+
+/// Derivatives of a loss with respect to a Gaussian in an image.
+#[derive(Clone, Copy, Debug, Default)]
+struct Slope {
+    color: [f32; 3],
+    /// Derivative by the opacity, not by its logit.
+    opacity: f32,
+    mean: Vec2,
+    conic: Vec3,
+}
+
+impl Slope {
+    fn add(&mut self, other: &Self) {
+        for (sum, value) in self.color.iter_mut().zip(other.color) {
+            *sum += value;
+        }
+        self.opacity += other.opacity;
+        self.mean += other.mean;
+        self.conic += other.conic;
+    }
+}
+
+/// The derivative of the mean squared error between [`render`](super::sorted::render)'s image and `truth`. Returns a
+/// Gaussian's index and a [`Splat`] of derivatives, for each Gaussian that the image shows. The dependence of colors
+/// on positions is ignored.
+pub(super) fn gradient(
+    splats: &[Splat],
+    camera: &Camera,
+    background: [f32; 3],
+    truth: &[[f32; 3]],
+) -> Vec<(u32, Splat)> {
+    let view = View::new(splats, camera);
+    let scale = 2.0 / (3 * view.pixels()) as f32;
+    let tiles: Vec<_> = (0..view.tiles.len())
+        .into_par_iter()
+        .map(|tile| {
+            let (members, pixels) = view.tile(tile);
+            let mut slopes = vec![Slope::default(); members.len()];
+            let mut hits = Vec::new();
+            for (x, y, at) in pixels {
+                let color = blend(&members, x, y, background, &mut hits);
+                let by_color = std::array::from_fn(|i| scale * (color[i] - truth[at][i]));
+                blend_backward(&members, &hits, by_color, background, &mut slopes);
+            }
+            slopes
+        })
+        .collect();
+    // tile after tile, so that sums have a fixed order
+    let mut sums = vec![Slope::default(); view.placed.len()];
+    for (slopes, members) in tiles.iter().zip(&view.tiles) {
+        for (slope, &index) in slopes.iter().zip(members) {
+            sums[index as usize].add(slope);
+        }
+    }
+    let backward = |(placed, slope): (&Placed, &Slope)| {
+        let splat = &splats[placed.gaussian as usize];
+        (placed.gaussian, placed_backward(&view.camera, splat, placed, slope))
+    };
+    view.placed.par_iter().zip(&sums).map(backward).collect()
+}
+
+/// The derivative of [`blend`]: adds a pixel's part to the derivatives of its Gaussians. `by_color` is the derivative
+/// by the pixel's color.
+fn blend_backward(
+    members: &[Placed],
+    hits: &[Hit],
+    by_color: [f32; 3],
+    background: [f32; 3],
+    slopes: &mut [Slope],
+) {
+    let dot = |a: [f32; 3]| a.iter().zip(by_color).map(|(a, by)| a * by).sum::<f32>();
+    let Some(last) = hits.last() else { return };
+    // contribution of everything behind to the loss's derivative, from the last Gaussian to the first
+    let mut behind = last.light * (1.0 - last.alpha.min(MOST)) * dot(background);
+    for hit in hits.iter().rev() {
+        let placed = &members[hit.member];
+        let slope = &mut slopes[hit.member];
+        let alpha = hit.alpha.min(MOST);
+        let shade = dot(placed.color);
+        for (sum, by) in slope.color.iter_mut().zip(by_color) {
+            *sum += by * hit.light * alpha;
+        }
+        let by_alpha = hit.light * shade - behind / (1.0 - alpha);
+        behind += hit.light * alpha * shade;
+        if hit.alpha < MOST {
+            slope.opacity += by_alpha * alpha / placed.opacity;
+            // alpha = opacity exp(-q / 2), q = d^T conic d, d the offset from the center
+            let by_q = -0.5 * by_alpha * alpha;
+            let d = hit.offset;
+            let conic = placed.conic;
+            let by_d = Vec2::new(conic.x * d.x + conic.y * d.y, conic.y * d.x + conic.z * d.y);
+            slope.mean -= 2.0 * by_q * by_d;
+            slope.conic += by_q * Vec3::new(d.x * d.x, 2.0 * d.x * d.y, d.y * d.y);
+        }
+    }
+}
+
+/// The derivative of [`Placed::new`]: turns derivatives in the image into those of a Gaussian's values.
+fn placed_backward(camera: &KernelCamera, splat: &Splat, placed: &Placed, slope: &Slope) -> Splat {
+    let position = Vec3::from(splat.position);
+    let rotation = Vec4::from(splat.rotation);
+    let geometry = project_gaussian_backward(
+        camera,
+        BLUR,
+        position,
+        rotation,
+        splat.log_scale.into(),
+        slope.mean,
+        slope.conic,
+    );
+    let basis = harmonics(camera.eye, splat.position);
+    // a channel that is clamped to 0 has a derivative only if it should be brighter
+    let by_channel: [f32; 3] = std::array::from_fn(|channel| {
+        let is_held = placed.color[channel] <= 0.0 && slope.color[channel] > 0.0;
+        if is_held { 0.0 } else { slope.color[channel] }
+    });
+    let color: [[f32; 3]; HARMONICS] = basis.map(|basis| by_channel.map(|by| by * basis));
+    Splat {
+        position: geometry.position.into(),
+        rotation: geometry.rotation.into(),
+        log_scale: geometry.log_scale.into(),
+        opacity: slope.opacity * placed.opacity * (1.0 - placed.opacity),
+        color,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::VALUES;
+    use super::super::sorted::render;
+    use super::super::sorted::tests::{SIZE, ball, camera};
+    use super::*;
+
+    /// The mean squared error of an image.
+    fn error(splats: &[Splat], camera: &Camera, background: [f32; 3], truth: &[[f32; 3]]) -> f64 {
+        let image = render(splats, camera, background);
+        let off = image.as_flattened().iter().zip(truth.as_flattened());
+        off.map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>() / truth.len() as f64 / 3.0
+    }
+
+    /// Gaussians of several shapes, visible in all pixels: an alpha that crosses 1/255 would be a step in the loss.
+    fn many() -> Vec<Splat> {
+        (0..14)
+            .map(|i: usize| {
+                let mut next = (0..).map(|k: usize| ((i * 37 + k * 61) % 97) as f32 / 97.0 - 0.5);
+                let mut value = || next.next().unwrap();
+                let mut splat = ball();
+                splat.position = std::array::from_fn(|_| 1.6 * value());
+                splat.rotation = std::array::from_fn(|_| value() + 0.1);
+                splat.log_scale = std::array::from_fn(|_| 0.6 * value() + 0.6);
+                splat.opacity = 4.0 * value();
+                splat.color = std::array::from_fn(|_| std::array::from_fn(|_| 0.3 * value()));
+                splat
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_gradient_is_that_of_finite_differences() {
+        let splats = many();
+        let camera = camera();
+        let background = [0.9, 0.5, 0.1];
+        let truth = vec![[0.3, 0.6, 0.2]; (SIZE[0] * SIZE[1]) as usize];
+        let gradient = gradient(&splats, &camera, background, &truth);
+        let error_of = |splats: &[Splat]| error(splats, &camera, background, &truth);
+        assert!(gradient.len() > 10, "{}", gradient.len());
+        let largest = gradient
+            .iter()
+            .flat_map(|(_, splat)| bytemuck::cast_ref::<_, [f32; VALUES]>(splat))
+            .fold(0.0, |most: f32, value| most.max(value.abs()));
+        for (gaussian, slope) in &gradient {
+            let slope: &[f32; VALUES] = bytemuck::cast_ref(slope);
+            // a color also depends on the position, through its direction, but that is ignored
+            for (value, found) in slope.iter().enumerate().skip(3) {
+                let moved = |by: f32| {
+                    let mut splats = splats.clone();
+                    let own = &mut splats[*gaussian as usize];
+                    bytemuck::cast_mut::<_, [f32; VALUES]>(own)[value] += by;
+                    error_of(&splats)
+                };
+                let step = 4e-3;
+                let expected = (moved(step) - moved(-step)) / f64::from(2.0 * step);
+                let found = f64::from(*found);
+                let off = (found - expected).abs();
+                assert!(
+                    off < 0.02 * expected.abs() + 0.002 * f64::from(largest),
+                    "{gaussian}, {value}: {found} {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_center_moves_with_its_gradient() {
+        // with one color for all directions
+        let camera = camera();
+        let background = [0.0; 3];
+        let mut splat = ball();
+        splat.position = [0.1, 0.2, -0.1];
+        let truth = render(&[ball()], &camera, background);
+        let gradient = gradient(&[splat], &camera, background, &truth);
+        for axis in 0..3 {
+            let moved = |by: f32| {
+                let mut splat = splat;
+                splat.position[axis] += by;
+                error(&[splat], &camera, background, &truth)
+            };
+            let expected = (moved(2e-3) - moved(-2e-3)) / 4e-3;
+            let found = f64::from(gradient[0].1.position[axis]);
+            assert!((found - expected).abs() < 0.03 * expected.abs() + 1e-4, "{found} {expected}");
+        }
+    }
+}

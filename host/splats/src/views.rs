@@ -1,0 +1,90 @@
+//! The views in which a scene is compared with Gaussians of other programs, and the box of these.
+
+use super::Splat;
+use organza_core::camera::{Camera, Orbit};
+use organza_core::error::Result;
+use organza_data::{Dataset, Frame};
+
+/// Number of cameras on each circle around a box.
+const AROUND: usize = 16;
+const ELEVATIONS: [f64; 3] = [-15.0, 17.0, 45.0];
+/// Width and height of their images, in pixels.
+const SIZE: [u32; 2] = [640, 480];
+/// Without photographs, every Nth camera is only measured.
+const JUDGES: usize = 8;
+
+/// Part of the centers that [`bounds`] leaves out at each end of an axis.
+const LEFT_OUT: f64 = 0.01;
+/// Standard deviations that a Gaussian reaches.
+const SUPPORT: f64 = 3.0;
+
+/// The views of a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Views {
+    /// Views that the fit sees.
+    pub fitted: Vec<Camera>,
+    /// Views in which its result is only measured.
+    pub judges: Vec<Camera>,
+}
+
+impl Views {
+    /// Every eighth camera is only measured. With fewer than eight, none is.
+    #[must_use]
+    pub fn of_cameras(cameras: Vec<Camera>) -> Self {
+        let mut fitted = Vec::new();
+        let mut judges = Vec::new();
+        let is_enough = cameras.len() >= JUDGES;
+        for (index, camera) in cameras.into_iter().enumerate() {
+            let is_judge = is_enough && index % JUDGES == JUDGES / 2;
+            if is_judge { judges.push(camera) } else { fitted.push(camera) }
+        }
+        Self { fitted, judges }
+    }
+
+    /// The frames of a data set. Those that training saw are fitted, and the held-out ones are only measured. If
+    /// there are no frames of one kind, the others are fitted.
+    #[must_use]
+    pub fn of_data_set(data: &Dataset) -> Self {
+        let cameras = |frames: &mut dyn Iterator<Item = &Frame>| -> Vec<_> {
+            frames.map(|frame| frame.camera.clone()).collect()
+        };
+        let fitted = cameras(&mut data.train_frames());
+        let judges = cameras(&mut data.held_out_frames());
+        let (fitted, judges) = if fitted.is_empty() { (judges, fitted) } else { (fitted, judges) };
+        Self { fitted, judges }
+    }
+
+    /// Cameras on several circles that see a whole box from all sides. Every eighth is only measured.
+    ///
+    /// # Errors
+    /// [`Error::Camera`](organza_core::Error::Camera) if the box has no outside.
+    pub fn around(aabb: [[f64; 3]; 2]) -> Result<Self> {
+        let orbit = Orbit::of_box(aabb, SIZE);
+        let circle = |elevation: f64| {
+            Orbit { elevation: elevation.to_radians(), ..orbit.clone() }.cameras(AROUND)
+        };
+        let circles = ELEVATIONS.into_iter().map(circle).collect::<Result<Vec<_>>>()?;
+        // alternates between the circles, so that the measured cameras come from all of them
+        let at = |at: usize| circles.iter().map(move |circle| circle[at].clone());
+        Ok(Self::of_cameras((0..AROUND).flat_map(at).collect()))
+    }
+}
+
+/// The box of the centers, without the few that are farthest out on each axis. Where all centers are in one place, the
+/// Gaussians' own size makes the box.
+#[must_use]
+pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
+    let left_out = (LEFT_OUT * splats.len() as f64) as usize;
+    let ends: [[f64; 2]; 3] = std::array::from_fn(|axis| {
+        let mut places: Vec<_> = splats.iter().map(|splat| splat.position[axis]).collect();
+        places.sort_unstable_by(f32::total_cmp);
+        let end = |place: Option<&f32>| place.copied().unwrap_or_default().into();
+        let places = &places[left_out..places.len() - left_out];
+        [end(places.first()), end(places.last())]
+    });
+    let longest = ends.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    let scales = splats.iter().flat_map(|splat| splat.log_scale);
+    let largest = f64::from(scales.fold(f32::MIN, f32::max)).exp();
+    let margin = if longest < largest { SUPPORT * largest } else { 0.0 };
+    [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
+}

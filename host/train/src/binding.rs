@@ -1,0 +1,212 @@
+//! The settings and the data that a checkpoint belongs to. A run resumes with exactly these, or not at all.
+
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::checkpoint::{CHECKPOINT, Progress};
+use super::config::TrainConfig;
+use super::folder::CONFIG;
+use organza_core::error::{Error, Result};
+use organza_core::input::open_regular;
+use organza_core::scene::read_metadata;
+use organza_data::Fingerprint;
+
+/// The key of a [`Binding`] in a checkpoint's metadata.
+pub(super) const BINDING: &str = "run";
+
+/// Settings that may differ freely: the place of the data.
+const FREE: [&str; 2] = ["data.path", "data.keep"];
+/// Settings that a plan changes, also after the run's last checkpoint.
+const PLANNED: [&str; 2] = ["run.plan", "run.steps"];
+/// Printed for a setting that is missing.
+const NOT_SET: &str = "not set";
+
+/// Settings that may change when a run is resumed: its length, its largest number of Gaussians, and how often it
+/// writes something.
+pub const CHANGEABLE: [&str; 7] = [
+    "run.steps",
+    "run.plan",
+    "growth.max_gaussians",
+    "run.evaluate_every",
+    "run.checkpoint_every",
+    "run.log_every",
+    "run.tensorboard",
+];
+
+/// A setting that changed when a run was resumed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Change {
+    /// Steps done before the change.
+    pub step: u64,
+    /// The setting, one of [`CHANGEABLE`].
+    pub name: String,
+    /// Value before the change.
+    pub from: Value,
+    /// Value after the change.
+    pub to: Value,
+}
+
+/// The settings and the data of a checkpoint.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Binding {
+    /// The settings, as in `config.toml`.
+    settings: String,
+    /// Identifies the data set.
+    data: Fingerprint,
+    /// Earlier changes of settings, oldest first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    changes: Vec<Change>,
+}
+
+impl Binding {
+    /// The binding of a run, with the history of its settings.
+    #[must_use]
+    pub fn new(config: &TrainConfig, data: &Fingerprint, changes: Vec<Change>) -> Self {
+        Self { settings: config.to_toml(), data: data.clone(), changes }
+    }
+
+    /// Changes in earlier resumes, oldest first.
+    #[must_use]
+    pub fn changes(&self) -> &[Change] {
+        &self.changes
+    }
+
+    /// Reads the binding of a checkpoint; `None` if an older program wrote it.
+    ///
+    /// # Errors
+    /// The same errors as [`Scene::load`](organza_core::Scene::load), for the header; [`Error::Invalid`] if it does not
+    /// parse.
+    pub fn load(path: impl AsRef<Path>) -> Result<Option<Self>> {
+        let path = path.as_ref();
+        let (mut file, length) = open_regular(path)?;
+        let Some(text) = read_metadata(&mut file, length, path, BINDING)? else { return Ok(None) };
+        serde_json::from_str(&text).map(Some).map_err(|_| Error::Invalid {
+            origin: path.to_owned(),
+            reason: format!("its `{BINDING}` metadata does not parse: the checkpoint is damaged"),
+        })
+    }
+
+    /// Compares a run's settings with those of its checkpoint, which has done `step` steps. Returns the [allowed
+    /// changes](CHANGEABLE). Errors name `folder`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for the first setting that differs and must not. It names the setting.
+    pub fn check_settings(
+        &self,
+        config: &TrainConfig,
+        step: u32,
+        folder: &Path,
+    ) -> Result<Vec<Change>> {
+        let invalid = |reason| Err(Error::Invalid { origin: folder.join(CONFIG), reason });
+        let then = TrainConfig::parse(&self.settings, &folder.join(CHECKPOINT))?;
+        if config.run.steps != then.run.steps && config.run.steps <= step {
+            let steps = config.run.steps;
+            return invalid(format!(
+                "`run.steps` is {steps}, but the run has already done {step} steps; it counts \
+                 all steps of the run, so choose more than that"
+            ));
+        }
+        let now_plan = &config.run.plan;
+        let then_plan = &then.run.plan;
+        // the plan was made after the checkpoint, before the run was killed
+        let goes_on = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
+        let now = config.list();
+        let then = then.list();
+        let mut changes = Vec::new();
+        for (name, _) in now.iter().chain(&then) {
+            let now = value(&now, name);
+            let then = value(&then, name);
+            // a data set may move, but the built-in scene is a different data set
+            let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
+            let is_planned = goes_on && PLANNED.contains(&name.as_str());
+            let is_known = || changes.iter().any(|change: &Change| change.name == *name);
+            if now == then || is_free || is_planned || is_known() {
+                continue;
+            }
+            if !CHANGEABLE.contains(&name.as_str()) {
+                let names = CHANGEABLE.join(", ");
+                return invalid(format!(
+                    "`{name}` is {now}, but the checkpoint beside it was trained with {then}, and \
+                     only {names} may change: put it back, or begin another run with `--config`"
+                ));
+            }
+            let from = json(&then);
+            let to = json(&now);
+            changes.push(Change { step: u64::from(step), name: name.clone(), from, to });
+        }
+        Ok(changes)
+    }
+
+    /// Compares a run's data with those of its checkpoint. Errors name `path`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`], which says which part differs.
+    pub fn check_data(&self, data: &Fingerprint, path: &Path) -> Result<()> {
+        match data.difference(&self.data) {
+            None => Ok(()),
+            Some(what) => {
+                let reason = format!(
+                    "its {what} are not those that the run was trained on: name the data set as \
+                     it was, `data.path` of {CONFIG}, or begin another run"
+                );
+                Err(Error::Invalid { origin: path.to_owned(), reason })
+            }
+        }
+    }
+}
+
+/// The value of a setting, or [`NOT_SET`].
+fn value(settings: &[(String, String)], name: &str) -> String {
+    let found = settings.iter().find(|(other, _)| other == name);
+    found.map_or(NOT_SET.to_owned(), |(_, value)| value.clone())
+}
+
+/// A value as JSON. A text that is not JSON becomes a string.
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|_| text.into())
+}
+
+/// The settings of the run in a folder, checked against its checkpoint.
+///
+/// # Errors
+/// The same errors as [`TrainConfig::load`]. [`Error::Invalid`] if the folder holds no run, if a setting differs from
+/// the checkpoint and must not [change](CHANGEABLE), or if a setting is missing and no checkpoint has its value.
+pub fn settings_of(folder: &Path) -> Result<TrainConfig> {
+    changed_settings_of(folder, Ok)
+}
+
+/// Like [`settings_of`], but changes settings for a resume.
+///
+/// # Errors
+/// The same errors as [`settings_of`], for the changed settings too; those of `change`.
+pub fn changed_settings_of(
+    folder: &Path,
+    change: impl FnOnce(TrainConfig) -> Result<TrainConfig>,
+) -> Result<TrainConfig> {
+    let path = folder.join(CONFIG);
+    let checkpoint = folder.join(CHECKPOINT);
+    if !path.exists() {
+        let reason = format!(
+            "the folder has no {CONFIG}, so it is not a training run's; name the folder that \
+             `organza train -o` wrote to"
+        );
+        return Err(Error::Invalid { origin: folder.to_owned(), reason });
+    }
+    let config = TrainConfig::load(&path)?;
+    let is_begun = fs::exists(&checkpoint).unwrap_or(true);
+    let Some(binding) = is_begun.then(|| Binding::load(&checkpoint)).transpose()?.flatten() else {
+        config.check_complete(&path)?;
+        return change(config);
+    };
+    let step = Progress::load(&checkpoint)?.step;
+    // a truncated file does not mean that the user wants the defaults
+    if !binding.check_settings(&config, step, folder)?.is_empty() {
+        config.check_complete(&path)?;
+    }
+    let config = change(config)?;
+    binding.check_settings(&config, step, folder)?;
+    Ok(config)
+}

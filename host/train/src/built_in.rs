@@ -1,0 +1,64 @@
+//! Images of the built-in scene: training data without a download.
+
+use organza_core::camera::Camera;
+use organza_core::demo;
+use organza_core::error::Result;
+use organza_data::{Dataset, Frame, Photograph, Pose, is_held_out};
+use organza_device::memory;
+use organza_render::Renderer;
+
+/// `views` images of `side` x `side` pixels around the built-in scene. Every `hold_out_every`-th is held out.
+///
+/// # Errors
+/// The same errors as [`Renderer::render`].
+pub fn dataset(
+    renderer: &Renderer,
+    views: u32,
+    side: u32,
+    hold_out_every: usize,
+) -> Result<Dataset> {
+    dataset_with_progress(renderer, views, side, hold_out_every, &mut |_, _| {})
+}
+
+/// Like [`dataset`], but calls `progress` with the number of finished views and of all views.
+///
+/// # Errors
+/// The same errors as [`dataset`].
+pub fn dataset_with_progress(
+    renderer: &Renderer,
+    views: u32,
+    side: u32,
+    hold_out_every: usize,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<Dataset> {
+    let pixels = u64::from(views) * u64::from(side) * u64::from(side);
+    memory::check(3 * pixels, "the views of the built-in scene")?;
+    let scene = renderer.upload(&demo::scene())?;
+    let cameras = demo::turntable(views as usize, side);
+    let mut frames = Vec::with_capacity(cameras.len());
+    for (index, camera) in cameras.iter().enumerate() {
+        progress(index, cameras.len());
+        let image = Photograph::from(&renderer.render_view(&scene, camera)?);
+        frames.push(Frame { name: name(index), camera: camera.clone(), image });
+    }
+    progress(cameras.len(), cameras.len());
+    let mut dataset = Dataset::from_frames(frames, hold_out_every);
+    dataset.background = demo::BACKGROUND;
+    Ok(dataset)
+}
+
+/// The cameras of [`dataset`], without the images.
+#[must_use]
+pub fn cameras(views: u32, side: u32, hold_out_every: usize) -> Vec<Pose> {
+    let cameras = demo::turntable(views as usize, side).into_iter().enumerate();
+    let pose = |(index, camera)| Pose {
+        camera: Camera { file_path: Some(name(index)), ..camera },
+        held_out: is_held_out(index, hold_out_every),
+        photograph: None,
+    };
+    cameras.map(pose).collect()
+}
+
+fn name(index: usize) -> String {
+    format!("view-{index:03}")
+}

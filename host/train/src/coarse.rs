@@ -1,0 +1,112 @@
+//! Coarse to fine. For most of a run, steps see photographs at half their size, and T has longer steps. A tile then
+//! shows four times as much of the scene, and large structures find their place before small ones. 3D Gaussian
+//! Splatting (Kerbl et al. 2023) begins with smaller images, too.
+
+use std::borrow::Cow;
+
+use super::config::RunConfig;
+use super::sampler::Sampler;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::tile::TileBatch;
+
+/// Factor by which photographs are smaller in coarse steps.
+const FACTOR: u32 = 2;
+/// Length of T's steps in coarse steps, as a multiple of sigma.
+const RAY_STEPS: u32 = 2;
+
+/// Draws the tiles of a run.
+#[derive(Debug)]
+pub struct Batches {
+    whole: Sampler,
+    /// Draws tiles of smaller photographs. `None` if some photograph would be less than a tile wide or high.
+    smaller: Option<Sampler>,
+}
+
+/// The tiles of a step.
+#[derive(Debug)]
+pub struct Drawn {
+    /// Tiles, in pixels of images that are `factor` times smaller than the photographs.
+    pub batch: TileBatch,
+    /// Factor by which the images are smaller than the photographs, 1 or more.
+    pub factor: u32,
+    /// Length of T's steps, as a multiple of sigma.
+    pub ray_steps: u32,
+}
+
+impl Batches {
+    /// Batches for the photographs of these cameras.
+    ///
+    /// # Errors
+    /// The same errors as [`Sampler::of_cameras`].
+    pub fn of_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
+        let whole = Sampler::of_cameras(cameras, run)?;
+        let holds_a_tile =
+            |camera: &Camera| camera.width.min(camera.height) / FACTOR >= run.tile_size;
+        let smaller = cameras
+            .iter()
+            .all(holds_a_tile)
+            .then(|| Sampler::of_cameras(&Drawn::cameras_of(cameras, FACTOR), run));
+        Ok(Self { whole, smaller: smaller.transpose()? })
+    }
+
+    /// Draws the tiles of a step.
+    pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
+        if run.share(step) >= run.coarse {
+            return self.whole(step);
+        }
+        let ray_steps = RAY_STEPS;
+        match &mut self.smaller {
+            Some(smaller) => Drawn { batch: smaller.batch(step), factor: FACTOR, ray_steps },
+            None => Drawn { ray_steps, ..self.whole(step) },
+        }
+    }
+
+    /// Draws the tiles of a step that sees whole photographs, as rendering shows them.
+    pub fn whole(&mut self, step: u32) -> Drawn {
+        Drawn { batch: self.whole.batch(step), factor: 1, ray_steps: 1 }
+    }
+}
+
+impl Drawn {
+    /// The cameras of the images that the tiles belong to, from those of the photographs.
+    #[must_use]
+    pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
+        Self::cameras_of(cameras, self.factor)
+    }
+
+    fn cameras_of(cameras: &[Camera], factor: u32) -> Cow<'_, [Camera]> {
+        match factor {
+            1 => cameras.into(),
+            _ => cameras.iter().map(|camera| camera.smaller(factor)).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use organza_core::demo;
+
+    #[test]
+    fn coarse_steps_see_half_the_size_and_have_longer_steps_of_t() {
+        let cameras = demo::turntable(3, 40);
+        let mut run = RunConfig { steps: 20, tile_size: 16, coarse: 0.3, ..RunConfig::default() };
+        let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
+        for step in 0..20 {
+            let drawn = batches.of_step(&run, step);
+            let expected = if step < 6 { [2; 2] } else { [1; 2] };
+            assert_eq!([drawn.factor, drawn.ray_steps], expected, "{step}");
+            let seen = drawn.cameras(&cameras);
+            let side = 40 / drawn.factor;
+            assert!(seen.iter().all(|camera| [camera.width, camera.height] == [side; 2]));
+        }
+        // half of a photograph is less than a tile wide
+        run.tile_size = 21;
+        let drawn = Batches::of_cameras(&cameras, &run).unwrap().of_step(&run, 0);
+        assert_eq!([drawn.factor, drawn.ray_steps], [1, 2]);
+        run.coarse = 0.0;
+        let drawn = batches.of_step(&run, 0);
+        assert_eq!([drawn.factor, drawn.ray_steps], [1; 2]);
+    }
+}

@@ -1,0 +1,382 @@
+//! The table of settings. A setting is one row: everything else follows from it.
+//!
+//! The struct of its group, its default, the check of its range, the option of `organza train`, the list of
+//! `organza help train`, and the row in `docs/training.md` are made from the row.
+
+use std::fmt::Display;
+use std::ops::{RangeBounds, RangeFrom, RangeInclusive};
+use std::path::PathBuf;
+
+use organza_core::gaussian_tensors;
+use serde::{Deserialize, Serialize};
+
+use super::{Rate, assignment};
+use organza_core::scene::{Contraction, GridConfig, MlpConfig};
+use organza_data::{Alpha, Background, Keep};
+
+/// A setting, for people to read.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Setting {
+    /// Its group and its name, such as `run.steps`.
+    pub name: &'static str,
+    /// What it means: a sentence, and perhaps more.
+    doc: &'static str,
+    /// The option of `organza train` that sets it, as its help shows it: `--steps <N>`. Empty without one.
+    pub option: &'static str,
+    /// The part of the documentation that explains it, as a link from `docs/training.md`. Empty without one.
+    pub see: &'static str,
+}
+
+impl Setting {
+    /// Its meaning in one line, without the last period.
+    #[must_use]
+    pub fn text(&self) -> &'static str {
+        let text = self.doc.trim();
+        text.strip_suffix('.').unwrap_or(text)
+    }
+
+    /// Fails for a value that is not of the setting's type, as `--set` writes it.
+    ///
+    /// # Errors
+    /// A sentence that says what is expected.
+    pub fn check(&self, value: &str) -> Result<(), String> {
+        assignment::parse(&format!("{}={value}", self.name)).map(|_| ())
+    }
+
+    /// Whether it is for experiments alone: help and tables leave it out.
+    #[must_use]
+    pub fn is_hidden(&self) -> bool {
+        self.name.starts_with("ablation.")
+    }
+}
+
+/// The optional parts of a row.
+macro_rules! or_empty {
+    () => {
+        ""
+    };
+    ($text:literal) => {
+        $text
+    };
+}
+
+/// Makes everything of the table.
+///
+/// A row is `name: Type = default;` or `name: Type = default, in range;`. Before it stand its meaning as a comment,
+/// `#[option("--name <VALUE>")]` if `organza train` has an option for it, `#[see("page.md#part")]` if the documentation
+/// says more, and attributes for serde.
+macro_rules! settings {
+    ($(
+        $(#[doc = $group_doc:expr])+
+        $group:ident: $Group:ident {
+            $(
+                $(#[doc = $doc:expr])+
+                $(#[option($option:literal)])?
+                $(#[see($see:literal)])?
+                $(#[serde($($serde:tt)*)])?
+                $name:ident: $type:ty = $default:expr $(, in $range:expr)?;
+            )+
+        }
+    )+) => {
+        /// All settings of a run. Names are those in the file. A setting that the file leaves out has its default.
+        ///
+        /// ```
+        /// use organza_train::TrainConfig;
+        ///
+        /// let mut config = TrainConfig::default();
+        /// config.run.steps = 500;
+        /// config.growth.max_gaussians = 20_000;
+        /// let text = config.to_toml();
+        /// assert_eq!(TrainConfig::parse(&text, "config.toml".as_ref())?, config);
+        /// # Ok::<(), organza_core::Error>(())
+        /// ```
+        #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+        #[serde(deny_unknown_fields, default)]
+        #[non_exhaustive]
+        pub struct TrainConfig {
+            $($(#[doc = $group_doc])+ pub $group: $Group,)+
+        }
+
+        $(
+            $(#[doc = $group_doc])+
+            #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+            #[serde(deny_unknown_fields, default)]
+            #[non_exhaustive]
+            pub struct $Group {
+                $(
+                    $(#[doc = $doc])+
+                    $(#[serde($($serde)*)])?
+                    pub $name: $type,
+                )+
+            }
+
+            impl Default for $Group {
+                fn default() -> Self {
+                    Self { $($name: $default,)+ }
+                }
+            }
+        )+
+
+        /// Every setting, in the order of the file.
+        pub const SETTINGS: &[Setting] = &[$($(Setting {
+            name: concat!(stringify!($group), ".", stringify!($name)),
+            doc: concat!($($doc),+),
+            option: or_empty!($($option)?),
+            see: or_empty!($($see)?),
+        },)+)+];
+
+        impl TrainConfig {
+            /// The first value that is out of its range, as a sentence.
+            pub(super) fn check_ranges(&self) -> Result<(), String> {
+                $($($(
+                    within(concat!(stringify!($group), ".", stringify!($name)), self.$group.$name, $range)?;
+                )?)+)+
+                Ok(())
+            }
+        }
+    };
+}
+
+/// The table, with a learning rate for each tensor of the Gaussians.
+macro_rules! define {
+    ($($(#[doc = $doc:literal])+ $tensor:ident: $row:tt, $why:literal, [$first:literal, $last:literal];)+) => {
+        settings! {
+            /// The photographs.
+            data: DataConfig {
+                /// The data set. Without one, the built-in scene.
+                #[serde(skip_serializing_if = "Option::is_none")]
+                path: Option<PathBuf> = None;
+                /// Shrink photographs by this factor.
+                #[option("--downscale <N>")]
+                downscale: u32 = 1, in 1..;
+                /// Hold out every Nth frame, starting with the first; 0 holds out none.
+                #[option("--hold-out-every <N>")]
+                hold_out_every: usize = 8;
+                /// Color behind the scene, and behind photographs with an alpha channel: a name such as white, or red,
+                /// green and blue from 0 to 1 such as 1,1,1. `auto` is white for Blender data with alpha, else black.
+                #[option("--background <COLOR>")]
+                #[see("data.md#background")]
+                background: Background = Background::Auto;
+                /// What an alpha channel is for: `background` puts the photograph in front of it, `mask` leaves out
+                /// pixels of less than half.
+                alpha: Alpha = Alpha::default();
+                /// Where photographs are kept: `memory`, `disk`, or `auto`.
+                #[see("data.md#photographs-that-do-not-fit-in-memory")]
+                keep: Keep = Keep::default();
+                /// Number of views of the built-in scene.
+                built_in_views: u32 = 48, in 2..=1000;
+                /// Width and height of these views, in pixels.
+                built_in_side: u32 = 128, in 16..=2048;
+                /// Read what the data set names outside its own folder, by a path or a link.
+                #[option("--allow-outside")]
+                #[serde(skip_serializing_if = "std::ops::Not::not")]
+                allow_outside: bool = false;
+            }
+
+            /// The run's length, the size of a step, and how often something is written.
+            run: RunConfig {
+                /// Number of training steps. Learning rates decay until the last.
+                #[option("--steps <N>")]
+                steps: u32 = 2000, in 1..;
+                /// What `--minutes` writes: pairs of a step and of the number of all steps that was planned there.
+                plan: Vec<[u32; 2]> = Vec::new();
+                /// Seed of all random choices.
+                #[option("--seed <N>")]
+                seed: u64 = 0;
+                /// K, tiles per step.
+                #[option("--tiles-per-step <K>")]
+                tiles_per_step: u32 = 16, in 1..;
+                /// S, side of a tile in pixels.
+                #[option("--tile-size <S>")]
+                tile_size: u32 = 64, in 1..=512;
+                /// Take the tiles of a step in groups of this many neighbors from one image: a Gaussian that several of
+                /// them show is evaluated once. 1 draws each tile on its own.
+                tiles_per_view: u32 = 1, in 1..;
+                /// Part of the run, at its start, in which photographs have half their size and steps of T are twice as
+                /// long.
+                #[see("#coarse-to-fine")]
+                coarse: f64 = 0.7, in 0.0..=1.0;
+                /// Steps between evaluations on the held-out views; 0 evaluates only at the end.
+                #[option("--evaluate-every <N>")]
+                evaluate_every: u32 = 1000;
+                /// Held-out views that these evaluations measure, evenly spaced; 0 measures all. The evaluation at the
+                /// end measures all.
+                evaluate_views: u32 = 0;
+                /// Steps between checkpoints. The end always writes one.
+                #[option("--checkpoint-every <N>")]
+                checkpoint_every: u32 = 250, in 1..;
+                /// Steps between `step` records of the log.
+                log_every: u32 = 10, in 1..;
+                /// Also write the log as a TensorBoard event file, in the folder RUN/tensorboard.
+                #[option("--tensorboard")]
+                #[see("#tensorboard")]
+                tensorboard: bool = false;
+            }
+
+            /// The loss `(1 - w) L1 + w (1 - SSIM)`, and its additional terms.
+            loss: LossConfig {
+                /// w, the weight of SSIM.
+                ssim_weight: f32 = 0.2, in 0.0..=1.0;
+                /// Weight of the distortion, which is added to the loss; try 0.03.
+                #[see("#distortion")]
+                distortion_weight: f32 = 0.0, in 0.0..=1e3;
+            }
+
+            /// The exposure of each photograph.
+            exposure: ExposureConfig {
+                /// Also learn each photograph's exposure: a gain and an offset for each channel.
+                #[see("#exposure")]
+                learn: bool = false;
+            }
+
+            /// The poses of the photographs' cameras.
+            poses: PosesConfig {
+                /// Also learn the pose of each photograph's camera: for poses that are a little off.
+                #[option("--refine-poses")]
+                #[see("#poses")]
+                refine: bool = false;
+            }
+
+            /// The shape of the scene: see [`SceneConfig`](organza_core::scene::SceneConfig).
+            scene: ShapeConfig {
+                /// D, degree of the spherical harmonics: how much colors change with the view direction.
+                #[option("--sh-degree <N>")]
+                sh_degree: u32 = 2;
+                /// Length of a Gaussian's material vector.
+                material: u32 = 8;
+                /// Length of a Gaussian's extra vector.
+                extra: u32 = 2;
+                /// sigma, length of a transmittance step in the unit cube.
+                step: f64 = 0.05;
+                /// What becomes of space outside the scene's box: `none` ends rays there, `cube` contracts it.
+                #[see("conventions.md#contraction")]
+                contraction: Contraction = Contraction::None;
+                /// Added to the diagonal of every projected covariance, in square pixels.
+                blur: f64 = 0.3;
+                /// The color network: widths of its hidden layers.
+                color_mlp: MlpConfig = MlpConfig { hidden: vec![32, 32] };
+                /// The transmittance network: widths of its hidden layers.
+                transmittance_mlp: MlpConfig = MlpConfig { hidden: vec![32, 32] };
+                /// The color network's hash grid: its levels, features of an entry, log2 of the largest number of
+                /// entries of a level, cells along a side of the coarsest level, and how much finer each level is than
+                /// the one before.
+                color_grid: GridConfig = grid();
+                /// The transmittance network's hash grid.
+                transmittance_grid: GridConfig = grid();
+            }
+
+            /// Where training starts.
+            start: StartConfig {
+                /// Start with the Gaussians of a .ply or .spz file of 3D Gaussian Splatting, instead of points.
+                #[option("--start <FILE>")]
+                #[see("splats.md#import")]
+                #[serde(skip_serializing_if = "Option::is_none")]
+                path: Option<PathBuf> = None;
+                /// Number of Gaussians to start with, if the data set has no points. If it has, there is one at each, up
+                /// to `growth.max_gaussians`.
+                gaussians: u32 = 12_000, in 1..;
+                /// Their opacity.
+                opacity: f32 = 0.1, in 1e-4..=0.9999;
+                /// Their scale, as a multiple of the distance to the nearest neighbors.
+                scale: f32 = 1.0, in 1e-4..=1e4;
+                /// Half the range of the random material and extra values.
+                spread: f32 = 0.1, in 0.0..=1e3;
+            }
+
+            /// Adam (Kingma and Ba) and its learning rates. Those of `position` and of a pose's shift are parts of half
+            /// the scene box's longest side.
+            optimizer: OptimizerConfig {
+                /// Adam's beta1.
+                beta1: f64 = 0.9, in 0.0..=0.999_999;
+                /// Adam's beta2.
+                beta2: f64 = 0.99, in 0.0..=0.999_999_9;
+                /// Part of the run, at its end, in which all learning rates also fall linearly, to a fiftieth; 0: none.
+                // What noise moved comes to rest: Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond
+                // Fixed Training Durations".
+                cooldown: f64 = 0.3, in 0.0..=1.0;
+                /// Weight decay of the transmittance network's grid: each step multiplies its values by 1 minus this
+                /// times their learning rate, whatever the gradient; 0: none.
+                // AdamW, Loshchilov and Hutter 2019. Space stays empty unless photographs ask for more.
+                transmittance_decay: f64 = 1.0, in 0.0..=1.0;
+                $(
+                    #[doc = concat!("Learning rate of `gaussians.", stringify!($tensor), "`.")]
+                    $tensor: Rate = Rate { first: $first, last: $last };
+                )+
+                /// Learning rate of both hash grids.
+                grids: Rate = Rate { first: 1e-2, last: 1e-2 };
+                /// Learning rate of both networks.
+                networks: Rate = Rate { first: 5e-3, last: 5e-3 };
+                /// Learning rate of exposures.
+                exposure: Rate = Rate { first: 1e-2, last: 1e-3 };
+                /// Learning rate of poses: of rotations, in radians; of shifts, relative to half the longest side of the
+                /// scene's box.
+                pose: Rate = Rate { first: 3e-4, last: 3e-5 };
+            }
+
+            /// How the number of Gaussians changes: those whose center has the strongest gradient are split, and
+            /// transparent ones are removed.
+            growth: GrowthConfig {
+                /// Largest number of Gaussians. The option also limits the number at the start.
+                #[option("--max-gaussians <N>")]
+                max_gaussians: u32 = 30_000, in 1..;
+                /// Steps between changes.
+                every: u32 = 100, in 1..;
+                /// The first change, as a fraction of all steps.
+                begin: f64 = 0.1, in 0.0..=1.0;
+                /// The last change, as a fraction of all steps; 0: none.
+                end: f64 = 0.8, in 0.0..=1.0;
+                /// Gaussians added by each change, as a fraction of those there are.
+                rate: f64 = 0.1, in 0.0..=1.0;
+                /// Gaussians less opaque than this are removed.
+                min_opacity: f32 = 0.005, in 0.0..=0.5;
+            }
+
+            /// Parts that experiments leave out, to measure what they are worth.
+            ablation: AblationConfig {
+                /// Learn T. If false, T is 1 everywhere.
+                learn_transmittance: bool = true;
+                /// Divide sums whose weight is above 1 (Eq. 13). If false, never, not even in the run's own evaluations.
+                /// A scene file does not record it: every other command divides.
+                divide: bool = true;
+            }
+        }
+    };
+}
+
+gaussian_tensors!(define);
+
+/// The hash grids of a new scene.
+fn grid() -> GridConfig {
+    GridConfig { levels: 8, features: 2, log2_table: 14, base_resolution: 16.0, growth: 1.35 }
+}
+
+/// The values that a setting can have.
+pub(super) trait Range<T>: RangeBounds<T> {
+    /// The range in words.
+    fn expected(&self) -> String;
+}
+
+impl<T: Display> Range<T> for RangeInclusive<T> {
+    fn expected(&self) -> String {
+        format!("{} to {}", self.start(), self.end())
+    }
+}
+
+impl<T: Display> Range<T> for RangeFrom<T> {
+    fn expected(&self) -> String {
+        format!("{} or more", self.start)
+    }
+}
+
+/// Checks a value in its own type, whose digits are those of the file.
+pub(super) fn within<T: Copy + PartialOrd + Display>(
+    name: &str,
+    value: T,
+    range: impl Range<T>,
+) -> Result<(), String> {
+    match range.contains(&value) {
+        true => Ok(()),
+        false => Err(format!("`{name}` is {value}, expected {}", range.expected())),
+    }
+}

@@ -1,0 +1,320 @@
+//! Compares a scene with photographs. Each is rendered whole and compared by PSNR and SSIM, and by further measures
+//! on request.
+//!
+//! The rendered f32 values are clamped to 0 to 1, as in a picture, but not rounded to 8 bits; NaN is black. Pixels
+//! that the photograph does not have, as after undistorting, are ignored: PSNR is over the other pixels, and SSIM
+//! over windows without any such pixel.
+
+mod beside;
+pub(crate) mod csv;
+mod fitted;
+#[cfg(test)]
+mod tests;
+
+pub use beside::{Beside, beside};
+use serde::{Deserialize, Serialize};
+
+use organza_core::RenderedTiles;
+use organza_core::camera::Camera;
+use organza_core::error::{Error, Result};
+use organza_core::image::{Image, TILE_SIDE, bands};
+use organza_core::metrics::lpips::Lpips;
+use organza_core::metrics::{psnr, ssim};
+use organza_core::ranks::Ranks;
+use organza_core::tile::TileBatch;
+use organza_data::Frame;
+use organza_device::memory;
+use organza_render::{DeviceScene, DeviceShare, Renderer};
+
+/// The result of comparing an image with its photograph.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Score {
+    /// The peak signal-to-noise ratio in decibels. Infinite, null in JSON, if the image equals the photograph.
+    /// `None`, also null, if no pixel of the photograph is valid.
+    pub psnr: Option<f64>,
+    /// The structural similarity, at most 1. `None`, null in JSON, if no window of 11 x 11 pixels is valid.
+    pub ssim: Option<f64>,
+    /// LPIPS. Only [`evaluate_measures`] measures it. Pixels that the photograph does not have are black in both
+    /// images.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lpips: Option<f64>,
+    /// PSNR after fitting a gain and an offset for each channel. Each half of the image has the fit of the other
+    /// half. Only [`evaluate_measures`] with [`Measures::fitted`] measures it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub psnr_fitted: Option<f64>,
+}
+
+/// Measures besides PSNR and SSIM.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Measures<'a> {
+    /// The weights for LPIPS, to measure it.
+    pub lpips: Option<&'a Lpips>,
+    /// Whether to measure [`Score::psnr_fitted`].
+    pub fitted: bool,
+}
+
+/// The score of one frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ViewScore {
+    /// Path of the photograph, as the data set writes it.
+    pub name: String,
+    /// Scores of the rendered image.
+    #[serde(flatten)]
+    pub score: Score,
+}
+
+/// The scores of frames. As JSON: `{"mean": {"psnr", "ssim"}, "views": [{"name", "psnr", "ssim"}, ...]}`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Evaluation {
+    /// Means over the views that have the value; `None` if no view has it.
+    pub mean: Score,
+    /// Scores of the frames, in the given order.
+    pub views: Vec<ViewScore>,
+    /// Number of pixels, in all views, that were rendered as NaN or infinity. Not part of the JSON.
+    #[serde(skip)]
+    pub not_finite: u64,
+}
+
+/// Progress of [`evaluate_with`].
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub enum Event<'a> {
+    /// Tiles were rendered.
+    Tiles {
+        /// Number of finished tiles.
+        done: usize,
+        /// Number of tiles of all frames.
+        total: usize,
+    },
+    /// A view is finished.
+    View {
+        /// Index of the frame.
+        index: usize,
+        /// Scores of the view.
+        score: &'a ViewScore,
+        /// The rendered image, of the photograph's size.
+        image: &'a Image,
+    },
+}
+
+/// The number of tiles of some frames.
+fn tiles(frames: &[&Frame]) -> usize {
+    frames.iter().map(|frame| across(frame.camera.width) * across(frame.camera.height)).sum()
+}
+
+/// Number of tiles that cover some pixels in a row or a column.
+fn across(pixels: u32) -> usize {
+    pixels.div_ceil(TILE_SIDE) as usize
+}
+
+/// Renders each frame and compares it with its photograph. Only one image is in memory at a time, and the part that
+/// is rendered at once is bounded.
+///
+/// ```
+/// use organza_core::demo;
+/// use organza_device::DeviceOptions;
+/// use organza_render::Renderer;
+/// use organza_train::{built_in, evaluate};
+///
+/// let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
+/// let dataset = built_in::dataset(&renderer, 2, 24, 2)?;
+/// let scene = renderer.upload(&demo::scene())?;
+/// let frames: Vec<_> = dataset.held_out_frames().collect();
+/// let evaluation = evaluate(&renderer, &scene, &frames)?;
+/// // the photographs are renderings of this scene, rounded to 8 bits
+/// assert!(evaluation.mean.psnr.is_some_and(|psnr| psnr > 50.0));
+/// # Ok::<(), organza_core::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Argument`] if a photograph does not have its camera's size; those of [`Renderer::render`].
+pub fn evaluate(renderer: &Renderer, scene: &DeviceScene, frames: &[&Frame]) -> Result<Evaluation> {
+    evaluate_with(renderer, scene, frames, &mut |_| {})
+}
+
+/// Like [`evaluate`], but calls `watch` with the progress.
+///
+/// # Errors
+/// The same errors as [`evaluate`].
+pub fn evaluate_with(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frames: &[&Frame],
+    watch: &mut dyn FnMut(Event<'_>),
+) -> Result<Evaluation> {
+    evaluate_measures(renderer, scene, frames, Measures::default(), watch)
+}
+
+/// Like [`evaluate_with`], but also takes the further `measures`.
+///
+/// # Errors
+/// The same errors as [`evaluate`].
+pub fn evaluate_measures(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frames: &[&Frame],
+    measures: Measures<'_>,
+    watch: &mut dyn FnMut(Event<'_>),
+) -> Result<Evaluation> {
+    let mut views = Vec::with_capacity(frames.len());
+    let mut not_finite = 0;
+    let total = tiles(frames);
+    let mut done = 0;
+    for (index, frame) in frames.iter().enumerate() {
+        let mut advance = |tiles| {
+            done += tiles;
+            watch(Event::Tiles { done, total });
+        };
+        let rendered = Rendered::new(frame, &mut |cameras, batch| {
+            let mut before = 0;
+            let mut progress = |done, _| advance(done - std::mem::replace(&mut before, done));
+            renderer.render_with_progress(scene, cameras, batch, &mut progress)
+        })?;
+        let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame, measures)? };
+        not_finite += rendered.image.not_finite();
+        watch(Event::View { index, score: &score, image: &rendered.image });
+        views.push(score);
+    }
+    Ok(Evaluation { mean: mean(&views), views, not_finite })
+}
+
+/// Like [`evaluate`], but for one frame, with a scene whose Gaussians are distributed over ranks. All ranks must call
+/// it.
+pub(crate) fn evaluate_share(
+    renderer: &Renderer,
+    share: &DeviceShare,
+    frame: &Frame,
+    ranks: &dyn Ranks,
+) -> Result<(Evaluation, Image)> {
+    let render =
+        &mut |cameras: &[_], batch: &_| renderer.render_share(share, cameras, batch, ranks);
+    let rendered = Rendered::new(frame, render)?;
+    let score = rendered.score(frame, Measures::default())?;
+    let views = vec![ViewScore { name: frame.name.clone(), score }];
+    let not_finite = rendered.image.not_finite();
+    Ok((Evaluation { mean: mean(&views), views, not_finite }, rendered.image))
+}
+
+impl Evaluation {
+    /// Writes a CSV table with a row for each view, atomically. The columns are `view`, `psnr`, `ssim`, and `lpips`
+    /// if it was measured. A missing score is empty; an infinite PSNR is `inf`.
+    ///
+    /// # Errors
+    /// [`Error::WriteFile`].
+    pub fn save_csv(&self, path: impl AsRef<std::path::Path>) -> Result<()> {
+        csv::save_csv(path, &self.views.iter().map(|view| (None, view)).collect::<Vec<_>>())
+    }
+
+    /// Joins evaluations of parts of the frames, in order.
+    pub(crate) fn of_parts(parts: Vec<Self>) -> Self {
+        let not_finite = parts.iter().map(|part| part.not_finite).sum();
+        let views: Vec<_> = parts.into_iter().flat_map(|part| part.views).collect();
+        Self { mean: mean(&views), views, not_finite }
+    }
+}
+
+/// The means over the views that have the value.
+fn mean(views: &[ViewScore]) -> Score {
+    let mean = |value: fn(&Score) -> Option<f64>| {
+        let values: Vec<_> = views.iter().filter_map(|view| value(&view.score)).collect();
+        (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+    };
+    Score {
+        psnr: mean(|score| score.psnr),
+        ssim: mean(|score| score.ssim),
+        lpips: mean(|score| score.lpips),
+        psnr_fitted: mean(|score| score.psnr_fitted),
+    }
+}
+
+/// A rendered frame.
+struct Rendered {
+    image: Image,
+    /// Colors, `[height, width]`, from 0 to 1.
+    colors: Vec<[f32; 3]>,
+}
+
+impl Rendered {
+    fn new(
+        frame: &Frame,
+        render: &mut dyn FnMut(&[Camera], &TileBatch) -> Result<RenderedTiles>,
+    ) -> Result<Self> {
+        let camera = &frame.camera;
+        let size = [camera.width, camera.height];
+        let found = [frame.image.width(), frame.image.height()];
+        if size != found {
+            let reason = format!(
+                "the photograph of frame {} has {} x {} pixels, but its camera {} x {}",
+                frame.name, found[0], found[1], size[0], size[1]
+            );
+            return Err(Error::Argument { reason });
+        }
+        let mut rendered =
+            Self { image: Image::new(size[0], size[1])?, colors: colors(frame, "an image")? };
+        for batch in bands(0, size, TILE_SIDE) {
+            let batch = batch?;
+            let tiles = render(std::slice::from_ref(camera), &batch)?;
+            rendered.image.paste(&batch, &tiles)?;
+            rendered.paste(&batch, &tiles);
+        }
+        Ok(rendered)
+    }
+
+    /// Like [`Image::paste`], but without rounding.
+    fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) {
+        let [width, height] = self.image.size().map(|size| size as usize);
+        let side = batch.side as usize;
+        for (index, tile) in batch.tiles.iter().enumerate() {
+            // `bands` starts at 0 and covers the image
+            let [left, top] = tile.origin.map(|origin| origin as usize);
+            for y in top..(top + side).min(height) {
+                for x in left..(left + side).min(width) {
+                    let color = tiles.rgb(index, x - left, y - top);
+                    self.colors[y * width + x] = color.map(displayed);
+                }
+            }
+        }
+    }
+
+    fn score(&self, frame: &Frame, measures: Measures<'_>) -> Result<Score> {
+        let photograph = &frame.image;
+        let mut truth = colors(frame, "a photograph")?;
+        for (color, pixel) in truth.iter_mut().zip(photograph.pixels()) {
+            *color = pixel.map(|value| f32::from(value) / 255.0);
+        }
+        let size = self.image.size().map(|size| size as usize);
+        let valid = photograph.valid();
+        let mut score = Score {
+            psnr: psnr(&self.colors, &truth, valid),
+            ssim: ssim(size, &self.colors, &truth, valid),
+            ..Score::default()
+        };
+        if measures.fitted {
+            score.psnr_fitted = fitted::psnr_fitted(size, &self.colors, &truth, valid);
+        }
+        let Some(lpips) = measures.lpips else { return Ok(score) };
+        let mut colors = self.colors.clone();
+        for (at, _) in photograph
+            .valid()
+            .iter()
+            .flat_map(|valid| valid.iter().enumerate().filter(|(_, valid)| !**valid))
+        {
+            colors[at] = [0.0; 3];
+            truth[at] = [0.0; 3];
+        }
+        Ok(Score { lpips: lpips.distance(size, &colors, &truth)?, ..score })
+    }
+}
+
+/// Allocates the colors of a frame's pixels.
+fn colors(frame: &Frame, what: &str) -> Result<Vec<[f32; 3]>> {
+    let width = frame.image.width();
+    let height = frame.image.height();
+    let what = format!("the colors of {what} of {width} x {height} pixels");
+    Ok(memory::zeros(frame.image.pixels().len(), &what)?)
+}
+
+/// The value that a display shows.
+fn displayed(value: f32) -> f32 {
+    if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
+}

@@ -1,0 +1,138 @@
+//! The folder of a run, to which one training process writes at a time.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::checkpoint::{BEST, CHECKPOINT};
+use organza_core::error::{Error, Result};
+use organza_core::{FolderLock, remove_leftovers};
+
+/// `config.toml`: all settings.
+pub const CONFIG: &str = "config.toml";
+/// `metrics.jsonl`: one record per line.
+pub const METRICS: &str = "metrics.jsonl";
+/// `cameras.json`: the refined cameras, if poses are refined.
+pub const CAMERAS: &str = "cameras.json";
+/// `report.html`: the report on one page.
+pub const REPORT: &str = "report.html";
+/// `pictures`: the folder of small pictures of held-out views, for the report.
+pub const PICTURES: &str = "pictures";
+/// `tensorboard`: the folder of TensorBoard's event file.
+pub const TENSORBOARD: &str = "tensorboard";
+/// `evaluations.csv`: the scores of each held-out view in each evaluation.
+pub const EVALUATIONS: &str = "evaluations.csv";
+
+/// Files that a run writes directly into its folder.
+const FILES: [&str; 7] = [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS];
+
+/// Whether a path in a run's folder is that of a file that the run writes.
+#[must_use]
+pub fn is_run_file(path: &Path) -> bool {
+    path.starts_with(PICTURES)
+        || path.starts_with(TENSORBOARD)
+        || FILES.iter().any(|name| path == Path::new(name))
+}
+
+/// A locked run folder. While this value lives, no other training writes to the folder.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+    _lock: FolderLock,
+}
+
+impl RunFolder {
+    /// Locks an existing folder, and removes what a killed training left there.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if another training, which is named, has locked it; if it holds a run and `resume` is
+    /// false; or if one of the run's files is a device, a pipe or a folder. [`Error::WriteFile`] if it cannot be
+    /// written to.
+    pub fn lock(path: &Path, resume: bool) -> Result<Self> {
+        let invalid = |reason| Err(Error::Invalid { origin: path.to_owned(), reason });
+        let lock = match FolderLock::exclusive(path)? {
+            Ok(lock) => lock,
+            Err(holder) => {
+                return invalid(format!(
+                    "another training writes to this folder ({holder}): wait for it, stop it, or \
+                     name another folder"
+                ));
+            }
+        };
+        let folder = Self { path: path.to_owned(), _lock: lock };
+        remove_leftovers(path);
+        for name in FILES {
+            // Links are not followed: one may lead to somebody else's file.
+            let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
+            if !found.is_file() {
+                return invalid(format!(
+                    "{name} is a folder, a link, a device or a pipe, expected a file: remove it, \
+                     or name another folder"
+                ));
+            }
+            if !resume && [CONFIG, CHECKPOINT, BEST].contains(&name) {
+                return invalid(format!(
+                    "the folder already holds a run ({name}); continue it with `--resume`, or name \
+                     another folder"
+                ));
+            }
+        }
+        for name in [PICTURES, TENSORBOARD] {
+            if fs::symlink_metadata(path.join(name)).is_ok_and(|found| !found.is_dir()) {
+                return invalid(format!(
+                    "{name} is a file, a link, a device or a pipe, expected a folder: remove it, or \
+                     name another folder"
+                ));
+            }
+        }
+        Ok(folder)
+    }
+
+    /// Path of the folder.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Does the work of dropping, for a program that exits at once: removes the lock file if it is this process's,
+    /// and files that are still being written.
+    pub fn clear(path: &Path) {
+        if FolderLock::clear(path) {
+            remove_leftovers(path);
+            remove_leftovers(&path.join(PICTURES));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_at_a_time() {
+        let folder = tempfile::tempdir().unwrap();
+        let first = RunFolder::lock(folder.path(), false).unwrap();
+        let text = RunFolder::lock(folder.path(), false).unwrap_err().to_string();
+        let holder = format!("process {}", std::process::id());
+        assert!(text.contains(&holder) && text.contains("another training"), "{text}");
+        drop(first);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        drop(RunFolder::lock(folder.path(), false).unwrap());
+    }
+
+    #[test]
+    fn what_a_killed_training_left_is_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(".organza-abc.tmp"), "half").unwrap();
+        fs::write(folder.path().join(".organza-lock"), "process 1, which has gone").unwrap();
+        drop(RunFolder::lock(folder.path(), false).unwrap());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn a_folder_in_the_place_of_a_file_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join(METRICS)).unwrap();
+        let text = RunFolder::lock(folder.path(), true).unwrap_err().to_string();
+        assert!(text.contains("metrics.jsonl is a folder"), "{text}");
+    }
+}

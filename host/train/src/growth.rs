@@ -1,0 +1,235 @@
+//! How the number of Gaussians changes: some are split, transparent ones taken away.
+
+use glam::{Quat, Vec3};
+
+use super::config::GrowthConfig;
+use organza_core::scene::{Gaussians, Scene, logit};
+
+/// A split Gaussian's halves lie so many standard deviations from it, along its longest axis;
+const SPLIT_OFFSET: f32 = 0.6;
+/// are so much shorter there;
+const SPLIT_SCALE: f32 = 0.65;
+/// and so much less opaque: together they have its weight at its center, and 0.98 of its sum.
+const SPLIT_OPACITY: f32 = 0.75;
+
+/// What became of the Gaussians.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Grown {
+    /// Split in two.
+    pub split: u32,
+    /// Taken away.
+    pub pruned: u32,
+}
+
+/// Where a Gaussian of the new scene comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Child {
+    pub parent: usize,
+    /// On which side of its parent a half lies, 1 or -1; none is the parent itself.
+    side: Option<f32>,
+}
+
+impl Child {
+    /// The same, where its parent has another index.
+    pub fn with_parent(self, parent: usize) -> Self {
+        Self { parent, ..self }
+    }
+}
+
+/// What becomes of each Gaussian. It follows from few numbers of each, so that ranks that hold shares of a scene can find
+/// the same plan.
+#[derive(Debug)]
+pub struct Plan {
+    /// `[N]`: how many each becomes, 0 to 2.
+    counts: Vec<u32>,
+    pub grown: Grown,
+}
+
+/// How much a Gaussian is in need of a split: how strong a gradient its center felt, on average over the views that saw it.
+pub fn strength([sum, views, ..]: [f32; 4]) -> f32 {
+    if views > 0.0 { sum / views } else { 0.0 }
+}
+
+impl Plan {
+    /// Of the opacities' logits `[N]` and the [strengths](strength) `[N]`: those whose center feels the strongest gradient
+    /// become two.
+    pub fn new(config: &GrowthConfig, opacity: &[f32], strength: &[f32]) -> Self {
+        let is_kept = |&i: &usize| sigmoid(opacity[i]) >= config.min_opacity;
+        let mut kept: Vec<_> = (0..opacity.len()).filter(is_kept).collect();
+        if kept.is_empty() {
+            // nothing is left to grow from
+            kept = (0..opacity.len()).collect();
+        }
+        let mut counts = vec![0; opacity.len()];
+        kept.iter().for_each(|&i| counts[i] = 1);
+        let pruned = (opacity.len() - kept.len()) as u32;
+        let room = room(config, kept.len());
+        let mut by_strength = kept;
+        by_strength.sort_by(|&a, &b| strength[b].total_cmp(&strength[a]).then(a.cmp(&b)));
+        by_strength.truncate(room);
+        by_strength.retain(|&i| strength[i] > 0.0);
+        by_strength.iter().for_each(|&i| counts[i] = 2);
+        Self { counts, grown: Grown { split: by_strength.len() as u32, pruned } }
+    }
+
+    /// Gaussians of the new scene.
+    pub fn len(&self) -> usize {
+        self.counts.iter().map(|&count| count as usize).sum()
+    }
+
+    /// The new scene's Gaussians in their order, which is that of their parents.
+    pub fn children(&self) -> impl Iterator<Item = Child> {
+        let of_parent = |(parent, &count): (usize, &u32)| {
+            let sides: &[_] = match count {
+                0 => &[],
+                1 => &[None],
+                _ => &[Some(1.0), Some(-1.0)],
+            };
+            sides.iter().map(move |&side| Child { parent, side })
+        };
+        self.counts.iter().enumerate().flat_map(of_parent)
+    }
+}
+
+/// Changes a scene and both of Adam's moments; `statistics [N]` is that of the steps since the last time.
+pub fn grow(
+    config: &GrowthConfig,
+    scene: &mut Scene,
+    [first, second]: [&mut Scene; 2],
+    statistics: &[[f32; 4]],
+) -> Grown {
+    let strength: Vec<_> = statistics.iter().copied().map(strength).collect();
+    let plan = Plan::new(config, &scene.gaussians.opacity, &strength);
+    let children: Vec<_> = plan.children().collect();
+    let moments = [&mut first.gaussians, &mut second.gaussians];
+    apply(&children, &mut scene.gaussians, moments);
+    plan.grown
+}
+
+/// Puts children in the place of their parents; `moments` are Adam's.
+pub fn apply(children: &[Child], gaussians: &mut Gaussians, moments: [&mut Gaussians; 2]) {
+    let parents: Vec<_> = children.iter().map(|child| child.parent).collect();
+    let is_new: Vec<_> = children.iter().map(|child| child.side.is_some()).collect();
+    for moment in moments {
+        *moment = moment.select(&parents);
+        clear(moment, &is_new);
+    }
+    *gaussians = gaussians.select(&parents);
+    for (i, child) in children.iter().enumerate() {
+        if let Some(side) = child.side {
+            halve(gaussians, i, side);
+        }
+    }
+}
+
+fn sigmoid(x: f32) -> f32 {
+    1.0 / (1.0 + (-x).exp())
+}
+
+/// How many may be added to `kept`.
+fn room(config: &GrowthConfig, kept: usize) -> usize {
+    let wanted = (kept as f64 * config.rate).ceil() as usize;
+    wanted.min((config.max_gaussians as usize).saturating_sub(kept))
+}
+
+/// Makes row `i`, a copy of its parent, the half on this side of it along the longest axis.
+fn halve(gaussians: &mut Gaussians, i: usize, side: f32) {
+    let scales = gaussians.log_scale[i];
+    let axis = (0..3).max_by(|&a, &b| scales[a].total_cmp(&scales[b])).unwrap_or_default();
+    let mut offset = Vec3::ZERO;
+    offset[axis] = side * SPLIT_OFFSET * Vec3::from(scales).exp()[axis];
+    let [w, x, y, z] = gaussians.rotation[i];
+    let offset = Quat::from_xyzw(x, y, z, w).normalize() * offset;
+    let position = Vec3::from(gaussians.position[i]) + offset;
+    // a scale that overflows, or a rotation of no length, leads nowhere
+    if position.is_finite() {
+        gaussians.position[i] = position.to_array();
+    }
+    gaussians.log_scale[i][axis] += SPLIT_SCALE.ln();
+    let logit = logit(sigmoid(gaussians.opacity[i]) * SPLIT_OPACITY);
+    // what has vanished has no logit; it stays what it was
+    if logit.is_finite() {
+        gaussians.opacity[i] = logit;
+    }
+}
+
+/// Clears the rows of moments of Gaussians that are new.
+fn clear(gaussians: &mut Gaussians, is_new: &[bool]) {
+    for values in gaussians.tensors_mut().into_vec() {
+        let width = values.len() / is_new.len().max(1);
+        for (row, _) in values.chunks_mut(width.max(1)).zip(is_new).filter(|(_, is_new)| **is_new) {
+            row.fill(0.0);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> Scene {
+        let config = organza_core::demo::config();
+        let mut scene = Scene::zeros(config, 4).unwrap();
+        let gaussians = &mut scene.gaussians;
+        gaussians.rotation.fill([0.3, -0.2, 0.9, 0.1]);
+        for i in 0..4 {
+            gaussians.position[i] = [i as f32, 0.0, 1.0];
+            gaussians.log_scale[i] = [-1.0, -0.2, -2.0];
+        }
+        gaussians.opacity = vec![1.0, -9.0, 0.0, -1.0];
+        gaussians.material.iter_mut().zip(0..).for_each(|(value, i)| *value = i as f32);
+        scene
+    }
+
+    fn config() -> GrowthConfig {
+        GrowthConfig { rate: 0.3, max_gaussians: 10, ..GrowthConfig::default() }
+    }
+
+    fn grown() -> (Scene, Scene, Grown) {
+        let (mut grown_scene, mut first, mut second) = (scene(), scene(), scene());
+        let statistics =
+            [[1.0, 2.0, 5.0, 0.0], [9.0, 1.0, 5.0, 0.0], [1.0, 1.0, 5.0, 0.0], [0.0; 4]];
+        let moments = [&mut first, &mut second];
+        let counts = grow(&config(), &mut grown_scene, moments, &statistics);
+        assert_eq!(first.gaussians, second.gaussians);
+        (grown_scene, first, counts)
+    }
+
+    #[test]
+    fn the_strongest_are_split_and_transparent_ones_go() {
+        let (scene, moments, counts) = grown();
+        assert_eq!(counts, Grown { split: 1, pruned: 1 });
+        // 0, both halves of 2, 3
+        assert_eq!(scene.gaussians.len(), 4);
+        scene.validate().unwrap();
+        let [a, b] = [1, 2].map(|i| Vec3::from(scene.gaussians.position[i]));
+        assert!((a + b).abs_diff_eq(2.0 * Vec3::new(2.0, 0.0, 1.0), 1e-5));
+        // along the longest axis, the second, 0.6 standard deviations each
+        assert!(((a - b).length() - 1.2 * (-0.2_f32).exp()).abs() < 1e-5);
+        assert!((scene.gaussians.log_scale[1][1] - (-0.2 + 0.65_f32.ln())).abs() < 1e-6);
+        assert!((sigmoid(scene.gaussians.opacity[1]) - 0.375).abs() < 1e-6);
+        assert_eq!(moments.gaussians.position[1], [0.0; 3]);
+        assert_eq!(moments.gaussians.position[3], [3.0, 0.0, 1.0]);
+    }
+
+    /// In f32 the sigmoid of a logit below -104 is 0.
+    #[test]
+    fn gaussians_that_have_all_vanished_stay_as_they_are() {
+        let (mut grown_scene, mut first, mut second) = (scene(), scene(), scene());
+        grown_scene.gaussians.opacity.fill(-200.0);
+        grown_scene.gaussians.log_scale[0] = [100.0; 3];
+        grown_scene.gaussians.rotation[1] = [0.0; 4];
+        let config = GrowthConfig { min_opacity: 0.0, rate: 1.0, ..config() };
+        let moments = [&mut first, &mut second];
+        let statistics = [[1.0, 1.0, 5.0, 0.0]; 4];
+        grow(&config, &mut grown_scene, moments, &statistics);
+        grown_scene.validate().unwrap();
+        assert!(grown_scene.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
+    }
+
+    #[test]
+    fn nothing_grows_past_its_limit() {
+        let config = GrowthConfig { max_gaussians: 4, ..config() };
+        assert_eq!((room(&config, 4), room(&config, 3), room(&config, 9)), (0, 1, 0));
+    }
+}

@@ -1,0 +1,97 @@
+//! Turns Gaussians of other programs into a scene, by training on their own images as a viewer that sorts shows them.
+
+use std::ops::RangeInclusive;
+
+use super::checkpoint::Checkpoint;
+use super::config::{Rate, TrainConfig};
+use super::start::of_splats;
+use super::trainer::Trainer;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::image::to_8_bit;
+use organza_core::scene::Scene;
+use organza_data::{Dataset, Frame, Photograph};
+use organza_render::Renderer;
+use organza_splats::{Splat, Views, render};
+
+/// Settings for turning Gaussians into a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Import {
+    /// Number of training steps.
+    pub steps: u32,
+    /// Longest side of an image to train on, in pixels.
+    pub side: u32,
+    /// Background color, 0 to 1, which files do not have.
+    pub background: [f32; 3],
+}
+
+impl Import {
+    /// Allowed numbers of steps.
+    pub const STEPS: RangeInclusive<i64> = 1..=10_000_000;
+}
+
+/// 1500 steps, on images of 480 pixels, with a black background.
+impl Default for Import {
+    fn default() -> Self {
+        Self { steps: 1500, side: 480, background: [0.0; 3] }
+    }
+}
+
+/// A scene made from Gaussians.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The scene.
+    pub scene: Scene,
+    /// Mean PSNR, in dB, of its images compared with those of the file, over views that training has not seen. `None`
+    /// without such views.
+    pub psnr: Option<f64>,
+}
+
+/// Makes a scene with the same images as some Gaussians. Training adapts the networks, and moves all values of the
+/// Gaussians a little. `progress` is called with the number of finished steps. An error of it ends the training.
+///
+/// # Errors
+/// The same errors as [`Trainer::start`]; those of `progress`.
+pub fn import(
+    renderer: &Renderer,
+    splats: &[Splat],
+    views: &Views,
+    options: Import,
+    progress: &mut dyn FnMut(usize) -> Result<()>,
+) -> Result<Imported> {
+    let Views { fitted: cameras, judges } = views;
+    let frame = |(index, camera): (usize, &Camera)| {
+        let camera = camera.within(options.side);
+        let colors = render(splats, &camera, options.background);
+        let pixels = colors.into_iter().map(|color| color.map(to_8_bit)).collect();
+        let image = Photograph::new([camera.width, camera.height], pixels, None)?;
+        Ok(Frame { name: format!("view-{index:03}"), camera, image })
+    };
+    let frames = cameras.iter().chain(judges).enumerate().map(frame).collect::<Result<Vec<_>>>()?;
+    let mut dataset = Dataset::from_frames(frames, 0);
+    dataset.held_out = dataset.train.split_off(cameras.len());
+    dataset.background = options.background.map(f64::from);
+    let config = config(splats.len(), options.steps);
+    let fitted: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+    let scene = of_splats(splats, &config, dataset.background, &fitted)?;
+    let begin = Checkpoint::begin(scene, &config)?;
+    let mut trainer = Trainer::resume(renderer, config, dataset, &begin)?;
+    while !trainer.is_finished() {
+        trainer.step()?;
+        progress(trainer.steps() as usize)?;
+    }
+    let psnr = trainer.evaluate()?.mean.psnr;
+    Ok(Imported { scene: trainer.share().download(renderer.device())?, psnr })
+}
+
+/// The settings of training: the number of Gaussians is constant, and their positions and shapes change slowly.
+fn config(gaussians: usize, steps: u32) -> TrainConfig {
+    let mut config = TrainConfig::default();
+    config.run.steps = steps;
+    config.growth.end = 0.0;
+    config.growth.max_gaussians = gaussians as u32;
+    config.start.gaussians = gaussians as u32;
+    config.optimizer.position = Rate { first: 1e-4, last: 1e-5 };
+    config.optimizer.log_scale = Rate { first: 3e-3, last: 1e-3 };
+    config
+}

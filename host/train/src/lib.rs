@@ -1,0 +1,58 @@
+//! Training: from photographs with poses to a scene, and how close the scene is to them.
+//!
+//! A [`Trainer`] takes steps. A [`Session`] is a run in a folder: it logs, saves and evaluates, and tells what happens as
+//! [`Event`]s. It draws nothing: whoever listens does.
+//!
+//! Use it through the crate [`organza`](https://crates.io/crates/organza).
+
+mod binding;
+pub mod built_in;
+mod checkpoint;
+mod coarse;
+pub mod config;
+pub mod evaluate;
+mod exposure;
+mod folder;
+mod growth;
+mod held_out;
+mod hooks;
+mod import;
+pub mod metrics;
+mod optimizer;
+mod per_photograph;
+mod plan;
+mod pose;
+mod ranks;
+mod requirements;
+mod resume;
+mod sampler;
+mod session;
+mod share;
+mod share_checkpoint;
+mod share_growth;
+mod space;
+mod start;
+mod state;
+mod step_report;
+mod trainer;
+
+pub use binding::{Binding, CHANGEABLE, Change, changed_settings_of, settings_of};
+pub use checkpoint::{BEST, CHECKPOINT, Checkpoint, Progress};
+pub use config::{ConfigBuilder, Preset, TrainConfig};
+pub use evaluate::{Evaluation, evaluate};
+pub use folder::{CAMERAS, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT, TENSORBOARD};
+pub use folder::{RunFolder, is_run_file};
+pub use growth::Grown;
+pub use hooks::{GradientHook, StepGradient, StepHooks};
+pub use import::{Import, Imported, import};
+pub use per_photograph::PerPhotograph;
+pub use ranks::{Split, follow};
+pub use session::{Event, Outcome, Session, Watch};
+pub use share_checkpoint::CheckpointShare;
+pub use step_report::StepReport;
+pub use trainer::Trainer;
+
+/// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
+/// packages that cargo made, and for release builds in a git repository. Otherwise, the environment variable
+/// `ORGANZA_COMMIT` sets it.
+pub const COMMIT: Option<&str> = option_env!("ORGANZA_COMMIT");

@@ -1,0 +1,168 @@
+//! Adam for every tensor of a scene.
+
+use organza_shaders::adam::{AdamKernel, AdamParams};
+
+use super::config::{EPSILON, OptimizerConfig};
+use organza_core::error::Result;
+use organza_core::scene::{GaussianTensors, Gaussians, Scene, Tensors};
+use organza_device::{Buffer, Device};
+use organza_render::{
+    DeviceShare, ShareGradient, TensorGradient, in_blocks, pack, read_blocks, unpack, upload,
+};
+
+/// Both moments of every parameter, and the flag of tensors that are never sparse.
+#[derive(Debug)]
+pub struct Optimizer {
+    /// m and v of [`DeviceShare::fields`].
+    fields: [Tensors<Buffer<f32>>; 2],
+    /// Those of each block's Gaussians.
+    blocks: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
+    is_whole: bool,
+    always: Buffer<u32>,
+}
+
+impl Optimizer {
+    /// From the moments of a share's tensors, of an earlier run or zeros.
+    ///
+    /// # Errors
+    /// As [`Device::upload`].
+    pub fn new(device: &Device, share: &DeviceShare, moments: &[Scene; 2]) -> Result<Self> {
+        let is_whole = share.whole().is_some();
+        let fields = |moment: &Scene| -> Result<_> {
+            let mut fields = Scene::zeros(moment.config.clone(), 1)?;
+            fields.color.clone_from(&moment.color);
+            fields.transmittance.clone_from(&moment.transmittance);
+            Ok(upload(device, pack(&fields))?)
+        };
+        let [first, second] = moments;
+        let fields = [fields(first)?, fields(second)?];
+        let always = device.upload("touched", &[1])?;
+        let mut optimizer = Self { fields, blocks: Vec::new(), is_whole, always };
+        optimizer.replace_gaussians(device, moments)?;
+        Ok(optimizer)
+    }
+
+    /// The moments of the Gaussians are these from now on.
+    ///
+    /// # Errors
+    /// As [`Device::upload`].
+    pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
+        let upload = |moment: &Gaussians| {
+            moment.tensors().try_map(|name, values| device.upload(name, values))
+        };
+        // not both at once
+        self.blocks.clear();
+        let [first, second] =
+            moments.each_ref().map(|moment| in_blocks(&moment.gaussians, self.is_whole));
+        for (first, second) in first.zip(second) {
+            self.blocks.push([upload(&first)?, upload(&second)?]);
+        }
+        Ok(())
+    }
+
+    /// The moments as they are now, as scenes.
+    ///
+    /// # Errors
+    /// As [`Device::read`].
+    pub fn moments(&self, device: &Device, share: &DeviceShare) -> Result<[Scene; 2]> {
+        let read = |place: usize| -> Result<Scene> {
+            let moment = self.fields[place].as_ref();
+            let mut scene =
+                unpack(share.config(), share.fields().len(), moment, |buffer, values| {
+                    device.read_into(buffer, 0, values)
+                })?;
+            scene.gaussians = Gaussians::zeros(share.config(), share.len())?;
+            let blocks = self.blocks.iter().map(|moments| moments[place].as_ref());
+            read_blocks(device, blocks, &mut scene.gaussians)?;
+            Ok(scene)
+        };
+        Ok([read(0)?, read(1)?])
+    }
+
+    /// Moves every parameter, and clears the gradient.  `step` counts from 0; `share` is the part of the run that is
+    /// done.
+    ///
+    /// # Errors
+    /// As [`Device::dispatch`].
+    pub fn step(
+        &self,
+        device: &Device,
+        scene: &DeviceShare,
+        gradient: &ShareGradient,
+        config: &OptimizerConfig,
+        now: (u32, f64),
+    ) -> Result<()> {
+        let fields = scene.fields();
+        let adam = Adam::new(device, config, &self.always, now, fields.extent());
+        let [first, second] = self.fields.each_ref().map(Tensors::as_ref);
+        let tensors = fields.tensors().as_ref().zip(gradient.fields.tensors().as_ref());
+        let all = tensors.zip(adam.rates).zip(first.zip(second));
+        all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
+        let blocks = scene.blocks().iter().zip(&gradient.blocks).zip(&self.blocks);
+        for ((block, gradient), [first, second]) in blocks {
+            let gradient = gradient.tensors().gaussians.as_ref();
+            let tensors = block.tensors().gaussians.as_ref().zip(gradient);
+            let all = tensors.zip(adam.rates.gaussians).zip(first.as_ref().zip(second.as_ref()));
+            all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
+        }
+        Ok(())
+    }
+}
+
+/// One step of Adam.
+struct Adam<'a> {
+    device: &'a Device,
+    config: &'a OptimizerConfig,
+    always: &'a Buffer<u32>,
+    /// The rate of each tensor, and what weight decay leaves of its values.
+    rates: Tensors<(f64, f64)>,
+    correction1: f64,
+    correction2: f64,
+}
+
+impl<'a> Adam<'a> {
+    fn new(
+        device: &'a Device,
+        config: &'a OptimizerConfig,
+        always: &'a Buffer<u32>,
+        (step, share): (u32, f64),
+        extent: f64,
+    ) -> Self {
+        let t = f64::from(step) + 1.0;
+        let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
+        let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
+        let mut rates = config.rates().map(|_, rate| (config.rate_at(rate, share), 1.0));
+        rates.gaussians.position.0 *= extent;
+        let (rate, kept) = &mut rates.transmittance.grid;
+        *kept -= *rate * config.transmittance_decay;
+        Self { device, config, always, rates, correction1, correction2 }
+    }
+
+    fn step(
+        &self,
+        (value, gradient): (&Buffer<f32>, &TensorGradient),
+        (rate, kept): (f64, f64),
+        (first_moment, second_moment): (&Buffer<f32>, &Buffer<f32>),
+    ) -> organza_device::Result<()> {
+        let values = value.len() as u32;
+        let kernel = AdamKernel {
+            params: AdamParams {
+                values,
+                first_gradient: gradient.range.start as u32,
+                sparse: u32::from(gradient.touched.is_some()),
+                rate: (rate * self.correction1) as f32,
+                decay1: self.config.beta1 as f32,
+                decay2: self.config.beta2 as f32,
+                correction2: self.correction2 as f32,
+                epsilon: EPSILON as f32,
+                kept: kept as f32,
+            },
+            touched: gradient.touched.as_ref().unwrap_or(self.always),
+            gradient: &gradient.buffer,
+            first_moment,
+            second_moment,
+            value,
+        };
+        self.device.run(&kernel, values, 1)
+    }
+}

@@ -1,0 +1,218 @@
+//! A run that ranks share: rank 0 leads it, reads and writes its files, and tells the others what comes next.
+
+use std::sync::Arc;
+
+use super::checkpoint::Checkpoint;
+use super::config::TrainConfig;
+use super::held_out;
+use super::share_checkpoint::CheckpointShare;
+use super::trainer::Trainer;
+use crate::evaluate::{Evaluation, Event, Score, ViewScore, evaluate_with};
+use organza_core::error::{IN_MEMORY, Result};
+use organza_core::image::Image;
+use organza_core::ranks::{self, Grid, Ranks};
+use organza_data::{Dataset, Frame};
+use organza_render::{DeviceScene, Renderer};
+
+/// What ranks share of a training.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Split {
+    /// Each rank has the whole scene, and computes some of a step's views.
+    #[default]
+    Views,
+    /// Each rank has some of the Gaussians, and computes their part of all of a step's views: see
+    /// [`Trainer::resume_share`].
+    Gaussians,
+}
+
+/// What rank 0 has all ranks do next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    /// A step, of a run of so many.
+    Step(u32),
+    /// Measure a held-out view each, from this one on: of all, or of those of intermediate evaluations.
+    Evaluate { first: usize, all: bool },
+    /// Hand over the share for a checkpoint.
+    Save,
+    /// Nothing more.
+    End,
+}
+
+impl Order {
+    fn encode(self) -> [u64; 2] {
+        match self {
+            Self::Step(steps) => [0, u64::from(steps)],
+            Self::Evaluate { first, all } => [1 + u64::from(all), first as u64],
+            Self::Save => [3, 0],
+            Self::End => [4, 0],
+        }
+    }
+
+    fn decode([kind, value]: [u64; 2]) -> Self {
+        match kind {
+            0 => Self::Step(value as u32),
+            1 | 2 => Self::Evaluate { first: value as usize, all: kind == 2 },
+            3 => Self::Save,
+            _ => Self::End,
+        }
+    }
+
+    /// Tells the other ranks, from rank 0.
+    pub fn give(self, ranks: &dyn Ranks) -> Result<()> {
+        ranks.broadcast(bytemuck::cast_slice(&self.encode()).to_vec()).map(drop)
+    }
+
+    fn receive(ranks: &dyn Ranks) -> Result<Self> {
+        let words: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
+        Ok(Self::decode([words[0], words[1]]))
+    }
+}
+
+/// [Meets](organza_core::ranks::meet) the other ranks, which must have read the same photographs.
+fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) -> Result<()> {
+    let photographs = serde_json::to_string(&dataset.fingerprint).unwrap_or_default();
+    ranks::meet(
+        ranks,
+        renderer.device(),
+        crate::COMMIT.unwrap_or_default(),
+        ("photographs", &photographs),
+        mixed,
+    )
+}
+
+/// Tells the other ranks what rank 0 begins with.
+pub(super) fn lead(
+    ranks: &Arc<dyn Ranks>,
+    renderer: &Renderer,
+    trainer: Trainer,
+    mixed: bool,
+) -> Result<Trainer> {
+    meet(&**ranks, renderer, trainer.dataset(), mixed)?;
+    tell(&**ranks, [Split::Views as u64, 0], trainer.config())?;
+    ranks.broadcast(trainer.checkpoint(0.0)?.to_bytes()?)?;
+    Ok(trainer.with_ranks(ranks.clone()))
+}
+
+/// As [`lead`], where each rank has one of so many shares: `mine` is that of rank 0, and `share` makes or reads any.
+pub(super) fn lead_shares(
+    (ranks, shares): (&Arc<dyn Ranks>, usize),
+    renderer: &Renderer,
+    (config, dataset): (&TrainConfig, &Arc<Dataset>),
+    mine: &CheckpointShare,
+    share: impl Fn(usize) -> Result<CheckpointShare>,
+    mixed: bool,
+) -> Result<Trainer> {
+    meet(&**ranks, renderer, dataset, mixed)?;
+    tell(&**ranks, [Split::Gaussians as u64, shares as u64], config)?;
+    mine.deal(Grid::new(&**ranks, shares)?, share)?;
+    Trainer::resume_share(renderer, config.clone(), dataset.clone(), mine, ranks.clone(), shares)
+}
+
+/// Tells the other ranks how to train: what they share, and in how many shares.
+fn tell(ranks: &dyn Ranks, split: [u64; 2], config: &TrainConfig) -> Result<()> {
+    ranks.broadcast(bytemuck::cast_slice(&split).to_vec())?;
+    ranks.broadcast(config.to_toml().into_bytes()).map(drop)
+}
+
+/// Takes part in the run of a [`Session`](super::Session) of rank 0 that has these ranks, to its end. The photographs
+/// must be those of the session; its settings and its scene come from there. `mixed` is that of the session.
+///
+/// # Errors
+/// As [`Session::run`](super::Session::run); [`Error::Rank`](organza_core::Error::Rank) where another rank has failed. The caller then
+/// [tells](Ranks::fail) the others.
+pub fn follow(
+    renderer: &Renderer,
+    dataset: &Arc<Dataset>,
+    ranks: &Arc<dyn Ranks>,
+    mixed: bool,
+) -> Result<()> {
+    meet(&**ranks, renderer, dataset, mixed)?;
+    let split: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
+    let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
+    let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
+    let data = dataset.clone();
+    let mut trainer = if let [kind, shares] = split[..]
+        && kind == Split::Gaussians as u64
+    {
+        let shares = shares as usize;
+        let share = CheckpointShare::receive(Grid::new(&**ranks, shares)?)?;
+        Trainer::resume_share(renderer, config, data, &share, ranks.clone(), shares)?
+    } else {
+        let checkpoint = Checkpoint::from_bytes(&ranks.broadcast(Vec::new())?, IN_MEMORY)?;
+        Trainer::resume(renderer, config, data, &checkpoint)?.with_ranks(ranks.clone())
+    };
+    loop {
+        match Order::receive(&**ranks)? {
+            Order::Step(steps) => {
+                if steps != trainer.config().run.steps {
+                    trainer.replan(steps);
+                }
+                trainer.step()?;
+            }
+            Order::Evaluate { first, all } => {
+                let frames = held_out::frames(dataset, trainer.config().run.evaluate_views, all);
+                trainer.measure(&frames, first)?;
+            }
+            Order::Save => {
+                if let Some(grid) = trainer.grid() {
+                    trainer.checkpoint_share(0.0)?.hand_over(&grid.row())?;
+                }
+            }
+            Order::End => return Ok(()),
+        }
+    }
+}
+
+/// Measures as many views as there are ranks, from `first` on, each rank one; rank 0 has them all.
+pub(super) fn measure(
+    ranks: &dyn Ranks,
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frames: &[&Frame],
+    first: usize,
+) -> Result<Vec<(Evaluation, Image)>> {
+    let mine = frames.get(first + ranks.rank());
+    let mine = mine.map(|frame| measure_one(renderer, scene, frame)).transpose()?;
+    let mut for_each = vec![Vec::new(); ranks.size()];
+    for_each[0] = mine.map(|(found, image)| encode(&found, &image)).unwrap_or_default();
+    let all = ranks.exchange(for_each)?;
+    let views = all.iter().zip(&frames[first..]).filter(|(bytes, _)| !bytes.is_empty());
+    Ok(views.map(|(bytes, frame)| decode(bytes, frame)).collect())
+}
+
+/// Measures a view.
+pub(super) fn measure_one(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    frame: &Frame,
+) -> Result<(Evaluation, Image)> {
+    let mut rendered = None;
+    let found = evaluate_with(renderer, scene, &[frame], &mut |event| {
+        if let Event::View { image, .. } = event {
+            rendered = Some(image.clone());
+        }
+    })?;
+    Ok((found, rendered.expect("the view was rendered")))
+}
+
+/// Pixels that are not finite, PSNR and SSIM, the image. JSON would lose an infinite PSNR.
+fn encode(found: &Evaluation, image: &Image) -> Vec<u8> {
+    let Score { psnr, ssim, .. } = found.mean;
+    let score = |score: Option<f64>| [u64::from(score.is_some()), score.unwrap_or(0.0).to_bits()];
+    let [a, b] = [score(psnr), score(ssim)];
+    let words = [found.not_finite, a[0], a[1], b[0], b[1]];
+    let mut bytes = bytemuck::cast_slice(&words).to_vec();
+    bytes.extend_from_slice(image.pixels().as_flattened());
+    bytes
+}
+
+fn decode(bytes: &[u8], frame: &Frame) -> (Evaluation, Image) {
+    let (words, pixels) = bytes.split_at(5 * size_of::<u64>());
+    let words: Vec<u64> = bytemuck::pod_collect_to_vec(words);
+    let score = |at: usize| (words[at] != 0).then(|| f64::from_bits(words[at + 1]));
+    let mean = Score { psnr: score(1), ssim: score(3), ..Score::default() };
+    let views = vec![ViewScore { name: frame.name.clone(), score: mean }];
+    let size = [frame.camera.width, frame.camera.height];
+    let image = Image::of_pixels(size, pixels.as_chunks().0);
+    (Evaluation { mean, views, not_finite: words[0] }, image)
+}

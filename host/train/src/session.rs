@@ -1,0 +1,378 @@
+//! A run from its first step, or from a checkpoint, to its end: its settings, log, checkpoints and scores in its folder.
+
+mod state;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use super::binding::Change;
+use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
+use super::config::TrainConfig;
+use super::folder::{EVALUATIONS, RunFolder};
+use super::hooks::StepHooks;
+use super::metrics::Record;
+use super::plan::Planner;
+use super::ranks::{self, Split};
+use super::resume::OpenLog;
+use super::share::check_shares;
+use super::share_checkpoint::CheckpointShare;
+use super::start::first_scene;
+use super::step_report::StepReport;
+use super::trainer::Trainer;
+use crate::evaluate::Evaluation;
+use crate::evaluate::csv::save_csv;
+use organza_core::Image;
+use organza_core::error::{self, Result};
+use organza_core::ranks::{Grid, Ranks};
+use organza_data::{Dataset, Frame};
+use organza_render::{DeviceScene, Renderer};
+use state::State;
+
+/// A training run in a folder: a [`Trainer`] with a log, checkpoints and evaluations. Whoever watches it makes more of
+/// its [events](Event), such as a report.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use organza_device::DeviceOptions;
+/// use organza_render::Renderer;
+/// use organza_train::{CHECKPOINT, Event, Outcome, RunFolder, Session, TrainConfig, built_in};
+///
+/// let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
+/// let dataset = Arc::new(built_in::dataset(&renderer, 4, 32, 2)?);
+/// let mut config = TrainConfig::default();
+/// (config.run.steps, config.run.tiles_per_step, config.run.tile_size) = (2, 2, 16);
+/// config.start.gaussians = 100;
+///
+/// let path = tempfile::tempdir().expect("a folder");
+/// let folder = RunFolder::lock(path.path(), false)?;
+/// let session = Session::new(&renderer, &config, &dataset, &folder);
+/// let mut steps = 0;
+/// let outcome = session.run(false, &mut |event| {
+///     steps += usize::from(matches!(event, Event::Step { .. }));
+///     Ok(())
+/// })?;
+/// assert_eq!((outcome, steps), (Outcome::Finished, 2));
+/// assert!(path.path().join(CHECKPOINT).exists());
+/// # Ok::<(), organza_core::Error>(())
+/// ```
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Session<'a> {
+    /// Renders and trains.
+    pub renderer: &'a Renderer,
+    /// All settings.
+    pub config: &'a TrainConfig,
+    /// The photographs.
+    pub dataset: &'a Arc<Dataset>,
+    /// The folder of the run. A new run writes its settings there.
+    pub folder: &'a RunFolder,
+    /// Seconds of training after which the run ends early, including those before a resume.
+    pub time_limit: Option<f64>,
+    /// Seconds that the run should take. The number of steps is chosen to fit, and written to its settings. It
+    /// replaces that of `config`.
+    pub planned: Option<f64>,
+    /// The command line, for the log.
+    pub command: Option<String>,
+    /// A flag that another thread sets to save and stop.
+    pub stop: &'a AtomicBool,
+    /// The ranks that share the run. This one is rank 0: see [`Session::with_ranks`].
+    pub ranks: Option<Arc<dyn Ranks>>,
+    /// Whether ranks may differ in program and device. The scene's bits then depend on which rank computes what.
+    pub mixed: bool,
+    /// The work that ranks share.
+    pub split: Split,
+    /// Number of shares: see [`Session::with_shares`].
+    pub shares: Option<usize>,
+}
+
+/// Progress of a run.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Event<'a> {
+    /// A warning that the user should see.
+    Warning(&'a str),
+    /// Training starts after this many steps, 0 for a new run. Nothing has been written to the folder yet.
+    Begin(u32),
+    /// A setting has a different value than before the resume.
+    Changed(&'a Change),
+    /// The settings and the log are written. What anyone else keeps of the run is now continued, or begins anew.
+    Opened {
+        /// Steps so far. Nothing of a later step is left in the folder.
+        step: u64,
+        /// Whether the folder's run is continued.
+        resume: bool,
+    },
+    /// The number of steps was chosen again.
+    Planned(u32),
+    /// A step is done.
+    Step {
+        /// Steps so far.
+        step: u32,
+        /// Seconds of training so far.
+        seconds: f64,
+        /// Measurements of the step.
+        report: &'a StepReport,
+        /// Number of Gaussians.
+        gaussians: usize,
+        /// The scene on the device; `None` if its Gaussians are distributed over ranks.
+        scene: Option<&'a DeviceScene>,
+    },
+    /// The log has a new record.
+    Logged(&'a Record),
+    /// The first held-out view, as the scene shows it before the first step.
+    FirstView(&'a Image),
+    /// Held-out views are being measured.
+    Evaluating,
+    /// A held-out view was measured.
+    View {
+        /// Index of the view among those that are measured.
+        index: usize,
+        /// Steps so far.
+        step: u64,
+        /// The photograph and its camera.
+        frame: &'a Frame,
+        /// The rendered image, of the photograph's size.
+        image: &'a Image,
+        /// Whether every evaluation of the run measures this view.
+        always: bool,
+    },
+    /// The held-out views were measured.
+    Evaluated(&'a Evaluation),
+    /// The log is complete up to here: after an evaluation, and at the end.
+    Complete,
+}
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Outcome {
+    /// After its last step.
+    Finished,
+    /// At its time limit.
+    TimeLimit,
+    /// Stopped from outside.
+    Stopped,
+}
+
+/// A listener to a session. Its error ends the run.
+pub type Watch<'w> = dyn FnMut(Event<'_>) -> Result<()> + 'w;
+
+/// A trainer, the progress of its run, and the settings that have changed.
+type Begun = (Trainer, Progress, Vec<Change>);
+
+/// A stop flag that is never set.
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+impl<'a> Session<'a> {
+    /// A run without a time limit and without a stop flag.
+    #[must_use]
+    pub fn new(
+        renderer: &'a Renderer,
+        config: &'a TrainConfig,
+        dataset: &'a Arc<Dataset>,
+        folder: &'a RunFolder,
+    ) -> Self {
+        Self {
+            renderer,
+            config,
+            dataset,
+            folder,
+            time_limit: None,
+            planned: None,
+            command: None,
+            stop: &NEVER,
+            ranks: None,
+            mixed: false,
+            split: Split::Views,
+            shares: None,
+        }
+    }
+
+    /// Sets a time limit, in seconds of training. At the limit, the run ends as after its last step.
+    #[must_use]
+    pub fn with_time_limit(mut self, seconds: Option<f64>) -> Self {
+        self.time_limit = seconds;
+        self
+    }
+
+    /// Plans the run for this many seconds, and so chooses the number of steps: see [`Session::planned`].
+    #[must_use]
+    pub fn with_planned(mut self, seconds: Option<f64>) -> Self {
+        self.planned = seconds;
+        self
+    }
+
+    /// Sets the command line for the log.
+    #[must_use]
+    pub fn with_command(mut self, command: Option<String>) -> Self {
+        self.command = command;
+        self
+    }
+
+    /// Sets the stop flag. Set it to true from another thread to save and stop.
+    #[must_use]
+    pub fn with_stop(mut self, stop: &'a AtomicBool) -> Self {
+        self.stop = stop;
+        self
+    }
+
+    /// Shares the run with other ranks. This one is rank 0: only it reads and writes files. The others call
+    /// [`follow`](super::follow). The scene's bits do not depend on the number of ranks, but they differ from those
+    /// of a run without ranks.
+    #[must_use]
+    pub fn with_ranks(mut self, ranks: Option<Arc<dyn Ranks>>, mixed: bool) -> Self {
+        self.ranks = ranks;
+        self.mixed = mixed;
+        self
+    }
+
+    /// Sets the work that ranks share. The scene's bits depend on it. It has no effect without ranks.
+    #[must_use]
+    pub fn with_split(mut self, split: Split) -> Self {
+        self.split = split;
+        self
+    }
+
+    /// Distributes the Gaussians in `shares` shares to groups of `shares` ranks. Groups share the views. By default
+    /// there is one group. The scene's bits do not depend on it.
+    #[must_use]
+    pub fn with_shares(mut self, shares: Option<usize>) -> Self {
+        self.shares = shares;
+        self
+    }
+
+    /// Trains to the end, and calls `watch` with what happens. With `resume`, it continues from the folder's checkpoint,
+    /// or starts at the first step if there is none.
+    ///
+    /// # Errors
+    /// Any error of a step, of the files, of the device or of `watch`. What was saved stays.
+    pub fn run(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Outcome> {
+        self.run_with(resume, watch, &mut StepHooks::new())
+    }
+
+    /// Like [`Session::run`], but every step calls `hooks`: see [`Trainer::step_with`].
+    ///
+    /// # Errors
+    /// The same errors as [`Session::run`], and those of the hooks.
+    pub fn run_with(
+        &self,
+        resume: bool,
+        watch: &mut Watch<'_>,
+        hooks: &mut StepHooks<'_>,
+    ) -> Result<Outcome> {
+        let outcome = self.run_alone_or_first(resume, watch, hooks);
+        if let (Some(ranks), Err(error)) = (&self.ranks, &outcome) {
+            ranks.fail(&error::chain(error));
+        }
+        outcome
+    }
+
+    fn run_alone_or_first(
+        &self,
+        resume: bool,
+        watch: &mut Watch<'_>,
+        hooks: &mut StepHooks<'_>,
+    ) -> Result<Outcome> {
+        let begin = Instant::now();
+        let (trainer, progress, changes) = match (&self.ranks, self.split) {
+            (Some(ranks), Split::Gaussians) => self.begin_shares(ranks, resume, watch)?,
+            _ => self.begin_whole(resume, watch)?,
+        };
+        // a run that cannot begin writes nothing
+        watch(Event::Begin(progress.step))?;
+        let now = |change: &&Change| change.step == u64::from(progress.step);
+        let changed: Vec<_> = changes.iter().filter(now).collect();
+        changed.iter().try_for_each(|change| watch(Event::Changed(change)))?;
+        let step = u64::from(progress.step);
+        let OpenLog { log, evaluated, best } = self.open_log(resume, step, &changed)?;
+        watch(Event::Opened { step, resume })?;
+        let _ = self.renderer.device().take_timings();
+        State {
+            session: self,
+            trainer,
+            log,
+            changes,
+            has_begun: false,
+            evaluated,
+            seconds: progress.seconds,
+            begin,
+            planner: self.planned.map(|seconds| Planner::new(seconds, self.dataset.held_out.len())),
+            best,
+            stages: BTreeMap::new(),
+            since: (0, progress.seconds),
+            watch,
+            hooks,
+        }
+        .run()
+    }
+
+    /// Begins with the whole scene: the trainer, the progress of its run, and the settings that have changed.
+    fn begin_whole(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
+        let path = self.folder.path().join(CHECKPOINT);
+        let config = self.config.clone();
+        let dataset = Arc::clone(self.dataset);
+        let mut changes = Vec::new();
+        let (trainer, progress) = if resume && path.exists() {
+            let checkpoint = Checkpoint::load(&path)?;
+            let gaussians = checkpoint.scene.gaussians.len();
+            let progress = checkpoint.progress;
+            changes = self.check_binding(&path, (gaussians, progress.step), watch)?;
+            let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
+            (trainer, progress)
+        } else {
+            (Trainer::start(self.renderer, config, dataset)?, Progress::default())
+        };
+        let trainer = match &self.ranks {
+            Some(ranks) => ranks::lead(ranks, self.renderer, trainer, self.mixed)?,
+            None => trainer,
+        };
+        Ok((trainer, progress, changes))
+    }
+
+    /// Like [`Session::begin_whole`], if each rank has a share of the Gaussians.
+    fn begin_shares(
+        &self,
+        ranks: &Arc<dyn Ranks>,
+        resume: bool,
+        watch: &mut Watch<'_>,
+    ) -> Result<Begun> {
+        check_shares(self.config)?;
+        let shares = Grid::new(&**ranks, self.shares.unwrap_or(ranks.size()))?.shares;
+        let path = self.folder.path().join(CHECKPOINT);
+        let resumes = resume && path.exists();
+        let scene = match resumes {
+            true => None,
+            false => Some(first_scene(self.config, self.dataset)?),
+        };
+        let share = |index: usize| match &scene {
+            Some(scene) => CheckpointShare::begin(scene, self.config, index, shares),
+            None => CheckpointShare::load(&path, index, shares),
+        };
+        let mine = share(0)?;
+        let progress = mine.state.progress;
+        let mut changes = Vec::new();
+        if resumes {
+            changes = self.check_binding(&path, (mine.gaussians, progress.step), watch)?;
+        }
+        let of = (ranks, shares);
+        let run = (self.config, self.dataset);
+        let trainer = ranks::lead_shares(of, self.renderer, run, &mine, share, self.mixed)?;
+        Ok((trainer, progress, changes))
+    }
+
+    /// Writes the scores of all evaluations as a table. Without evaluations, it only overwrites an existing table.
+    pub(super) fn save_scores(&self, records: &[Record]) -> Result<()> {
+        let path = self.folder.path().join(EVALUATIONS);
+        let rows = records.iter().flat_map(|record| match record {
+            Record::Evaluation { step, views, .. } => {
+                views.iter().map(|view| (Some(*step), view)).collect()
+            }
+            _ => Vec::new(),
+        });
+        let rows: Vec<_> = rows.collect();
+        if rows.is_empty() && !path.exists() { Ok(()) } else { save_csv(path, &rows) }
+    }
+}

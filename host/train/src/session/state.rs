@@ -1,0 +1,311 @@
+//! The loop of a run: its steps, and the logging, saving and measuring between them.
+
+use std::collections::BTreeMap;
+use std::ptr;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use super::{Event, Outcome, Session, Watch};
+use crate::binding::{Binding, Change};
+use crate::checkpoint::{BEST, CHECKPOINT};
+use crate::evaluate::Evaluation;
+use crate::folder::{CAMERAS, CONFIG, METRICS};
+use crate::held_out;
+use crate::hooks::StepHooks;
+use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
+use crate::plan::{Now, Planner};
+use crate::ranks::Order;
+use crate::trainer::Trainer;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+
+/// State that changes while a run goes on.
+pub(super) struct State<'a, 'w, 'h> {
+    pub session: &'a Session<'a>,
+    pub trainer: Trainer,
+    pub log: MetricsLog,
+    /// Changed settings, in this resume and in earlier ones.
+    pub changes: Vec<Change>,
+    /// Whether this session has taken a step. A session without a step leaves no record.
+    pub has_begun: bool,
+    /// The log's last evaluation: its step, and its number of views.
+    pub evaluated: Option<(u64, usize)>,
+    pub seconds: f64,
+    /// When this session began.
+    pub begin: Instant,
+    pub planner: Option<Planner>,
+    /// PSNR of the best checkpoint, over the views that all evaluations measure.
+    pub best: Option<f64>,
+    /// Seconds of each kernel and of other stages.
+    pub stages: BTreeMap<&'static str, f64>,
+    /// Tiles since the last logged line, and the seconds at that time.
+    pub since: (usize, f64),
+    pub watch: &'w mut Watch<'w>,
+    pub hooks: &'w mut StepHooks<'h>,
+}
+
+impl State<'_, '_, '_> {
+    /// Trains to the end.
+    pub fn run(mut self) -> Result<Outcome> {
+        let mut saved = None;
+        let outcome = loop {
+            let step = self.trainer.steps();
+            self.plan()?;
+            let run = self.trainer.config().run.clone();
+            if step >= run.steps {
+                break Outcome::Finished;
+            }
+            if self.session.time_limit.is_some_and(|limit| self.seconds >= limit) {
+                break Outcome::TimeLimit;
+            }
+            if self.session.stop.load(Ordering::Relaxed) {
+                break Outcome::Stopped;
+            }
+            // here, so that a resume catches up if the run was killed between a checkpoint and this
+            let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
+            let evaluated = self.evaluated.is_some_and(|(at, _)| at == u64::from(step));
+            let is_due = is_due && step > 0 && !evaluated;
+            if is_due && !self.evaluate(false)? {
+                break Outcome::Stopped;
+            }
+            self.begin()?;
+            self.order(Order::Step(run.steps))?;
+            self.step()?;
+            let step = self.trainer.steps();
+            if step.is_multiple_of(run.checkpoint_every) {
+                self.save(CHECKPOINT)?;
+                saved = Some(step);
+            }
+        };
+        if saved != Some(self.trainer.steps()) {
+            self.save(CHECKPOINT)?;
+        }
+        if outcome == Outcome::Stopped || !self.evaluate(true)? {
+            self.complete()?;
+            self.order(Order::End)?;
+            return Ok(Outcome::Stopped);
+        }
+        self.order(Order::End)?;
+        Ok(outcome)
+    }
+
+    /// Tells the other ranks what comes next.
+    fn order(&self, order: Order) -> Result<()> {
+        self.session.ranks.as_deref().map_or(Ok(()), |ranks| order.give(ranks))
+    }
+
+    /// In a run planned by time, updates the number of steps and writes it to the settings.
+    fn plan(&mut self) -> Result<()> {
+        let Some(planner) = &mut self.planner else { return Ok(()) };
+        let step = self.trainer.steps();
+        let gaussians = self.trainer.gaussians();
+        let elapsed = self.begin.elapsed().as_secs_f64();
+        let now = Now { step, gaussians, training: self.seconds, elapsed };
+        if let Some(steps) = planner.plan(self.trainer.config(), now) {
+            self.trainer.replan(steps);
+            self.trainer.config().save(self.session.folder.path().join(CONFIG))?;
+            (self.watch)(Event::Planned(steps))?;
+        }
+        Ok(())
+    }
+
+    /// Writes the records that belong before the first step of this session.
+    fn begin(&mut self) -> Result<()> {
+        if std::mem::replace(&mut self.has_begun, true) {
+            return Ok(());
+        }
+        let renderer = self.session.renderer;
+        let mut device = renderer.device().choice().to_owned();
+        if let Some(ranks) = &self.session.ranks {
+            device += &format!(", rank 0 of {}", ranks.size());
+        }
+        let session = SessionInfo::now(self.session.command.clone(), &device);
+        let step = u64::from(self.trainer.steps());
+        self.record(&Record::Session { step, session })?;
+        if step > 0 {
+            return Ok(());
+        }
+        // a single view, so that a report shows the start of training
+        let frames: Vec<_> = self.session.dataset.held_out_frames().take(1).collect();
+        if !frames.is_empty() {
+            let begin = Instant::now();
+            // if ranks have the whole scene, one of them is enough
+            let found = match self.trainer.scene() {
+                Some(_) => self.trainer.measure_alone(frames[0])?,
+                None => {
+                    self.order(Order::Evaluate { first: 0, all: true })?;
+                    self.trainer.measure(&frames, 0)?
+                }
+            };
+            for (_, image) in found {
+                (self.watch)(Event::FirstView(&image))?;
+            }
+            if let Some(planner) = &mut self.planner {
+                planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
+            }
+            let _ = renderer.device().take_timings();
+        }
+        Ok(())
+    }
+
+    /// The learning rates of the last step.
+    fn rates(&self) -> BTreeMap<String, f32> {
+        let config = self.trainer.config();
+        let at = self.trainer.steps().saturating_sub(1);
+        let share = config.run.share(at);
+        let optimizer = &config.optimizer;
+        let rates = config.optimizer.named_rates();
+        rates.map(|(name, rate)| (name.to_owned(), optimizer.rate_at(rate, share) as f32)).collect()
+    }
+
+    fn step(&mut self) -> Result<()> {
+        let begin = Instant::now();
+        let report = self.trainer.step_with(self.hooks)?;
+        let seconds = begin.elapsed().as_secs_f64();
+        self.seconds += seconds;
+        self.add_times(seconds);
+        let step = self.trainer.steps();
+        let gaussians = self.trainer.gaussians();
+        self.since.0 += report.tiles;
+        let numbers = (u64::from(step), gaussians as u64);
+        if let Some(grown) = report.grown {
+            self.record(&Record::Growth {
+                step: numbers.0,
+                split: u64::from(grown.split),
+                pruned: u64::from(grown.pruned),
+                gaussians: numbers.1,
+            })?;
+        }
+        if step.is_multiple_of(self.trainer.config().run.log_every) {
+            let (tiles, then) = std::mem::replace(&mut self.since, (0, self.seconds));
+            let rates = self.rates();
+            self.record(&Record::Step {
+                step: numbers.0,
+                seconds: self.seconds,
+                loss: report.loss,
+                l1: report.l1,
+                ssim: report.ssim,
+                psnr: report.psnr,
+                tiles_per_second: tiles as f64 / (self.seconds - then).max(1e-9),
+                gaussians: numbers.1,
+                rates,
+            })?;
+        }
+        let seconds = self.seconds;
+        let scene = self.trainer.scene();
+        let report = &report;
+        (self.watch)(Event::Step { step, seconds, report, gaussians, scene })
+    }
+
+    /// Adds the times of a step's kernels, and the rest of the step's time.
+    fn add_times(&mut self, seconds: f64) {
+        let mut rest = seconds;
+        for time in self.session.renderer.device().take_timings() {
+            *self.stages.entry(time.kernel).or_default() += time.seconds;
+            rest -= time.seconds;
+        }
+        *self.stages.entry("beside the kernels").or_default() += rest.max(0.0);
+    }
+
+    fn save(&self, name: &str) -> Result<()> {
+        let Session { dataset, folder, .. } = self.session;
+        let config = self.trainer.config();
+        let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone());
+        let path = folder.path().join(name);
+        self.trainer.save(&path, self.seconds, &binding)?;
+        if name == CHECKPOINT { self.save_cameras() } else { Ok(()) }
+    }
+
+    /// If poses are refined, writes all cameras of the data set. Held-out cameras keep their given pose.
+    fn save_cameras(&self) -> Result<()> {
+        let Some(refined) = self.trainer.refined_cameras() else { return Ok(()) };
+        let Session { dataset, folder, .. } = self.session;
+        let mut cameras: Vec<_> = dataset.frames.iter().map(|frame| frame.camera.clone()).collect();
+        for (&frame, camera) in dataset.train.iter().zip(refined) {
+            cameras[frame] = camera.clone();
+        }
+        for (camera, frame) in cameras.iter_mut().zip(&dataset.frames) {
+            camera.file_path = Some(frame.name.clone());
+        }
+        Camera::save_all(folder.path().join(CAMERAS), &cameras)
+    }
+
+    /// Measures the held-out views, all of them or those of an intermediate evaluation. Returns false if the run was
+    /// stopped before the last view.
+    fn evaluate(&mut self, all: bool) -> Result<bool> {
+        let views = self.trainer.config().run.evaluate_views;
+        let dataset = self.session.dataset;
+        let count = dataset.held_out.len();
+        let frames = held_out::frames(dataset, views, all);
+        let always = held_out::frames(dataset, views, false);
+        if frames.is_empty() {
+            return self.complete().map(|()| true);
+        }
+        (self.watch)(Event::Evaluating)?;
+        let begin = Instant::now();
+        let step = u64::from(self.trainer.steps());
+        let mut parts = Vec::with_capacity(frames.len());
+        for first in (0..frames.len()).step_by(self.trainer.views_at_once()) {
+            if self.session.stop.load(Ordering::Relaxed) {
+                return Ok(false);
+            }
+            self.order(Order::Evaluate { first, all })?;
+            let found = self.trainer.measure(&frames, first)?;
+            for (index, (part, image)) in (first..).zip(found) {
+                let frame = frames[index];
+                let always = always.iter().any(|always| ptr::eq(*always, frame));
+                (self.watch)(Event::View { index, step, frame, image: &image, always })?;
+                parts.push(part);
+            }
+        }
+        let evaluation = Evaluation::of_parts(parts);
+        // written before the log entry: if the run is killed in between, a resume makes both again
+        if let Some(psnr) = held_out::comparable(&evaluation.views, count, views)
+            && self.best.is_none_or(|best| psnr > best)
+        {
+            self.best = Some(psnr);
+            self.save(BEST)?;
+        }
+        let before = self.evaluated.replace((step, frames.len()));
+        if before.is_none_or(|(at, views)| at != step || views < frames.len()) {
+            self.record(&Record::evaluation(step, self.seconds, &evaluation))?;
+        }
+        (self.watch)(Event::Evaluated(&evaluation))?;
+        if let Some(planner) = &mut self.planner {
+            planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
+        }
+        // the time of an evaluation is not part of training
+        let _ = self.session.renderer.device().take_timings();
+        self.complete().map(|()| true)
+    }
+
+    /// Completes the log and the table of scores.
+    fn complete(&mut self) -> Result<()> {
+        self.timing()?;
+        let records = MetricsLog::read(self.session.folder.path().join(METRICS))?;
+        self.session.save_scores(&records)?;
+        (self.watch)(Event::Complete)
+    }
+
+    /// Adds a record to the log.
+    fn record(&mut self, record: &Record) -> Result<()> {
+        self.log.append(record)?;
+        (self.watch)(Event::Logged(record))
+    }
+
+    /// Logs the time of each stage in this session, longest first.
+    fn timing(&mut self) -> Result<()> {
+        if self.stages.is_empty() {
+            return Ok(());
+        }
+        let all: f64 = self.stages.values().sum();
+        let row = |(stage, seconds): (&&str, &f64)| TimingRow {
+            stage: (*stage).to_owned(),
+            seconds: *seconds,
+            share: seconds / all.max(1e-9),
+        };
+        let mut rows: Vec<_> = self.stages.iter().map(row).collect();
+        rows.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
+        self.record(&Record::Timing { step: u64::from(self.trainer.steps()), rows })
+    }
+}

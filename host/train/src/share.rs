@@ -1,0 +1,164 @@
+//! A trainer of ranks: what it has of the scene, and what it does together with the others.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::binding::Binding;
+use super::config::TrainConfig;
+use super::ranks::{self, Order};
+use super::share_checkpoint::CheckpointShare;
+use super::state::State;
+use super::trainer::Trainer;
+use crate::evaluate::{Evaluation, evaluate_share};
+use organza_core::camera::Camera;
+use organza_core::error::{Error, Result};
+use organza_core::image::Image;
+use organza_core::ranks::{Grid, Ranks};
+use organza_data::{Dataset, Frame};
+use organza_render::{DeviceShare, Renderer, UploadOptions};
+
+/// Training with Gaussians that are dealt to ranks.
+impl Trainer {
+    /// Continues from a checkpoint, of which each of many [ranks](organza_core::ranks) has a share of the Gaussians, and all of the
+    /// fields. All ranks take the same steps. The scene's bits do not depend on the number of ranks. They are not those of
+    /// [`Trainer::resume`], which adds the same terms in another order.
+    ///
+    /// Ranks are in groups of `shares`, which share the views. Each group holds all Gaussians: the checkpoint of rank r is share
+    /// `r % shares` of so many.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    ///
+    /// use organza_core::demo;
+    /// use organza_core::ranks::{Ranks, ThreadRanks};
+    /// use organza_device::DeviceOptions;
+    /// use organza_render::Renderer;
+    /// use organza_train::{Checkpoint, CheckpointShare, TrainConfig, Trainer, built_in};
+    ///
+    /// let threads = ThreadRanks::new(2).into_iter().map(|ranks| {
+    ///     std::thread::spawn(move || {
+    ///         let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(Some(1)))?);
+    ///         let dataset = built_in::dataset(&renderer, 2, 16, 0)?;
+    ///         let mut config = TrainConfig::default();
+    ///         (config.run.tiles_per_step, config.run.tile_size) = (1, 16);
+    ///         let begin = Checkpoint::begin(demo::scene(), &config)?;
+    ///         let share = CheckpointShare::of(&begin, ranks.rank(), ranks.size());
+    ///         let mut trainer =
+    ///             Trainer::resume_share(&renderer, config, dataset, &share, Arc::new(ranks), 2)?;
+    ///         Ok::<_, organza_core::Error>(trainer.step()?.loss)
+    ///     })
+    /// });
+    /// let losses: Vec<_> = threads.collect::<Vec<_>>().into_iter().map(|thread| thread.join()).collect();
+    /// let losses: Result<Vec<_>, _> = losses.into_iter().map(|loss| loss.expect("a rank")).collect();
+    /// assert_eq!(losses.as_ref().unwrap()[0], losses.as_ref().unwrap()[1]);
+    /// # Ok::<(), organza_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Trainer::resume`]; [`Error::Argument`] where ranks cannot learn what the settings ask for, or where `shares` does not
+    /// divide their number.
+    pub fn resume_share(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: impl Into<Arc<Dataset>>,
+        checkpoint: &CheckpointShare,
+        ranks: Arc<dyn Ranks>,
+        shares: usize,
+    ) -> Result<Self> {
+        check_shares(&config)?;
+        let shares = Grid::new(&*ranks, shares)?.shares;
+        let CheckpointShare { state, gaussians, .. } = checkpoint;
+        let upload = |config: &TrainConfig, photographs: usize| {
+            let options = UploadOptions::default();
+            let share = DeviceShare::upload(renderer, &state.scene, options)?;
+            State::new(renderer, config, share, (state, *gaussians), photographs)
+        };
+        let mut trainer = Self::with_state(renderer, config, dataset.into(), state, upload)?;
+        trainer.ranks = Some(ranks);
+        trainer.shares = Some(shares);
+        Ok(trainer)
+    }
+
+    /// This rank's part of everything that training needs to go on. `seconds` is the time of training to write down.
+    ///
+    /// # Errors
+    /// As [`Trainer::checkpoint`].
+    pub fn checkpoint_share(&self, seconds: f64) -> Result<CheckpointShare> {
+        let (share, shares) = self.grid().map_or((0, 1), |grid| (grid.share(), grid.shares));
+        let state = self.checkpoint(seconds)?;
+        Ok(CheckpointShare::of_state(state, self.gaussians(), share, shares))
+    }
+
+    /// The ranks that hold the whole scene together with this one, if it has a share.
+    #[must_use]
+    pub fn group(&self) -> Option<impl Ranks> {
+        self.grid().map(Grid::row)
+    }
+
+    /// The ranks in their groups, if they split the Gaussians.
+    pub(super) fn grid(&self) -> Option<Grid<'_>> {
+        grid_of(&self.ranks, self.shares)
+    }
+
+    /// The cameras of the frames to train on, if their poses are refined.
+    pub(super) fn refined_cameras(&self) -> Option<&[Camera]> {
+        self.config.poses.refine.then(|| self.cameras())
+    }
+
+    /// How many views are measured at once.
+    pub(super) fn views_at_once(&self) -> usize {
+        let ranks = self.ranks.as_ref().filter(|_| self.shares.is_none());
+        ranks.map_or(1, |ranks| ranks.size())
+    }
+
+    /// Measures as many views from `first` on as can be at once, together with all ranks; rank 0 has them all.
+    pub(super) fn measure(
+        &self,
+        frames: &[&Frame],
+        first: usize,
+    ) -> Result<Vec<(Evaluation, Image)>> {
+        match (self.grid(), &self.ranks) {
+            (Some(grid), _) => {
+                let frame = frames[first];
+                Ok(vec![evaluate_share(&self.renderer, self.share(), frame, &grid.row())?])
+            }
+            (None, Some(ranks)) => {
+                ranks::measure(&**ranks, &self.renderer, &self.share().blocks()[0], frames, first)
+            }
+            (None, None) => self.measure_alone(frames[first]),
+        }
+    }
+
+    /// Measures a view of the whole scene, as this rank alone.
+    pub(super) fn measure_alone(&self, frame: &Frame) -> Result<Vec<(Evaluation, Image)>> {
+        Ok(vec![ranks::measure_one(&self.renderer, &self.share().blocks()[0], frame)?])
+    }
+
+    /// Writes a checkpoint, as rank 0.
+    pub(super) fn save(&self, path: &Path, seconds: f64, binding: &Binding) -> Result<()> {
+        let Some(grid) = self.grid() else {
+            return self.checkpoint(seconds)?.save(path, Some(binding));
+        };
+        Order::Save.give(grid.all)?;
+        self.checkpoint_share(seconds)?.save(path, Some(binding), &grid.row())
+    }
+}
+
+/// See [`Trainer::grid`].
+pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shares: Option<usize>) -> Option<Grid<'_>> {
+    let (all, shares) = (ranks.as_deref()?, shares?);
+    Some(Grid { all, shares })
+}
+
+/// Ranks that share the Gaussians do not know the distortion, which is no sum over them.
+///
+/// # Errors
+/// [`Error::Argument`] where the settings ask for it.
+pub(super) fn check_shares(config: &TrainConfig) -> Result<()> {
+    if config.loss.distortion_weight == 0.0 {
+        return Ok(());
+    }
+    let reason = "ranks that share the Gaussians cannot weigh the distortion: set `loss.distortion_weight` to 0, or share \
+                  the views";
+    Err(Error::Argument { reason: reason.to_owned() })
+}

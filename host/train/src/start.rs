@@ -1,0 +1,351 @@
+//! The start of training: the scene's first Gaussians, and fields that let light through.
+
+use std::borrow::Cow;
+use std::num::NonZero;
+use std::path::Path;
+
+use glam::DVec3;
+use kiddo::{ImmutableKdTree, SquaredEuclidean};
+use rand::RngExt;
+use rand_distr::{Distribution, StandardNormal};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+use super::config::TrainConfig;
+use super::requirements;
+use super::space::scene_box;
+use super::trainer::check;
+use organza_core::camera::{Camera, Target};
+use organza_core::error::{Error, Result};
+use organza_core::random;
+use organza_core::scene::{Network, Scene, logit};
+use organza_data::{Dataset, Frame, Point, sweep};
+use organza_splats::{self as splats, Splat};
+
+const PLACES: u64 = 2;
+const FIELDS: u64 = 3;
+
+/// Part of the Gaussians that is spread along rays, behind the cameras' target. The others fill a ball.
+const BEHIND: f64 = 0.25;
+/// Last bias of the transmittance network: a large logit, because space is empty at first.
+const TRANSMITTANCE_BIAS: f32 = 5.0;
+
+/// The scene before the first step of a run.
+///
+/// # Errors
+/// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
+pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
+    check(config, dataset)?;
+    let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+    let background = dataset.background;
+    if let Some(path) = &config.start.path {
+        return start_from(path, config, background, &cameras);
+    }
+    let frames: Vec<_> = dataset.train_frames().collect();
+    let found = points(config, &frames, &dataset.points)?;
+    start(config, background, &cameras, &found)
+}
+
+/// The scene before the first step.
+///
+/// Gaussians lie at `points`, or near the cameras' target if there are none. Their scale is the distance to their
+/// neighbors. With the transmittance network's last bias, T starts near 1. Otherwise everything would be dark.
+///
+/// # Errors
+/// The same errors as [`Scene::zeros`].
+pub fn start(
+    config: &TrainConfig,
+    background: [f64; 3],
+    cameras: &[Camera],
+    points: &[Point],
+) -> Result<Scene> {
+    let count = match points.len() {
+        0 => u64::from(config.start.gaussians),
+        points => u64::from(config.growth.max_gaussians).min(points as u64),
+    };
+    requirements::check_scene(config, count)?;
+    let mut random_places = random(config.run.seed, PLACES, 0);
+    let target = Target::of(cameras);
+    let (places, colors) = if points.is_empty() {
+        (spread(&target, cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
+    } else {
+        choose(points, config.growth.max_gaussians as usize, &mut random_places)
+    };
+    let aabb = scene_box(cameras, &target, points, &places);
+    let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
+    place(config, &mut scene, &places, &mut random_places);
+    fill_vectors(config, &mut scene, &colors, &mut random_places);
+    fill_fields(config, &mut scene);
+    Ok(scene)
+}
+
+/// A first scene with the Gaussians of another program: their positions, shapes and opacities. Their materials start
+/// with the mean color over all directions.
+///
+/// # Errors
+/// The same errors as [`splats::load`]; [`Error::Invalid`] if there are more Gaussians than a run may have; those of
+/// [`Scene::zeros`].
+pub fn start_from(
+    path: &Path,
+    config: &TrainConfig,
+    background: [f64; 3],
+    cameras: &[Camera],
+) -> Result<Scene> {
+    let splats = splats::load(path)?;
+    let count = splats.len();
+    let most = config.growth.max_gaussians;
+    if count > most as usize {
+        let reason = format!(
+            "it has {count} Gaussians, more than the {most} of `growth.max_gaussians`: raise that with `--max-gaussians`"
+        );
+        return Err(Error::Invalid { origin: path.to_owned(), reason });
+    }
+    of_splats(&splats, config, background, cameras)
+}
+
+/// [`start_from`], with Gaussians already read from a file.
+///
+/// # Errors
+/// The same errors as [`Scene::zeros`].
+pub fn of_splats(
+    splats: &[Splat],
+    config: &TrainConfig,
+    background: [f64; 3],
+    cameras: &[Camera],
+) -> Result<Scene> {
+    requirements::check_scene(config, splats.len() as u64)?;
+    let point = |splat: &Splat| Point { position: splat.position.map(f64::from), color: None };
+    let points: Vec<_> = splats.iter().map(point).collect();
+    let aabb = scene_box(cameras, &Target::of(cameras), &points, &[]);
+    let mut scene = Scene::zeros(config.scene_config(background, aabb), splats.len())?;
+    let gaussians = &mut scene.gaussians;
+    for (i, splat) in splats.iter().enumerate() {
+        gaussians.position[i] = splat.position;
+        gaussians.rotation[i] = splat.rotation;
+        gaussians.log_scale[i] = splat.log_scale;
+        gaussians.opacity[i] = splat.opacity;
+        // a zero quaternion is no rotation
+        if splat.rotation == [0.0; 4] {
+            gaussians.rotation[i][0] = 1.0;
+        }
+    }
+    let color = |splat: &Splat| Some(splats::base_color(splat).map(|value| (255.0 * value) as u8));
+    let colors: Vec<_> = splats.iter().map(color).collect();
+    fill_vectors(config, &mut scene, &colors, &mut random(config.run.seed, PLACES, 0));
+    fill_fields(config, &mut scene);
+    Ok(scene)
+}
+
+/// Points to start from: those of the data set, or else points found in its photographs.
+///
+/// A ray without a match in another photograph gives no point. Random places that cameras see replace these.
+///
+/// # Errors
+/// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
+pub fn points<'p>(
+    config: &TrainConfig,
+    frames: &[&Frame],
+    known: &'p [Point],
+) -> Result<Cow<'p, [Point]>> {
+    if !known.is_empty() {
+        return Ok(Cow::Borrowed(known));
+    }
+    requirements::check_scene(config, u64::from(config.start.gaussians))?;
+    let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
+    let target = Target::of(&cameras);
+    let count = config.start.gaussians as usize;
+    let seed = config.run.seed;
+    let mut found = sweep::points(frames, target.distance, count, seed);
+    let rest = spread(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));
+    let rest = rest.into_iter().map(|place| Point { position: place.to_array(), color: None });
+    found.extend(rest);
+    Ok(Cow::Owned(found))
+}
+
+/// Random places that cameras see: most in a ball around the target, the others behind it, along rays.
+fn spread(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
+    let needed = 2.min(cameras.len());
+    (0..count)
+        .map(|_| {
+            if random.random_bool(BEHIND) {
+                return along_a_ray(target, cameras, random);
+            }
+            let seen = |place: &DVec3| {
+                let shows = |camera: &&Camera| camera.depth_in_image(place.to_array()).is_some();
+                cameras.iter().filter(shows).take(needed).count()
+            };
+            let mut tries = (0..100).map(|_| in_ball(target, random));
+            match tries.find(|place| seen(place) == needed) {
+                Some(place) => place,
+                // the cameras look outward
+                None => along_a_ray(target, cameras, random),
+            }
+        })
+        .collect()
+}
+
+/// A random place in the ball around the target, with uniform density.
+fn in_ball(target: &Target, random: &mut Pcg64) -> DVec3 {
+    let mut place = || DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)));
+    let mut inside = place();
+    while inside.length_squared() > 1.0 {
+        inside = place();
+    }
+    target.center + inside * target.radius
+}
+
+/// A random place along a ray, from the target's distance to four times as far, uniform in the inverse depth.
+fn along_a_ray(target: &Target, cameras: &[Camera], random: &mut Pcg64) -> DVec3 {
+    let camera = &cameras[random.random_range(0..cameras.len())];
+    let x = (random.random::<f64>() * f64::from(camera.width) - camera.cx) / camera.fl_x;
+    let y = (random.random::<f64>() * f64::from(camera.height) - camera.cy) / camera.fl_y;
+    let depth = target.distance / random.random_range(0.25..1.0);
+    let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+    DVec3::from(camera.eye()) + (right * x + down * y + forward) * depth
+}
+
+/// At most `count` of the points, chosen at random, with their colors.
+fn choose(
+    points: &[Point],
+    count: usize,
+    random: &mut Pcg64,
+) -> (Vec<DVec3>, Vec<Option<[u8; 3]>>) {
+    let mut chosen =
+        rand::seq::index::sample(random, points.len(), count.min(points.len())).into_vec();
+    chosen.sort_unstable();
+    chosen.into_iter().map(|i| (DVec3::from(points[i].position), points[i].color)).unzip()
+}
+
+/// Root mean square distance of each place to its three nearest neighbors.
+fn spacing(places: &[DVec3]) -> Vec<f64> {
+    let entries: Vec<_> = places.iter().map(DVec3::to_array).collect();
+    let tree = ImmutableKdTree::new_from_slice(&entries);
+    let neighbors = NonZero::new(4).expect("four is not zero");
+    let Ok(tree) = tree else { return vec![1.0; places.len()] };
+    entries
+        .par_iter()
+        .map(|entry| {
+            // the first result is the place itself
+            let found = tree.query(entry).nearest_n::<SquaredEuclidean<f64>>(neighbors).execute();
+            let (sum, count) = found
+                .iter()
+                .skip(1)
+                .fold((0.0, 0.0), |(sum, count), item| (sum + item.distance, count + 1.0));
+            if count > 0.0 { f64::sqrt(sum / count) } else { 1.0 }
+        })
+        .collect()
+}
+
+fn place(config: &TrainConfig, scene: &mut Scene, places: &[DVec3], random: &mut Pcg64) {
+    let start = &config.start;
+    let logit = logit(start.opacity);
+    let spacing = spacing(places);
+    let gaussians = &mut scene.gaussians;
+    for (i, place) in places.iter().enumerate() {
+        gaussians.position[i] = place.as_vec3().to_array();
+        let scale = (spacing[i] * f64::from(start.scale)).max(1e-7).ln() as f32;
+        gaussians.log_scale[i] = [scale; 3];
+        gaussians.rotation[i] = std::array::from_fn(|_| StandardNormal.sample(random));
+        gaussians.opacity[i] = logit;
+    }
+}
+
+/// Random materials and extra vectors.
+fn fill_vectors(
+    config: &TrainConfig,
+    scene: &mut Scene,
+    colors: &[Option<[u8; 3]>],
+    random: &mut Pcg64,
+) {
+    let spread = config.start.spread;
+    let gaussians = &mut scene.gaussians;
+    let mut uniform = |values: &mut [f32]| {
+        values.iter_mut().for_each(|value| *value = spread * (2.0 * random.random::<f32>() - 1.0));
+    };
+    uniform(&mut gaussians.material);
+    uniform(&mut gaussians.extra);
+    // the network reads the point's color in the first values of the material
+    let material = config.scene.material as usize;
+    for (values, color) in gaussians.material.chunks_mut(material.max(1)).zip(colors) {
+        for (value, channel) in values.iter_mut().zip(color.iter().flatten()) {
+            *value = f32::from(*channel) / 127.5 - 1.0;
+        }
+    }
+}
+
+/// Random networks (He et al. 2015), and grids with the start values of Instant NGP.
+fn fill_fields(config: &TrainConfig, scene: &mut Scene) {
+    let mut random = random(config.run.seed, FIELDS, 0);
+    for field in [&mut scene.color, &mut scene.transmittance] {
+        field.grid.iter_mut().for_each(|value| *value = random.random_range(-1e-4..1e-4));
+        fill_network(&mut field.network, &mut random);
+    }
+    let last = scene.transmittance.network.layers.last_mut().expect("a network has layers");
+    last.bias[0] = TRANSMITTANCE_BIAS;
+}
+
+fn fill_network(network: &mut Network, random: &mut Pcg64) {
+    let count = network.layers.len();
+    for (index, layer) in network.layers.iter_mut().enumerate() {
+        // the head starts with the gain of a linear layer
+        let gain = if index + 1 < count { 2.0 } else { 1.0 };
+        let deviation = f32::sqrt(gain / layer.inputs as f32);
+        let normal: fn(&mut Pcg64) -> f32 = |random| StandardNormal.sample(random);
+        layer.weight.iter_mut().for_each(|weight| *weight = deviation * normal(random));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Cameras on a circle of radius 5 around (1, 2, 3).
+    fn circle() -> Vec<Camera> {
+        (0..12)
+            .map(|i| {
+                let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 12.0).sin_cos();
+                let eye = [1.0 + 4.0 * cos, 2.0 + 4.0 * sin, 6.0];
+                Camera::look_at(eye, [1.0, 2.0, 3.0], [0.0, 0.0, 1.0], 0.8, [64, 48]).unwrap()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn gaussians_are_spread_where_cameras_see_them() {
+        let mut config = TrainConfig::default();
+        config.start.gaussians = 500;
+        let cameras = circle();
+        let scene = start(&config, [0.0; 3], &cameras, &[]).unwrap();
+        assert_eq!(scene.gaussians.len(), 500);
+        let is_seen = |place: &[f32; 3]| {
+            let place = place.map(f64::from);
+            cameras.iter().any(|camera| camera.depth_in_image(place).is_some())
+        };
+        assert!(scene.gaussians.position.iter().all(is_seen));
+        assert_eq!(scene, start(&config, [0.0; 3], &cameras, &[]).unwrap());
+        scene.validate().unwrap();
+    }
+
+    #[test]
+    fn points_give_places_colors_and_a_box_without_outliers() {
+        let config = TrainConfig::default();
+        let mut points: Vec<_> = (0..1000)
+            .map(|i| {
+                let t = f64::from(i) * 0.1;
+                Point {
+                    position: [t.sin(), t.cos(), 0.5 * (t * 0.7).sin()],
+                    color: Some([255, 0, 51]),
+                }
+            })
+            .collect();
+        points.push(Point { position: [1e4, 0.0, 0.0], color: None });
+        let scene = start(&config, [0.0; 3], &circle(), &points).unwrap();
+        assert_eq!(scene.gaussians.len(), 1001);
+        let [low, high] = scene.config.aabb;
+        assert!(high[0] < 1e3 && low[1] <= -0.99 && high[1] >= 0.99, "{:?}", scene.config.aabb);
+        assert_eq!(scene.gaussians.material[..3], [1.0, -1.0, -0.6]);
+        // neighbors on the curve are 0.1 apart, and less
+        let scale = scene.gaussians.log_scale[500][0].exp();
+        assert!((0.005..0.3).contains(&scale), "{scale}");
+    }
+}

@@ -1,0 +1,80 @@
+//! What a step changes: the scene on the device, the moments of Adam and the gradient.
+
+use glam::Vec4;
+
+use super::checkpoint::Checkpoint;
+use super::config::TrainConfig;
+use super::optimizer::Optimizer;
+use organza_core::error::Result;
+use organza_device::Device;
+use organza_render::{DeviceShare, Renderer, SceneGradient, ShareGradient};
+
+/// What a step changes.
+#[derive(Debug)]
+pub(super) struct State {
+    /// The whole scene, or a share of it.
+    pub share: DeviceShare,
+    pub optimizer: Optimizer,
+    pub gradient: ShareGradient,
+    /// Gaussians of the whole scene.
+    pub gaussians: usize,
+}
+
+impl State {
+    /// That of a checkpoint of `share`, of so many Gaussians of the whole scene and of so many photographs.
+    pub fn new(
+        renderer: &Renderer,
+        config: &TrainConfig,
+        mut share: DeviceShare,
+        (checkpoint, gaussians): (&Checkpoint, usize),
+        photographs: usize,
+    ) -> Result<Self> {
+        let device = renderer.device();
+        if !config.ablation.divide {
+            share.never_divide();
+        }
+        let optimizer = Optimizer::new(device, &share, &checkpoint.moments)?;
+        let mut fields = SceneGradient::new(device, share.fields())?;
+        fields.has_transmittance = config.ablation.learn_transmittance;
+        if config.poses.refine {
+            fields = fields.with_poses(device, photographs)?;
+        }
+        let gradient = ShareGradient::new(device, &share, fields)?;
+        let state = Self { share, optimizer, gradient, gaussians };
+        state.write_statistics(device, &checkpoint.statistics)?;
+        Ok(state)
+    }
+
+    /// The Gaussians are those of a checkpoint from now on, of so many of the whole scene; the fields stay.
+    pub fn replace_gaussians(
+        &mut self,
+        device: &Device,
+        (checkpoint, gaussians): (&Checkpoint, usize),
+    ) -> Result<()> {
+        self.gaussians = gaussians;
+        self.share.replace_gaussians(device, &checkpoint.scene.gaussians)?;
+        self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
+        self.gradient.replace_gaussians(device, &self.share)?;
+        self.write_statistics(device, &checkpoint.statistics)
+    }
+
+    /// `[N]`, of the Gaussians that are here: see [`SceneGradient::statistics`].
+    pub fn statistics(&self, device: &Device) -> Result<Vec<[f32; 4]>> {
+        let mut statistics = Vec::with_capacity(self.share.len());
+        for block in &self.gradient.blocks {
+            statistics.extend(device.read(&block.statistics)?.iter().map(|v| v.to_array()));
+        }
+        Ok(statistics)
+    }
+
+    fn write_statistics(&self, device: &Device, statistics: &[[f32; 4]]) -> Result<()> {
+        let mut rest = statistics;
+        for block in &self.gradient.blocks {
+            let (mine, after) = rest.split_at(block.statistics.len());
+            let mine: Vec<_> = mine.iter().map(|&v| Vec4::from_array(v)).collect();
+            device.write(&block.statistics, 0, &mine)?;
+            rest = after;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,396 @@
+//! One step after the other: draw tiles, render, compare, go back, move, grow.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::checkpoint::{Checkpoint, Progress};
+use super::coarse::{Batches, Drawn};
+use super::config::TrainConfig;
+use super::exposure::Exposures;
+use super::growth::{Grown, grow};
+use super::hooks::{StepGradient, StepHooks};
+use super::pose::PoseSet;
+use super::sampler::Target;
+use super::share::grid_of;
+use super::share_checkpoint::CheckpointShare;
+use super::share_growth;
+use super::start;
+use super::state::State;
+use super::step_report::StepReport;
+use crate::evaluate::{Evaluation, evaluate};
+use organza_core::camera::Camera;
+use organza_core::error::{Error, IN_MEMORY, Result};
+use organza_core::metrics;
+use organza_core::ranks::Ranks;
+use organza_data::Dataset;
+use organza_render::{DeviceScene, DeviceShare, ExposureGradient, Loss, Renderer};
+
+/// Why ranks do not train so.
+pub(super) const NO_HOOKS: &str =
+    "hooks see the whole batch, which ranks share: train without ranks, or without hooks";
+
+/// Trains a scene, step by step. Everything that a step changes stays on the device.
+///
+/// A trainer needs no folder and writes no file. [`Session`](super::Session) is the loop of the program: it calls a
+/// trainer, writes a log, checkpoints and a report, and stops when it is told to.
+///
+/// ```
+/// use organza_device::DeviceOptions;
+/// use organza_render::Renderer;
+/// use organza_train::{TrainConfig, Trainer, built_in};
+///
+/// let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(None))?);
+/// // four views of the built-in scene, 32 x 32 pixels each; every second one is held out
+/// let dataset = built_in::dataset(&renderer, 4, 32, 2)?;
+///
+/// let mut config = TrainConfig::default();
+/// config.run.steps = 3;
+/// config.run.tiles_per_step = 2;
+/// config.run.tile_size = 16;
+/// config.start.gaussians = 100;
+///
+/// let mut trainer = Trainer::start(&renderer, config, dataset)?;
+/// while !trainer.is_finished() {
+///     let report = trainer.step()?;
+///     println!("step {}: loss {:.4}", trainer.steps(), report.loss);
+/// }
+/// let evaluation = trainer.evaluate()?;
+/// assert_eq!(evaluation.views.len(), 2);
+/// assert!(evaluation.mean.psnr.is_some_and(|psnr| psnr > 3.0));
+///
+/// let scene = trainer.share().download(renderer.device())?;
+/// assert_eq!(scene.gaussians.len(), 100);
+/// # Ok::<(), organza_core::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Trainer {
+    pub(super) renderer: Renderer,
+    pub(super) config: TrainConfig,
+    dataset: Arc<Dataset>,
+    /// Of the frames to train on; where poses are refined, as they are now.
+    cameras: Vec<Camera>,
+    batches: Batches,
+    loss: Option<Loss>,
+    /// Of the photographs to train on, where they are learned.
+    exposures: Option<Exposures>,
+    /// Of the photographs to train on, where they are refined.
+    poses: Option<PoseSet>,
+    pub(super) state: State,
+    pub(super) step: u32,
+    /// See [`Trainer::with_ranks`] and [`Trainer::resume_share`].
+    pub(super) ranks: Option<Arc<dyn Ranks>>,
+    /// See [`Trainer::resume_share`]: none where this rank has the whole scene.
+    pub(super) shares: Option<usize>,
+}
+
+impl Trainer {
+    /// Starts training: Gaussians are those of `start.path`, or lie at the data set's points, or where its cameras look.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`Renderer::upload`].
+    pub fn start(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: impl Into<Arc<Dataset>>,
+    ) -> Result<Self> {
+        let dataset = dataset.into();
+        let checkpoint = Checkpoint::begin(start::first_scene(&config, &dataset)?, &config)?;
+        Self::resume(renderer, config, dataset, &checkpoint)
+    }
+
+    /// Continues from a checkpoint. With [`Checkpoint::begin`], this trains a scene of your own.
+    ///
+    /// # Errors
+    /// As [`Trainer::start`].
+    pub fn resume(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: impl Into<Arc<Dataset>>,
+        checkpoint: &Checkpoint,
+    ) -> Result<Self> {
+        let dataset = dataset.into();
+        let gaussians = checkpoint.scene.gaussians.len();
+        let state = |config: &TrainConfig, photographs: usize| {
+            let scene = renderer.upload(&checkpoint.scene)?;
+            let share = DeviceShare::of_whole(renderer.device(), scene)?;
+            State::new(renderer, config, share, (checkpoint, gaussians), photographs)
+        };
+        Self::with_state(renderer, config, dataset, checkpoint, state)
+    }
+
+    /// Continues from a checkpoint whose scene `state` brings to the device, for so many photographs.
+    pub(super) fn with_state(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: Arc<Dataset>,
+        checkpoint: &Checkpoint,
+        state: impl FnOnce(&TrainConfig, usize) -> Result<State>,
+    ) -> Result<Self> {
+        check(&config, &dataset)?;
+        let mut cameras: Vec<_> =
+            dataset.train_frames().map(|frame| frame.camera.clone()).collect();
+        let batches = Batches::of_cameras(&cameras, &config.run)?;
+        let exposures = match config.exposure.learn {
+            false => None,
+            true => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
+        };
+        let poses = match config.poses.refine {
+            false => None,
+            true => Some(PoseSet::new(checkpoint.poses_of(cameras.len())?, cameras.clone())),
+        };
+        if let Some(poses) = &poses {
+            cameras = poses.cameras();
+        }
+        let state = state(&config, cameras.len())?;
+        let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
+        Ok(Self {
+            renderer,
+            config,
+            dataset,
+            cameras,
+            batches,
+            loss: None,
+            exposures,
+            poses,
+            state,
+            step,
+            ranks: None,
+            shares: None,
+        })
+    }
+
+    /// The same training, shared with other [ranks](organza_core::ranks). Each rank has a trainer of its own, with the same
+    /// settings, data and checkpoint, and takes the same steps. All trainers then hold the same scene, and its bits are
+    /// those of a trainer without ranks.
+    #[must_use]
+    pub fn with_ranks(mut self, ranks: Arc<dyn Ranks>) -> Self {
+        self.ranks = Some(ranks);
+        self
+    }
+
+    /// Steps that are done.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        self.step
+    }
+
+    /// Whether all steps of the settings are done. [`Trainer::step`] can go on all the same.
+    #[must_use]
+    pub fn is_finished(&self) -> bool {
+        self.step >= self.config.run.steps
+    }
+
+    /// The settings.
+    #[must_use]
+    pub fn config(&self) -> &TrainConfig {
+        &self.config
+    }
+
+    /// From this step on, the run has so many steps: learning rates and growth follow.
+    pub(super) fn replan(&mut self, steps: u32) {
+        self.config.run.replan(self.step, steps);
+    }
+
+    /// The photographs.
+    #[must_use]
+    pub fn dataset(&self) -> &Arc<Dataset> {
+        &self.dataset
+    }
+
+    /// The cameras of the frames to train on, in their order; where poses are refined, as they are now.
+    #[must_use]
+    pub fn cameras(&self) -> &[Camera] {
+        &self.cameras
+    }
+
+    /// The scene as it is now, if this rank has the whole of it.
+    #[must_use]
+    pub fn scene(&self) -> Option<&DeviceScene> {
+        self.state.share.whole()
+    }
+
+    /// What this rank has of the scene as it is now: without ranks that split the Gaussians, the whole of it.
+    #[must_use]
+    pub fn share(&self) -> &DeviceShare {
+        &self.state.share
+    }
+
+    /// Gaussians of the whole scene.
+    #[must_use]
+    pub fn gaussians(&self) -> usize {
+        self.state.gaussians
+    }
+
+    /// Renders the held-out frames and compares them with their photographs.
+    ///
+    /// # Errors
+    /// As [`evaluate`](crate::evaluate()); [`Error::Argument`] where this rank has a share of the scene.
+    pub fn evaluate(&self) -> Result<Evaluation> {
+        let frames: Vec<_> = self.dataset.held_out_frames().collect();
+        let Some(scene) = self.scene() else {
+            let reason = "a rank with a share of the scene cannot render it alone".to_owned();
+            return Err(Error::Argument { reason });
+        };
+        evaluate(&self.renderer, scene, &frames)
+    }
+
+    /// Everything that training needs to go on, with the Gaussians of this rank's share. `seconds` is the time of training to
+    /// write down.
+    ///
+    /// # Errors
+    /// As [`Device::read`](organza_device::Device::read); [`Error::Diverged`] where a gradient was not finite.
+    pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
+        let (device, state) = (self.renderer.device(), &self.state);
+        state.gradient.fields.check(device)?;
+        Ok(Checkpoint {
+            scene: state.share.download(device)?,
+            moments: state.optimizer.moments(device, &state.share)?,
+            statistics: state.statistics(device)?,
+            exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
+            poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
+            progress: Progress { step: self.step, seconds },
+        })
+    }
+
+    /// One step.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] where the loss is not finite; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
+    /// The trainer is then as before the step.
+    pub fn step(&mut self) -> Result<StepReport> {
+        self.step_with(&mut StepHooks::new())
+    }
+
+    /// Like [`Trainer::step`], with a loss of your own, or with a function between the gradient and Adam.
+    ///
+    /// # Errors
+    /// As [`Trainer::step`], and those of the hooks.
+    pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
+        let drawn = match hooks.loss {
+            // a caller may know photographs by their pixels, and tiles by what renders them
+            Some(_) => self.batches.whole(self.step),
+            None => self.batches.of_step(&self.config.run, self.step),
+        };
+        let rollback = |trainer: &Self| trainer.state.gradient.rollback(trainer.renderer.device());
+        let (report, exposures) = self.add_gradient(&drawn, hooks)?;
+        report.check(self.step).inspect_err(|_| rollback(self))?;
+        let device = self.renderer.device();
+        let State { share, optimizer, gradient, .. } = &self.state;
+        if let Some(hook) = &mut hooks.gradient {
+            // without ranks, all Gaussians are one block
+            let (scene, gradient) = (&share.blocks()[0], &gradient.blocks[0]);
+            let between = StepGradient { device, step: self.step, scene, gradient };
+            hook(&between).inspect_err(|_| rollback(self))?;
+        }
+        let done = self.config.run.share(self.step);
+        let (settings, now) = (&self.config.optimizer, (self.step, done));
+        if let Some(learned) = &mut self.exposures {
+            let rate = settings.rate_at(settings.exposure, done);
+            let moved = learned.step(&exposures, settings, rate);
+            moved.inspect_err(|_| gradient.rollback(device))?;
+        }
+        if let Some(poses) = &mut self.poses {
+            let found = gradient.fields.read_poses(device)?;
+            let shown = drawn.batch.tiles.iter().map(|tile| tile.camera);
+            let rate = settings.rate_at(settings.pose, done);
+            let moved = poses.step(&found, shown, settings, rate, share.fields().extent());
+            moved.inspect_err(|_| gradient.rollback(device))?;
+            gradient.fields.clear_poses(device);
+            self.cameras = poses.cameras();
+        }
+        device.run_in_pool(|| optimizer.step(device, share, gradient, settings, now))?;
+        gradient.fields.clear_touched(device);
+        self.step += 1;
+        let grows = is_time_to_grow(&self.config, self.step);
+        let grown = grows.then(|| self.grow()).transpose()?;
+        Ok(StepReport { grown, ..report })
+    }
+
+    /// Adds the gradient of a batch's loss; returns what it measured, and the gradients of the exposures.
+    fn add_gradient(
+        &mut self,
+        drawn: &Drawn,
+        hooks: &mut StepHooks<'_>,
+    ) -> Result<(StepReport, Vec<ExposureGradient>)> {
+        self.check_hooks(hooks)?;
+        let frames: Vec<_> = self.dataset.train_frames().collect();
+        let Drawn { batch, factor, ray_steps } = drawn;
+        let target = Target::of(batch, *factor, &frames)?;
+        let exposure = self.exposures.as_ref().map(|exposures| exposures.of_tiles(batch));
+        let target = target.of_loss(&self.config.loss, exposure.as_deref());
+        let State { share, gradient, .. } = &self.state;
+        let (renderer, cameras) = (&self.renderer, &drawn.cameras(&self.cameras)[..]);
+        if let Some(grid) = grid_of(&self.ranks, self.shares) {
+            let seen = &share.coarser(*factor, *ray_steps);
+            let (shared, kept) = ((seen, grid), &mut self.loss);
+            let (losses, exposures) =
+                renderer.add_share_gradient(shared, cameras, batch, kept, &target, gradient)?;
+            return Ok((StepReport::of(&losses, target.ssim_weight), exposures));
+        }
+        // all Gaussians are one block
+        let scene = &share.blocks()[0].coarser(*factor, *ray_steps);
+        let gradient = &gradient.blocks[0];
+        if let Some(own) = &mut hooks.loss {
+            let (loss, squared) =
+                renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
+            let (psnr, tiles, none) = (metrics::psnr_of(squared), batch.tiles.len(), f64::NAN);
+            let report = StepReport { loss, l1: none, ssim: none, psnr, tiles, grown: None };
+            return Ok((report, Vec::new()));
+        }
+        let (kept, ranks) = (&mut self.loss, self.ranks.as_deref());
+        let (losses, exposures) =
+            renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
+        Ok((StepReport::of(&losses, target.ssim_weight), exposures))
+    }
+
+    /// What hooks cannot be used with.
+    fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
+        let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
+            NO_HOOKS
+        } else if self.exposures.is_some() && hooks.loss.is_some() {
+            "a loss of your own does not know the photographs' exposures: set `exposure.learn` to false"
+        } else if self.config.loss.distortion_weight > 0.0 && hooks.loss.is_some() {
+            "a loss of your own has no term for the distortion: set `loss.distortion_weight` to 0"
+        } else {
+            return Ok(());
+        };
+        Err(Error::Argument { reason: reason.to_owned() })
+    }
+
+    /// On the host: once in many steps.
+    fn grow(&mut self) -> Result<Grown> {
+        let mut checkpoint = self.checkpoint_share(0.0)?;
+        let growth = &self.config.growth;
+        let grown = match self.grid() {
+            Some(grid) => share_growth::grow(growth, &mut checkpoint, &grid.row())?,
+            None => {
+                let CheckpointShare { state, gaussians, .. } = &mut checkpoint;
+                let Checkpoint { scene, moments: [first, second], statistics, .. } = state;
+                let grown = grow(growth, scene, [first, second], statistics);
+                *gaussians = scene.gaussians.len();
+                *statistics = vec![[0.0; 4]; *gaussians];
+                grown
+            }
+        };
+        let CheckpointShare { state, gaussians, .. } = &checkpoint;
+        self.state.replace_gaussians(self.renderer.device(), (state, *gaussians))?;
+        Ok(grown)
+    }
+}
+
+/// Whether the number of Gaussians changes after so many steps.
+pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
+    let (growth, share) = (&config.growth, config.run.share(step));
+    step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
+}
+
+/// Settings that were made in code are held to what files are held to.
+pub(super) fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
+    let invalid = |reason| Error::Invalid { origin: Path::new(IN_MEMORY).to_owned(), reason };
+    config.check().map_err(invalid)?;
+    if dataset.train.is_empty() {
+        let reason = "the data set has no frame to train on".to_owned();
+        return Err(Error::Invalid { origin: dataset.path.clone(), reason });
+    }
+    Ok(())
+}

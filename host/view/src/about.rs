@@ -1,0 +1,128 @@
+//! Facts that the page gets when it opens: the scene, the cameras of its data set, and the first view.
+
+use glam::DVec3;
+use serde::Serialize;
+
+use super::message::{CameraMessage, Mode};
+use crate::film::Kind;
+use organza_core::camera::{Camera, Orbit, upward};
+use organza_core::demo;
+use organza_data::{Point, Pose};
+use organza_render::{DeviceScene, Renderer};
+
+/// Most points that the page draws; others are left out.
+const MAX_POINTS: usize = 20_000;
+/// Size of the first image of a scene without cameras, in pixels.
+const SIZE: [u32; 2] = [960, 640];
+
+/// Facts that the page gets when it opens.
+#[derive(Debug)]
+pub struct About {
+    json: String,
+    /// Positions as f32, followed by colors.
+    points: Vec<u8>,
+}
+
+#[derive(Serialize)]
+struct Told<'a> {
+    title: &'a str,
+    version: &'static str,
+    device: &'a str,
+    gaussians: usize,
+    aabb: [[f64; 3]; 2],
+    step: f64,
+    background: [f64; 3],
+    /// A unit vector that points up in the world.
+    up: [f64; 3],
+    /// Center of the camera's orbit.
+    center: [f64; 3],
+    home: CameraMessage,
+    views: Vec<View>,
+    /// Whether there are photographs of the views.
+    photographs: bool,
+    points: usize,
+    training: bool,
+    /// Formats of films that this machine can write.
+    films: Vec<Kind>,
+    modes: Vec<(Mode, Option<Vec<String>>)>,
+}
+
+#[derive(Serialize)]
+struct View {
+    name: String,
+    held_out: bool,
+    camera: CameraMessage,
+}
+
+impl About {
+    /// Facts about a scene and its data set. `title` is the path that the user named.
+    #[must_use]
+    pub fn new(
+        title: &str,
+        renderer: &Renderer,
+        scene: &DeviceScene,
+        poses: &[Pose],
+        photographs: bool,
+        points: &[Point],
+        training: bool,
+    ) -> Self {
+        let config = scene.config();
+        let [low, high] = config.aabb.map(DVec3::from);
+        let center = (low + high) / 2.0;
+        let up = upward(poses.iter().map(|pose| &pose.camera));
+        let first = poses.iter().find(|pose| pose.held_out).or(poses.first());
+        let home = first.map_or_else(|| overview(config.aabb), |pose| pose.camera.clone());
+        let view = |(index, pose): (usize, &Pose)| View {
+            name: pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}")),
+            held_out: pose.held_out,
+            camera: CameraMessage::from(&pose.camera),
+        };
+        let (positions, colors) = sample(points);
+        let told = Told {
+            title,
+            version: env!("CARGO_PKG_VERSION"),
+            device: renderer.device().choice(),
+            gaussians: scene.len(),
+            aabb: config.aabb,
+            step: config.step,
+            background: config.background,
+            up: up.to_array(),
+            center: center.to_array(),
+            home: CameraMessage::from(&home),
+            views: poses.iter().enumerate().map(view).collect(),
+            photographs,
+            points: colors.len() / 3,
+            training,
+            films: [Kind::Mp4, Kind::Png]
+                .into_iter()
+                .filter(|kind| kind.check([2, 2]).is_ok())
+                .collect(),
+            modes: Mode::ALL.into_iter().map(|mode| (mode, mode.ramp())).collect(),
+        };
+        let json = serde_json::to_string(&told).expect("numbers and names");
+        Self { json, points: [bytemuck::cast_slice(&positions), &*colors].concat() }
+    }
+
+    pub(super) fn json(&self) -> &str {
+        &self.json
+    }
+
+    pub(super) fn points(&self) -> &[u8] {
+        &self.points
+    }
+}
+
+/// A camera that sees the whole box.
+fn overview(aabb: [[f64; 3]; 2]) -> Camera {
+    let cameras = Orbit::of_box(aabb, SIZE).cameras(1).ok().and_then(|mut cameras| cameras.pop());
+    // a box without size has no outside
+    cameras.unwrap_or_else(|| demo::turntable(1, SIZE[1]).remove(0))
+}
+
+/// Positions `[n, 3]` and colors `[n, 3]` of a sample of the points.
+fn sample(points: &[Point]) -> (Vec<f32>, Vec<u8>) {
+    let every = points.len().div_ceil(MAX_POINTS).max(1);
+    let some = points.iter().step_by(every);
+    let positions = some.clone().flat_map(|point| point.position.map(|x| x as f32)).collect();
+    (positions, some.flat_map(|point| point.color.unwrap_or([160; 3])).collect())
+}

@@ -1,0 +1,252 @@
+//! The frame renderer owns the scene, takes requests from the queue, and answers them.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+use serde_json::json;
+
+use super::explain::explain;
+use super::message::{Mode, Quality, refuse};
+use super::pace::Pace;
+use super::photographs::Photographs;
+use super::picture::{self, Range};
+use super::queue::{FrameJob, Job, Question, Queue, Rendered};
+use organza_core::RenderReport;
+use organza_core::error::{self, Result};
+use organza_core::image::{ChannelImage, Image, TILE_SIDE};
+use organza_core::tile::TileBatch;
+use organza_data::Photograph;
+use organza_render::{DeviceScene, EyeCache, EyeOptions, Renderer};
+
+/// Number of clients whose evaluated fields are kept.
+const MAX_EYES: usize = 8;
+
+/// The current scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage<'a> {
+    /// The renderer of the scene.
+    pub renderer: &'a Renderer,
+    /// The scene.
+    pub scene: &'a DeviceScene,
+    /// Changes with the scene: the number of training steps.
+    pub version: u64,
+}
+
+/// Answers requests, one at a time.
+#[derive(Debug)]
+pub struct FrameRenderer {
+    queue: Arc<Queue>,
+    photographs: Photographs,
+    /// The eye that was used last is at the end.
+    eyes: Vec<Eye>,
+}
+
+/// Data kept for a client.
+#[derive(Debug)]
+struct Eye {
+    client: u64,
+    version: u64,
+    cache: EyeCache,
+    pace: Pace,
+}
+
+/// Facts about an image, for the page.
+#[derive(Debug, Serialize)]
+struct About {
+    sequence: u64,
+    quality: Quality,
+    mode: Mode,
+    size: [u32; 2],
+    /// Version of the scene: the number of training steps.
+    version: u64,
+    gaussians: usize,
+    /// Number of (Gaussian, camera) pairs in the image.
+    pairs: u64,
+    members: u64,
+    /// Samples of T that were computed for this image, without those already known.
+    samples: u64,
+    /// Length of T's steps, as a multiple of sigma.
+    steps: u16,
+    milliseconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<[f64; 2]>,
+}
+
+impl FrameRenderer {
+    /// A frame renderer that takes requests from `queue`.
+    #[must_use]
+    pub fn new(queue: Arc<Queue>, photographs: Photographs) -> Self {
+        Self { queue, photographs, eyes: Vec::new() }
+    }
+
+    /// Answers one request, waiting for it for up to `patience`. Returns whether there was one.
+    pub fn serve(&mut self, stage: Stage<'_>, patience: Duration) -> bool {
+        let Some(job) = self.queue.take(patience) else { return false };
+        match job {
+            Job::Question(question, reply) => {
+                let _ = reply.send(self.answer(stage, &question).map_err(told));
+            }
+            Job::Frame(job) => {
+                let begin = Instant::now();
+                let rendered = self.frame(stage, &job);
+                self.queue.charge(job.request.client, begin.elapsed());
+                match rendered {
+                    Ok(Some(rendered)) => {
+                        let _ = job.reply.send(Ok(rendered));
+                    }
+                    Ok(None) => self.queue.put_back(job),
+                    Err(error) => {
+                        let _ = job.reply.send(Err(told(error)));
+                    }
+                }
+            }
+        }
+        // a training measures its own kernels
+        let _ = stage.renderer.device().take_timings();
+        true
+    }
+
+    /// Paints an image; `None` if it was interrupted.
+    fn frame(&mut self, stage: Stage<'_>, job: &FrameJob) -> Result<Option<Rendered>> {
+        let begin = Instant::now();
+        let truth = match (job.request.mode, job.request.view) {
+            (Mode::Error, Some(view)) => Some(self.photographs.get(stage.renderer, view)?),
+            (Mode::Error, None) => return refuse("an error is that of a photograph".to_owned()),
+            _ => None,
+        };
+        let queue = Arc::clone(&self.queue);
+        let eye = self.eye(job.request.client, stage.version);
+        let canvas = draw(stage, job, eye, truth.as_deref(), &|slices| {
+            let quality = job.request.quality;
+            let outdated = quality != Quality::Moving && queue.is_outdated(job);
+            // every turn must make progress, or it would never end
+            let urgent = slices > 0 && quality == Quality::Exact && queue.has_urgent();
+            job.reply.is_closed() || outdated || urgent
+        })?;
+        let Some(Canvas { image, range, steps, report }) = canvas else { return Ok(None) };
+        let (kind, bytes) = match job.request.quality {
+            Quality::Exact => {
+                let bytes = image.encode_png();
+                ("image/png", bytes.or_else(|error| refuse(error.to_string()))?)
+            }
+            _ => ("image/jpeg", picture::encode_jpeg(&image)?),
+        };
+        let seconds = begin.elapsed().as_secs_f64();
+        if job.request.quality == Quality::Moving {
+            let fields = eye.cache.seconds();
+            eye.pace.learn(fields, seconds - fields);
+        }
+        let about = About {
+            sequence: job.request.sequence,
+            quality: job.request.quality,
+            mode: job.request.mode,
+            size: image.size(),
+            version: stage.version,
+            gaussians: stage.scene.len(),
+            pairs: report.pairs,
+            members: report.members,
+            samples: report.samples,
+            steps,
+            milliseconds: 1000.0 * seconds,
+            range: range.map(|Range { low, high }| [low, high]),
+        };
+        Ok(Some(rendered_as(kind, bytes, &about)))
+    }
+
+    /// The data kept for a client, for the current version of the scene.
+    fn eye(&mut self, client: u64, version: u64) -> &mut Eye {
+        let found = self.eyes.iter().position(|eye| eye.client == client);
+        if found.is_none() && self.eyes.len() >= MAX_EYES {
+            self.eyes.remove(0);
+        }
+        let new = || Eye { client, version, cache: EyeCache::default(), pace: Pace::default() };
+        let mut eye = found.map_or_else(new, |at| self.eyes.remove(at));
+        if eye.version != version {
+            eye.version = version;
+            eye.cache = EyeCache::default();
+        }
+        self.eyes.push(eye);
+        self.eyes.last_mut().expect("pushed above")
+    }
+
+    fn answer(&mut self, stage: Stage<'_>, question: &Question) -> Result<Rendered> {
+        match question {
+            Question::Photograph(view) => {
+                let photograph = self.photographs.get(stage.renderer, *view)?;
+                let size = [photograph.width(), photograph.height()];
+                let image = Image::of_pixels(size, photograph.pixels());
+                let bytes = picture::encode_jpeg(&image)?;
+                Ok(rendered_as("image/jpeg", bytes, &json!({ "size": size })))
+            }
+            Question::Pixel(pixel, camera) => {
+                let bytes = explain(stage, camera, *pixel)?;
+                Ok(rendered_as("application/json", bytes, &json!({})))
+            }
+        }
+    }
+}
+
+/// Describes an error in words.
+fn told(error: error::Error) -> String {
+    error::chain(&error)
+}
+
+fn rendered_as(kind: &'static str, bytes: Vec<u8>, about: &impl Serialize) -> Rendered {
+    let about = serde_json::to_string(about).expect("numbers and names");
+    Rendered { kind, bytes, about }
+}
+
+/// The result of drawing.
+struct Canvas {
+    image: Image,
+    range: Option<Range>,
+    steps: u16,
+    report: RenderReport,
+}
+
+/// Draws an image. `is_cancelled` is called before each slice of the Gaussians, with the number of finished slices.
+fn draw(
+    Stage { renderer, scene, .. }: Stage<'_>,
+    FrameJob { request, camera, .. }: &FrameJob,
+    Eye { cache, pace, .. }: &mut Eye,
+    truth: Option<&Photograph>,
+    is_cancelled: &(dyn Fn(usize) -> bool + Sync),
+) -> Result<Option<Canvas>> {
+    let (shrink, steps) = match request.quality {
+        Quality::Moving => (pace.shrink, pace.steps),
+        Quality::Still => (1, pace.steps),
+        Quality::Exact => (1, 1),
+    };
+    // errors are compared at the photograph's own pixels
+    let camera = &camera.shrunk(if truth.is_some() { 1 } else { shrink });
+    let size = [camera.width, camera.height];
+    let batch = TileBatch::cover(0, size[0], size[1], TILE_SIDE)?;
+    let slices = AtomicUsize::new(0);
+    let options = EyeOptions {
+        channels: request.mode.channels(),
+        steps,
+        background: request.background,
+        is_cancelled: &|| is_cancelled(slices.fetch_add(1, Ordering::Relaxed)),
+    };
+    let rendered = renderer.render_from_eye(scene, camera, &batch, cache, &options)?;
+    let Some(tiles) = rendered else { return Ok(None) };
+    let (image, range) = match (request.mode, request.mode.channels()) {
+        (Mode::Members, _) => picture::of_members(&renderer.count_members(scene, camera)?, size),
+        (mode, [channel]) => {
+            let mut image = ChannelImage::new(*channel, size[0], size[1])?;
+            image.paste(&batch, &tiles)?;
+            picture::of_channel(mode, &image, scene, camera)
+        }
+        _ => {
+            let mut image = Image::new(size[0], size[1])?;
+            image.paste(&batch, &tiles)?;
+            match truth {
+                Some(truth) => picture::of_error(&image, truth)?,
+                None => (image, None),
+            }
+        }
+    };
+    Ok(Some(Canvas { image, range, steps, report: tiles.report }))
+}

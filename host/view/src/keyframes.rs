@@ -1,0 +1,72 @@
+//! Keyframes as files, in the form `cameras.json` of all commands, and the path through them.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::message::{CameraMessage, checked, refuse};
+use organza_core::camera::{Camera, CameraPath, file_of, parse};
+use organza_core::error::Result;
+
+/// Most keyframes in a file.
+const MAX_KEYFRAMES: usize = 1000;
+
+/// Most cameras in a path.
+const MAX_FRAMES: usize = 10_000;
+
+#[derive(Serialize)]
+struct Cameras {
+    cameras: Vec<CameraMessage>,
+}
+
+/// A request for a path.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PathRequest {
+    keyframes: Vec<CameraMessage>,
+    #[serde(rename = "loop")]
+    is_closed: bool,
+    frames: usize,
+}
+
+impl PathRequest {
+    /// The cameras along the path. Images have the first keyframe's size, made even with `is_even`.
+    pub fn cameras(&self, is_even: bool) -> Result<Vec<Camera>> {
+        let Self { keyframes, is_closed, frames } = self;
+        if *frames > MAX_FRAMES || keyframes.len() > MAX_KEYFRAMES {
+            return refuse(format!(
+                "a path has at most {MAX_KEYFRAMES} keyframes and {MAX_FRAMES} cameras"
+            ));
+        }
+        let keyframes = keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?;
+        let Some(first) = keyframes.first() else { return refuse("a path has keyframes".into()) };
+        let size = [first.width, first.height];
+        let size = if is_even { size.map(|side| side.next_multiple_of(2)) } else { size };
+        let keyframes: Vec<_> = keyframes.iter().map(|camera| camera.with_size(size)).collect();
+        Ok(CameraPath::through(&keyframes, *is_closed)?.cameras(*frames))
+    }
+}
+
+/// Cameras in the page's form.
+pub fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
+    let cameras = Cameras { cameras: cameras.iter().map(CameraMessage::from).collect() };
+    serde_json::to_vec(&cameras).or_else(|error| refuse(error.to_string()))
+}
+
+/// Writes keyframes as a file.
+pub fn write(keyframes: &[CameraMessage]) -> Result<Vec<u8>> {
+    file_of(&keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?)
+}
+
+/// Reads the keyframes of a file: cameras in any form of a `transforms.json`.
+pub fn read(file: &Value) -> Result<Vec<u8>> {
+    let cameras: Vec<Camera> = parse::cameras(file, Path::new("the file"))?;
+    if cameras.len() > MAX_KEYFRAMES {
+        let number = cameras.len();
+        return refuse(format!(
+            "the file has {number} cameras, more than {MAX_KEYFRAMES} keyframes"
+        ));
+    }
+    listed(&cameras)
+}

@@ -1,0 +1,34 @@
+//! The viewer of `organza view` and `organza train --view`: a small HTTP server, whose page requests one image at a
+//! time.
+//!
+//! There are two threads. The [server](Server) reads requests and puts them on a [`Queue`]. The thread that owns the
+//! scene takes them from there, one at a time, and [renders](FrameRenderer). A client has at most one image in the queue: a
+//! newer request replaces an older one, so the latest camera wins. An image that nobody waits for is not rendered.
+//!
+//! [`web`] makes a page that renders by itself, without a server, and [`film`] writes films of images.
+
+mod about;
+mod assets;
+mod connections;
+mod explain;
+pub mod film;
+mod films;
+mod frame_renderer;
+mod guard;
+mod keyframes;
+mod message;
+mod pace;
+mod photographs;
+mod picture;
+mod queue;
+mod server;
+mod training;
+mod training_status;
+pub mod web;
+
+pub use about::About;
+pub use frame_renderer::{FrameRenderer, Stage};
+pub use photographs::Photographs;
+pub use queue::Queue;
+pub use server::{Address, Server};
+pub use training::TrainingView;

@@ -1,0 +1,132 @@
+//! Requests of the page.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use organza_core::camera::Camera;
+use organza_core::error::{Error, Result};
+
+/// Largest side of an image, in pixels.
+pub const MAX_SIDE: u32 = 4096;
+
+/// A camera in the page's form: see [`Camera`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CameraMessage {
+    pub camera_to_world: [[f64; 4]; 4],
+    pub fl_x: f64,
+    pub fl_y: f64,
+    pub cx: f64,
+    pub cy: f64,
+    pub w: u32,
+    pub h: u32,
+}
+
+impl From<&Camera> for CameraMessage {
+    fn from(camera: &Camera) -> Self {
+        let Camera { camera_to_world, fl_x, fl_y, cx, cy, width: w, height: h, .. } = *camera;
+        Self { camera_to_world, fl_x, fl_y, cx, cy, w, h }
+    }
+}
+
+impl CameraMessage {
+    /// The camera, checked like a camera from a file.
+    pub fn camera(&self) -> Result<Camera> {
+        let Self { camera_to_world, fl_x, fl_y, cx, cy, w, h } = *self;
+        let camera = Camera::pinhole(camera_to_world, [fl_x, fl_y], [cx, cy], [w, h]);
+        camera.validate(0)?;
+        Ok(camera)
+    }
+}
+
+/// The content of an image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Mode {
+    Color,
+    /// The mean of T, weighted.
+    Visibility,
+    /// S, the sum of weights in Eq. 12.
+    Weight,
+    Depth,
+    Normal,
+    /// Number of Gaussians in the pixel's sum.
+    Members,
+    /// The difference from the photograph.
+    Error,
+}
+
+/// The quality of an image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Quality {
+    /// The camera moves: a small image with long steps, quickly.
+    Moving,
+    /// Every pixel, with long steps.
+    Still,
+    /// The same image as `organza render`.
+    Exact,
+}
+
+/// A request for an image.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FrameRequest {
+    /// Random number of the page.
+    pub client: u64,
+    /// Number of the request on the page: a higher one is newer.
+    pub sequence: u64,
+    pub camera: CameraMessage,
+    pub mode: Mode,
+    pub quality: Quality,
+    /// Replaces the scene's background.
+    #[serde(default)]
+    pub background: Option<[f64; 3]>,
+    /// View in the data set whose photograph is compared.
+    #[serde(default)]
+    pub view: Option<usize>,
+}
+
+/// A request to explain a pixel.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PixelRequest {
+    pub camera: CameraMessage,
+    /// Column and row of the pixel.
+    pub pixel: [i32; 2],
+}
+
+/// Checks a camera, and its image's size.
+pub fn checked(message: &CameraMessage) -> Result<Camera> {
+    let camera = message.camera()?;
+    if camera.width.max(camera.height) > MAX_SIDE {
+        let width = camera.width;
+        let height = camera.height;
+        return refuse(format!(
+            "an image of {width} x {height} pixels is too large to view: {MAX_SIDE} a side are allowed"
+        ));
+    }
+    Ok(camera)
+}
+
+impl FrameRequest {
+    /// The camera, after everything else was checked.
+    pub fn check(&self) -> Result<Camera> {
+        checked_background(self.background)?;
+        checked(&self.camera)
+    }
+}
+
+/// A background, if there is one, must be a color.
+pub fn checked_background(background: Option<[f64; 3]>) -> Result<()> {
+    if background.is_none_or(|color| color.iter().all(|value| (0.0..=1.0).contains(value))) {
+        return Ok(());
+    }
+    refuse("a background has red, green and blue of 0 to 1".to_owned())
+}
+
+/// An error about a request.
+pub fn refuse<T>(reason: String) -> Result<T> {
+    Err(Error::Invalid { origin: Path::new("").to_owned(), reason })
+}

@@ -1,0 +1,161 @@
+//! Converts results to 8-bit colors.
+
+use ::image::ExtendedColorType;
+use ::image::codecs::jpeg::JpegEncoder;
+use colorous::Gradient;
+
+use super::message::Mode;
+use organza_core::Channel;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::image::{ChannelImage, Image};
+use organza_core::metrics::{ERROR_FACTOR, error_levels};
+use organza_data::Photograph;
+use organza_render::DeviceScene;
+
+/// JPEG quality of images that are not exact, out of 100.
+const QUALITY: u8 = 85;
+
+/// The values at both ends of a color scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    pub low: f64,
+    pub high: f64,
+}
+
+impl Mode {
+    /// Every mode.
+    pub const ALL: [Self; 7] = [
+        Self::Color,
+        Self::Visibility,
+        Self::Weight,
+        Self::Depth,
+        Self::Normal,
+        Self::Members,
+        Self::Error,
+    ];
+
+    /// The channels that the mode needs.
+    pub fn channels(self) -> &'static [Channel] {
+        match self {
+            Self::Visibility => &[Channel::Visibility],
+            Self::Weight => &[Channel::Alpha],
+            Self::Depth => &[Channel::Depth],
+            Self::Normal => &[Channel::Normal],
+            Self::Color | Self::Members | Self::Error => &[],
+        }
+    }
+
+    /// The color gradient of the mode's numbers.
+    fn gradient(self) -> Option<Gradient> {
+        match self {
+            Self::Visibility => Some(colorous::VIRIDIS),
+            Self::Weight => Some(colorous::CIVIDIS),
+            Self::Depth => Some(colorous::TURBO),
+            Self::Members => Some(colorous::MAGMA),
+            Self::Error => Some(colorous::INFERNO),
+            Self::Color | Self::Normal => None,
+        }
+    }
+
+    /// Colors from the lowest to the highest value, for the page's scale.
+    pub fn ramp(self) -> Option<Vec<String>> {
+        let gradient = self.gradient()?;
+        let color = |at: usize| format!("#{:x}", gradient.eval_rational(at, 17));
+        Some((0..17).map(color).collect())
+    }
+}
+
+/// The image of a channel.
+pub fn of_channel(
+    mode: Mode,
+    channel: &ChannelImage,
+    scene: &DeviceScene,
+    camera: &Camera,
+) -> (Image, Option<Range>) {
+    let size = channel.size();
+    let values = channel.values();
+    if mode == Mode::Normal {
+        let area = values.len() / 3;
+        let level = |value: f32| (127.5 * value + 127.5).clamp(0.0, 255.0).round() as u8;
+        let pixel = |at: usize| [0, 1, 2].map(|axis| level(values[axis * area + at]));
+        let pixels: Vec<_> = (0..area).map(pixel).collect();
+        return (Image::of_pixels(size, &pixels), None);
+    }
+    let range = match mode {
+        Mode::Depth => depths(scene, camera),
+        // Eq. 13 divides above 1
+        Mode::Weight => Range { low: 0.0, high: 2.0 },
+        _ => Range { low: 0.0, high: 1.0 },
+    };
+    let values = values.iter().map(|&value| f64::from(value));
+    (scaled(mode, size, values, range), Some(range))
+}
+
+/// The image of the number of Gaussians in each pixel's sum.
+pub fn of_members(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
+    let most = count.iter().copied().max().unwrap_or(0).max(8);
+    // in steps of 1, 2 or 5 times a power of ten, so that the scale rarely changes
+    let mut power = 1;
+    while 10 * power < most {
+        power *= 10;
+    }
+    let high = [1, 2, 5, 10].map(|times| times * power).into_iter().find(|high| *high >= most);
+    let range = Range { low: 0.0, high: f64::from(high.unwrap_or(most)) };
+    (scaled(Mode::Members, size, count.iter().map(|&n| f64::from(n)), range), Some(range))
+}
+
+/// The image of the difference from a photograph: the mean over the channels, from 0 to 1 / [`ERROR_FACTOR`].
+pub fn of_error(image: &Image, truth: &Photograph) -> Result<(Image, Option<Range>)> {
+    if image.size() != [truth.width(), truth.height()] {
+        return super::message::refuse("the photograph has another size".to_owned());
+    }
+    let levels = error_levels(truth.pixels(), image.pixels(), truth.valid());
+    let range = Range { low: 0.0, high: 1.0 / f64::from(ERROR_FACTOR) };
+    let values = levels.iter().map(|&level| f64::from(level) / 255.0 * range.high);
+    Ok((scaled(Mode::Error, image.size(), values, range), Some(range)))
+}
+
+fn scaled(
+    mode: Mode,
+    size: [u32; 2],
+    values: impl Iterator<Item = f64>,
+    Range { low, high }: Range,
+) -> Image {
+    let gradient = mode.gradient().unwrap_or(colorous::GREYS);
+    let table: Vec<_> = (0..256).map(|at| gradient.eval_rational(at, 256).into_array()).collect();
+    let level = |value: f64| (255.0 * ((value - low) / (high - low)).clamp(0.0, 1.0)).round();
+    let pixels: Vec<_> = values.map(|value| table[level(value) as usize]).collect();
+    Image::of_pixels(size, &pixels)
+}
+
+/// The range of depths of the scene's box, as a camera sees it.
+fn depths(scene: &DeviceScene, camera: &Camera) -> Range {
+    let [low, high] = scene.config().aabb;
+    let depth = |corner: usize| {
+        let axis = |axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
+        camera.depth(std::array::from_fn(axis))
+    };
+    let (near, far) = (0..8)
+        .map(depth)
+        .fold((f64::INFINITY, 0.0_f64), |(near, far), depth| (near.min(depth), far.max(depth)));
+    let far = if far > 0.0 { far } else { 1.0 };
+    Range { low: near.clamp(0.0, 0.99 * far), high: far }
+}
+
+/// The bytes of a JPEG file.
+pub fn encode_jpeg(image: &Image) -> Result<Vec<u8>> {
+    let [width, height] = image.size();
+    let mut bytes = Vec::new();
+    let pixels = image.pixels().as_flattened();
+    let encoded = JpegEncoder::new_with_quality(&mut bytes, QUALITY).encode(
+        pixels,
+        width,
+        height,
+        ExtendedColorType::Rgb8,
+    );
+    match encoded {
+        Ok(()) => Ok(bytes),
+        Err(error) => super::message::refuse(format!("the image cannot be encoded: {error}")),
+    }
+}

@@ -1,0 +1,290 @@
+//! The queue where requests wait for the frame renderer.
+
+use std::collections::BTreeMap;
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use tokio::sync::oneshot;
+
+use super::message::{FrameRequest, Quality};
+use organza_core::camera::Camera;
+
+/// Number of clients that are remembered.
+const MAX_CLIENTS: usize = 256;
+/// Most waiting questions; more are refused.
+const MAX_QUESTIONS: usize = 64;
+
+/// An answer: its bytes and the facts for the page, or an error message.
+pub type Answer = Result<Rendered, String>;
+
+/// An image, or another file.
+#[derive(Debug)]
+pub struct Rendered {
+    pub kind: &'static str,
+    pub bytes: Vec<u8>,
+    /// Facts for the page, as JSON.
+    pub about: String,
+}
+
+/// An image to paint.
+#[derive(Debug)]
+pub struct FrameJob {
+    pub request: FrameRequest,
+    pub camera: Camera,
+    /// Closed if nobody waits for the image anymore.
+    pub reply: oneshot::Sender<Answer>,
+}
+
+/// Other requests to the frame renderer.
+#[derive(Debug)]
+pub enum Question {
+    /// A pixel's column and row, in an image of the camera.
+    Pixel([i32; 2], Box<Camera>),
+    /// The photograph of a view in the data set.
+    Photograph(usize),
+}
+
+/// The next request to handle.
+#[derive(Debug)]
+pub enum Job {
+    Frame(Box<FrameJob>),
+    Question(Question, oneshot::Sender<Answer>),
+}
+
+#[derive(Debug, Default)]
+struct Client {
+    job: Option<Box<FrameJob>>,
+    /// Sequence number of the newest request.
+    sequence: u64,
+    /// Time of the last request, counted in requests.
+    last: u64,
+    /// Time that its images have taken.
+    spent: Duration,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    clients: BTreeMap<u64, Client>,
+    questions: VecDeque<(Question, oneshot::Sender<Answer>)>,
+    requests: u64,
+    /// Time of the client that was served last, before its image.
+    least: Duration,
+}
+
+/// Waiting requests.
+#[derive(Debug, Default)]
+pub struct Queue {
+    state: Mutex<State>,
+    wake: Condvar,
+    stopped: AtomicBool,
+}
+
+impl Queue {
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Ends the waiting for requests forever.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+        let mut state = self.state();
+        // whoever waits for an answer gets to know
+        state.clients.clear();
+        state.questions.clear();
+        self.wake.notify_all();
+    }
+
+    /// Whether [`Queue::stop`] was called.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// Adds an image request, in place of the client's older one.
+    pub(super) fn post(&self, job: Box<FrameJob>) {
+        let mut state = self.state();
+        if self.is_stopped() {
+            return;
+        }
+        state.requests += 1;
+        let now = state.requests;
+        let id = job.request.client;
+        if !state.clients.contains_key(&id) && state.clients.len() >= MAX_CLIENTS {
+            let idle = state.clients.iter().filter(|(_, client)| client.job.is_none());
+            let oldest = idle.min_by_key(|(_, client)| client.last).map(|(id, _)| *id);
+            match oldest {
+                Some(oldest) => state.clients.remove(&oldest),
+                // dropping the job drops its reply
+                None => return,
+            };
+        }
+        // time that a client did not use is not saved up
+        let least = state.least;
+        let client = state.clients.entry(id).or_default();
+        client.spent = client.spent.max(least);
+        client.last = now;
+        // requests may overtake each other on the way
+        if job.request.sequence >= client.sequence {
+            client.sequence = job.request.sequence;
+            client.job = Some(job);
+            self.wake.notify_all();
+        }
+    }
+
+    /// Adds a question.
+    pub(super) fn ask(&self, question: Question, reply: oneshot::Sender<Answer>) {
+        let mut state = self.state();
+        if state.questions.len() < MAX_QUESTIONS && !self.is_stopped() {
+            state.questions.push_back((question, reply));
+            self.wake.notify_all();
+        }
+    }
+
+    /// Returns an interrupted request, unless the client has a newer one by now.
+    pub(super) fn put_back(&self, job: Box<FrameJob>) {
+        let mut state = self.state();
+        if let Some(client) = state.clients.get_mut(&job.request.client)
+            && client.job.is_none()
+            && client.sequence == job.request.sequence
+        {
+            client.job = Some(job);
+        }
+    }
+
+    /// Notes that a client's image has taken some time.
+    pub(super) fn charge(&self, client: u64, spent: Duration) {
+        if let Some(client) = self.state().clients.get_mut(&client) {
+            client.spent += spent;
+        }
+    }
+
+    /// Takes the next request, waiting for it for up to `patience`. It is that of the client whose images have taken
+    /// the least time.
+    pub(super) fn take(&self, patience: Duration) -> Option<Job> {
+        let mut state = self.state();
+        if !state.is_waiting() && !self.is_stopped() && !patience.is_zero() {
+            state =
+                self.wake.wait_timeout(state, patience).unwrap_or_else(PoisonError::into_inner).0;
+        }
+        if self.is_stopped() {
+            return None;
+        }
+        state.questions.retain(|(_, reply)| !reply.is_closed());
+        if let Some((question, reply)) = state.questions.pop_front() {
+            return Some(Job::Question(question, reply));
+        }
+        let waiting = state.clients.iter().filter(|(_, client)| client.is_waiting());
+        let (&next, client) = waiting.min_by_key(|(id, client)| (client.spent, **id))?;
+        state.least = client.spent;
+        state.clients.get_mut(&next).and_then(|client| client.job.take()).map(Job::Frame)
+    }
+
+    /// Whether an image is obsolete: nobody waits for it, or its client wants another one.
+    pub(super) fn is_outdated(&self, job: &FrameJob) -> bool {
+        let newest = self.state().clients.get(&job.request.client).map(|client| client.sequence);
+        job.reply.is_closed()
+            || self.is_stopped()
+            || newest.is_some_and(|newest| newest > job.request.sequence)
+    }
+
+    /// Whether a request waits that has priority over an exact image.
+    pub(super) fn has_urgent(&self) -> bool {
+        let state = self.state();
+        !state.questions.is_empty()
+            || state.clients.values().any(|client| client.job.as_deref().is_some_and(is_urgent))
+    }
+
+    /// Whether anything waits.
+    #[must_use]
+    pub fn has_work(&self) -> bool {
+        self.state().is_waiting()
+    }
+}
+
+fn is_urgent(job: &FrameJob) -> bool {
+    job.request.quality != Quality::Exact
+}
+
+impl Client {
+    fn is_waiting(&self) -> bool {
+        self.job.as_ref().is_some_and(|job| !job.reply.is_closed())
+    }
+}
+
+impl State {
+    fn is_waiting(&self) -> bool {
+        self.questions.iter().any(|(_, reply)| !reply.is_closed())
+            || self.clients.values().any(Client::is_waiting)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::message::{CameraMessage, Mode};
+    use super::*;
+
+    /// Adds a request of a client. Its answer is awaited until the receiver is dropped.
+    fn post(queue: &Queue, client: u64, sequence: u64) -> oneshot::Receiver<Answer> {
+        let camera = organza_core::demo::turntable(1, 16).remove(0);
+        let (reply, answer) = oneshot::channel();
+        let request = FrameRequest {
+            client,
+            sequence,
+            camera: CameraMessage::from(&camera),
+            mode: Mode::Color,
+            quality: Quality::Still,
+            background: None,
+            view: None,
+        };
+        queue.post(Box::new(FrameJob { request, camera, reply }));
+        answer
+    }
+
+    /// The first client's images take 1 ms, and those of five others 10 ms: in turns of one image each, the first would
+    /// get a sixth of the images.
+    #[test]
+    fn clients_share_the_time_and_not_the_number_of_images() {
+        let queue = Queue::default();
+        let mut answers: Vec<_> = (0..6).map(|client| post(&queue, client, 0)).collect();
+        let mut images = [0; 6];
+        for sequence in 1..=1000 {
+            let Some(Job::Frame(job)) = queue.take(Duration::ZERO) else { panic!("all wait") };
+            let client = job.request.client;
+            images[client as usize] += 1;
+            queue.charge(client, Duration::from_millis(if client == 0 { 1 } else { 10 }));
+            answers[client as usize] = post(&queue, client, sequence);
+        }
+        let [small, large @ ..] = images;
+        let expected = 1000.0 * (1.0 / 1.0) / (1.0 / 1.0 + 5.0 / 10.0);
+        assert!((f64::from(small) - expected).abs() < 20.0, "{images:?}");
+        assert!(large.iter().all(|count| (60..=73).contains(count)), "{images:?}");
+    }
+
+    /// A client that comes back does not get the time that it did not use.
+    #[test]
+    fn time_is_not_saved_up() {
+        let queue = Queue::default();
+        let mut busy = post(&queue, 1, 0);
+        for sequence in 1..=100 {
+            assert!(matches!(queue.take(Duration::ZERO), Some(Job::Frame(_))));
+            queue.charge(1, Duration::from_millis(10));
+            busy = post(&queue, 1, sequence);
+        }
+        let mut images = 0;
+        let mut back = post(&queue, 0, 0);
+        for sequence in 101..=120 {
+            let Some(Job::Frame(job)) = queue.take(Duration::ZERO) else { panic!("both wait") };
+            let client = job.request.client;
+            queue.charge(client, Duration::from_millis(10));
+            if client == 0 {
+                images += 1;
+                back = post(&queue, 0, sequence);
+            } else {
+                busy = post(&queue, 1, sequence);
+            }
+        }
+        drop((busy, back));
+        assert!((9..=11).contains(&images), "{images} of 20");
+    }
+}

@@ -1,0 +1,417 @@
+//! The HTTP server: delivers the page, and puts its requests in the queue.
+
+use std::convert::Infallible;
+use std::io;
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
+use std::sync::Arc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use http_body_util::channel::Channel;
+use http_body_util::{BodyExt, Either, Full, Limited};
+use hyper::body::{Bytes, Incoming};
+use hyper::header::{CONTENT_TYPE, HeaderName, HeaderValue, SET_COOKIE};
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper::{Method, Request, Response, StatusCode};
+use hyper_util::rt::{TokioIo, TokioTimer};
+use serde::de::DeserializeOwned;
+use tokio::net::TcpStream;
+use tokio::sync::{Semaphore, oneshot};
+use tokio_io_timeout::TimeoutStream;
+
+use super::about::About;
+use super::assets;
+use super::connections::{Connections, Place};
+use super::films::{self, FilmRequest};
+use super::guard::{Guard, Verdict};
+use super::keyframes::{self, PathRequest};
+use super::message::{CameraMessage, FrameRequest, PixelRequest, checked};
+use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
+use super::training_status::{Command, TrainingStatus};
+use organza_core::error::{self, Error, Result};
+
+/// Default port.
+const PORT: u16 = 4747;
+/// Largest request, in bytes: 1,000 keyframes. Parsed, it can take a hundred times as much.
+const MAX_BODY: usize = 1 << 19;
+/// Most films in the making.
+const MAX_FILMS: usize = 2;
+/// Longest time until a request has arrived, and until a client takes a part of an answer.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// The address at which a server listens.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Address {
+    /// Address of this machine. Without it, only this machine is served.
+    pub bind: Option<IpAddr>,
+    /// Port. Without it, the default port or a free one.
+    pub port: Option<u16>,
+}
+
+impl Address {
+    fn listen(self) -> Result<TcpListener> {
+        let ip = self.bind.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
+        let listen = |port| TcpListener::bind(SocketAddr::new(ip, port));
+        let (port, listener) = match self.port {
+            Some(port) => (port, listen(port)),
+            None => (PORT, listen(PORT).or_else(|_| listen(0))),
+        };
+        listener.map_err(|error| {
+            let reason = match error.kind() {
+                io::ErrorKind::AddrInUse => format!(
+                    "port {port} of {ip} is taken by another program; choose another with `--port`, or 0 for \
+                     one that is free"
+                ),
+                _ => format!("cannot listen at port {port} of {ip}: {error}"),
+            };
+            Error::Invalid { origin: "".into(), reason }
+        })
+    }
+}
+
+/// A server that listens, on its own thread, until the program ends.
+#[derive(Debug)]
+pub struct Server {
+    listener: TcpListener,
+    guard: Guard,
+}
+
+struct Shared {
+    guard: Guard,
+    site: Site,
+}
+
+/// The site to serve.
+enum Site {
+    /// The page that requests images from this program.
+    Viewer(Viewer),
+    /// A page that renders by itself: address, media type and content of each file.
+    Client(Vec<(String, &'static str, Bytes)>),
+}
+
+struct Viewer {
+    queue: Arc<Queue>,
+    about: About,
+    training_status: Option<Arc<TrainingStatus>>,
+    /// Permits for films in the making.
+    films: Arc<Semaphore>,
+}
+
+impl Server {
+    /// Opens the port, without answering yet.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if the port is taken, or the address is not one of this machine.
+    pub fn listen(address: Address) -> Result<Self> {
+        let listener = address.listen()?;
+        let found = listener.local_addr().map_err(broken)?;
+        Ok(Self { listener, guard: Guard::new(found) })
+    }
+
+    /// Address of the page, including the token.
+    #[must_use]
+    pub fn url(&self) -> String {
+        let address = self.listener.local_addr().map(|address| address.to_string());
+        let address = address.unwrap_or_default();
+        format!("http://{address}/?token={}", self.guard.token())
+    }
+
+    /// Starts to answer requests.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if the system cannot start a thread.
+    pub fn start(
+        self,
+        queue: Arc<Queue>,
+        about: About,
+        training_status: Option<Arc<TrainingStatus>>,
+    ) -> Result<Films> {
+        let films = Arc::new(Semaphore::new(MAX_FILMS));
+        let viewer = Viewer { queue, about, training_status, films: Arc::clone(&films) };
+        self.serve(Site::Viewer(viewer))?;
+        Ok(Films(films))
+    }
+
+    /// Starts to serve a page that renders by itself: its files by name, of which the first is the page, and the others
+    /// are scripts.
+    ///
+    /// # Errors
+    /// The same errors as [`Server::start`].
+    pub fn start_page(self, files: impl IntoIterator<Item = (&'static str, String)>) -> Result<()> {
+        let file = |(index, (name, text)): (usize, (&str, String))| match index {
+            0 => ("/".to_owned(), assets::PAGE, text.into()),
+            _ => (format!("/{name}"), assets::SCRIPT, text.into()),
+        };
+        self.serve(Site::Client(files.into_iter().enumerate().map(file).collect()))
+    }
+
+    fn serve(self, site: Site) -> Result<()> {
+        let Self { listener, guard } = self;
+        listener.set_nonblocking(true).map_err(broken)?;
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+        let runtime = runtime.map_err(broken)?;
+        let shared = Arc::new(Shared { guard, site });
+        let serve = move || runtime.block_on(accept(listener, shared));
+        thread::Builder::new().name("viewer".to_owned()).spawn(serve).map_err(broken)?;
+        Ok(())
+    }
+}
+
+/// The films that a server is making.
+#[derive(Debug)]
+pub struct Films(Arc<Semaphore>);
+
+impl Films {
+    /// Waits until films that have lost their place in the queue have removed their frames, for at most `patience`.
+    pub fn wait_for_end(&self, patience: Duration) {
+        let begin = Instant::now();
+        while self.0.available_permits() < MAX_FILMS && begin.elapsed() < patience {
+            thread::sleep(Duration::from_millis(10));
+        }
+    }
+}
+
+fn broken(error: io::Error) -> Error {
+    Error::Invalid { origin: "".into(), reason: format!("the viewer cannot be served: {error}") }
+}
+
+async fn accept(listener: TcpListener, shared: Arc<Shared>) {
+    let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
+    let connections = Arc::new(Connections::default());
+    loop {
+        let Ok((stream, peer)) = listener.accept().await else {
+            // for example, after too many open files
+            tokio::time::sleep(Duration::from_millis(100)).await;
+            continue;
+        };
+        let shared = Arc::clone(&shared);
+        connections.admit(peer.ip(), |place| {
+            tokio::spawn(connection(stream, shared, Arc::new(place))).abort_handle()
+        });
+    }
+}
+
+/// Answers the requests of one client.
+async fn connection(stream: TcpStream, shared: Arc<Shared>, place: Arc<Place>) {
+    let _ = stream.set_nodelay(true);
+    // a client that reads nothing would keep its place for ever
+    let mut stream = TimeoutStream::new(stream);
+    stream.set_write_timeout(Some(PATIENCE));
+    let answer = |request| {
+        let shared = Arc::clone(&shared);
+        let place = Arc::clone(&place);
+        async move { Ok::<_, Infallible>(answer(&shared, &place, request).await) }
+    };
+    // a client's mistake only ends its own connection
+    let _ = http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(PATIENCE)
+        .max_buf_size(64 << 10)
+        .serve_connection(TokioIo::new(Box::pin(stream)), service_fn(answer))
+        .await;
+}
+
+/// A complete answer, or a film in the making.
+type Reply = Response<Either<Full<Bytes>, Channel<Bytes>>>;
+
+/// Status and reason of a refused request.
+struct Refusal(StatusCode, String);
+
+async fn answer(shared: &Shared, place: &Place, request: Request<Incoming>) -> Reply {
+    let cookie = match shared.guard.judge(request.headers(), request.uri().query()) {
+        Verdict::Allowed { cookie } => {
+            place.keep();
+            cookie
+        }
+        Verdict::Refused(reason) => {
+            return text(StatusCode::FORBIDDEN, "text/plain; charset=utf-8", reason.as_bytes());
+        }
+    };
+    let reply = match &shared.site {
+        Site::Viewer(viewer) => route(viewer, request).await,
+        Site::Client(files) => file(files, &request),
+    };
+    let mut reply = reply.unwrap_or_else(|Refusal(status, reason)| {
+        let reason = serde_json::json!({ "error": reason }).to_string();
+        text(status, "application/json", reason.as_bytes())
+    });
+    if let Some(cookie) = cookie.and_then(|cookie| cookie.parse().ok()) {
+        reply.headers_mut().insert(SET_COOKIE, cookie);
+    }
+    reply
+}
+
+/// A file of a page that renders by itself.
+fn file(
+    files: &[(String, &'static str, Bytes)],
+    request: &Request<Incoming>,
+) -> Result<Reply, Refusal> {
+    let method = request.method();
+    let path = request.uri().path();
+    match files.iter().find(|(address, ..)| address == path) {
+        Some((_, kind, content)) if method == Method::GET => {
+            Ok(whole(StatusCode::OK, kind, content.clone()))
+        }
+        Some(_) => Err(not_for(method, path)),
+        None => Err(not_there(path)),
+    }
+}
+
+fn not_there(path: &str) -> Refusal {
+    Refusal(StatusCode::NOT_FOUND, format!("there is no {path}"))
+}
+
+fn not_for(method: &Method, path: &str) -> Refusal {
+    Refusal(StatusCode::METHOD_NOT_ALLOWED, format!("{method} is not for {path}"))
+}
+
+async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Refusal> {
+    let method = request.method().clone();
+    let path = request.uri().path().to_owned();
+    let json = |bytes: &[u8]| Ok(text(StatusCode::OK, "application/json", bytes));
+    match (&method, path.as_str()) {
+        (&Method::GET, "/scene.json") => json(viewer.about.json().as_bytes()),
+        (&Method::GET, "/points") => {
+            Ok(text(StatusCode::OK, "application/octet-stream", viewer.about.points()))
+        }
+        (&Method::GET, "/training.json") => match &viewer.training_status {
+            Some(training_status) => json(training_status.to_json().as_bytes()),
+            None => Err(Refusal(StatusCode::NOT_FOUND, "nothing is being trained".to_owned())),
+        },
+        (&Method::POST, "/training") => {
+            let command: Command = parsed(&body(request).await?)?;
+            if let Some(training_status) = &viewer.training_status {
+                training_status.command(command);
+            }
+            json(b"{}")
+        }
+        (&Method::POST, "/frame") => {
+            let request: FrameRequest = parsed(&body(request).await?)?;
+            let camera = request.check().map_err(refused)?;
+            let (reply, answer) = oneshot::channel();
+            viewer.queue.post(Box::new(FrameJob { request, camera, reply }));
+            rendered(answer).await
+        }
+        (&Method::POST, "/explain") => {
+            let request: PixelRequest = parsed(&body(request).await?)?;
+            let camera = checked(&request.camera).map_err(refused)?;
+            ask(viewer, Question::Pixel(request.pixel, Box::new(camera))).await
+        }
+        (&Method::POST, "/cameras.json") => {
+            let keyframes: Vec<CameraMessage> = parsed(&body(request).await?)?;
+            json(&keyframes::write(&keyframes).map_err(refused)?)
+        }
+        (&Method::POST, "/path") => {
+            let path: PathRequest = parsed(&body(request).await?)?;
+            let cameras = path.cameras(false).map_err(refused)?;
+            json(&keyframes::listed(&cameras).map_err(refused)?)
+        }
+        (&Method::POST, "/keyframes") => {
+            let file = parsed(&body(request).await?)?;
+            json(&keyframes::read(&file).map_err(refused)?)
+        }
+        (&Method::POST, "/film") => {
+            let request: FilmRequest = parsed(&body(request).await?)?;
+            let cameras = request.check().map_err(refused)?;
+            let Ok(place) = Arc::clone(&viewer.films).try_acquire_owned() else {
+                let reason = format!("{MAX_FILMS} films are being made; wait for one of them");
+                return Err(Refusal(StatusCode::SERVICE_UNAVAILABLE, reason));
+            };
+            let (sender, body) = Channel::new(1);
+            let queue = Arc::clone(&viewer.queue);
+            tokio::spawn(async move {
+                films::make(&queue, &request, cameras, sender).await;
+                drop(place);
+            });
+            Ok(reply(StatusCode::OK, "application/octet-stream", Either::Right(body)))
+        }
+        (&Method::GET, path) => {
+            if let Some((kind, content)) = assets::find(path) {
+                return Ok(text(StatusCode::OK, kind, content.as_bytes()));
+            }
+            match path.strip_prefix("/photograph/").and_then(|view| view.parse().ok()) {
+                Some(view) => ask(viewer, Question::Photograph(view)).await,
+                None => Err(not_there(path)),
+            }
+        }
+        _ => Err(not_for(&method, &path)),
+    }
+}
+
+async fn ask(viewer: &Viewer, question: Question) -> Result<Reply, Refusal> {
+    let (reply, answer) = oneshot::channel();
+    viewer.queue.ask(question, reply);
+    rendered(answer).await
+}
+
+async fn rendered(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
+    match answer.await {
+        Ok(Ok(Rendered { kind, bytes, about })) => {
+            let mut reply = whole(StatusCode::OK, kind, bytes.into());
+            if let Ok(about) = HeaderValue::from_str(&about) {
+                reply.headers_mut().insert(HeaderName::from_static("x-organza"), about);
+            }
+            Ok(reply)
+        }
+        Ok(Err(reason)) => Err(Refusal(StatusCode::UNPROCESSABLE_ENTITY, reason)),
+        // a newer request has replaced it
+        Err(_) => Err(Refusal(StatusCode::CONFLICT, "nobody waits for this any more".to_owned())),
+    }
+}
+
+async fn body(request: Request<Incoming>) -> Result<Bytes, Refusal> {
+    let all = Limited::new(request.into_body(), MAX_BODY).collect();
+    match tokio::time::timeout(PATIENCE, all).await {
+        Ok(Ok(all)) => Ok(all.to_bytes()),
+        Ok(Err(error)) => Err(Refusal(StatusCode::BAD_REQUEST, error.to_string())),
+        Err(_) => Err(Refusal(StatusCode::REQUEST_TIMEOUT, "it took too long".to_owned())),
+    }
+}
+
+fn parsed<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Refusal> {
+    serde_json::from_slice(bytes).map_err(|error| {
+        Refusal(StatusCode::BAD_REQUEST, format!("this is not the JSON that was expected: {error}"))
+    })
+}
+
+fn refused(error: Error) -> Refusal {
+    Refusal(StatusCode::BAD_REQUEST, error::chain(&error))
+}
+
+fn text(status: StatusCode, kind: &'static str, content: &[u8]) -> Reply {
+    whole(status, kind, Bytes::copy_from_slice(content))
+}
+
+/// Headers of every answer: no caching, no content from elsewhere, and no embedding in other pages.
+const HEADERS: [(&str, &str); 6] = [
+    ("cache-control", "no-store"),
+    (
+        "content-security-policy",
+        "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors 'none'; \
+         base-uri 'none'; form-action 'none'",
+    ),
+    ("cross-origin-opener-policy", "same-origin"),
+    ("cross-origin-resource-policy", "same-origin"),
+    ("referrer-policy", "no-referrer"),
+    ("x-content-type-options", "nosniff"),
+];
+
+fn whole(status: StatusCode, kind: &'static str, content: Bytes) -> Reply {
+    reply(status, kind, Either::Left(Full::new(content)))
+}
+
+fn reply(
+    status: StatusCode,
+    kind: &'static str,
+    content: Either<Full<Bytes>, Channel<Bytes>>,
+) -> Reply {
+    let mut reply = Response::new(content);
+    *reply.status_mut() = status;
+    let headers = reply.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
+    for (name, value) in HEADERS {
+        headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+    }
+    reply
+}

@@ -1,0 +1,152 @@
+//! Shows a running training: renders images between its steps, within a part of the time.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use super::about::About;
+use super::frame_renderer::{FrameRenderer, Stage};
+use super::photographs::Photographs;
+use super::queue::Queue;
+use super::server::{Films, Server};
+use super::training_status::TrainingStatus;
+use organza_core::error::Result;
+use organza_data::{Dataset, Pose};
+use organza_render::{DeviceScene, Renderer};
+use organza_train::Event;
+
+/// Longest delay until a signal ends the waiting.
+const PATIENCE: Duration = Duration::from_millis(100);
+/// Longest wait for films that end with the training.
+const END: Duration = Duration::from_secs(5);
+
+/// Shows a training to clients. It reads the scene between steps and changes nothing, so the training's bits do not
+/// depend on it.
+#[derive(Debug)]
+pub struct TrainingView<'a> {
+    renderer: &'a Renderer,
+    dataset: &'a Arc<Dataset>,
+    /// Set if the page asks to save and stop.
+    stop: &'a AtomicBool,
+    /// Part of the time that images may take.
+    share: f64,
+    title: String,
+    /// Waits until there is a scene to show, and is started then.
+    server: Option<Server>,
+    films: Option<Films>,
+    queue: Arc<Queue>,
+    training_status: Arc<TrainingStatus>,
+    frame_renderer: FrameRenderer,
+    clock: Clock,
+}
+
+/// Measures the use of time. It stands still while the training waits.
+#[derive(Debug)]
+struct Clock {
+    training: f64,
+    images: f64,
+    since: Instant,
+}
+
+impl Clock {
+    fn share(&self) -> f64 {
+        self.images / (self.images + self.training).max(1e-9)
+    }
+}
+
+impl<'a> TrainingView<'a> {
+    /// Shows a training on a `server`. Images take up to `share` of the time. The page's button sets `stop`.
+    #[must_use]
+    pub fn new(
+        server: Server,
+        renderer: &'a Renderer,
+        dataset: &'a Arc<Dataset>,
+        stop: &'a AtomicBool,
+        share: f64,
+        title: String,
+    ) -> Self {
+        let queue = Arc::new(Queue::default());
+        let photographs = Photographs::of_dataset(Arc::clone(dataset));
+        let frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
+        let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
+        let server = Some(server);
+        let training_status = Arc::default();
+        Self {
+            renderer,
+            dataset,
+            stop,
+            share,
+            title,
+            server,
+            films: None,
+            queue,
+            training_status,
+            frame_renderer,
+            clock,
+        }
+    }
+
+    /// Handles an event of a training. After a step, answers the page's requests. If the page has paused the
+    /// training, this returns when the pause is over.
+    ///
+    /// # Errors
+    /// The same errors as [`Server::start`].
+    pub fn see(&mut self, event: &Event<'_>, steps: u32) -> Result<()> {
+        match event {
+            Event::Begin(step) => self.training_status.begin(u64::from(*step), u64::from(steps)),
+            Event::Planned(steps) => self.training_status.planned(u64::from(*steps)),
+            Event::Evaluated(evaluation) => self.training_status.evaluated(evaluation.mean.psnr),
+            Event::Step { step, seconds, report, scene: Some(scene), .. } => {
+                let share = self.clock.share();
+                let losses = [report.loss, report.psnr];
+                self.training_status.step(u64::from(*step), *seconds, losses, scene.len(), share);
+                self.serve(scene, u64::from(*step))?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn serve(&mut self, scene: &DeviceScene, version: u64) -> Result<()> {
+        if let Some(server) = self.server.take() {
+            self.films = Some(self.start(server, scene)?);
+        }
+        let stage = Stage { renderer: self.renderer, scene, version };
+        let begin = Instant::now();
+        self.clock.training += (begin - self.clock.since).as_secs_f64();
+        if self.clock.share() < self.share && self.frame_renderer.serve(stage, Duration::ZERO) {
+            self.clock.images += begin.elapsed().as_secs_f64();
+        }
+        while self.training_status.is_paused() && !self.stop.load(Ordering::Relaxed) {
+            self.frame_renderer.serve(stage, PATIENCE);
+        }
+        if self.training_status.is_stopping() {
+            self.stop.store(true, Ordering::Relaxed);
+        }
+        self.clock.since = Instant::now();
+        Ok(())
+    }
+
+    fn start(&self, server: Server, scene: &DeviceScene) -> Result<Films> {
+        let Dataset { frames, held_out, points, .. } = &**self.dataset;
+        let pose = |(index, frame): (usize, &organza_data::Frame)| {
+            let camera = organza_core::Camera {
+                file_path: Some(frame.name.clone()),
+                ..frame.camera.clone()
+            };
+            Pose { camera, held_out: held_out.contains(&index), photograph: None }
+        };
+        let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
+        let about = About::new(&self.title, self.renderer, scene, &poses, true, points, true);
+        server.start(Arc::clone(&self.queue), about, Some(Arc::clone(&self.training_status)))
+    }
+}
+
+impl Drop for TrainingView<'_> {
+    fn drop(&mut self) {
+        self.queue.stop();
+        if let Some(films) = &self.films {
+            films.wait_for_end(END);
+        }
+    }
+}

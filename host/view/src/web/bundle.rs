@@ -1,0 +1,66 @@
+//! The page's own files: plain modules, joined into one script, because browsers load no modules from `file://`.
+
+use maud::{DOCTYPE, PreEscaped, html};
+
+/// The modules. Each comes after those that it imports.
+const MODULES: [&str; 6] = [
+    include_str!("../page/camera.js"),
+    include_str!("../page/controls.js"),
+    include_str!("page/player.js"),
+    include_str!("page/screen.js"),
+    include_str!("page/pace.js"),
+    include_str!("page/main.js"),
+];
+const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("page/page.css"));
+const BODY: &str = include_str!("page/body.html");
+const ICON: &str = include_str!("../page/icon.svg");
+
+/// All modules as one script.
+pub fn script() -> String {
+    let own = MODULES.map(|module| {
+        let lines = module.lines().filter(|line| !line.starts_with("import "));
+        lines
+            .map(|line| line.strip_prefix("export ").unwrap_or(line))
+            .collect::<Vec<_>>()
+            .join("\n")
+    });
+    format!("\"use strict\";\n(async () => {{\n{}\n}})();\n", own.join("\n"))
+}
+
+/// The document. `scripts` are elements that load the scene and the page's script.
+pub fn html(title: &str, scripts: &str) -> String {
+    use base64::Engine;
+    let icon = base64::engine::general_purpose::STANDARD.encode(ICON);
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content=(concat!("organza ", env!("CARGO_PKG_VERSION")));
+                title { (title) " · organza" }
+                link rel="icon" href={ "data:image/svg+xml;base64," (icon) };
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                (PreEscaped(BODY))
+                (PreEscaped(scripts))
+            }
+        }
+    };
+    page.into_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_script_is_no_module_and_ends_no_element() {
+        let script = script();
+        for word in ["\nimport ", "\nexport ", "</script", "<!--"] {
+            assert!(!script.contains(word), "{word}");
+        }
+        assert!(html("<i>&\"", "").contains("<title>&lt;i&gt;&amp;&quot; · organza</title>"));
+    }
+}

@@ -17,7 +17,6 @@ pub struct Difference {
 ///
 /// # Panics
 /// If their lengths differ, or one holds a NaN.
-#[must_use]
 pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
     assert_eq!(actual.len(), expected.len(), "lengths differ");
     let norm = expected.iter().map(|&x| f64::from(x).powi(2)).sum::<f64>().sqrt().max(1e-30);

@@ -66,7 +66,6 @@ impl Adam {
     }
 
     /// Whether the kernel moves a value.
-    #[must_use]
     pub fn is_touched(&self, index: usize) -> bool {
         let block = index / VALUES_PER_FLAG as usize * self.params.sparse as usize;
         index < self.value.len() && self.touched[block] != 0

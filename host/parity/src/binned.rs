@@ -15,7 +15,6 @@ fn unit(row: usize) -> f64 {
 }
 
 /// What the words of sums `[17, values, 2]` come to.
-#[must_use]
 pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
     let integer = |w: &[u32]| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64;
     let rows: Vec<_> = words.chunks_exact(2).map(integer).collect();
@@ -26,7 +25,6 @@ pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
 }
 
 /// An output, with the sums' values in place of their words.
-#[must_use]
 pub fn with_sums(output: Output, values: usize) -> Output {
     match output.name {
         "sum" => {
@@ -38,7 +36,6 @@ pub fn with_sums(output: Output, values: usize) -> Output {
 }
 
 /// Sums of one number each, `[17, values, 2]`.
-#[must_use]
 pub fn write_sums(values: &[f32]) -> Vec<u32> {
     let mut words = vec![[0; 2]; ROWS as usize * values.len()];
     for (index, &value) in values.iter().enumerate().filter(|(_, value)| value.is_normal()) {

@@ -93,7 +93,6 @@ impl ColorInputs {
     }
 
     /// Camera and Gaussian of a column.
-    #[must_use]
     pub fn of(&self, column: usize) -> (&Camera, Vec3, usize) {
         let slot = self.pair[FIRST_PAIR as usize + column] as usize;
         let gaussian = slot % self.gaussians as usize;
@@ -102,7 +101,6 @@ impl ColorInputs {
     }
 
     /// Values of the harmonics.
-    #[must_use]
     pub fn sh_rows(&self) -> usize {
         (self.degree as usize + 1).pow(2)
     }

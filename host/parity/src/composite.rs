@@ -92,14 +92,12 @@ impl Composite {
     }
 
     /// The members of a tile that this pass sums up.
-    #[must_use]
     pub fn members(&self, tile: usize) -> &[u32] {
         let end = self.tile_first[tile + 1].min(self.tile_first[tile] + self.skip + MAX_MEMBERS);
         &self.member[(self.tile_first[tile] + self.skip).min(end) as usize..end as usize]
     }
 
     /// Tile, and the pixel's center in the image.
-    #[must_use]
     pub fn pixel(&self, index: usize) -> (usize, [f64; 2]) {
         let side = self.side as usize;
         let tile = index / (side * side);
@@ -110,7 +108,6 @@ impl Composite {
 }
 
 /// Half the size of the box around `q <= cutoff`, with `project`'s margin; all of f32 where the conic has no inverse.
-#[must_use]
 pub fn extent(conic: [f32; 3]) -> [f32; 2] {
     let [xx, xy, yy] = conic.map(f64::from);
     let determinant = xx * yy - xy * xy;

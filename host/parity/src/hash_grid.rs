@@ -186,13 +186,11 @@ impl HashGrid {
     }
 
     /// The levels as the kernel reads them.
-    #[must_use]
     pub fn levels(&self) -> Vec<GridLevel> {
         self.grid.levels_for_kernels()
     }
 
     /// The place of an element of the output: level, feature and point; none where nothing is written.
-    #[must_use]
     pub fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
         let (chunk_row, column) = (index / STRIDE, index % STRIDE);
         let rows = rows(&self.grid);

@@ -52,7 +52,6 @@ pub struct Terms {
 
 impl Terms {
     /// d and s of a pixel's channel; `None` for masked pixels.
-    #[must_use]
     pub fn of(&self, pixel: usize, channel: usize) -> Option<[f64; 2]> {
         let is_valid = self.difference[pixel].w > 0.0;
         let of = |values: &[Vec4]| f64::from(values[pixel][channel]);

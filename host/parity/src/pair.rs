@@ -54,7 +54,6 @@ pub fn mask_sets<T>(make: impl Fn(u32, Bits, &mut Random) -> T) -> Vec<(String, 
 }
 
 /// The exclusive sums of the bits' numbers, and the total.
-#[must_use]
 pub fn scanned(masks: &[u32]) -> Vec<u32> {
     let mut sum = 0;
     let mut prefix = vec![0];

@@ -121,25 +121,21 @@ impl Project {
     }
 
     /// A Gaussian's position.
-    #[must_use]
     pub fn center(&self, gaussian: usize) -> DVec3 {
         Vec3::from_slice(&self.position[3 * gaussian..]).as_dvec3()
     }
 
     /// A Gaussian's rotation: w, x, y, z.
-    #[must_use]
     pub fn quaternion(&self, gaussian: usize) -> DVec4 {
         Vec4::from_slice(&self.rotation[4 * gaussian..]).as_dvec4()
     }
 
     /// Logarithms of a Gaussian's axes.
-    #[must_use]
     pub fn log_axes(&self, gaussian: usize) -> DVec3 {
         Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
     }
 
     /// What is projected, in f64.
-    #[must_use]
     pub fn gaussian(&self, gaussian: usize) -> Gaussian<f64> {
         Gaussian {
             position: self.center(gaussian).to_array(),

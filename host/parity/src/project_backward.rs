@@ -95,7 +95,6 @@ impl ProjectBackward {
     }
 
     /// Where the centers of all pairs lie in their images, in pixels.
-    #[must_use]
     pub fn pairs_in_image(&self) -> Vec<[f64; 2]> {
         let (set, count) = (&self.forward, self.forward.gaussians as usize);
         let slots = (0..set.cameras.len() * count).map(|slot| (slot / count, slot % count));

@@ -18,13 +18,11 @@ use organza_core::metrics;
 use organza_device::Result;
 
 /// The window's weights, as kernels have them.
-#[must_use]
 pub fn window() -> [f32; WINDOW as usize] {
     metrics::window().map(|weight| weight as f32)
 }
 
 /// The weighted sum of values around place `at` of `side`.
-#[must_use]
 pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
     let radius = RADIUS as usize;
     let weights = window();
@@ -116,7 +114,6 @@ impl SsimColumns {
     }
 
     /// A window's sums of d, s, d^2, s^2 and the mask in f64, and of their terms' sizes.
-    #[must_use]
     pub fn window(&self, pixel: usize, channel: usize) -> [[f64; 5]; 2] {
         let side = self.terms.side as usize;
         let [tile, row, column] = place(pixel, side);

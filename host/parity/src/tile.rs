@@ -17,7 +17,6 @@ use super::pair::{mask_sets, scanned};
 use organza_device::Result;
 
 /// Tiles as they lie in a buffer.
-#[must_use]
 pub fn pack(tiles: &[Tile]) -> Vec<i32> {
     tiles.iter().flat_map(Tile::pack).collect()
 }

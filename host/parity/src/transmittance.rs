@@ -140,7 +140,6 @@ impl TransmittanceInputs {
     }
 
     /// The pair of a column of the output, and the sample's place in it.
-    #[must_use]
     pub fn owner(&self, column: usize) -> (usize, u32) {
         let sample = FIRST_SAMPLE + column as u32;
         let after = self.first_sample.partition_point(|&first| first <= sample);
@@ -342,7 +341,6 @@ pub struct SegmentProduct {
 
 impl SegmentProduct {
     /// The samples of a pair.
-    #[must_use]
     pub fn of(&self, pair: usize) -> &[f32] {
         &self.log_rho[self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize]
     }

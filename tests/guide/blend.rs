@@ -3,8 +3,7 @@
 use organza_kernel::prelude::*;
 
 /// Parameters of [`blend`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct BlendParams {
     /// Values of an image.
     pub count: u32,

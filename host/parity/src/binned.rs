@@ -1,13 +1,8 @@
 //! The case of `binned_gradient`, and binned sums for other cases.
 
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{self, Fill},
-};
+use organza_check::prelude::*;
 use organza_kernel::binned::ROWS;
-use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
-
-use organza_device::Result;
+use organza_shaders::binned::{BinnedGradientInputs, BinnedGradientParams};
 
 /// The unit of a row.
 fn unit(row: usize) -> f64 {
@@ -46,14 +41,7 @@ pub fn write_sums(values: &[f32]) -> Vec<u32> {
     words.into_flattened()
 }
 
-/// Inputs of `binned_gradient`.
-#[derive(Clone, Debug)]
-pub struct BinnedGradient {
-    /// `[17, values, 2]`
-    pub sum: Vec<u32>,
-    /// `[values]`
-    pub gradient: Vec<f32>,
-}
+case!(pub BinnedGradient(BinnedGradientInputs));
 
 impl Parity for BinnedGradient {
     const KERNEL: &'static str = "binned_gradient";
@@ -71,18 +59,16 @@ impl Parity for BinnedGradient {
                     words.copy_from_slice(&[integer as u32, (integer >> 32) as u32]);
                 }
             }
-            Self { sum, gradient: fill.values(random, len, [-1.0, 1.0], 1e30) }
+            Self(BinnedGradientInputs {
+                params: BinnedGradientParams { values: count },
+                sum,
+                gradient: fill.values(random, len, [-1.0, 1.0], 1e30),
+            })
         })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let values = self.gradient.len() as u32;
-        let kernel = BinnedGradientKernel {
-            params: BinnedGradientParams { values },
-            sum: &self.sum,
-            gradient: &self.gradient,
-        };
-        runner.run(&kernel, values, 1)
+        runner.run(&self.kernel(), self.params.values, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

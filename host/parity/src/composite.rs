@@ -1,11 +1,7 @@
 //! The case of `composite`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::project::FALLOFF_CUTOFF;
@@ -13,7 +9,6 @@ use organza_shaders::tile::Tile;
 
 use super::exact::composite::{Splat, falloff};
 use super::tile::pack;
-use organza_device::Result;
 
 /// Sides around the workgroup's.
 pub(super) const SIDES: [u32; 5] = [1, 7, 8, 9, 17];

@@ -1,15 +1,10 @@
 //! The case of `dense`, and the sum that both heads share with it.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 
 use super::exact::dense::{affine, relu};
-use organza_device::Result;
 
 /// Where a layer's weights begin: not at 0.
 const WEIGHT: u32 = 3;
@@ -143,7 +138,7 @@ impl Parity for Dense {
             params: layer.params(),
             parameters: &layer.parameters,
             input: &layer.input,
-            output: &runner.unwritten((4 * layer.columns * layer.stride) as usize),
+            output: &unwritten((4 * layer.columns * layer.stride) as usize),
         };
         runner.run(&kernel, layer.samples, layer.columns * 4 / OUTPUTS_PER_INVOCATION)
     }

@@ -1,10 +1,7 @@
 //! The case of `project`, and cameras for the others.
 
 use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, ITEMS, Random},
-};
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::lens::NEAR_PLANE;
 use organza_shaders::project::{
@@ -13,7 +10,6 @@ use organza_shaders::project::{
 };
 
 use super::exact::project::{Gaussian, Projected, View, project};
-use organza_device::Result;
 
 /// Three cameras around the origin, the first of them axis-parallel.
 pub fn cameras(random: &mut Random) -> Vec<Camera> {
@@ -217,7 +213,7 @@ impl Parity for Project {
             position: &self.position,
             rotation: &self.rotation,
             log_scale: &self.log_scale,
-            projection: &runner.unwritten(2 * slots),
+            projection: &unwritten(2 * slots),
             degenerate: &vec![0],
         };
         let mut outputs = runner.run(&kernel, self.gaussians, self.cameras.len() as u32)?;

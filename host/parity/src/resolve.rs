@@ -1,11 +1,7 @@
 //! Cases of `resolve` and `resolve_backward`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardKernel, ResolveKernel, ResolveParams};
 use organza_shaders::tile::Tile;
 
@@ -13,7 +9,6 @@ use super::composite::{SIDES, pixels, planes, tiles};
 use super::exact::numeric::{Dual, gradient};
 use super::exact::resolve::pixel;
 use super::tile::pack;
-use organza_device::Result;
 
 /// Inputs of `resolve`.
 #[derive(Clone, Debug)]
@@ -77,7 +72,7 @@ impl Parity for Resolve {
             },
             tile: &pack(&self.tiles),
             sum: &planes(&self.sum, (side * side) as usize),
-            image: &runner.unwritten(3 * self.sum.len()),
+            image: &unwritten(3 * self.sum.len()),
         };
         runner.run_over(&kernel, side, self.tiles.len() as u32)
     }
@@ -150,7 +145,7 @@ impl Parity for ResolveBackward {
             tile: &pack(&set.tiles),
             sum: &planes(&set.sum, self.area()),
             image_gradient: &self.image_gradient,
-            sum_gradient: &runner.unwritten(4 * set.sum.len()),
+            sum_gradient: &unwritten(4 * set.sum.len()),
         };
         Ok(pixels(runner.run_over(&kernel, side, set.tiles.len() as u32)?, self.area()))
     }

@@ -1,13 +1,12 @@
 //! The case of `tile_cells`.
 
 use glam::Vec4;
-use organza_check::{KernelRunner, Output, Parity, inputs::Fill};
+use organza_check::prelude::*;
 use organza_shaders::tile::Tile;
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::composite::{Composite, SIDES};
 use super::tile::pack;
-use organza_device::Result;
 
 /// Inputs of `tile_cells`.
 #[derive(Clone, Debug)]
@@ -57,7 +56,7 @@ impl Parity for TileCells {
             tile_first: &self.tile_first,
             member: &self.member,
             splat: &self.splat.as_flattened().to_vec(),
-            cells: &runner.unwritten(self.member.len()),
+            cells: &unwritten(self.member.len()),
         };
         runner.run(&kernel, members, 1)
     }

@@ -1,7 +1,7 @@
 //! Cases of `record_total`, `clear_on_overflow` and `count_fill`.
 
 use organza_check::prelude::*;
-use organza_kernel::count::{CountFillKernel, OVERFLOW, PLACEMENT_VALUES};
+use organza_kernel::count::{CountFillInputs, OVERFLOW, PLACEMENT_VALUES};
 use organza_shaders::count::{
     COUNTS, ClearOnOverflowInputs, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalInputs,
     RecordTotalParams, SAMPLES,
@@ -72,14 +72,7 @@ impl Parity for ClearOnOverflow {
     }
 }
 
-/// Inputs of `count_fill`.
-#[derive(Clone, Debug)]
-pub struct CountFill {
-    /// What `counts` has.
-    pub counts: Vec<u32>,
-    /// A slot in `counts`, `first` and `most`, for every other word.
-    pub numbers: Vec<[u32; 3]>,
-}
+case!(pub CountFill(CountFillInputs));
 
 impl Parity for CountFill {
     const KERNEL: &'static str = "count_fill";
@@ -87,41 +80,37 @@ impl Parity for CountFill {
     fn sets() -> Vec<(String, Self)> {
         let of = |size: u32, misfit: u32| {
             let mut random = Random::new(u64::from(size));
-            let numbers = (0..size).map(|_| {
+            let mut placement = vec![size, 0, 0, 0];
+            for number in 0..size {
                 let slot = [PAIRS, MEMBERS, SAMPLES][random.below(3) as usize];
-                [slot, random.below(3000), random.below(1000)]
+                // every other word
+                placement.extend([2 * number, slot, random.below(3000), random.below(1000)]);
+            }
+            assert_eq!(placement.len() as u32, (1 + size) * PLACEMENT_VALUES);
+            let set = Self(CountFillInputs {
+                placement,
+                counts: vec![misfit, 0, 1000, 2000],
+                parameters: unwritten(2 * size as usize),
             });
-            let set = Self { counts: vec![misfit, 0, 1000, 2000], numbers: numbers.collect() };
             (format!("{size} numbers, misfit {misfit}"), set)
         };
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let numbers = self.numbers.len() as u32;
-        let mut placement = vec![numbers, 0, 0, 0];
-        for (&[slot, first, most], word) in self.numbers.iter().zip((0..).step_by(2)) {
-            placement.extend([word, slot, first, most]);
-        }
-        assert_eq!(placement.len() as u32, (1 + numbers) * PLACEMENT_VALUES);
-        let kernel = CountFillKernel {
-            placement: &placement,
-            counts: &self.counts,
-            parameters: &unwritten(2 * self.numbers.len()),
-        };
-        runner.run(&kernel, numbers, 1)
+        runner.run(&self.kernel(), self.placement[0], 1)
     }
 
     /// What is left of each total behind `first`, at most `most`; nothing where something did not fit.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let number = |&[slot, first, most]: &[u32; 3]| match self.counts[..] {
+        let number = |&[_, slot, first, most]: &[u32; 4]| match self.counts[..] {
             [0, ref counts @ ..] => {
                 let rest = i64::from(counts[slot as usize - 1]) - i64::from(first);
                 rest.clamp(0, i64::from(most)) as f64
             }
             _ => 0.0,
         };
-        // every other word
-        self.numbers.iter().flat_map(|numbers| [Some(number(numbers)), None]).collect()
+        let numbers = self.placement.as_chunks().0[1..].iter();
+        numbers.flat_map(|numbers| [Some(number(numbers)), None]).collect()
     }
 }

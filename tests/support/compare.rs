@@ -71,3 +71,8 @@ pub fn assert_close_relative(what: &str, actual: &[f32], expected: &[f32], toler
     );
     println!("{what}: {relative:.2e} relative, {largest:.2e} at most");
 }
+
+/// The bits of values.
+pub fn bits(values: &[f32]) -> Vec<u32> {
+    values.iter().map(|value| value.to_bits()).collect()
+}

@@ -7,7 +7,9 @@ use super::exact::listed;
 
 /// Sizes around the workgroup and around the block.
 fn sizes() -> impl Iterator<Item = u32> {
-    SIZES.into_iter().chain([15, 16, 17, 1022, 1023, 1024, 1025, 2047, 2048, 5000])
+    SIZES
+        .into_iter()
+        .chain([15, 16, 17, 1022, 1023, 1024, 1025, 2047, 2048, 3071, 3072, 3073, 5000])
 }
 
 /// Random values and zeros of every size.

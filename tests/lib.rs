@@ -1,4 +1,4 @@
-//! Parts that the tests share: the reference's cases, devices, comparisons, and sorted Gaussians.
+//! Parts that the tests share: the reference's cases, devices and comparisons.
 
 #[path = "support/cases.rs"]
 pub mod cases;
@@ -6,8 +6,6 @@ pub mod cases;
 pub mod compare;
 #[path = "support/devices.rs"]
 pub mod devices;
-#[path = "support/sorted.rs"]
-pub mod sorted;
 #[path = "support/spirv.rs"]
 pub mod spirv;
 

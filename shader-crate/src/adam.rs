@@ -5,8 +5,7 @@ use crate::hash_grid_backward::VALUES_PER_FLAG;
 use organza_kernel::prelude::*;
 
 /// Parameters of [`adam`]; what depends on the step is computed on the host, in f64.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct AdamParams {
     /// Values of the group.
     pub values: u32,

@@ -4,8 +4,7 @@ use organza_kernel::binned;
 use organza_kernel::prelude::*;
 
 /// Parameters of [`binned_gradient`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct BinnedGradientParams {
     /// Values of the gradient.
     pub values: u32,

@@ -11,8 +11,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, Work};
 
 /// Parameters of [`pair_channels`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PairChannelsParams {
     /// Pairs in the batch.
     pub pairs: u32,

@@ -18,8 +18,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`color_inputs`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ColorInputsParams {
     /// Pairs in this chunk.
     pub pairs: u32,
@@ -116,8 +115,7 @@ pub fn color_head(
 }
 
 /// Parameters of [`color_head`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ColorHeadParams {
     /// Pairs in this chunk.
     pub samples: u32,

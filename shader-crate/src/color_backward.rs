@@ -9,8 +9,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`color_head_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ColorHeadBackwardParams {
     /// Pairs in this chunk.
     pub samples: u32,
@@ -50,8 +49,7 @@ pub fn color_head_backward(
 }
 
 /// Parameters of [`material_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct MaterialBackwardParams {
     /// Pairs in this chunk.
     pub samples: u32,

@@ -16,8 +16,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 
 /// Parameters of [`composite`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct CompositeParams {
     /// S, in pixels.
     pub side: u32,

@@ -16,8 +16,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`composite_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct CompositeBackwardParams {
     /// Members of all tiles.
     pub members: u32,

@@ -17,8 +17,7 @@ pub const SAMPLES: u32 = 3;
 pub const COUNTS: u32 = 4;
 
 /// Parameters of [`record_total`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct RecordTotalParams {
     /// Index of the number in `counts`.
     pub slot: u32,
@@ -47,8 +46,7 @@ pub fn record_total(
 }
 
 /// Parameters of [`clear_on_overflow`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ClearOnOverflowParams {
     /// Values of the table.
     pub len: u32,

@@ -20,8 +20,7 @@ pub const OUTPUTS_PER_INVOCATION: u32 = 16;
 const BLOCK_COLUMNS: u32 = OUTPUTS_PER_INVOCATION / 4;
 
 /// Parameters of [`dense`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct DenseParams {
     /// Samples in the batch.
     pub samples: u32,

@@ -20,8 +20,7 @@ pub const INPUTS_PER_INVOCATION: u32 = 8;
 pub const WEIGHT_ROWS_PER_INVOCATION: u32 = 4;
 
 /// Parameters of [`dense_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct DenseBackwardParams {
     /// Samples in the chunk.
     pub samples: u32,
@@ -181,8 +180,7 @@ fn masked<S: Samples>(params: &DenseBackwardParams, input: Read<f32>, value: S, 
 }
 
 /// Parameters of [`dense_weight_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct DenseWeightBackwardParams {
     /// Samples in the chunk.
     pub samples: u32,

@@ -21,8 +21,7 @@ use organza_kernel::work::{NUMBER, Shape, Work};
 pub const LEAST_DISTANCE: f32 = 1e-6;
 
 /// Parameters of [`pair_inverse_distance`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PairInverseDistanceParams {
     /// Pairs in the batch.
     pub pairs: u32,
@@ -61,8 +60,7 @@ pub fn pair_inverse_distance(
 }
 
 /// Parameters of [`distortion_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct DistortionParams {
     /// S, in pixels.
     pub side: u32,

@@ -5,8 +5,7 @@ use crate::limits::MAX_TILE_SIDE;
 use organza_kernel::prelude::*;
 
 /// Parameters of [`expose`] and [`expose_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ExposureParams {
     /// Planes of the batch: three for each tile.
     pub planes: u32,

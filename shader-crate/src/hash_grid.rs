@@ -9,8 +9,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// One level of a grid; the host computes it in f64, kernels never call `pow`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct GridLevel {
     /// `base * growth^level - 1`, its first 12 bits.
     pub scale: f32,
@@ -29,8 +28,7 @@ pub struct GridLevel {
 /// Parameters of [`hash_grid`].
 ///
 /// Points come in chunks: the rows of a chunk lie together, behind those of the chunk before.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct HashGridParams {
     /// Points to encode.
     pub points: u32,

@@ -121,8 +121,7 @@ fn scaled<L: Lane>(gradient: L, unit: L) -> L {
 }
 
 /// Parameters of [`hash_grid_gradient`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct HashGridGradientParams {
     /// Values of the table: entries times features.
     pub values: u32,

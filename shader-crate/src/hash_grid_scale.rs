@@ -36,8 +36,7 @@ const ONE: u32 = 0x3f80_0000;
 const MARGIN: f32 = 1.01;
 
 /// Parameters of [`hash_grid_peak`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct HashGridPeakParams {
     /// Pairs in the batch.
     pub pairs: u32,
@@ -85,8 +84,7 @@ pub fn hash_grid_peak(
 }
 
 /// Parameters of [`hash_grid_norm`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct HashGridNormParams {
     /// Inputs of the layer.
     pub inputs: u32,
@@ -121,8 +119,7 @@ pub fn hash_grid_norm(
 }
 
 /// Parameters of [`hash_grid_scale`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct HashGridScaleParams {
     /// Layers of the network.
     pub layers: u32,

@@ -12,8 +12,7 @@ use organza_kernel::math::{TINY, abs};
 use organza_kernel::prelude::*;
 
 /// Parameters of [`loss_terms`] and [`loss_rows`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct LossParams {
     /// S, in pixels.
     pub side: u32,
@@ -91,8 +90,7 @@ pub fn loss_rows(
 }
 
 /// Parameters of [`loss_gradient`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct LossGradientParams {
     /// S, in pixels.
     pub side: u32,

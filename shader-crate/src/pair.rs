@@ -6,8 +6,7 @@ use crate::limits::{MAX_CAMERAS, MAX_TILES};
 use organza_kernel::prelude::*;
 
 /// Parameters of [`pair_mask`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PairMaskParams {
     /// Words of a mask.
     pub words: u32,
@@ -40,8 +39,7 @@ pub fn pair_mask(
 }
 
 /// Parameters of [`pair_fill`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PairFillParams {
     /// Words of a mask.
     pub words: u32,
@@ -75,8 +73,7 @@ pub fn pair_fill(
 }
 
 /// Parameters of [`pair_sum`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PairSumParams {
     /// Words of a mask.
     pub words: u32,

@@ -16,8 +16,7 @@ pub const MULTIPLY_ADDS: u32 = 48;
 pub const READS: u32 = 4;
 
 /// Parameters of [`peak_multiply_add`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PeakMultiplyAddParams {
     /// Invocations.
     pub count: u32,
@@ -104,8 +103,7 @@ pub fn peak_multiply_add<L: Lane>(
 }
 
 /// Parameters of [`peak_read`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PeakReadParams {
     /// Invocations.
     pub count: u32,

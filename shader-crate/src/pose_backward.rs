@@ -39,8 +39,7 @@ pub fn project_pose_backward(
 }
 
 /// Parameters of [`pose_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct PoseBackwardParams {
     /// Gaussians of the scene.
     pub gaussians: u32,

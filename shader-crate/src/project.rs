@@ -178,8 +178,7 @@ pub fn falloff<L: Lane>(q: L) -> L {
 }
 
 /// Parameters of [`project`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ProjectParams {
     /// Gaussians of the scene.
     pub gaussians: u32,

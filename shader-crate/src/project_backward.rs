@@ -120,8 +120,7 @@ pub fn project_gaussian_backward(
 pub const ALL_BITS: u32 = u32::MAX;
 
 /// Parameters of [`project_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ProjectBackwardParams {
     /// Gaussians of the scene.
     pub gaussians: u32,

@@ -8,8 +8,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, Work};
 
 /// Parameters of [`resolve`] and [`resolve_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ResolveParams {
     /// S, in pixels.
     pub side: u32,

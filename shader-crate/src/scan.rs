@@ -12,8 +12,7 @@ const VALUES: u32 = 16;
 pub const BLOCK: u32 = THREADS * VALUES;
 
 /// Parameters of [`scan_block`] and [`scan_add`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ScanParams {
     /// Values to scan.
     pub count: u32,

@@ -236,8 +236,7 @@ pub fn read_segment(segment: Read<Vec4>, pair: u32) -> ([Split; 3], [Split; 3], 
 }
 
 /// Parameters of [`segment`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct SegmentParams {
     /// Pairs in the batch.
     pub pairs: u32,

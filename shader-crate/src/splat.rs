@@ -12,8 +12,7 @@ use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
 pub const VECTORS: u32 = 3;
 
 /// Parameters of [`splat`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct SplatParams {
     /// Pairs in the batch.
     pub pairs: u32,
@@ -60,8 +59,7 @@ pub fn splat(
 }
 
 /// Parameters of [`splat_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct SplatBackwardParams {
     /// Pairs in the batch.
     pub pairs: u32,

@@ -37,8 +37,7 @@ pub const C1: f32 = 1e-4;
 pub const C2: f32 = 9e-4;
 
 /// Parameters of [`ssim_rows`], [`ssim_columns`] and [`ssim_rows_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct SsimParams {
     /// S, in pixels.
     pub side: u32,

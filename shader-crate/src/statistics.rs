@@ -8,8 +8,7 @@ use organza_kernel::math::{length, max};
 use organza_kernel::prelude::*;
 
 /// Parameters of [`statistics`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct StatisticsParams {
     /// Gaussians of the scene.
     pub gaussians: u32,

@@ -59,8 +59,7 @@ pub fn reaches(mean2d: Vec2, radius: f32, low: Vec2, side: f32) -> bool {
 }
 
 /// Parameters of [`tile_mask`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct TileMaskParams {
     /// Gaussians of the scene.
     pub gaussians: u32,
@@ -106,8 +105,7 @@ pub fn tile_mask(
 }
 
 /// Parameters of [`tile_fill`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct TileFillParams {
     /// Words of a tile's mask.
     pub words: u32,
@@ -148,8 +146,7 @@ pub fn tile_fill(
 }
 
 /// Parameters of [`tile_range`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct TileRangeParams {
     /// Tiles of the batch.
     pub tiles: u32,

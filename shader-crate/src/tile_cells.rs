@@ -42,8 +42,7 @@ impl Cells {
 }
 
 /// Parameters of [`tile_cells`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct TileCellsParams {
     /// Members of all tiles.
     pub members: u32,

@@ -17,8 +17,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`transmittance_inputs`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct TransmittanceInputsParams {
     /// Samples in this chunk.
     pub samples: u32,
@@ -165,8 +164,7 @@ fn write_inputs<L: Lane>(
 
 /// Parameters of [`transmittance_head`] and of
 /// [`transmittance_head_backward`](crate::transmittance_backward::transmittance_head_backward()).
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct TransmittanceHeadParams {
     /// Samples in this chunk.
     pub samples: u32,
@@ -228,8 +226,7 @@ pub fn transmittance_head<L: Lane>(
 }
 
 /// Parameters of [`segment_product`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct SegmentProductParams {
     /// Pairs in the batch.
     pub pairs: u32,

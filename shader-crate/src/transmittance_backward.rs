@@ -13,8 +13,7 @@ use organza_kernel::prelude::*;
 use organza_kernel::work::{Shape, Work};
 
 /// Parameters of [`segment_product_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct SegmentProductBackwardParams {
     /// Pairs that have samples in this chunk, and those between them.
     pub pairs: u32,
@@ -95,8 +94,7 @@ pub fn transmittance_head_backward<L: Lane>(
 }
 
 /// Parameters of [`extra_backward`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct ExtraBackwardParams {
     /// Pairs that have samples in this chunk, and those between them.
     pub pairs: u32,

@@ -3,10 +3,7 @@
 use organza::render::{EyeCache, EyeOptions};
 use organza::{Camera, Channel, RenderedTiles, TileBatch};
 use organza_tests::cases;
-
-fn bits(values: &[f32]) -> Vec<u32> {
-    values.iter().map(|value| value.to_bits()).collect()
-}
+use organza_tests::compare::bits;
 
 /// The image of a camera in tiles of 16 pixels.
 fn whole(camera: &Camera) -> TileBatch {

@@ -2,18 +2,11 @@
 
 use organza::render::{Loss, LossInputs, TileLoss};
 use organza::{Device, Result, metrics};
+use organza_check::inputs::Random;
 use organza_tests::devices;
 
 use organza_parity::exact::batch::Batch;
 use organza_parity::exact::loss::mean;
-
-/// Pseudo-random numbers in [0, 1).
-fn noise(index: usize) -> f32 {
-    let mut x = (index as u32).wrapping_add(1).wrapping_mul(0x9e37_79b9);
-    x = (x ^ (x >> 16)).wrapping_mul(0x85eb_ca6b);
-    x = (x ^ (x >> 13)).wrapping_mul(0xc2b2_ae35);
-    ((x ^ (x >> 16)) >> 8) as f32 / (1 << 24) as f32
-}
 
 /// The content of a batch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +22,7 @@ enum Look {
 /// Four tiles: entirely valid, the right and lower edge of a photograph, with holes, and without valid pixels.
 fn batch(side: usize, look: Look) -> Batch {
     let area = side * side;
+    let noise = Random::new(1).values(2 * 4 * 3 * area, 0.0, 1.0);
     let value = |index: usize| {
         let tile = index / area / 3;
         let channel = index / area % 3;
@@ -37,8 +31,8 @@ fn batch(side: usize, look: Look) -> Batch {
         let wave =
             |period: f32| ((row * (tile + 2) + column * (channel + 1)) as f32 / period).sin();
         let smooth = 0.5 + 0.3 * wave(7.0) + 0.1 * wave(2.5);
-        let a = noise(2 * index);
-        let b = noise(2 * index + 1);
+        let a = noise[2 * index];
+        let b = noise[2 * index + 1];
         match look {
             Look::Noise => (a, b),
             Look::Near => (smooth + 0.1 * (a - 0.5), smooth + 0.02 * (b - 0.5)),
@@ -53,7 +47,7 @@ fn batch(side: usize, look: Look) -> Batch {
         let is_valid = match tile {
             0 => true,
             1 => row < side.div_ceil(2) && column < side - side / 3,
-            2 => noise(index) < 0.7 && !(side > 11 && row > 3 && column > 3 && column < 12),
+            2 => noise[index] < 0.7 && !(side > 11 && row > 3 && column > 3 && column < 12),
             _ => false,
         };
         f32::from(u8::from(is_valid))

@@ -1,7 +1,7 @@
-//! Properties for all inputs: the clip, the hash index, tile membership, the composite.
+//! Properties for all inputs: the clip, tile membership, the composite.
 
 use glam::{Vec2, Vec3, Vec4};
-use organza::{Device, scene::GridConfig};
+use organza::Device;
 use organza_device::Buffer;
 use organza_parity::exact::composite::Splat;
 use organza_parity::exact::project::cutoff;
@@ -92,29 +92,6 @@ proptest! {
             prop_assert!(segment.count as f32 >= steps * (1.0 - 1e-6) && (segment.count - 1) as f32 <= steps * (1.0 + 1e-6));
             prop_assert!(segment.factor <= 1.0 + 1e-6, "{}", segment.factor);
             prop_assert!((segment.factor * segment.count as f32 - steps).abs() <= 1e-5 * steps.max(1.0));
-        }
-    }
-
-    #[test]
-    fn entries_are_those_of_the_conventions(
-        base in 1u32..40, growth in 1.0f64..2.2, log2_table in 3u32..20, levels in 1u32..10, x in vector(coordinate()),
-    ) {
-        let grid = GridConfig {
-            levels, features: 2, log2_table, base_resolution: f64::from(base), growth
-        };
-        for level in grid.levels_geometry() {
-            let kernel = level.for_kernels();
-            let cell = kernel.cell::<f32>(x.to_array().map(|x| Split::new(x, 0.0)));
-            prop_assert!(cell.weight.iter().all(|weight| (0.0..=1.0).contains(weight)));
-            for (corner, entry) in (0..8u32).zip(kernel.entries(cell.corner)) {
-                let [x, y, z] = [0, 1, 2].map(|axis| cell.corner[axis] + (corner >> axis & 1));
-                let index = if level.hashed {
-                    x ^ y.wrapping_mul(2_654_435_761) ^ z.wrapping_mul(805_459_861)
-                } else {
-                    x + y * level.resolution + z * level.resolution * level.resolution
-                };
-                prop_assert_eq!(entry, level.first + index % level.count, "{:?}", (x, y, z));
-            }
         }
     }
 

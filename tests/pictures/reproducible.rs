@@ -1,7 +1,7 @@
 //! An image has the same bits for every cut into tiles, and for any number of threads.
 
 use organza::{Camera, DeviceScene, Renderer, TileBatch};
-use organza_tests::{cases, devices};
+use organza_tests::{cases, compare::bits, devices};
 
 /// The whole image of a camera, `[3, height, width]`, from tiles with a given side.
 pub fn image(
@@ -63,7 +63,7 @@ fn the_image_does_not_depend_on_the_threads() {
             let scene = renderer.upload(&case.scene).expect("the scene fits");
             renderer.render(&scene, &case.cameras, &case.tiles).expect("it renders").data
         });
-        let bits = tiles.map(|tiles| tiles.into_iter().map(f32::to_bits).collect::<Vec<_>>());
+        let bits = tiles.map(|tiles| bits(&tiles));
         assert!(
             bits[0] == bits[1] && bits[0] == bits[2],
             "{}: the number of threads shows",

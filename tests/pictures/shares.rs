@@ -4,6 +4,7 @@ use organza::ranks::{Ranks, ThreadRanks};
 use organza::render::share_bytes;
 use organza::scene::{SLICE, Scene, SceneShare};
 use organza::{Camera, Renderer, TileBatch, UploadOptions, demo};
+use organza_tests::compare::bits;
 use organza_tests::devices;
 
 /// Copies of the built-in scene's Gaussians, slightly moved and more transparent: three slices.
@@ -32,10 +33,6 @@ struct Found {
     gradient: Vec<(String, Vec<u32>)>,
     /// Number of Gaussians of each rank.
     held: Vec<usize>,
-}
-
-fn bits(values: &[f32]) -> Vec<u32> {
-    values.iter().map(|value| value.to_bits()).collect()
 }
 
 /// The loss is half the sum of squares, so dL/dY is Y.

@@ -19,7 +19,7 @@ const MAX_FILE_BYTES: u64 = 64 << 10;
 const MAX_BYTES: u64 = 1 << 20;
 
 /// Every device, opened once.
-static RENDERERS: LazyLock<Vec<(&str, Renderer)>> = LazyLock::new(|| {
+pub static RENDERERS: LazyLock<Vec<(&str, Renderer)>> = LazyLock::new(|| {
     devices::all().into_iter().map(|(name, device)| (name, Renderer::new(device))).collect()
 });
 

@@ -220,6 +220,23 @@ fn rust_in_the_readme_is_compiled() {
     }
 }
 
+/// Rust code of the guide is that of the example, which is built and tested as a project of its own.
+#[test]
+fn rust_in_the_guide_is_in_the_example() {
+    let read = |file: &str| fs::read_to_string(root().join("kit/examples/picture").join(file));
+    let files = ["kernels/src/lib.rs", "src/lib.rs", "tests/kernels.rs"];
+    let files = files.map(|file| read(file).expect("a file of the example"));
+    let mut shown = 0;
+    for Block { page, language, text } in blocks() {
+        if page == "docs/adding-a-kernel.md" && language == "rust" {
+            let is_there = files.iter().any(|file| file.contains(text.trim()));
+            assert!(is_there, "{page}: not in the example:\n{text}");
+            shown += 1;
+        }
+    }
+    assert!(shown >= 6, "the guide shows {shown} blocks");
+}
+
 /// A block that the tests above do not know would never be run.
 #[test]
 fn blocks_are_marked_with_their_language() {

@@ -67,19 +67,6 @@ fn images_do_not_depend_on_the_tile_size() {
 }
 
 #[test]
-fn results_do_not_depend_on_threads() {
-    let sandbox = Sandbox::new("wide");
-    for threads in [1, 2] {
-        sandbox.run(&format!("{RENDER} -o {threads} --threads {threads} --views 1")).assert_ok();
-        sandbox.run(&format!("{TILES} -o {threads}.st --threads {threads}")).assert_ok();
-    }
-    let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
-    assert!(read("1/0001.png") == read("2/0001.png"));
-    assert!(read("1.st") == read("2.st"));
-    assert!(!sandbox.path("1/0000.png").exists(), "view 0 was not asked for");
-}
-
-#[test]
 fn a_pixel_is_explained_as_it_is_rendered() {
     for name in names() {
         let sandbox = Sandbox::new(&name);

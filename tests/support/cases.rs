@@ -29,7 +29,6 @@ impl Case {
     ///
     /// # Panics
     /// If a file cannot be read.
-    #[must_use]
     pub fn load(folder: &Path) -> Self {
         let file = |name: &str| folder.join(name);
         Self {
@@ -45,14 +44,12 @@ impl Case {
     ///
     /// # Panics
     /// If there is no tensor of that name.
-    #[must_use]
     pub fn expected(&self, name: &str) -> &[f32] {
         &self.expected.get(name).unwrap_or_else(|| panic!("{}: no tensor `{name}`", self.name)).data
     }
 }
 
 /// The folder of the cases in the repository.
-#[must_use]
 pub fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("cases")
 }
@@ -61,7 +58,6 @@ pub fn folder() -> PathBuf {
 ///
 /// # Panics
 /// If a folder cannot be read, or holds no case.
-#[must_use]
 pub fn all() -> Vec<Case> {
     let mut folders = subfolders(&folder());
     assert!(!folders.is_empty(), "no cases in {}", folder().display());
@@ -86,7 +82,6 @@ pub fn on_every_device(check: impl Fn(&str, &Renderer, &Case, &DeviceScene)) {
 }
 
 /// Every nth Gaussian of the built-in scene, with log scales increased by `wider` so that they cover it.
-#[must_use]
 pub fn thinned(nth: usize, wider: f32) -> Scene {
     let mut scene = demo::scene();
     let some: Vec<_> = (0..scene.gaussians.len()).step_by(nth).collect();

@@ -17,7 +17,6 @@ pub struct Difference {
 ///
 /// # Panics
 /// If their lengths differ, or one holds a NaN.
-#[must_use]
 pub fn difference(actual: &[f32], expected: &[f32]) -> Difference {
     assert_eq!(actual.len(), expected.len(), "lengths differ");
     let norm = expected.iter().map(|&x| f64::from(x).powi(2)).sum::<f64>().sqrt().max(1e-30);
@@ -71,4 +70,9 @@ pub fn assert_close_relative(what: &str, actual: &[f32], expected: &[f32], toler
         "{what}: {relative:.3e} relative, most at {at}, {a:?} for {e:?} ({largest:.3e}); allowed is {tolerance:.1e}"
     );
     println!("{what}: {relative:.2e} relative, {largest:.2e} at most");
+}
+
+/// The bits of values.
+pub fn bits(values: &[f32]) -> Vec<u32> {
+    values.iter().map(|value| value.to_bits()).collect()
 }

@@ -7,7 +7,6 @@ pub use organza_check::devices::{checked, checked_variants, cpu, cpus, with};
 ///
 /// # Panics
 /// The same as [`organza_check::devices::all`].
-#[must_use]
 pub fn all() -> Vec<(&'static str, Device)> {
     organza_check::devices::all(&MODULES)
 }
@@ -16,7 +15,6 @@ pub fn all() -> Vec<(&'static str, Device)> {
 ///
 /// # Panics
 /// The same as [`organza_check::devices::gpus`].
-#[must_use]
 pub fn gpus() -> Vec<(&'static str, Device)> {
     organza_check::devices::gpus(&MODULES)
 }
@@ -25,7 +23,6 @@ pub fn gpus() -> Vec<(&'static str, Device)> {
 ///
 /// # Panics
 /// The same as [`organza_check::devices::variants`].
-#[must_use]
 pub fn variants() -> Vec<(&'static str, [Device; 2])> {
     organza_check::devices::variants(&MODULES)
 }
@@ -34,7 +31,6 @@ pub fn variants() -> Vec<(&'static str, [Device; 2])> {
 ///
 /// # Panics
 /// If [`gpus`] panics.
-#[must_use]
 pub fn has_gpu() -> bool {
     !gpus().is_empty()
 }

@@ -1,7 +1,6 @@
 //! `cargo xtask kernels`: compiles the kernels to SPIR-V and WGSL, and writes the modules that the host
 //! crate embeds. Everybody else builds organza without a SPIR-V compiler.
 
-mod guide;
 mod new;
 
 use std::path::PathBuf;
@@ -30,8 +29,6 @@ enum Task {
         /// The folder: it must be new or empty
         folder: PathBuf,
     },
-    /// Compile the kernel on the page docs/adding-a-kernel.md, in a copy of the shader crate
-    Guide,
 }
 
 /// The workspace.
@@ -46,7 +43,6 @@ fn project() -> Project {
 
 fn main() -> ExitCode {
     organza_build::exit_code(match Cli::parse().task {
-        Task::Guide => guide::run(&project()),
         Task::New { folder } => new::run(&project(), &folder),
         Task::Kernels(options) => organza_build::run(&project(), options),
         Task::Isa(options) => organza_build::isa(&project(), &options),

@@ -6,8 +6,6 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 use organza_build::Project;
 
-use crate::guide::copy_tree;
-
 /// Path of the example in the workspace.
 const EXAMPLE: &str = "kit/examples/picture";
 
@@ -35,5 +33,22 @@ pub fn run(project: &Project, folder: &Path) -> Result<()> {
          cargo test                      # on the CPU, and on a GPU in two ways",
         folder.display()
     );
+    Ok(())
+}
+
+fn copy_tree(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        // cargo's build output
+        if entry.file_name() == "target" {
+            continue;
+        }
+        let target = to.join(entry.file_name());
+        match entry.file_type()?.is_dir() {
+            true => copy_tree(&entry.path(), &target)?,
+            false => drop(fs::copy(entry.path(), target)?),
+        }
+    }
     Ok(())
 }

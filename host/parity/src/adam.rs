@@ -1,31 +1,12 @@
 //! The optimizer's step.
 
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
-use organza_shaders::adam::{AdamKernel, AdamParams};
+use organza_check::prelude::*;
+use organza_shaders::adam::{AdamInputs, AdamParams};
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::exact::adam::Step;
-use organza_device::Result;
 
-/// Inputs of `adam`.
-#[derive(Clone, Debug)]
-pub struct Adam {
-    /// The step's constants.
-    pub params: AdamParams,
-    /// A flag for every block, or one for all.
-    pub touched: Vec<u32>,
-    /// g, behind what belongs to another group.
-    pub gradient: Vec<f32>,
-    /// m
-    pub first_moment: Vec<f32>,
-    /// v
-    pub second_moment: Vec<f32>,
-    /// The parameters.
-    pub value: Vec<f32>,
-}
+case!(pub Adam(AdamInputs));
 
 impl Adam {
     fn new(values: u32, fill: Fill, random: &mut Random) -> Self {
@@ -44,14 +25,14 @@ impl Adam {
             epsilon: 1e-12,
             kept: 1.0 - 0.01 * 0.1,
         };
-        Self {
+        Self(AdamInputs {
             params,
             touched: (0..blocks).map(|_| if sparse == 1 { random.below(2) } else { 1 }).collect(),
             gradient: fill.values(random, len + first_gradient as usize, [-1.0, 1.0], 1e10),
             first_moment: fill.values(random, len, [-1.0, 1.0], 1e10),
             second_moment: random.values(len, 1e-6, 1.0),
             value: fill.values(random, len, [-3.0, 3.0], 1e10),
-        }
+        })
     }
 
     fn step(&self) -> Step {
@@ -66,7 +47,6 @@ impl Adam {
     }
 
     /// Whether the kernel moves a value.
-    #[must_use]
     pub fn is_touched(&self, index: usize) -> bool {
         let block = index / VALUES_PER_FLAG as usize * self.params.sparse as usize;
         index < self.value.len() && self.touched[block] != 0
@@ -83,15 +63,7 @@ impl Parity for Adam {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let kernel = AdamKernel {
-            params: self.params,
-            touched: &self.touched,
-            gradient: &self.gradient,
-            first_moment: &self.first_moment,
-            second_moment: &self.second_moment,
-            value: &self.value,
-        };
-        runner.run(&kernel, self.params.values, 1)
+        runner.run(&self.kernel(), self.params.values, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {

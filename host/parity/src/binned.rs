@@ -1,13 +1,8 @@
 //! The case of `binned_gradient`, and binned sums for other cases.
 
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{self, Fill},
-};
+use organza_check::prelude::*;
 use organza_kernel::binned::ROWS;
-use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
-
-use organza_device::Result;
+use organza_shaders::binned::{BinnedGradientInputs, BinnedGradientParams};
 
 /// The unit of a row.
 fn unit(row: usize) -> f64 {
@@ -15,7 +10,6 @@ fn unit(row: usize) -> f64 {
 }
 
 /// What the words of sums `[17, values, 2]` come to.
-#[must_use]
 pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
     let integer = |w: &[u32]| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64;
     let rows: Vec<_> = words.chunks_exact(2).map(integer).collect();
@@ -26,7 +20,6 @@ pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
 }
 
 /// An output, with the sums' values in place of their words.
-#[must_use]
 pub fn with_sums(output: Output, values: usize) -> Output {
     match output.name {
         "sum" => {
@@ -38,7 +31,6 @@ pub fn with_sums(output: Output, values: usize) -> Output {
 }
 
 /// Sums of one number each, `[17, values, 2]`.
-#[must_use]
 pub fn write_sums(values: &[f32]) -> Vec<u32> {
     let mut words = vec![[0; 2]; ROWS as usize * values.len()];
     for (index, &value) in values.iter().enumerate().filter(|(_, value)| value.is_normal()) {
@@ -49,14 +41,7 @@ pub fn write_sums(values: &[f32]) -> Vec<u32> {
     words.into_flattened()
 }
 
-/// Inputs of `binned_gradient`.
-#[derive(Clone, Debug)]
-pub struct BinnedGradient {
-    /// `[17, values, 2]`
-    pub sum: Vec<u32>,
-    /// `[values]`
-    pub gradient: Vec<f32>,
-}
+case!(pub BinnedGradient(BinnedGradientInputs));
 
 impl Parity for BinnedGradient {
     const KERNEL: &'static str = "binned_gradient";
@@ -74,18 +59,16 @@ impl Parity for BinnedGradient {
                     words.copy_from_slice(&[integer as u32, (integer >> 32) as u32]);
                 }
             }
-            Self { sum, gradient: fill.values(random, len, [-1.0, 1.0], 1e30) }
+            Self(BinnedGradientInputs {
+                params: BinnedGradientParams { values: count },
+                sum,
+                gradient: fill.values(random, len, [-1.0, 1.0], 1e30),
+            })
         })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let values = self.gradient.len() as u32;
-        let kernel = BinnedGradientKernel {
-            params: BinnedGradientParams { values },
-            sum: &self.sum,
-            gradient: &self.gradient,
-        };
-        runner.run(&kernel, values, 1)
+        runner.run(&self.kernel(), self.params.values, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -1,13 +1,12 @@
 //! The case of `pair_channels`.
 
-use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, Values, inputs::Random};
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 
 use super::exact::channels::{depth, normal};
 use super::exact::project::View;
 use super::project::Project;
-use organza_device::Result;
 
 /// Inputs of `pair_channels`.
 #[derive(Clone)]
@@ -62,8 +61,8 @@ impl Parity for PairChannels {
             rotation: &self.scene.rotation,
             log_scale: &self.scene.log_scale,
             transmittance: &self.transmittance,
-            measure: &runner.unwritten(3 * pairs),
-            normals: &runner.unwritten(3 * pairs),
+            measure: &unwritten(3 * pairs),
+            normals: &unwritten(3 * pairs),
         };
         let mut outputs = runner.run(&kernel, pairs as u32, 1)?;
         // a normal across the ray has two sides

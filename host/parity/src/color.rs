@@ -1,10 +1,7 @@
 //! Cases of `color_inputs` and `color_head`.
 
 use glam::Vec3;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{self, Fill, ITEMS, Random},
-};
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
@@ -17,7 +14,6 @@ use super::exact::numeric::sigmoid;
 use super::exact::spherical_harmonics::{direction, harmonics};
 use super::exact::unit_cube::{contract, unit};
 use super::project;
-use organza_device::Result;
 
 /// Boxes around the origin, far from it and small, and large.
 pub const BOXES: [[[f64; 3]; 2]; 3] = [
@@ -93,7 +89,6 @@ impl ColorInputs {
     }
 
     /// Camera and Gaussian of a column.
-    #[must_use]
     pub fn of(&self, column: usize) -> (&Camera, Vec3, usize) {
         let slot = self.pair[FIRST_PAIR as usize + column] as usize;
         let gaussian = slot % self.gaussians as usize;
@@ -102,7 +97,6 @@ impl ColorInputs {
     }
 
     /// Values of the harmonics.
-    #[must_use]
     pub fn sh_rows(&self) -> usize {
         (self.degree as usize + 1).pow(2)
     }
@@ -161,8 +155,8 @@ impl Parity for ColorInputs {
             scene_box: &SceneBox::new(self.aabb, self.is_contracted).pack().to_vec(),
             position: &self.position,
             material: &self.material,
-            point: &runner.unwritten(POINT_ROWS as usize * stride),
-            input: &runner.unwritten((self.sh_rows() + 4) * stride),
+            point: &unwritten(POINT_ROWS as usize * stride),
+            input: &unwritten((self.sh_rows() + 4) * stride),
         };
         let mut outputs = runner.run(&kernel, self.pairs, 1)?;
         joined(&mut outputs[0], stride);
@@ -273,7 +267,7 @@ impl Parity for ColorHead {
             },
             parameters: &layer.parameters,
             input: &layer.input,
-            color: &runner.unwritten(3 * (FIRST_PAIR + layer.samples) as usize),
+            color: &unwritten(3 * (FIRST_PAIR + layer.samples) as usize),
         };
         runner.run(&kernel, layer.samples, 1)
     }

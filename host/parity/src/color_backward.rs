@@ -1,34 +1,19 @@
 //! Cases of `color_head_backward` and `material_backward`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, ITEMS, Random},
-};
+use organza_check::prelude::*;
 use organza_shaders::color_backward::{
-    ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
+    ColorHeadBackwardInputs, ColorHeadBackwardParams, MaterialBackwardInputs,
     MaterialBackwardParams,
 };
 
 use super::exact::color::logit;
 use super::exact::numeric::{Dual, gradient, sigmoid};
-use organza_device::Result;
 
 /// Pairs before the chunk.
 const FIRST_PAIR: u32 = 2;
 
-/// Inputs of `color_head_backward`.
-#[derive(Clone, Debug)]
-pub struct ColorHeadBackward {
-    /// Pairs of the chunk; two others lie before them.
-    pub samples: u32,
-    /// Distance of two rows.
-    pub stride: u32,
-    /// `[pairs, 3]`
-    pub color: Vec<f32>,
-    /// `[pairs, 3]`
-    pub gradient: Vec<Vec4>,
-}
+case!(pub ColorHeadBackward(ColorHeadBackwardInputs));
 
 impl Parity for ColorHeadBackward {
     const KERNEL: &'static str = "color_head_backward";
@@ -40,46 +25,39 @@ impl Parity for ColorHeadBackward {
             let pairs = (samples + FIRST_PAIR) as usize;
             let color = fill.values(random, 3 * pairs, [0.0, 1.0], 1.0);
             let gradient = fill.values(random, 12 * pairs, [-1.0, 1.0], 1e30);
-            Self {
-                samples,
-                stride: samples + 3,
+            let stride = samples + 3;
+            Self(ColorHeadBackwardInputs {
+                params: ColorHeadBackwardParams { samples, first_pair: FIRST_PAIR, stride },
                 color: color.into_iter().map(f32::abs).collect(),
-                gradient: gradient.chunks_exact(4).map(Vec4::from_slice).collect(),
-            }
+                pair_gradient: gradient.chunks_exact(4).map(Vec4::from_slice).collect(),
+                logit_gradient: unwritten(3 * stride as usize),
+            })
         })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let kernel = ColorHeadBackwardKernel {
-            params: ColorHeadBackwardParams {
-                samples: self.samples,
-                first_pair: FIRST_PAIR,
-                stride: self.stride,
-            },
-            color: &self.color,
-            pair_gradient: &self.gradient,
-            logit_gradient: &runner.unwritten(3 * self.stride as usize),
-        };
-        runner.run(&kernel, self.samples, 1)
+        runner.run(&self.kernel(), self.params.samples, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
-        if sample >= self.samples as usize {
+        let (channel, sample) =
+            (index / self.params.stride as usize, index % self.params.stride as usize);
+        if sample >= self.params.samples as usize {
             return Bound::EXACT;
         }
         let pair = sample + FIRST_PAIR as usize;
-        let gradient = f64::from(self.gradient[3 * pair + 2][channel]).abs();
+        let gradient = f64::from(self.pair_gradient[3 * pair + 2][channel]).abs();
         let bound = Bound::of(gradient * f64::from(self.color[3 * pair + channel]));
         // a color that may be flushed
         Bound { floor: bound.floor * (1.0 + gradient), ..bound }
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let (channel, sample) = (index / self.stride as usize, index % self.stride as usize);
-        (sample < self.samples as usize).then(|| {
+        let (channel, sample) =
+            (index / self.params.stride as usize, index % self.params.stride as usize);
+        (sample < self.params.samples as usize).then(|| {
             let pair = sample + FIRST_PAIR as usize;
-            let of_color = Dual::from(f64::from(self.gradient[3 * pair + 2][channel]));
+            let of_color = Dual::from(f64::from(self.pair_gradient[3 * pair + 2][channel]));
             let before = logit(f64::from(self.color[3 * pair + channel]));
             let [slope] = gradient([before], |[x]| of_color * sigmoid(x));
             slope
@@ -87,27 +65,16 @@ impl Parity for ColorHeadBackward {
     }
 }
 
-/// Inputs of `material_backward`.
-#[derive(Clone, Debug)]
-pub struct MaterialBackward {
-    /// Pairs of the chunk; two others lie before them.
-    pub samples: u32,
-    /// Distance of two rows.
-    pub stride: u32,
-    /// Values of a material; a row lies before them.
-    pub material: u32,
-    /// `[1 + material, stride]`
-    pub gradient: Vec<f32>,
-}
+case!(pub MaterialBackward(MaterialBackwardInputs));
 
 impl MaterialBackward {
     /// The gradient of a pair's material.  The network's input is a copy of the material, so this copies its gradient.
     fn of(&self, index: usize) -> Option<f64> {
-        let (material, stride) = (self.material as usize, self.stride as usize);
+        let (material, stride) = (self.params.material as usize, self.params.stride as usize);
         let (pair, value) = (index / material, index % material);
         let sample = pair.checked_sub(FIRST_PAIR as usize);
-        let sample = sample.filter(|&sample| sample < self.samples as usize)?;
-        Some(f64::from(self.gradient[(1 + value) * stride + sample]))
+        let sample = sample.filter(|&sample| sample < self.params.samples as usize)?;
+        Some(f64::from(self.input_gradient[(1 + value) * stride + sample]))
     }
 }
 
@@ -120,8 +87,17 @@ impl Parity for MaterialBackward {
         let set = |samples: u32, material: u32, fill: Fill, random: &mut Random| {
             let stride = samples + 3;
             let len = ((1 + material) * stride) as usize;
-            let gradient = fill.values(random, len, [-1.0, 1.0], 3e38);
-            Self { samples, stride, material, gradient }
+            Self(MaterialBackwardInputs {
+                params: MaterialBackwardParams {
+                    samples,
+                    first_pair: FIRST_PAIR,
+                    stride,
+                    material,
+                    material_row: 1,
+                },
+                input_gradient: fill.values(random, len, [-1.0, 1.0], 3e38),
+                pair_material: unwritten(((samples + FIRST_PAIR) * material) as usize),
+            })
         };
         let mut sets = inputs::sets(|n, fill, random| set(n, 3, fill, random));
         for material in [1, 256] {
@@ -133,19 +109,7 @@ impl Parity for MaterialBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pairs = self.samples + FIRST_PAIR;
-        let kernel = MaterialBackwardKernel {
-            params: MaterialBackwardParams {
-                samples: self.samples,
-                first_pair: FIRST_PAIR,
-                stride: self.stride,
-                material: self.material,
-                material_row: 1,
-            },
-            input_gradient: &self.gradient,
-            pair_material: &runner.unwritten((pairs * self.material) as usize),
-        };
-        runner.run(&kernel, self.samples, 1)
+        runner.run(&self.kernel(), self.params.samples, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -1,11 +1,7 @@
 //! The case of `composite`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::project::FALLOFF_CUTOFF;
@@ -13,7 +9,6 @@ use organza_shaders::tile::Tile;
 
 use super::exact::composite::{Splat, falloff};
 use super::tile::pack;
-use organza_device::Result;
 
 /// Sides around the workgroup's.
 pub(super) const SIDES: [u32; 5] = [1, 7, 8, 9, 17];
@@ -92,14 +87,12 @@ impl Composite {
     }
 
     /// The members of a tile that this pass sums up.
-    #[must_use]
     pub fn members(&self, tile: usize) -> &[u32] {
         let end = self.tile_first[tile + 1].min(self.tile_first[tile] + self.skip + MAX_MEMBERS);
         &self.member[(self.tile_first[tile] + self.skip).min(end) as usize..end as usize]
     }
 
     /// Tile, and the pixel's center in the image.
-    #[must_use]
     pub fn pixel(&self, index: usize) -> (usize, [f64; 2]) {
         let side = self.side as usize;
         let tile = index / (side * side);
@@ -110,7 +103,6 @@ impl Composite {
 }
 
 /// Half the size of the box around `q <= cutoff`, with `project`'s margin; all of f32 where the conic has no inverse.
-#[must_use]
 pub fn extent(conic: [f32; 3]) -> [f32; 2] {
     let [xx, xy, yy] = conic.map(f64::from);
     let determinant = xx * yy - xy * xy;

@@ -1,11 +1,7 @@
 //! The case of `composite_backward`.
 
 use glam::{DVec4, Vec4};
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
@@ -14,7 +10,6 @@ use super::composite::{Composite, SIDES};
 use super::exact::composite::{Splat, falloff};
 use super::exact::numeric::{Dual, gradient};
 use super::tile::pack;
-use organza_device::Result;
 
 /// Inputs of `composite_backward`.
 #[derive(Clone, Debug)]

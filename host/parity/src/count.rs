@@ -1,28 +1,15 @@
 //! Cases of `record_total`, `clear_on_overflow` and `count_fill`.
 
-use organza_check::{
-    KernelRunner, Output, Parity,
-    inputs::{Random, SIZES},
-};
-use organza_kernel::count::{CountFillKernel, OVERFLOW, PLACEMENT_VALUES};
+use organza_check::prelude::*;
+use organza_kernel::count::{CountFillInputs, OVERFLOW, PLACEMENT_VALUES};
 use organza_shaders::count::{
-    COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalKernel,
+    COUNTS, ClearOnOverflowInputs, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalInputs,
     RecordTotalParams, SAMPLES,
 };
 
 use super::exact::listed;
-use organza_device::Result;
 
-/// Inputs of `record_total`.
-#[derive(Clone, Debug)]
-pub struct RecordTotal {
-    /// Exclusive sums; the total is the last.
-    pub first: Vec<u32>,
-    /// How many there is capacity for.
-    pub capacity: u32,
-    /// What `counts` has before.
-    pub counts: [u32; COUNTS as usize],
-}
+case!(pub RecordTotal(RecordTotalInputs));
 
 impl Parity for RecordTotal {
     const KERNEL: &'static str = "record_total";
@@ -31,8 +18,11 @@ impl Parity for RecordTotal {
         let mut sets = Vec::new();
         for (total, capacity) in [(0, 0), (0, 5), (5, 5), (6, 5), (u32::MAX, u32::MAX - 1)] {
             for misfit in [0, 1] {
-                let counts = [misfit, 7, 8, 9];
-                let set = Self { first: vec![0, 0, total], capacity, counts };
+                let set = Self(RecordTotalInputs {
+                    params: RecordTotalParams { slot: MEMBERS, last: 2, capacity },
+                    first: vec![0, 0, total],
+                    counts: vec![misfit, 7, 8, 9],
+                });
                 sets.push((format!("{total} of {capacity}, misfit {misfit}"), set));
             }
         }
@@ -40,32 +30,19 @@ impl Parity for RecordTotal {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let (last, capacity) = (self.first.len() as u32 - 1, self.capacity);
-        let kernel = RecordTotalKernel {
-            params: RecordTotalParams { slot: MEMBERS, last, capacity },
-            first: &self.first,
-            counts: &self.counts.to_vec(),
-        };
-        runner.run(&kernel, 2, 1)
+        runner.run(&self.kernel(), 2, 1)
     }
 
     /// misfit, pairs, members, samples: the total of the members, and whether it fits.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let [misfit, pairs, _, samples] = self.counts;
+        let [misfit, pairs, samples] = [0, 1, 3].map(|slot| self.counts[slot]);
         let total = self.first[self.first.len() - 1];
-        let misfit = if total > self.capacity { 1 } else { misfit };
+        let misfit = if total > self.params.capacity { 1 } else { misfit };
         listed([misfit, pairs, total, samples])
     }
 }
 
-/// Inputs of `clear_on_overflow`.
-#[derive(Clone, Debug)]
-pub struct ClearOnOverflow {
-    /// The table.
-    pub table: Vec<u32>,
-    /// Whether something did not fit.
-    pub misfit: u32,
-}
+case!(pub ClearOnOverflow(ClearOnOverflowInputs));
 
 impl Parity for ClearOnOverflow {
     const KERNEL: &'static str = "clear_on_overflow";
@@ -73,38 +50,29 @@ impl Parity for ClearOnOverflow {
     fn sets() -> Vec<(String, Self)> {
         let of = |size: u32, misfit: u32| {
             let mut random = Random::new(u64::from(size));
-            let table = (0..size).map(|_| random.below(1000)).collect();
-            (format!("{size} values, misfit {misfit}"), Self { table, misfit })
+            let mut counts = vec![3; COUNTS as usize];
+            counts[OVERFLOW as usize] = misfit;
+            let set = Self(ClearOnOverflowInputs {
+                params: ClearOnOverflowParams { len: size },
+                counts,
+                table: (0..size).map(|_| random.below(1000)).collect(),
+            });
+            (format!("{size} values, misfit {misfit}"), set)
         };
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let len = self.table.len() as u32;
-        let mut counts = vec![3; COUNTS as usize];
-        counts[OVERFLOW as usize] = self.misfit;
-        let kernel = ClearOnOverflowKernel {
-            params: ClearOnOverflowParams { len },
-            counts: &counts,
-            table: &self.table,
-        };
-        runner.run(&kernel, len, 1)
+        runner.run(&self.kernel(), self.params.len, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let keeps = u32::from(self.misfit == 0);
+        let keeps = u32::from(self.counts[OVERFLOW as usize] == 0);
         listed(self.table.iter().map(|value| keeps * value))
     }
 }
 
-/// Inputs of `count_fill`.
-#[derive(Clone, Debug)]
-pub struct CountFill {
-    /// What `counts` has.
-    pub counts: Vec<u32>,
-    /// A slot in `counts`, `first` and `most`, for every other word.
-    pub numbers: Vec<[u32; 3]>,
-}
+case!(pub CountFill(CountFillInputs));
 
 impl Parity for CountFill {
     const KERNEL: &'static str = "count_fill";
@@ -112,41 +80,37 @@ impl Parity for CountFill {
     fn sets() -> Vec<(String, Self)> {
         let of = |size: u32, misfit: u32| {
             let mut random = Random::new(u64::from(size));
-            let numbers = (0..size).map(|_| {
+            let mut placement = vec![size, 0, 0, 0];
+            for number in 0..size {
                 let slot = [PAIRS, MEMBERS, SAMPLES][random.below(3) as usize];
-                [slot, random.below(3000), random.below(1000)]
+                // every other word
+                placement.extend([2 * number, slot, random.below(3000), random.below(1000)]);
+            }
+            assert_eq!(placement.len() as u32, (1 + size) * PLACEMENT_VALUES);
+            let set = Self(CountFillInputs {
+                placement,
+                counts: vec![misfit, 0, 1000, 2000],
+                parameters: unwritten(2 * size as usize),
             });
-            let set = Self { counts: vec![misfit, 0, 1000, 2000], numbers: numbers.collect() };
             (format!("{size} numbers, misfit {misfit}"), set)
         };
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let numbers = self.numbers.len() as u32;
-        let mut placement = vec![numbers, 0, 0, 0];
-        for (&[slot, first, most], word) in self.numbers.iter().zip((0..).step_by(2)) {
-            placement.extend([word, slot, first, most]);
-        }
-        assert_eq!(placement.len() as u32, (1 + numbers) * PLACEMENT_VALUES);
-        let kernel = CountFillKernel {
-            placement: &placement,
-            counts: &self.counts,
-            parameters: &runner.unwritten(2 * self.numbers.len()),
-        };
-        runner.run(&kernel, numbers, 1)
+        runner.run(&self.kernel(), self.placement[0], 1)
     }
 
     /// What is left of each total behind `first`, at most `most`; nothing where something did not fit.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let number = |&[slot, first, most]: &[u32; 3]| match self.counts[..] {
+        let number = |&[_, slot, first, most]: &[u32; 4]| match self.counts[..] {
             [0, ref counts @ ..] => {
                 let rest = i64::from(counts[slot as usize - 1]) - i64::from(first);
                 rest.clamp(0, i64::from(most)) as f64
             }
             _ => 0.0,
         };
-        // every other word
-        self.numbers.iter().flat_map(|numbers| [Some(number(numbers)), None]).collect()
+        let numbers = self.placement.as_chunks().0[1..].iter();
+        numbers.flat_map(|numbers| [Some(number(numbers)), None]).collect()
     }
 }

@@ -1,15 +1,10 @@
 //! The case of `dense`, and the sum that both heads share with it.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 
 use super::exact::dense::{affine, relu};
-use organza_device::Result;
 
 /// Where a layer's weights begin: not at 0.
 const WEIGHT: u32 = 3;
@@ -55,7 +50,6 @@ impl Layer {
     }
 
     /// As the kernels take it.
-    #[must_use]
     pub fn params(&self) -> DenseParams {
         DenseParams {
             samples: self.samples,
@@ -68,26 +62,22 @@ impl Layer {
     }
 
     /// Weight of an input in an output.
-    #[must_use]
     pub fn weight(&self, input: u32, output: u32) -> f64 {
         let at = WEIGHT + input * self.columns + output / 4;
         f64::from(self.parameters[at as usize][output as usize % 4])
     }
 
     /// Bias of an output.
-    #[must_use]
     pub fn bias(&self, output: u32) -> f64 {
         self.weight(self.inputs, output)
     }
 
     /// An input of a sample.
-    #[must_use]
     pub fn value(&self, input: u32, sample: u32) -> f64 {
         f64::from(self.input[(input * self.stride + sample) as usize])
     }
 
     /// An output of a sample before the activation, in f64 (Eq. 2 and 10).
-    #[must_use]
     pub fn exact(&self, sample: u32, output: u32) -> f64 {
         let inputs = 0..self.inputs;
         let (weights, values): (Vec<_>, Vec<_>) =
@@ -96,20 +86,17 @@ impl Layer {
     }
 
     /// Row and sample of an element of `[rows, stride]`; `None` for padding.
-    #[must_use]
     pub fn place(&self, index: usize) -> Option<(u32, u32)> {
         let (row, sample) = (index as u32 / self.stride, index as u32 % self.stride);
         (sample < self.samples).then_some((row, sample))
     }
 
     /// As [`Layer::place`], for the output of a hidden layer.
-    #[must_use]
     pub fn output(&self, index: usize) -> Option<(u32, u32)> {
         self.place(index).filter(|&(row, _)| row < 4 * self.columns)
     }
 
     /// How far a sum may be off: the sum of its terms' sizes, and what denormals may come to.
-    #[must_use]
     pub fn bound(&self, sample: u32, output: u32) -> Bound {
         let mut scale = self.bias(output).abs();
         let mut reach = 1.0;
@@ -151,7 +138,7 @@ impl Parity for Dense {
             params: layer.params(),
             parameters: &layer.parameters,
             input: &layer.input,
-            output: &runner.unwritten((4 * layer.columns * layer.stride) as usize),
+            output: &unwritten((4 * layer.columns * layer.stride) as usize),
         };
         runner.run(&kernel, layer.samples, layer.columns * 4 / OUTPUTS_PER_INVOCATION)
     }

@@ -3,11 +3,7 @@
 use std::ops::Range;
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
@@ -17,7 +13,6 @@ use super::binned::{with_sums, write_sums};
 use super::dense::Layer;
 use super::exact::dense::{affine, relu};
 use super::exact::numeric::{Dual, gradient};
-use organza_device::Result;
 
 /// How far a sum of products may be off: a rounding for each, of the terms' sizes, and what denormals may come to.
 fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
@@ -105,7 +100,7 @@ impl Parity for DenseBackward {
             parameters: &layer.parameters,
             input: &layer.input,
             output_gradient: &self.gradient,
-            input_gradient: &runner.unwritten((self.end * layer.stride) as usize),
+            input_gradient: &unwritten((self.end * layer.stride) as usize),
         };
         runner.run(&kernel, layer.samples, (self.end - self.first).div_ceil(INPUTS_PER_INVOCATION))
     }

@@ -1,8 +1,7 @@
 //! Cases of `pair_inverse_distance` and `distortion_backward`.
 
 use glam::Vec4;
-use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Random};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::distortion::{
     DistortionBackwardKernel, DistortionParams, LEAST_DISTANCE, PairInverseDistanceKernel,
@@ -15,7 +14,6 @@ use super::exact::numeric::{Dual, Number, gradient};
 use super::exact::project::View;
 use super::project::Project;
 use super::tile::pack;
-use organza_device::Result;
 
 /// Inputs of `pair_inverse_distance`.
 #[derive(Clone)]
@@ -71,7 +69,7 @@ impl Parity for PairInverseDistance {
             pair: &self.pair,
             camera: &packed,
             position: &self.scene.position,
-            power: &runner.unwritten(3 * pairs),
+            power: &unwritten(3 * pairs),
         };
         runner.run(&kernel, pairs as u32, 1)
     }
@@ -167,7 +165,7 @@ impl Parity for DistortionBackward {
             tile: &pack(&self.tiles),
             sum: &planes(&self.sum, self.area()),
             valid: &self.valid,
-            sum_gradient: &runner.unwritten(4 * self.sum.len()),
+            sum_gradient: &unwritten(4 * self.sum.len()),
         };
         Ok(pixels(runner.run_over(&kernel, self.side, self.tiles.len() as u32)?, self.area()))
     }

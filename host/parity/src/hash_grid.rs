@@ -1,16 +1,11 @@
 //! The case of `hash_grid`.
 
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, ITEMS, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
 use organza_shaders::unit_cube::Split;
 
 use super::exact::hash_grid::encode;
 use organza_core::scene::GridConfig;
-use organza_device::Result;
 
 /// Rows before the features, which the kernel leaves alone.
 const FIRST_ROW: usize = 3;
@@ -186,13 +181,11 @@ impl HashGrid {
     }
 
     /// The levels as the kernel reads them.
-    #[must_use]
     pub fn levels(&self) -> Vec<GridLevel> {
         self.grid.levels_for_kernels()
     }
 
     /// The place of an element of the output: level, feature and point; none where nothing is written.
-    #[must_use]
     pub fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
         let (chunk_row, column) = (index / STRIDE, index % STRIDE);
         let rows = rows(&self.grid);
@@ -230,7 +223,7 @@ impl Parity for HashGrid {
             levels: &levels,
             table: &self.table,
             position: &self.positions(),
-            output: &runner.unwritten(self.output_len()),
+            output: &unwritten(self.output_len()),
         };
         runner.run(&kernel, kernel.params.points, levels.len() as u32)
     }

@@ -1,13 +1,9 @@
 //! The cases of `hash_grid_backward` and `hash_grid_gradient`.
 
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{self, Fill, ITEMS, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::hash_grid::Corners;
 use organza_shaders::hash_grid_backward::{
-    HashGridBackwardKernel, HashGridGradientKernel, HashGridGradientParams, VALUES_PER_FLAG,
+    HashGridBackwardKernel, HashGridGradientInputs, HashGridGradientParams, VALUES_PER_FLAG,
 };
 use organza_shaders::unit_cube::Split;
 
@@ -15,7 +11,6 @@ use super::exact::hash_grid::levels;
 use super::exact::hash_grid_scale::unit;
 use super::hash_grid::{exact_point, features, grid, params, positions, unrounded_point};
 use organza_core::scene::GridConfig;
-use organza_device::Result;
 
 /// Inputs of `hash_grid_backward`.
 #[derive(Clone, Debug)]
@@ -273,17 +268,13 @@ impl Parity for HashGridBackward {
     }
 }
 
-/// Inputs of `hash_grid_gradient`.
-#[derive(Clone, Debug)]
-pub struct HashGridGradient {
-    /// `[values]`
-    pub sum: Vec<i64>,
-    /// `[values]`
-    pub gradient: Vec<f32>,
-    /// A flag for each block.
-    pub touched: Vec<u32>,
-    /// The fixed point's unit.
-    pub scale: f32,
+case!(pub HashGridGradient(HashGridGradientInputs));
+
+impl HashGridGradient {
+    /// The sum of a value.
+    fn integer(&self, value: usize) -> i64 {
+        (u64::from(self.sum[2 * value + 1]) << 32 | u64::from(self.sum[2 * value])) as i64
+    }
 }
 
 impl Parity for HashGridGradient {
@@ -298,33 +289,30 @@ impl Parity for HashGridGradient {
                 Fill::Huge | Fill::Mixed => (f64::from(value) * 2_f64.powi(62)) as i64,
                 _ => (f64::from(value) * 2_f64.powi(40)) as i64,
             };
+            let words = |sum: i64| [sum as u32, (sum >> 32) as u32];
             let sum = fill.values(random, count as usize, [-1.0, 1.0], 1.0);
+            let gradient = fill.values(random, count as usize, [-1.0, 1.0], 1e30);
             let blocks = count.div_ceil(VALUES_PER_FLAG) as usize;
-            Self {
-                sum: sum.into_iter().map(integer).collect(),
-                gradient: fill.values(random, count as usize, [-1.0, 1.0], 1e30),
-                touched: (0..blocks).map(|_| random.below(2)).collect(),
-                scale: 2_f32.powi(random.below(90) as i32 - 30),
-            }
+            let touched = (0..blocks).map(|_| random.below(2));
+            // nothing is bound as nothing
+            let touched = touched.chain([0]).collect();
+            let scale = 2_f32.powi(random.below(90) as i32 - 30);
+            Self(HashGridGradientInputs {
+                params: HashGridGradientParams { values: count },
+                scale: vec![scale, 1.0 / scale, 0.0],
+                touched,
+                sum: sum.into_iter().flat_map(|value| words(integer(value))).collect(),
+                gradient,
+            })
         })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let words = |&sum: &i64| [sum as u32, (sum >> 32) as u32];
-        let values = self.sum.len() as u32;
-        let kernel = HashGridGradientKernel {
-            params: HashGridGradientParams { values },
-            scale: &vec![self.scale, 1.0 / self.scale, 0.0],
-            // nothing is bound as nothing
-            touched: &[&self.touched[..], &[0]].concat(),
-            sum: &self.sum.iter().flat_map(words).collect::<Vec<_>>(),
-            gradient: &self.gradient,
-        };
-        runner.run(&kernel, values, 1)
+        runner.run(&self.kernel(), self.params.values, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let sum = self.sum[index] as f64 / f64::from(self.scale);
+        let sum = self.integer(index) as f64 / f64::from(self.scale[0]);
         let before = f64::from(self.gradient[index]);
         Bound::of(sum.abs() + before.abs())
     }
@@ -332,10 +320,10 @@ impl Parity for HashGridGradient {
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let is_touched = |index: usize| self.touched[index / 64] != 0;
         let value = if output == "gradient" { index } else { index / 2 };
-        let sum = self.sum[value];
+        let sum = self.integer(value);
         Some(match (output, is_touched(value)) {
             ("gradient", true) => {
-                f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale)
+                f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale[0])
             }
             ("gradient", false) => f64::from(self.gradient[value]),
             // the kernel clears the sums

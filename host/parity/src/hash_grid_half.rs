@@ -1,12 +1,11 @@
 //! The case of `hash_grid_half`.
 
-use organza_check::{Bound, KernelRunner, Output, Parity, Rounding};
+use organza_check::prelude::*;
 use organza_kernel::half::half_value;
 use organza_shaders::hash_grid_half::{HashGridHalfKernel, MAX_HALF};
 
 use super::hash_grid::HashGrid;
 use organza_core::halves::pack_halves;
-use organza_device::Result;
 
 /// Inputs of `hash_grid_half`.
 #[derive(Clone, Debug)]
@@ -48,7 +47,7 @@ impl Parity for HashGridHalf {
             levels: &levels,
             table: &self.table,
             position: &self.full.positions(),
-            output: &runner.unwritten(self.full.output_len()),
+            output: &unwritten(self.full.output_len()),
         };
         runner.run(&kernel, kernel.params.points, levels.len() as u32)
     }

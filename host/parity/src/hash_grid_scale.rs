@@ -1,19 +1,14 @@
 //! The cases of `hash_grid_peak`, `hash_grid_norm` and `hash_grid_scale`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::hash_grid_scale::{
-    HashGridNormKernel, HashGridNormParams, HashGridPeakKernel, HashGridPeakParams,
-    HashGridScaleKernel, HashGridScaleParams, SCALE_VALUES,
+    HashGridNormInputs, HashGridNormParams, HashGridPeakInputs, HashGridPeakParams,
+    HashGridScaleInputs, HashGridScaleParams, SCALE_VALUES,
 };
 use organza_shaders::limits::MAX_LAYERS;
 
 use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, unit};
-use organza_device::Result;
 
 /// Four numbers at a time.
 fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> {
@@ -34,18 +29,7 @@ fn numbers(mut found: Vec<Output>) -> Vec<Output> {
 /// Values that must not get lost.
 const NO_NUMBERS: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 
-/// Inputs of `hash_grid_peak`.
-#[derive(Clone, Debug)]
-pub struct HashGridPeak {
-    /// `[pairs, 3]`
-    pub pair_gradient: Vec<Vec4>,
-    /// `[pairs]`
-    pub transmittance: Vec<f32>,
-    /// For the color network.
-    pub color: bool,
-    /// How many times as long as sigma T's steps are.
-    pub power: f32,
-}
+case!(pub HashGridPeak(HashGridPeakInputs));
 
 impl Parity for HashGridPeak {
     const KERNEL: &'static str = "hash_grid_peak";
@@ -53,12 +37,15 @@ impl Parity for HashGridPeak {
     const WHY: &'static str = "a rounding of a product";
 
     fn sets() -> Vec<(String, Self)> {
+        let set = |pair_gradient, transmittance: Vec<f32>, color, power| {
+            let (pairs, color) = (transmittance.len() as u32, u32::from(color));
+            let params = HashGridPeakParams { pairs, color, power };
+            Self(HashGridPeakInputs { params, pair_gradient, transmittance, bound: vec![0] })
+        };
         let of = |color: bool| {
-            inputs::sets(|pairs, fill, random| Self {
-                pair_gradient: vectors(fill, random, 3 * pairs as usize, 1e30),
-                transmittance: random.values(pairs as usize, 0.0, 1.0),
-                color,
-                power: 2.0,
+            inputs::sets(|pairs, fill, random| {
+                let pair_gradient = vectors(fill, random, 3 * pairs as usize, 1e30);
+                set(pair_gradient, random.values(pairs as usize, 0.0, 1.0), color, 2.0)
             })
         };
         let name = |(name, set)| (format!("color, {name}"), set);
@@ -69,43 +56,27 @@ impl Parity for HashGridPeak {
             pair_gradient[3 * 70 + 2] = Vec4::new(0.0, bad, 0.0, 0.0);
             let transmittance = random.values(100, 0.1, 1.0);
             let name = format!("{bad}, {}", if color { "color" } else { "transmittance" });
-            (name, Self { pair_gradient, transmittance, color, power: 1.0 })
+            (name, set(pair_gradient, transmittance, color, 1.0))
         };
         let bad = NO_NUMBERS.into_iter().flat_map(|x| [(x, false), (x, true)]).map(bad);
         of(false).into_iter().chain(of(true).into_iter().map(name)).chain(bad).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pairs = self.transmittance.len() as u32;
-        let kernel = HashGridPeakKernel {
-            params: HashGridPeakParams { pairs, color: u32::from(self.color), power: self.power },
-            pair_gradient: &self.pair_gradient,
-            transmittance: &self.transmittance,
-            bound: &vec![0],
-        };
-        Ok(numbers(runner.run(&kernel, pairs, 1)?))
+        Ok(numbers(runner.run(&self.kernel(), self.params.pairs, 1)?))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let of_pair = |(pair, &t): (&[Vec4], &f32)| match self.color {
+        let of_pair = |(pair, &t): (&[Vec4], &f32)| match self.params.color == 1 {
             true => color_bound(pair[2].as_dvec4().truncate().to_array()),
-            false => transmittance_bound([pair[0].w, t, self.power].map(f64::from)),
+            false => transmittance_bound([pair[0].w, t, self.params.power].map(f64::from)),
         };
         let pairs = self.pair_gradient.chunks_exact(3).zip(&self.transmittance);
         vec![Some(largest(pairs.map(of_pair)))]
     }
 }
 
-/// Inputs of `hash_grid_norm`.
-#[derive(Clone, Debug)]
-pub struct HashGridNorm {
-    /// Inputs of the layer.
-    pub inputs: u32,
-    /// Columns of four outputs.
-    pub columns: u32,
-    /// Before the weights, other layers'; then `[inputs, columns]`.
-    pub parameters: Vec<Vec4>,
-}
+case!(pub HashGridNorm(HashGridNormInputs));
 
 /// Parameters before the layer's.
 const BEFORE: u32 = 5;
@@ -119,39 +90,35 @@ impl Parity for HashGridNorm {
     const WHY: &'static str = "a rounding for each output, of the sum's size: drivers may regroup";
 
     fn sets() -> Vec<(String, Self)> {
+        let set = |inputs, columns, parameters| {
+            let params = HashGridNormParams { inputs, columns, weight: BEFORE, slot: SLOT };
+            Self(HashGridNormInputs { params, parameters, bound: vec![0; SLOT as usize + 1] })
+        };
         let mut sets = inputs::sets(|inputs, fill, random| {
             let columns = 1 + random.below(32);
             let len = (BEFORE + inputs * columns) as usize;
-            Self { inputs, columns, parameters: vectors(fill, random, len, 1e30) }
+            set(inputs, columns, vectors(fill, random, len, 1e30))
         });
         for bad in NO_NUMBERS {
             let mut parameters = vectors(Fill::Random, &mut Random::new(18), 5 + 70 * 2, 1.0);
             parameters[5 + 67 * 2 + 1].y = bad;
-            sets.push((bad.to_string(), Self { inputs: 70, columns: 2, parameters }));
+            sets.push((bad.to_string(), set(70, 2, parameters)));
         }
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let params = HashGridNormParams {
-            inputs: self.inputs,
-            columns: self.columns,
-            weight: BEFORE,
-            slot: SLOT,
-        };
-        let bound = vec![0; SLOT as usize + 1];
-        let kernel = HashGridNormKernel { params, parameters: &self.parameters, bound: &bound };
-        Ok(numbers(runner.run(&kernel, self.inputs, 1)?))
+        Ok(numbers(runner.run(&self.kernel(), self.params.inputs, 1)?))
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let outputs = f64::from(4 * self.columns);
+        let outputs = f64::from(4 * self.params.columns);
         Bound { scale: outputs * cpu.floats()[index].abs(), floor: outputs * f64::from(TINY) }
     }
 
     /// `max_i sum_o |W[o, i]|`; the bounds of other layers stay 0.
     fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
-        let weights = self.parameters[BEFORE as usize..].chunks_exact(self.columns as usize);
+        let weights = self.parameters[BEFORE as usize..].chunks_exact(self.params.columns as usize);
         let sum = |input: &[Vec4]| {
             let numbers = input.iter().flat_map(|vector| vector.to_array());
             numbers.map(|weight| f64::from(weight).abs()).sum::<f64>()
@@ -162,14 +129,7 @@ impl Parity for HashGridNorm {
     }
 }
 
-/// Inputs of `hash_grid_scale`.
-#[derive(Clone, Debug)]
-pub struct HashGridScale {
-    /// `[1 + layers]`, as numbers.
-    pub bound: Vec<f32>,
-    /// How many samples.
-    pub samples: u32,
-}
+case!(pub HashGridScale(HashGridScaleInputs));
 
 impl Parity for HashGridScale {
     const KERNEL: &'static str = "hash_grid_scale";
@@ -177,6 +137,14 @@ impl Parity for HashGridScale {
     const WHY: &'static str = "powers of two; no product of mantissas within rounding of one";
 
     fn sets() -> Vec<(String, Self)> {
+        let set = |bound: Vec<f32>, samples| {
+            Self(HashGridScaleInputs {
+                params: HashGridScaleParams { layers: bound.len() as u32 - 1, samples },
+                bound: bound.into_iter().map(f32::to_bits).collect(),
+                scale: unwritten(SCALE_VALUES as usize),
+                status: vec![0],
+            })
+        };
         let mut random = Random::new(15);
         let fills = [Fill::Random].into_iter().chain(Fill::ADVERSARIAL);
         let mut sets: Vec<_> = fills
@@ -186,28 +154,20 @@ impl Parity for HashGridScale {
                 let bound = bound.into_iter().map(f32::abs).collect();
                 // around a power of two
                 let samples = (1 << random.below(32)) + random.below(3) - 1;
-                let set = Self { bound, samples };
-                (format!("{}, {layers} layers", fill.name()), set)
+                (format!("{}, {layers} layers", fill.name()), set(bound, samples))
             })
             .collect();
         for samples in [0, u32::MAX] {
-            sets.push((format!("{samples} samples"), Self { bound: vec![1.0, 3.0], samples }));
+            sets.push((format!("{samples} samples"), set(vec![1.0, 3.0], samples)));
         }
         for bad in [f32::NAN, f32::INFINITY] {
-            sets.push((format!("{bad}"), Self { bound: vec![1.0, bad, 2.0], samples: 300 }));
+            sets.push((format!("{bad}"), set(vec![1.0, bad, 2.0], 300)));
         }
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let layers = self.bound.len() as u32 - 1;
-        let kernel = HashGridScaleKernel {
-            params: HashGridScaleParams { layers, samples: self.samples },
-            bound: &self.bound.iter().map(|value| value.to_bits()).collect(),
-            scale: &runner.unwritten(SCALE_VALUES as usize),
-            status: &vec![0],
-        };
-        let mut outputs = runner.run(&kernel, 1, 1)?;
+        let mut outputs = runner.run(&self.kernel(), 1, 1)?;
         let scale = outputs[1].floats();
         let bits = scale.iter().map(|&value| (value as f32).to_bits());
         outputs[1] = Output::exact("scale", bits.collect());
@@ -216,13 +176,14 @@ impl Parity for HashGridScale {
 
     /// The bits of the unit, its inverse and the limit.  If a bound is not finite, the limit is 0 and the unit is not used.
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        let is_finite = self.bound.iter().all(|bound| bound.is_finite());
+        let bound: Vec<_> = self.bound.iter().copied().map(f32::from_bits).collect();
+        let is_finite = bound.iter().all(|bound| bound.is_finite());
         let bits = |x: f32| Some(f64::from(x.to_bits()));
         let mut exact = match output {
-            "bound" => vec![Some(0.0); self.bound.len()],
+            "bound" => vec![Some(0.0); bound.len()],
             "status" => vec![Some(if is_finite { 0.0 } else { 2.0 })],
             _ if is_finite => {
-                let (exponent, limit) = unit(&self.bound, self.samples);
+                let (exponent, limit) = unit(&bound, self.params.samples);
                 vec![bits(2_f32.powi(exponent)), bits(2_f32.powi(-exponent)), bits(limit)]
             }
             _ => vec![None, None, bits(0.0)],

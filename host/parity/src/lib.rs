@@ -41,7 +41,6 @@ pub mod transmittance_backward;
 use organza_check::Case;
 
 /// The case of every kernel. Add a new kernel's here.
-#[must_use]
 pub fn cases() -> Vec<Case> {
     vec![
         Case::of::<project::Project>(),

@@ -1,20 +1,15 @@
 //! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::loss::{
-    LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
+    LossGradientInputs, LossGradientParams, LossParams, LossRowsInputs, LossTermsInputs,
 };
 use organza_shaders::ssim::SLOPES;
 
 use super::exact::loss::{sign, sums};
 use super::exact::ssim::weighted_sum;
 use super::ssim::{tap_sum, window};
-use organza_device::Result;
 
 /// Sides around the workgroup's, and around the window's.
 pub const SIDES: [u32; 7] = [1, 7, 8, 9, 11, 12, 17];
@@ -42,23 +37,19 @@ fn mask(side: u32, random: &mut Random) -> Vec<bool> {
 /// What `loss_terms` leaves: inputs of the other kernels.
 #[derive(Clone, Debug)]
 pub struct Terms {
-    /// S
-    pub side: u32,
     /// `[tiles, S, S]`: d and the mask.
     pub difference: Vec<Vec4>,
     /// `[tiles, S, S]`: s.
     pub sum: Vec<Vec4>,
 }
 
-impl Terms {
-    /// d and s of a pixel's channel; `None` for masked pixels.
-    #[must_use]
-    pub fn of(&self, pixel: usize, channel: usize) -> Option<[f64; 2]> {
-        let is_valid = self.difference[pixel].w > 0.0;
-        let of = |values: &[Vec4]| f64::from(values[pixel][channel]);
-        is_valid.then(|| [of(&self.difference), of(&self.sum)])
-    }
+/// d and s of a pixel's channel; `None` for masked pixels.
+fn of_pixel(d: &[Vec4], s: &[Vec4], pixel: usize, channel: usize) -> Option<[f64; 2]> {
+    let is_valid = d[pixel].w > 0.0;
+    is_valid.then(|| [d, s].map(|values| f64::from(values[pixel][channel])))
+}
 
+impl Terms {
     /// Of colors in 0 to 1; huge ones are 2.
     pub fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
         let valid = mask(side, random);
@@ -72,22 +63,11 @@ impl Terms {
             (Vec4::new(d[0], d[1], d[2], 1.0), Vec4::new(s[0], s[1], s[2], 0.0))
         };
         let (difference, sum) = valid.iter().zip(colors.chunks_exact(6)).map(pixel).unzip();
-        Self { side, difference, sum }
+        Self { difference, sum }
     }
 }
 
-/// Inputs of `loss_terms`.
-#[derive(Clone, Debug)]
-pub struct LossTerms {
-    /// S
-    pub side: u32,
-    /// `[tiles, 3, S, S]`; NaN where the mask is 0.
-    pub image: Vec<f32>,
-    /// `[tiles, 3, S, S]`; likewise.
-    pub target: Vec<f32>,
-    /// `[tiles, S, S]`
-    pub valid: Vec<f32>,
-}
+case!(pub LossTerms(LossTermsInputs));
 
 impl LossTerms {
     fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
@@ -101,8 +81,15 @@ impl LossTerms {
             colors
         };
         let (image, target) = (colors(), colors());
-        let valid = valid.iter().map(|&valid| f32::from(u8::from(valid))).collect();
-        Self { side, image, target, valid }
+        let valid: Vec<_> = valid.iter().map(|&valid| f32::from(u8::from(valid))).collect();
+        Self(LossTermsInputs {
+            params: LossParams { side, tiles: TILES },
+            image,
+            target,
+            difference: unwritten(valid.len()),
+            sum: unwritten(valid.len()),
+            valid,
+        })
     }
 }
 
@@ -116,15 +103,7 @@ impl Parity for LossTerms {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let kernel = LossTermsKernel {
-            params: LossParams { side: self.side, tiles: TILES },
-            image: &self.image,
-            target: &self.target,
-            valid: &self.valid,
-            difference: &runner.unwritten(self.valid.len()),
-            sum: &runner.unwritten(self.valid.len()),
-        };
-        runner.run_over(&kernel, self.side, TILES)
+        runner.run_over(&self.kernel(), self.params.side, TILES)
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
@@ -133,7 +112,7 @@ impl Parity for LossTerms {
         if !is_valid || channel == 3 {
             return Bound::EXACT;
         }
-        let area = (self.side * self.side) as usize;
+        let area = (self.params.side * self.params.side) as usize;
         let place = (at / area * 3 + channel) * area + at % area;
         let size = f64::from(self.image[place].abs()) + f64::from(self.target[place].abs());
         let half = if output.name == "sum" { 1.0 } else { 0.0 };
@@ -141,7 +120,7 @@ impl Parity for LossTerms {
     }
 
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
-        let area = (self.side * self.side) as usize;
+        let area = (self.params.side * self.params.side) as usize;
         let (pixel, channel) = (index / 4, index % 4);
         let is_valid = self.valid[pixel] > 0.0;
         let is_difference = output == "difference";
@@ -154,16 +133,7 @@ impl Parity for LossTerms {
     }
 }
 
-/// Inputs of `loss_rows`.
-#[derive(Clone, Debug)]
-pub struct LossRows {
-    /// S
-    pub side: u32,
-    /// `[tiles, S, S]`
-    pub difference: Vec<Vec4>,
-    /// `[tiles, S, S]`
-    pub dissimilarity: Vec<f32>,
-}
+case!(pub LossRows(LossRowsInputs));
 
 impl LossRows {
     fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
@@ -174,7 +144,12 @@ impl LossRows {
             if valid { Vec4::new(d[0], d[1], d[2], 1.0) } else { Vec4::ZERO }
         };
         let difference = numbers.chunks_exact(3).zip(&valid).map(pixel).collect();
-        Self { side, difference, dissimilarity: fill.values(random, pixels, [0.0, 6.0], 6.0) }
+        Self(LossRowsInputs {
+            params: LossParams { side, tiles: TILES },
+            difference,
+            dissimilarity: fill.values(random, pixels, [0.0, 6.0], 6.0),
+            row_sum: unwritten((TILES * side) as usize),
+        })
     }
 }
 
@@ -191,18 +166,11 @@ impl Parity for LossRows {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let rows = TILES * self.side;
-        let kernel = LossRowsKernel {
-            params: LossParams { side: self.side, tiles: TILES },
-            difference: &self.difference,
-            dissimilarity: &self.dissimilarity,
-            row_sum: &runner.unwritten(rows as usize),
-        };
-        runner.run(&kernel, rows, 1)
+        runner.run(&self.kernel(), TILES * self.params.side, 1)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (row, part, side) = (index / 4, index % 4, self.side as usize);
+        let (row, part, side) = (index / 4, index % 4, self.params.side as usize);
         let sizes = (row * side..(row + 1) * side).map(|at| {
             let d = self.difference[at].as_dvec4().truncate().abs();
             match part {
@@ -219,7 +187,7 @@ impl Parity for LossRows {
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.side as usize;
+        let side = self.params.side as usize;
         let (row, part) = (index / 4, index % 4);
         let pixels = row * side..(row + 1) * side;
         let of = |at: usize| {
@@ -230,24 +198,22 @@ impl Parity for LossRows {
     }
 }
 
-/// Inputs of `loss_gradient`.
-#[derive(Clone, Debug)]
-pub struct LossGradient {
-    /// Pixels.
-    pub terms: Terms,
-    /// `[tiles, S, S, 3]`
-    pub row_slopes: Vec<Vec4>,
-    /// What both terms of the loss are multiplied by.
-    pub scales: [f32; 2],
-}
+case!(pub LossGradient(LossGradientInputs));
 
 impl LossGradient {
     fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
-        let terms = Terms::new(side, fill, random);
+        let Terms { difference, sum } = Terms::new(side, fill, random);
         let vectors = (SLOPES * TILES * side * side) as usize;
         let numbers = fill.values(random, 4 * vectors, [-3e3, 3e3], 1e30);
         let row_slopes = numbers.chunks_exact(4).map(Vec4::from_slice).collect();
-        Self { terms, row_slopes, scales: [2.7e-3, 6.5e-4] }
+        Self(LossGradientInputs {
+            params: LossGradientParams { side, absolute_scale: 2.7e-3, ssim_scale: 6.5e-4 },
+            window: window().to_vec(),
+            grad_image: unwritten(3 * sum.len()),
+            difference,
+            sum,
+            row_slopes,
+        })
     }
 }
 
@@ -262,25 +228,15 @@ impl Parity for LossGradient {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let terms = &self.terms;
-        let [absolute_scale, ssim_scale] = self.scales;
-        let kernel = LossGradientKernel {
-            params: LossGradientParams { side: terms.side, absolute_scale, ssim_scale },
-            window: &window().to_vec(),
-            difference: &terms.difference,
-            sum: &terms.sum,
-            row_slopes: &self.row_slopes,
-            grad_image: &runner.unwritten(3 * terms.sum.len()),
-        };
-        runner.run_over(&kernel, terms.side, TILES)
+        runner.run_over(&self.kernel(), self.params.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let side = self.terms.side as usize;
+        let side = self.params.side as usize;
         let area = side * side;
         let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
         let pixel = tile * area + at;
-        if self.terms.difference[pixel].w == 0.0 {
+        if self.difference[pixel].w == 0.0 {
             return Bound::EXACT;
         }
         let slope = |part: usize| {
@@ -290,27 +246,31 @@ impl Parity for LossGradient {
             };
             tap_sum(at / side, side, value)
         };
-        let [d, s] = [&self.terms.difference, &self.terms.sum]
-            .map(|values| f64::from(values[pixel][channel].abs()));
-        let [absolute, ssim] = self.scales.map(f64::from);
+        let [d, s] =
+            [&self.difference, &self.sum].map(|values| f64::from(values[pixel][channel].abs()));
+        let LossGradientParams { absolute_scale, ssim_scale, .. } = self.params;
+        let [absolute, ssim] = [absolute_scale, ssim_scale].map(f64::from);
         let floor = (d + s + 30.0) * f64::from(TINY);
         Bound { scale: ssim * (slope(0) + d * slope(1) + s * slope(2)) + absolute, floor }
     }
 
     /// A pixel adds w (1, d, s) to the windows around it, and the slopes belong to those sums.
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.terms.side as usize;
+        let side = self.params.side as usize;
         let area = side * side;
         let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
         let pixel = tile * area + at;
-        let Some([d, s]) = self.terms.of(pixel, channel) else { return Some(0.0) };
+        let Some([d, s]) = of_pixel(&self.difference, &self.sum, pixel, channel) else {
+            return Some(0.0);
+        };
         let (row, column) = (at / side, at % side);
         let slope = |part: usize| {
             let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
             let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
             weighted_sum(row, (0..side).map(value))
         };
-        let [absolute, ssim] = self.scales.map(f64::from);
+        let LossGradientParams { absolute_scale, ssim_scale, .. } = self.params;
+        let [absolute, ssim] = [absolute_scale, ssim_scale].map(f64::from);
         Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
     }
 }

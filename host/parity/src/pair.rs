@@ -1,17 +1,12 @@
 //! Cases of `pair_mask`, `pair_fill` and `pair_sum`.
 
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{Fill, Random, SIZES},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::pair::{
-    PairFillKernel, PairFillParams, PairMaskKernel, PairMaskParams, PairSumKernel, PairSumParams,
+    PairFillInputs, PairFillParams, PairMaskInputs, PairMaskParams, PairSumInputs, PairSumParams,
     SUMMED,
 };
 
 use super::exact::{bits, listed};
-use organza_device::Result;
 
 /// How masks are filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +49,6 @@ pub fn mask_sets<T>(make: impl Fn(u32, Bits, &mut Random) -> T) -> Vec<(String, 
 }
 
 /// The exclusive sums of the bits' numbers, and the total.
-#[must_use]
 pub fn scanned(masks: &[u32]) -> Vec<u32> {
     let mut sum = 0;
     let mut prefix = vec![0];
@@ -65,16 +59,7 @@ pub fn scanned(masks: &[u32]) -> Vec<u32> {
     prefix
 }
 
-/// Inputs of `pair_mask`.
-#[derive(Clone, Debug)]
-pub struct PairMask {
-    /// Words of a mask.
-    pub words: u32,
-    /// `[cameras + 1]`
-    pub first_tile: Vec<u32>,
-    /// `[tiles, words]`
-    pub tile_mask: Vec<u32>,
-}
+case!(pub PairMask(PairMaskInputs));
 
 impl Parity for PairMask {
     const KERNEL: &'static str = "pair_mask";
@@ -82,27 +67,24 @@ impl Parity for PairMask {
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
             // a camera without tiles, one with one, one with the rest
-            let tile_mask = bits.words(random, 5 * words);
-            Self { words, first_tile: vec![0, 0, 1, 5], tile_mask }
+            let len = 3 * words as usize;
+            Self(PairMaskInputs {
+                params: PairMaskParams { words },
+                first_tile: vec![0, 0, 1, 5],
+                tile_mask: bits.words(random, 5 * words),
+                mask: unwritten(len),
+                count: unwritten(len),
+            })
         })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let cameras = self.first_tile.len() as u32 - 1;
-        let len = (cameras * self.words) as usize;
-        let kernel = PairMaskKernel {
-            params: PairMaskParams { words: self.words },
-            first_tile: &self.first_tile,
-            tile_mask: &self.tile_mask,
-            mask: &runner.unwritten(len),
-            count: &runner.unwritten(len),
-        };
-        runner.run(&kernel, self.words, cameras)
+        runner.run(&self.kernel(), self.params.words, self.first_tile.len() as u32 - 1)
     }
 
     /// The union of a camera's tiles.
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
-        let words = self.words as usize;
+        let words = self.params.words as usize;
         let cameras = self.first_tile.windows(2);
         let union = cameras.flat_map(|tiles| {
             let tiles = tiles[0] as usize..tiles[1] as usize;
@@ -114,31 +96,26 @@ impl Parity for PairMask {
     }
 }
 
-/// Inputs of `pair_fill`.
-#[derive(Clone, Debug)]
-pub struct PairFill {
-    /// Words of a mask.
-    pub words: u32,
-    /// `[cameras, words]`
-    pub mask: Vec<u32>,
-}
+case!(pub PairFill(PairFillInputs));
 
 impl Parity for PairFill {
     const KERNEL: &'static str = "pair_fill";
 
     fn sets() -> Vec<(String, Self)> {
-        mask_sets(|words, bits, random| Self { words, mask: bits.words(random, 2 * words) })
+        mask_sets(|words, bits, random| {
+            let mask = bits.words(random, 2 * words);
+            let first_pair = scanned(&mask);
+            Self(PairFillInputs {
+                params: PairFillParams { words, gaussians: words * 32 },
+                mask,
+                pair: unwritten(*first_pair.last().unwrap_or(&0) as usize),
+                first_pair,
+            })
+        })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let first_pair = scanned(&self.mask);
-        let kernel = PairFillKernel {
-            params: PairFillParams { words: self.words, gaussians: self.words * 32 },
-            mask: &self.mask,
-            first_pair: &first_pair,
-            pair: &runner.unwritten(*first_pair.last().unwrap_or(&0) as usize),
-        };
-        runner.run(&kernel, self.words, 2)
+        runner.run(&self.kernel(), self.params.words, 2)
     }
 
     /// The words of both cameras follow each other, and so do their pairs.
@@ -147,38 +124,19 @@ impl Parity for PairFill {
     }
 }
 
-/// Inputs of `pair_sum`.
-#[derive(Clone, Debug)]
-pub struct PairSum {
-    /// Words of a mask.
-    pub words: u32,
-    /// `[cameras, words]`
-    pub mask: Vec<u32>,
-    /// Values of a vector.
-    pub width: u32,
-    /// `[pairs, width]`
-    pub pair_vector: Vec<f32>,
-    /// `[gaussians, width]`, before
-    pub vector: Vec<f32>,
-}
+case!(pub PairSum(PairSumInputs));
 
 impl PairSum {
-    /// Gaussians: the last word is not full.
-    fn gaussians(&self) -> u32 {
-        (self.words * 32).saturating_sub(5)
-    }
-
     /// The vectors of a Gaussian's pairs, by camera.
     fn of(&self, gaussian: u32) -> Vec<&[f32]> {
         let (word, bit) = ((gaussian / 32) as usize, gaussian % 32);
-        let first = scanned(&self.mask);
         (word..self.mask.len())
-            .step_by(self.words as usize)
+            .step_by(self.params.words as usize)
             .filter(|&at| self.mask[at] >> bit & 1 == 1)
             .map(|at| {
                 let below = (self.mask[at] & ((1 << bit) - 1)).count_ones();
-                let pair = (first[at] + below) as usize;
-                &self.pair_vector[pair * self.width as usize..][..self.width as usize]
+                let pair = (self.first_pair[at] + below) as usize;
+                &self.pair_vector[pair * self.params.width as usize..][..self.params.width as usize]
             })
             .collect()
     }
@@ -194,12 +152,17 @@ impl Parity for PairSum {
         let set = |words: u32, bits: Bits, width: u32, fill: Fill, random: &mut Random| {
             let mask = bits.words(random, 3 * words);
             let pairs = mask.iter().map(|mask| mask.count_ones()).sum::<u32>();
-            let mut set = Self { words, mask, width, pair_vector: vec![], vector: vec![] };
+            // the last word is not full
+            let gaussians = (words * 32).saturating_sub(5);
             let mut values =
                 |len: u32| fill.values(random, (len * width) as usize, [-1.0, 1.0], 1e30);
-            set.pair_vector = values(pairs);
-            set.vector = values(set.gaussians());
-            set
+            Self(PairSumInputs {
+                params: PairSumParams { words, first_camera: 0, cameras: 3, gaussians, width },
+                first_pair: scanned(&mask),
+                mask,
+                pair_vector: values(pairs),
+                vector: values(gaussians),
+            })
         };
         let mut sets =
             mask_sets(|words, bits, random| set(words.min(129), bits, 2, Fill::Random, random));
@@ -211,28 +174,16 @@ impl Parity for PairSum {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let kernel = PairSumKernel {
-            params: PairSumParams {
-                words: self.words,
-                first_camera: 0,
-                cameras: 3,
-                gaussians: self.gaussians(),
-                width: self.width,
-            },
-            mask: &self.mask,
-            first_pair: &scanned(&self.mask),
-            pair_vector: &self.pair_vector,
-            vector: &self.vector,
-        };
-        runner.run(&kernel, self.gaussians() * self.width.div_ceil(SUMMED), 1)
+        let PairSumParams { gaussians, width, .. } = self.params;
+        runner.run(&self.kernel(), gaussians * width.div_ceil(SUMMED), 1)
     }
 
     /// What was there, and the vectors of the pairs, which lie in the order of the masks' bits.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let mut exact: Vec<_> = self.vector.iter().copied().map(f64::from).collect();
-        let width = self.width as usize;
+        let width = self.params.width as usize;
         for (vector, slot) in self.pair_vector.chunks(width).zip(bits(&self.mask)) {
-            let gaussian = slot % (32 * self.words as usize);
+            let gaussian = slot % (32 * self.params.words as usize);
             // those of bits behind the last Gaussian are nobody's
             let sums = exact.get_mut(gaussian * width..).unwrap_or_default();
             sums.iter_mut().zip(vector).for_each(|(sum, &value)| *sum += f64::from(value));
@@ -243,7 +194,8 @@ impl Parity for PairSum {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let before = self.vector[index];
-        let (gaussian, value) = (index / self.width as usize, index % self.width as usize);
+        let (gaussian, value) =
+            (index / self.params.width as usize, index % self.params.width as usize);
         let terms = self.of(gaussian as u32).into_iter().map(|vector| vector[value]);
         let sum: f64 = terms.chain([before]).map(|x| f64::from(x.abs())).sum();
         Bound { scale: 4.0 * sum, floor: 4.0 * f64::from(TINY) }

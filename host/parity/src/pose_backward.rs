@@ -1,8 +1,7 @@
 //! The case of `pose_backward`.
 
 use glam::DVec3;
-use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, Values};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::pose_backward::{BLOCK, PoseBackwardKernel, PoseBackwardParams, VALUES};
 
@@ -11,7 +10,6 @@ use super::exact::numeric::{Dual, Number, gradient};
 use super::exact::project::{Gaussian, View, project, unit_axes};
 use super::project::Fate;
 use super::project_backward::ProjectBackward;
-use organza_device::Result;
 
 /// Values of a pose.
 const POSE: usize = VALUES as usize;

@@ -1,10 +1,7 @@
 //! The case of `project`, and cameras for the others.
 
 use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, ITEMS, Random},
-};
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::lens::NEAR_PLANE;
 use organza_shaders::project::{
@@ -13,7 +10,6 @@ use organza_shaders::project::{
 };
 
 use super::exact::project::{Gaussian, Projected, View, project};
-use organza_device::Result;
 
 /// Three cameras around the origin, the first of them axis-parallel.
 pub fn cameras(random: &mut Random) -> Vec<Camera> {
@@ -121,25 +117,21 @@ impl Project {
     }
 
     /// A Gaussian's position.
-    #[must_use]
     pub fn center(&self, gaussian: usize) -> DVec3 {
         Vec3::from_slice(&self.position[3 * gaussian..]).as_dvec3()
     }
 
     /// A Gaussian's rotation: w, x, y, z.
-    #[must_use]
     pub fn quaternion(&self, gaussian: usize) -> DVec4 {
         Vec4::from_slice(&self.rotation[4 * gaussian..]).as_dvec4()
     }
 
     /// Logarithms of a Gaussian's axes.
-    #[must_use]
     pub fn log_axes(&self, gaussian: usize) -> DVec3 {
         Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
     }
 
     /// What is projected, in f64.
-    #[must_use]
     pub fn gaussian(&self, gaussian: usize) -> Gaussian<f64> {
         Gaussian {
             position: self.center(gaussian).to_array(),
@@ -221,7 +213,7 @@ impl Parity for Project {
             position: &self.position,
             rotation: &self.rotation,
             log_scale: &self.log_scale,
-            projection: &runner.unwritten(2 * slots),
+            projection: &unwritten(2 * slots),
             degenerate: &vec![0],
         };
         let mut outputs = runner.run(&kernel, self.gaussians, self.cameras.len() as u32)?;

@@ -1,8 +1,7 @@
 //! The case of `project_backward`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Random};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::project::project_gaussian;
 use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardKernel, ProjectBackwardParams};
@@ -10,7 +9,6 @@ use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardKernel, Project
 use super::exact::numeric::{Dual, gradient};
 use super::exact::project::{Gaussian, View, project};
 use super::project::{Fate, Project};
-use organza_device::Result;
 
 /// Inputs of `project_backward`.
 #[derive(Clone)]
@@ -95,7 +93,6 @@ impl ProjectBackward {
     }
 
     /// Where the centers of all pairs lie in their images, in pixels.
-    #[must_use]
     pub fn pairs_in_image(&self) -> Vec<[f64; 2]> {
         let (set, count) = (&self.forward, self.forward.gaussians as usize);
         let slots = (0..set.cameras.len() * count).map(|slot| (slot / count, slot % count));

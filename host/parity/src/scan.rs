@@ -1,17 +1,15 @@
 //! Cases of `scan_block` and `scan_add`.
 
-use organza_check::{
-    KernelRunner, Output, Parity,
-    inputs::{Random, SIZES},
-};
-use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
+use organza_check::prelude::*;
+use organza_shaders::scan::{BLOCK, ScanAddInputs, ScanBlockInputs, ScanParams};
 
 use super::exact::listed;
-use organza_device::Result;
 
 /// Sizes around the workgroup and around the block.
 fn sizes() -> impl Iterator<Item = u32> {
-    SIZES.into_iter().chain([15, 16, 17, 1022, 1023, 1024, 1025, 2047, 2048, 5000])
+    SIZES
+        .into_iter()
+        .chain([15, 16, 17, 1022, 1023, 1024, 1025, 2047, 2048, 3071, 3072, 3073, 5000])
 }
 
 /// Random values and zeros of every size.
@@ -25,38 +23,33 @@ fn sets<T>(make: impl Fn(Vec<u32>) -> T) -> Vec<(String, T)> {
     sizes().flat_map(|size| [1, 1000, 800_000].map(|below| of(size, below))).collect()
 }
 
-/// Inputs of `scan_block`.
-#[derive(Clone, Debug)]
-pub struct ScanBlock {
-    /// What is scanned.
-    pub values: Vec<u32>,
-}
+case!(pub ScanBlock(ScanBlockInputs));
 
 impl Parity for ScanBlock {
     const KERNEL: &'static str = "scan_block";
 
     fn sets() -> Vec<(String, Self)> {
-        sets(|values| Self { values })
+        sets(|value| {
+            let count = value.len();
+            Self(ScanBlockInputs {
+                params: ScanParams { count: count as u32 },
+                value,
+                prefix: unwritten(count + 1),
+                block_sum: unwritten((count + 1).div_ceil(BLOCK as usize)),
+            })
+        })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let count = self.values.len() as u32;
-        let blocks = (count + 1).div_ceil(BLOCK);
-        let kernel = ScanBlockKernel {
-            params: ScanParams { count },
-            value: &self.values,
-            prefix: &runner.unwritten(count as usize + 1),
-            block_sum: &runner.unwritten(blocks as usize),
-        };
         // a workgroup more than there are blocks: it must leave everything alone
-        runner.run(&kernel, (blocks + 1) * 64, 1)
+        runner.run(&self.kernel(), (self.block_sum.len() as u32 + 1) * 64, 1)
     }
 
     /// Sums from a block's begin on, one of them behind the last value; and those of whole blocks.
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
         let mut sum = 0;
         let (mut prefix, mut block_sum) = (Vec::new(), Vec::new());
-        for (index, value) in self.values.iter().copied().chain([0]).enumerate() {
+        for (index, value) in self.value.iter().copied().chain([0]).enumerate() {
             if index > 0 && index % 1024 == 0 {
                 block_sum.push(std::mem::take(&mut sum));
             }
@@ -68,34 +61,26 @@ impl Parity for ScanBlock {
     }
 }
 
-/// Inputs of `scan_add`.
-#[derive(Clone, Debug)]
-pub struct ScanAdd {
-    /// What has been scanned in blocks.
-    pub prefix: Vec<u32>,
-    /// What lies before each block.
-    pub block_prefix: Vec<u32>,
-}
+case!(pub ScanAdd(ScanAddInputs));
 
 impl Parity for ScanAdd {
     const KERNEL: &'static str = "scan_add";
 
     fn sets() -> Vec<(String, Self)> {
         sets(|mut prefix| {
+            let count = prefix.len() as u32;
             prefix.push(1);
-            let blocks = (prefix.len() as u32).div_ceil(BLOCK);
-            Self { prefix, block_prefix: (0..blocks).map(|block| block * 1_000_003).collect() }
+            let blocks = 0..(count + 1).div_ceil(BLOCK);
+            Self(ScanAddInputs {
+                params: ScanParams { count },
+                block_prefix: blocks.map(|block| block * 1_000_003).collect(),
+                prefix,
+            })
         })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let count = self.prefix.len() as u32 - 1;
-        let kernel = ScanAddKernel {
-            params: ScanParams { count },
-            block_prefix: &self.block_prefix,
-            prefix: &self.prefix,
-        };
-        runner.run(&kernel, count + 1, 1)
+        runner.run(&self.kernel(), self.params.count + 1, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

@@ -1,10 +1,7 @@
 //! The case of `segment`.
 
 use glam::{DVec3, Vec3};
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{self, Fill, ITEMS, Random},
-};
+use organza_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
@@ -14,7 +11,6 @@ use super::color::BOXES;
 use super::exact::segment as exact;
 use super::exact::unit_cube::unit;
 use super::project;
-use organza_device::Result;
 
 /// How far from a decision of the kernel the inputs stay, relative to the ray.
 const AWAY: f64 = 2e-5;
@@ -229,8 +225,8 @@ impl Parity for Segment {
             camera: &cameras,
             scene_box: &SceneBox::new(self.aabb, self.is_contracted).pack().to_vec(),
             position: &self.position,
-            segment: &runner.unwritten((SEGMENT_VECTORS * pairs) as usize),
-            count: &runner.unwritten(pairs as usize),
+            segment: &unwritten((SEGMENT_VECTORS * pairs) as usize),
+            count: &unwritten(pairs as usize),
         };
         let mut outputs = runner.run(&kernel, pairs, 1)?;
         if !self.is_contracted {

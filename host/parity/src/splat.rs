@@ -3,44 +3,24 @@
 use std::collections::BTreeMap;
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::splat::{
-    SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
+    SplatBackwardInputs, SplatBackwardParams, SplatInputs, SplatParams, VECTORS,
 };
 
 use super::exact::bits;
 use super::exact::composite::weight;
 use super::exact::numeric::{Dual, gradient};
-use organza_device::Result;
 
-/// Inputs of `splat`.
-#[derive(Clone, Debug)]
-pub struct Splat {
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// `camera * gaussians + gaussian`
-    pub pair: Vec<u32>,
-    /// `[2 cameras, gaussians, 2]`
-    pub projection: Vec<Vec4>,
-    /// `[gaussians]`
-    pub opacity: Vec<f32>,
-    /// `[pairs]`
-    pub transmittance: Vec<f32>,
-    /// `[pairs, 3]`
-    pub color: Vec<f32>,
-}
+case!(pub Splat(SplatInputs));
 
 impl Splat {
     fn new(pairs: u32, fill: Fill, random: &mut Random) -> Self {
         let gaussians = 37;
         let slots = 2 * gaussians;
         let numbers = fill.values(random, 8 * slots as usize, [-100.0, 100.0], 3e38);
-        Self {
-            gaussians,
+        Self(SplatInputs {
+            params: SplatParams { pairs, gaussians },
             pair: (0..pairs)
                 .map(|i| if i % 5 == 4 { slots - 1 } else { random.below(slots) })
                 .collect(),
@@ -48,7 +28,8 @@ impl Splat {
             opacity: fill.values(random, gaussians as usize, [-12.0, 12.0], 3e38),
             transmittance: random.values(pairs as usize, 0.0, 1.0),
             color: random.values(3 * pairs as usize, 0.0, 1.0),
-        }
+            splat: unwritten((VECTORS * pairs) as usize),
+        })
     }
 }
 
@@ -74,23 +55,13 @@ impl Parity for Splat {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pairs = self.pair.len() as u32;
-        let kernel = SplatKernel {
-            params: SplatParams { pairs, gaussians: self.gaussians },
-            pair: &self.pair,
-            projection: &self.projection,
-            opacity: &self.opacity,
-            transmittance: &self.transmittance,
-            color: &self.color,
-            splat: &runner.unwritten((VECTORS * pairs) as usize),
-        };
-        runner.run(&kernel, pairs, 1)
+        runner.run(&self.kernel(), self.params.pairs, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let of = |(pair, &slot): (usize, &u32)| {
             let slot = slot as usize;
-            let logit = f64::from(self.opacity[slot % self.gaussians as usize]);
+            let logit = f64::from(self.opacity[slot % self.params.gaussians as usize]);
             let weight = weight(logit, f64::from(self.transmittance[pair]));
             let [placed, conic] = [0, 1].map(|at| self.projection[2 * slot + at].as_dvec4());
             let [r, g, b] = [0, 1, 2].map(|channel| f64::from(self.color[3 * pair + channel]));
@@ -106,7 +77,7 @@ impl Parity for Splat {
         if index % vectors != 2 {
             return Bound::of(0.0);
         }
-        let gaussian = self.pair[index / vectors] % self.gaussians;
+        let gaussian = self.pair[index / vectors] % self.params.gaussians;
         let size = f64::from(self.opacity[gaussian as usize].abs());
         Bound::of(cpu.floats()[index].abs() * (1.0 + size))
     }
@@ -115,24 +86,7 @@ impl Parity for Splat {
 /// Where the tiles of two cameras begin, and those of a third, which has none.
 const FIRST_TILE: [u32; 4] = [0, 3, 5, 5];
 
-/// Inputs of `splat_backward`.
-#[derive(Clone, Debug)]
-pub struct SplatBackward {
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// `camera * gaussians + gaussian`
-    pub pair: Vec<u32>,
-    /// `[tiles, words]`
-    pub tile_mask: Vec<u32>,
-    /// `[tiles, words]`: bits before each word.
-    pub first_member: Vec<u32>,
-    /// `[gaussians]`
-    pub opacity: Vec<f32>,
-    /// `[pairs]`
-    pub transmittance: Vec<f32>,
-    /// `[members, 3]`
-    pub member_gradient: Vec<[Vec4; 3]>,
-}
+case!(pub SplatBackward(SplatBackwardInputs));
 
 impl SplatBackward {
     fn new(gaussians: u32, fill: Fill, random: &mut Random) -> Self {
@@ -157,33 +111,37 @@ impl SplatBackward {
             members - bits.count_ones()
         });
         let first_member = first_member.collect();
-        let mut set = Self {
-            gaussians,
+        let mut set = Self(SplatBackwardInputs {
+            params: SplatBackwardParams { pairs: 0, gaussians, words },
             pair: Vec::new(),
+            first_tile: FIRST_TILE.to_vec(),
             tile_mask,
             first_member,
             opacity: fill.values(random, gaussians as usize, [-12.0, 12.0], 3e38),
             transmittance: Vec::new(),
             member_gradient: Vec::new(),
-        };
+            pair_gradient: Vec::new(),
+        });
         let needed = |slot: &u32| !set.members(*slot).is_empty();
         set.pair = (0..2 * gaussians).filter(needed).collect();
+        set.params.pairs = set.pair.len() as u32;
+        set.pair_gradient = unwritten(VECTORS as usize * set.pair.len());
         set.transmittance = random.values(set.pair.len(), 0.0, 1.0);
         set.transmittance.iter_mut().step_by(7).for_each(|value| *value = 0.0);
         let numbers = fill.values(random, 12 * members as usize, [-1.0, 1.0], 1e37);
-        let vectors: Vec<_> = numbers.chunks(4).map(Vec4::from_slice).collect();
-        set.member_gradient = vectors.as_chunks::<3>().0.to_vec();
+        set.member_gradient = numbers.chunks(4).map(Vec4::from_slice).collect();
         set
     }
 
     /// The sums of every pair's members: those lie in the order of the masks' bits.
     fn sums(&self) -> BTreeMap<u32, [f64; 12]> {
-        let row = 32 * self.gaussians.div_ceil(32) as usize;
+        let row = 32 * self.params.gaussians.div_ceil(32) as usize;
         let mut sums = BTreeMap::new();
-        for (vectors, at) in self.member_gradient.iter().zip(bits(&self.tile_mask)) {
+        for (vectors, at) in self.member_gradient.chunks(3).zip(bits(&self.tile_mask)) {
             let (tile, gaussian) = (at / row, at % row);
             let camera = FIRST_TILE.iter().rposition(|&first| first as usize <= tile);
-            let slot = camera.expect("the first is 0") as u32 * self.gaussians + gaussian as u32;
+            let slot =
+                camera.expect("the first is 0") as u32 * self.params.gaussians + gaussian as u32;
             let sum = sums.entry(slot).or_insert([0.0; 12]);
             let values = vectors.iter().flat_map(Vec4::to_array);
             sum.iter_mut().zip(values).for_each(|(sum, x)| *sum += f64::from(x));
@@ -193,8 +151,9 @@ impl SplatBackward {
 
     /// Members that a pair is.
     fn members(&self, slot: u32) -> Vec<usize> {
-        let words = self.gaussians.div_ceil(32);
-        let (camera, gaussian) = ((slot / self.gaussians) as usize, slot % self.gaussians);
+        let words = self.params.gaussians.div_ceil(32);
+        let (camera, gaussian) =
+            ((slot / self.params.gaussians) as usize, slot % self.params.gaussians);
         let of = |tile: u32| {
             let word = (tile * words + gaussian / 32) as usize;
             let (bits, bit) = (self.tile_mask[word], gaussian % 32);
@@ -221,20 +180,7 @@ impl Parity for SplatBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pairs = self.pair.len() as u32;
-        let words = self.gaussians.div_ceil(32);
-        let kernel = SplatBackwardKernel {
-            params: SplatBackwardParams { pairs, gaussians: self.gaussians, words },
-            pair: &self.pair,
-            first_tile: &FIRST_TILE.to_vec(),
-            tile_mask: &self.tile_mask,
-            first_member: &self.first_member,
-            opacity: &self.opacity,
-            transmittance: &self.transmittance,
-            member_gradient: &self.member_gradient.as_flattened().to_vec(),
-            pair_gradient: &runner.unwritten((VECTORS * pairs) as usize),
-        };
-        runner.run(&kernel, pairs, 1)
+        runner.run(&self.kernel(), self.params.pairs, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -242,7 +188,7 @@ impl Parity for SplatBackward {
         let of = |(pair, slot): (usize, &u32)| {
             let mut exact = sums[slot];
             let by_weight = Dual::from(exact[2]);
-            let logit = f64::from(self.opacity[(slot % self.gaussians) as usize]);
+            let logit = f64::from(self.opacity[(slot % self.params.gaussians) as usize]);
             let transmittance = f64::from(self.transmittance[pair]);
             [exact[2], exact[3]] =
                 gradient([logit, transmittance], |[x, t]| by_weight * weight(x, t));
@@ -257,10 +203,10 @@ impl Parity for SplatBackward {
         let slot = self.pair[pair];
         let sum = |part: usize| -> f64 {
             let terms = self.members(slot).into_iter();
-            let term = |member: usize| self.member_gradient[member][part / 4][part % 4];
+            let term = |member: usize| self.member_gradient[3 * member + part / 4][part % 4];
             terms.map(|member| f64::from(term(member).abs())).sum()
         };
-        let opacity = f64::from(self.opacity[(slot % self.gaussians) as usize]);
+        let opacity = f64::from(self.opacity[(slot % self.params.gaussians) as usize]);
         let [s, rest] = [-opacity, opacity].map(|x| 1.0 / (1.0 + x.exp()));
         let size = 1.0 + opacity.abs().min(100.0);
         // what may be flushed: a sigmoid

@@ -1,30 +1,23 @@
 //! Cases of `ssim_rows`, `ssim_columns` and `ssim_rows_backward`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::ssim::{
-    C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel,
-    SsimRowsKernel, WINDOW,
+    C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsInputs, SsimParams, SsimRowsBackwardInputs,
+    SsimRowsInputs, WINDOW,
 };
 
 use super::exact::numeric::{Dual, gradient};
 use super::exact::ssim::{dissimilarity, weighted_sum};
 use super::loss::{TILES, Terms, sets};
 use organza_core::metrics;
-use organza_device::Result;
 
 /// The window's weights, as kernels have them.
-#[must_use]
 pub fn window() -> [f32; WINDOW as usize] {
     metrics::window().map(|weight| weight as f32)
 }
 
 /// The weighted sum of values around place `at` of `side`.
-#[must_use]
 pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
     let radius = RADIUS as usize;
     let weights = window();
@@ -38,17 +31,12 @@ fn place(pixel: usize, side: usize) -> [usize; 3] {
 }
 
 /// What a pixel adds to each sum, in f64.
-fn moment(terms: &Terms, pixel: usize, part: usize, channel: usize) -> f64 {
-    let [d, s] = [&terms.difference, &terms.sum].map(|values| f64::from(values[pixel][channel]));
+fn moment([d, s]: [&[Vec4]; 2], pixel: usize, part: usize, channel: usize) -> f64 {
+    let [d, s] = [d, s].map(|values| f64::from(values[pixel][channel]));
     [d, s, d * d, s * s][part]
 }
 
-/// Inputs of `ssim_rows`.
-#[derive(Clone, Debug)]
-pub struct SsimRows {
-    /// Pixels.
-    pub terms: Terms,
-}
+case!(pub SsimRows(SsimRowsInputs));
 
 impl Parity for SsimRows {
     const KERNEL: &'static str = "ssim_rows";
@@ -56,69 +44,73 @@ impl Parity for SsimRows {
     const WHY: &'static str = "roundings of eleven products and their sum, of the terms' sizes";
 
     fn sets() -> Vec<(String, Self)> {
-        sets(|side, fill, random| Self { terms: Terms::new(side, fill, random) })
+        sets(|side, fill, random| {
+            let Terms { difference, sum } = Terms::new(side, fill, random);
+            Self(SsimRowsInputs {
+                params: SsimParams { side },
+                window: window().to_vec(),
+                moments: unwritten(MOMENTS as usize * sum.len()),
+                difference,
+                sum,
+            })
+        })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let terms = &self.terms;
-        let kernel = SsimRowsKernel {
-            params: SsimParams { side: terms.side },
-            window: &window().to_vec(),
-            difference: &terms.difference,
-            sum: &terms.sum,
-            moments: &runner.unwritten(MOMENTS as usize * terms.sum.len()),
-        };
-        runner.run_over(&kernel, terms.side, TILES)
+        runner.run_over(&self.kernel(), self.params.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
-        let side = self.terms.side as usize;
+        let side = self.params.side as usize;
         let [tile, row, column] = place(pixel, side);
-        let size = |tap| moment(&self.terms, tile + row * side + tap, part, channel).abs();
+        let size = |tap| {
+            moment([&self.difference, &self.sum], tile + row * side + tap, part, channel).abs()
+        };
         let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
         Bound { scale: tap_sum(column, side, size), floor }
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.terms.side as usize;
+        let side = self.params.side as usize;
         let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
         let [tile, row, column] = place(pixel, side);
-        let value = |tap| moment(&self.terms, tile + row * side + tap, part, channel);
+        let value =
+            |tap| moment([&self.difference, &self.sum], tile + row * side + tap, part, channel);
         Some(weighted_sum(column, (0..side).map(value)))
     }
 }
 
-/// Inputs of `ssim_columns`.
-#[derive(Clone, Debug)]
-pub struct SsimColumns {
-    /// Pixels: the mask is read.
-    pub terms: Terms,
-    /// `[tiles, S, S, 4]`, those of the pixels.
-    pub moments: Vec<Vec4>,
-}
+case!(pub SsimColumns(SsimColumnsInputs));
 
 impl SsimColumns {
     fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
-        let terms = Terms::new(side, fill, random);
+        let Terms { difference, sum } = Terms::new(side, fill, random);
         let width = side as usize;
         let vector = |index: usize| {
             let (pixel, part) = (index / MOMENTS as usize, index % MOMENTS as usize);
             let [tile, row, column] = place(pixel, width);
             let sum = |channel: usize| {
-                let value = |tap| moment(&terms, tile + row * width + tap, part, channel);
+                let value =
+                    |tap| moment([&difference, &sum], tile + row * width + tap, part, channel);
                 tap_sum(column, width, value) as f32
             };
             Vec4::from_array([0, 1, 2, 3].map(sum))
         };
-        let moments = (0..MOMENTS as usize * terms.sum.len()).map(vector).collect();
-        Self { terms, moments }
+        let moments = (0..MOMENTS as usize * sum.len()).map(vector).collect();
+        Self(SsimColumnsInputs {
+            params: SsimParams { side },
+            window: window().to_vec(),
+            dissimilarity: unwritten(sum.len()),
+            slopes: unwritten(SLOPES as usize * sum.len()),
+            difference,
+            moments,
+        })
     }
 
     /// A window's sums of d, s, d^2, s^2 and the mask in f64, and of their terms' sizes.
-    #[must_use]
-    pub fn window(&self, pixel: usize, channel: usize) -> [[f64; 5]; 2] {
-        let side = self.terms.side as usize;
+    fn of_window(&self, pixel: usize, channel: usize) -> [[f64; 5]; 2] {
+        let side = self.params.side as usize;
         let [tile, row, column] = place(pixel, side);
         let of = |sum: usize| {
             let (part, channel) = if sum == 4 { (0, 3) } else { (sum, channel) };
@@ -184,26 +176,17 @@ impl Parity for SsimColumns {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pixels = self.terms.sum.len();
-        let kernel = SsimColumnsKernel {
-            params: SsimParams { side: self.terms.side },
-            window: &window().to_vec(),
-            difference: &self.terms.difference,
-            moments: &self.moments,
-            dissimilarity: &runner.unwritten(pixels),
-            slopes: &runner.unwritten(SLOPES as usize * pixels),
-        };
-        runner.run_over(&kernel, self.terms.side, TILES)
+        runner.run_over(&self.kernel(), self.params.side, TILES)
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let values = if output.name == "slopes" { 4 * SLOPES as usize } else { 1 };
         let (pixel, channel) = (index / values, index % 4);
-        let is_valid = self.terms.difference[pixel].w > 0.0;
+        let is_valid = self.difference[pixel].w > 0.0;
         if !is_valid || values > 1 && channel == 3 {
             return Bound::EXACT;
         }
-        let of = |channel| conditioned(self.window(pixel, channel));
+        let of = |channel| conditioned(self.of_window(pixel, channel));
         let scale = match values {
             1 => [0, 1, 2].map(|channel| of(channel)[0]).iter().sum(),
             _ => of(channel)[1 + index / 4 % SLOPES as usize],
@@ -216,34 +199,32 @@ impl Parity for SsimColumns {
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
         let (pixel, channel) = (index / values, index % 4);
-        let is_valid = self.terms.difference[pixel].w > 0.0;
+        let is_valid = self.difference[pixel].w > 0.0;
         if !is_valid || values > 1 && channel == 3 {
             return Some(0.0);
         }
         if values == 1 {
-            let of = |channel| dissimilarity(self.window(pixel, channel)[0]);
+            let of = |channel| dissimilarity(self.of_window(pixel, channel)[0]);
             return Some([0, 1, 2].map(of).iter().sum());
         }
         let [by_d, by_s, by_dd, by_ss, _] =
-            gradient(self.window(pixel, channel)[0], dissimilarity::<Dual>);
+            gradient(self.of_window(pixel, channel)[0], dissimilarity::<Dual>);
         Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
     }
 }
 
-/// Inputs of `ssim_rows_backward`.
-#[derive(Clone, Debug)]
-pub struct SsimRowsBackward {
-    /// S
-    pub side: u32,
-    /// `[tiles, S, S, 3]`
-    pub slopes: Vec<Vec4>,
-}
+case!(pub SsimRowsBackward(SsimRowsBackwardInputs));
 
 impl SsimRowsBackward {
     fn new(side: u32, fill: Fill, random: &mut Random) -> Self {
         let vectors = (SLOPES * TILES * side * side) as usize;
         let numbers = fill.values(random, 4 * vectors, [-3e3, 3e3], 1e37);
-        Self { side, slopes: numbers.chunks_exact(4).map(Vec4::from_slice).collect() }
+        Self(SsimRowsBackwardInputs {
+            params: SsimParams { side },
+            window: window().to_vec(),
+            slopes: numbers.chunks_exact(4).map(Vec4::from_slice).collect(),
+            row_slopes: unwritten(vectors),
+        })
     }
 }
 
@@ -257,17 +238,11 @@ impl Parity for SsimRowsBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let kernel = SsimRowsBackwardKernel {
-            params: SsimParams { side: self.side },
-            window: &window().to_vec(),
-            slopes: &self.slopes,
-            row_slopes: &runner.unwritten(self.slopes.len()),
-        };
-        runner.run_over(&kernel, self.side, TILES)
+        runner.run_over(&self.kernel(), self.params.side, TILES)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (vector, channel, side) = (index / 4, index % 4, self.side as usize);
+        let (vector, channel, side) = (index / 4, index % 4, self.params.side as usize);
         let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
         let [tile, row, column] = place(pixel, side);
         let size = |tap: usize| {
@@ -280,7 +255,7 @@ impl Parity for SsimRowsBackward {
 
     /// The transpose of a symmetric window is the window itself.
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.side as usize;
+        let side = self.params.side as usize;
         let (vector, channel) = (index / 4, index % 4);
         let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
         let [tile, row, column] = place(pixel, side);

@@ -1,11 +1,10 @@
 //! The case of `statistics`.
 
 use glam::Vec4;
-use organza_check::{Bound, KernelRunner, Output, Parity, Rounding, inputs::Random};
+use organza_check::prelude::*;
 use organza_shaders::statistics::{StatisticsKernel, StatisticsParams};
 
 use super::project_backward::ProjectBackward;
-use organza_device::Result;
 
 /// Inputs of `statistics`.
 #[derive(Clone)]

@@ -1,23 +1,18 @@
 //! Cases of `tile_mask`, `tile_fill` and `tile_range`.
 
 use glam::Vec4;
-use organza_check::{
-    KernelRunner, Output, Parity,
-    inputs::{Fill, Random, SIZES},
-};
+use organza_check::prelude::*;
 use organza_shaders::project::{BEHIND, DEGENERATE};
 use organza_shaders::tile::{
-    Tile, TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
+    Tile, TileFillInputs, TileFillParams, TileMaskInputs, TileMaskParams, TileRangeInputs,
     TileRangeParams,
 };
 
 use super::exact::tile::reaches;
 use super::exact::{bits, listed};
 use super::pair::{mask_sets, scanned};
-use organza_device::Result;
 
 /// Tiles as they lie in a buffer.
-#[must_use]
 pub fn pack(tiles: &[Tile]) -> Vec<i32> {
     tiles.iter().flat_map(Tile::pack).collect()
 }
@@ -33,18 +28,7 @@ fn tiles() -> Vec<Tile> {
     ]
 }
 
-/// Inputs of `tile_mask`.
-#[derive(Clone, Debug)]
-pub struct TileMask {
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// S
-    pub side: u32,
-    /// The tiles.
-    pub tiles: Vec<Tile>,
-    /// `[cameras, gaussians, 2]`
-    pub projection: Vec<Vec4>,
-}
+case!(pub TileMask(TileMaskInputs));
 
 impl TileMask {
     fn new(gaussians: u32, side: u32, fill: Fill) -> Self {
@@ -64,21 +48,29 @@ impl TileMask {
             // nothing may depend on the conic
             projection.push(Vec4::splat(f32::NAN));
         }
-        let mut set = Self { gaussians, side, tiles: tiles(), projection };
+        let (tiles, words) = (tiles(), gaussians.div_ceil(32));
+        let len = tiles.len() * words as usize;
+        let mut set = Self(TileMaskInputs {
+            params: TileMaskParams { gaussians, words, side },
+            tile: pack(&tiles),
+            projection,
+            mask: unwritten(len),
+            count: unwritten(len),
+        });
         set.leave_the_margin();
         set
     }
 
     /// A Gaussian within rounding of a tile's margin may be a member or not: it is moved into the tile.
     fn leave_the_margin(&mut self) {
-        for tile in &self.tiles {
-            let first = (tile.camera * self.gaussians) as usize;
-            for p in
-                self.projection.iter_mut().skip(2 * first).step_by(2).take(self.gaussians as usize)
-            {
+        let TileMaskParams { gaussians, side, .. } = self.params;
+        for tile in tiles() {
+            let first = 2 * (tile.camera * gaussians) as usize;
+            let of_camera = self.projection.iter_mut().skip(first).step_by(2);
+            for p in of_camera.take(gaussians as usize) {
                 let outside = |x: f32, low: i32| {
                     let low = f64::from(low);
-                    f64::from(x) - f64::from(x).clamp(low, low + f64::from(self.side))
+                    f64::from(x) - f64::from(x).clamp(low, low + f64::from(side))
                 };
                 let distance = outside(p.x, tile.origin[0]).hypot(outside(p.y, tile.origin[1]));
                 let reach = f64::from(p.z) * 1.001 + 0.01;
@@ -113,53 +105,33 @@ impl Parity for TileMask {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let words = self.gaussians.div_ceil(32);
-        let len = self.tiles.len() * words as usize;
-        let kernel = TileMaskKernel {
-            params: TileMaskParams { gaussians: self.gaussians, words, side: self.side },
-            tile: &pack(&self.tiles),
-            projection: &self.projection,
-            mask: &runner.unwritten(len),
-            count: &runner.unwritten(len),
-        };
-        runner.run(&kernel, words, self.tiles.len() as u32)
+        runner.run(&self.kernel(), self.params.words, tiles().len() as u32)
     }
 
     /// The Gaussians within reach.
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
-        let words = self.gaussians.div_ceil(32);
         let word = |tile: &Tile, word: u32| {
             let mut mask = 0_u32;
-            for bit in 0..32.min(self.gaussians - 32 * word) {
-                let slot = tile.camera * self.gaussians + 32 * word + bit;
+            for bit in 0..32.min(self.params.gaussians - 32 * word) {
+                let slot = tile.camera * self.params.gaussians + 32 * word + bit;
                 let p = self.projection[2 * slot as usize].as_dvec4();
                 // squares of more are no f32: such a Gaussian may be a member of any tile
                 if p.truncate().abs().max_element() >= 1e18 {
                     return None;
                 }
-                let is_member = reaches([p.x, p.y], p.z, tile.origin, self.side);
+                let is_member = reaches([p.x, p.y], p.z, tile.origin, self.params.side);
                 mask |= u32::from(is_member) << bit;
             }
             Some(f64::from(if output == "mask" { mask } else { mask.count_ones() }))
         };
-        let tiles = self.tiles.iter();
-        let exact = tiles.flat_map(|tile| (0..words).map(move |at| word(tile, at)));
+        let tiles = tiles();
+        let words = 0..self.params.words;
+        let exact = tiles.iter().flat_map(|tile| words.clone().map(move |at| word(tile, at)));
         exact.collect()
     }
 }
 
-/// Inputs of `tile_fill`.
-#[derive(Clone, Debug)]
-pub struct TileFill {
-    /// Words of a mask.
-    pub words: u32,
-    /// The tiles.
-    pub tiles: Vec<Tile>,
-    /// `[tiles, words]`
-    pub tile_mask: Vec<u32>,
-    /// `[cameras, words]`: the union of the camera's tiles, and more.
-    pub pair_mask: Vec<u32>,
-}
+case!(pub TileFill(TileFillInputs));
 
 impl Parity for TileFill {
     const KERNEL: &'static str = "tile_fill";
@@ -173,29 +145,29 @@ impl Parity for TileFill {
                 let first = (tile.camera * words) as usize;
                 pair_mask[first..].iter_mut().zip(masks).for_each(|(pair, mask)| *pair |= mask);
             }
-            Self { words, tiles, tile_mask, pair_mask }
+            let first_member = scanned(&tile_mask);
+            Self(TileFillInputs {
+                params: TileFillParams { words },
+                tile: pack(&tiles),
+                tile_mask,
+                member: unwritten(*first_member.last().unwrap_or(&0) as usize),
+                first_member,
+                first_pair: scanned(&pair_mask),
+                pair_mask,
+            })
         })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let first_member = scanned(&self.tile_mask);
-        let kernel = TileFillKernel {
-            params: TileFillParams { words: self.words },
-            tile: &pack(&self.tiles),
-            tile_mask: &self.tile_mask,
-            first_member: &first_member,
-            pair_mask: &self.pair_mask,
-            first_pair: &scanned(&self.pair_mask),
-            member: &runner.unwritten(*first_member.last().unwrap_or(&0) as usize),
-        };
-        runner.run(&kernel, self.words, self.tiles.len() as u32)
+        runner.run(&self.kernel(), self.params.words, tiles().len() as u32)
     }
 
     /// A pair's number is its place among those of its camera, behind those of the cameras before.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let (words, gaussians) = (self.words as usize, 32 * self.words as usize);
+        let (words, gaussians) = (self.params.words as usize, 32 * self.params.words as usize);
         let pairs: Vec<_> = bits(&self.pair_mask).collect();
-        let members = self.tiles.iter().enumerate().flat_map(|(t, tile)| {
+        let tiles = tiles();
+        let members = tiles.iter().enumerate().flat_map(|(t, tile)| {
             let members = bits(&self.tile_mask[t * words..][..words]);
             let slots: Vec<_> =
                 members.map(|gaussian| tile.camera as usize * gaussians + gaussian).collect();
@@ -205,16 +177,7 @@ impl Parity for TileFill {
     }
 }
 
-/// Inputs of `tile_range`.
-#[derive(Clone, Debug)]
-pub struct TileRange {
-    /// Tiles of the batch.
-    pub tiles: u32,
-    /// Words of a mask.
-    pub words: u32,
-    /// `[tiles * words + 1]`
-    pub first_member: Vec<u32>,
-}
+case!(pub TileRange(TileRangeInputs));
 
 impl Parity for TileRange {
     const KERNEL: &'static str = "tile_range";
@@ -222,23 +185,22 @@ impl Parity for TileRange {
     fn sets() -> Vec<(String, Self)> {
         let of = |(tiles, words): (u32, u32)| {
             let mut random = Random::new(u64::from(tiles));
-            let first_member = (0..=tiles * words).map(|_| random.bits()).collect();
-            (format!("{tiles} tiles of {words} words"), Self { tiles, words, first_member })
+            let set = Self(TileRangeInputs {
+                params: TileRangeParams { tiles, words },
+                first_member: (0..=tiles * words).map(|_| random.bits()).collect(),
+                tile_first: unwritten(tiles as usize + 1),
+            });
+            (format!("{tiles} tiles of {words} words"), set)
         };
         SIZES.into_iter().flat_map(|tiles| [1, 7].map(|words| (tiles, words))).map(of).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let kernel = TileRangeKernel {
-            params: TileRangeParams { tiles: self.tiles, words: self.words },
-            first_member: &self.first_member,
-            tile_first: &runner.unwritten(self.tiles as usize + 1),
-        };
-        runner.run(&kernel, self.tiles + 1, 1)
+        runner.run(&self.kernel(), self.params.tiles + 1, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         // the sums end with the total, where a tile more would begin
-        listed(self.first_member.iter().copied().step_by(self.words as usize))
+        listed(self.first_member.iter().copied().step_by(self.params.words as usize))
     }
 }

@@ -1,34 +1,26 @@
 //! The case of `tile_cells`.
 
-use glam::Vec4;
-use organza_check::{KernelRunner, Output, Parity, inputs::Fill};
-use organza_shaders::tile::Tile;
-use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
+use organza_check::prelude::*;
+use organza_shaders::tile_cells::{TileCellsInputs, TileCellsParams};
 
-use super::composite::{Composite, SIDES};
+use super::composite::{Composite, SIDES, tiles};
 use super::tile::pack;
-use organza_device::Result;
 
-/// Inputs of `tile_cells`.
-#[derive(Clone, Debug)]
-pub struct TileCells {
-    /// S
-    pub side: u32,
-    /// The tiles.
-    pub tiles: Vec<Tile>,
-    /// `[tiles + 1]`
-    pub tile_first: Vec<u32>,
-    /// Indices of splats.
-    pub member: Vec<u32>,
-    /// `[splats, 3]`
-    pub splat: Vec<[Vec4; 3]>,
-}
+case!(pub TileCells(TileCellsInputs));
 
 impl TileCells {
     fn new(side: u32, members: &[u32], fill: Fill, seed: u64) -> Self {
         let Composite { tiles, tile_first, member, splat, .. } =
             Composite::new(side, members, fill, seed);
-        Self { side, tiles, tile_first, member, splat }
+        let members = member.len();
+        Self(TileCellsInputs {
+            params: TileCellsParams { members: members as u32, tiles: tiles.len() as u32, side },
+            tile: pack(&tiles),
+            tile_first,
+            member,
+            splat: splat.as_flattened().to_vec(),
+            cells: unwritten(members),
+        })
     }
 }
 
@@ -50,31 +42,24 @@ impl Parity for TileCells {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let members = self.member.len() as u32;
-        let kernel = TileCellsKernel {
-            params: TileCellsParams { members, tiles: self.tiles.len() as u32, side: self.side },
-            tile: &pack(&self.tiles),
-            tile_first: &self.tile_first,
-            member: &self.member,
-            splat: &self.splat.as_flattened().to_vec(),
-            cells: &runner.unwritten(self.member.len()),
-        };
-        runner.run(&kernel, members, 1)
+        runner.run(&self.kernel(), self.params.members, 1)
     }
 
     /// The cells that have pixel centers within a splat's extent.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         // pixels: 4 cells of whole vectors of 16 across, 8 down
-        let size = [16 * self.side.div_ceil(64), self.side.div_ceil(8)];
+        let size = [16 * self.params.side.div_ceil(64), self.params.side.div_ceil(8)];
+        let tiles = tiles();
+        let splats = self.splat.as_chunks::<3>().0;
         let cells = |(place, &member): (usize, &u32)| {
             let tile = self.tile_first.partition_point(|&first| first as usize <= place) - 1;
-            let [placed, conic, _] = self.splat[member as usize].map(|v| v.as_dvec4());
+            let [placed, conic, _] = splats[member as usize].map(|v| v.as_dvec4());
             let (center, extent) = ([placed.x, placed.y], [placed.w, conic.w]);
             let mut bits = 0_u32;
             for cell in 0..32 {
                 let beyond = [0, 1].map(|axis| {
                     let number = [cell % 4, cell / 4][axis];
-                    let low = f64::from(self.tiles[tile].origin[axis]);
+                    let low = f64::from(tiles[tile].origin[axis]);
                     let first = low + f64::from(number * size[axis]) + 0.5;
                     let last = first + f64::from(size[axis] - 1);
                     (first - center[axis]).max(center[axis] - last).max(0.0) - extent[axis]

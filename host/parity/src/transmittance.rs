@@ -1,15 +1,11 @@
 //! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
 
 use glam::{DVec3, Vec4};
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding, Values,
-    inputs::{self, Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::segment::SEGMENT_VECTORS;
 use organza_shaders::transmittance::{
-    SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
+    SegmentProductInputs, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
     TransmittanceInputsKernel, TransmittanceInputsParams,
 };
 use organza_shaders::unit_cube::Split;
@@ -18,7 +14,6 @@ use super::color::{joined, layer_of_size};
 use super::dense::Layer;
 use super::exact::segment::{ContractedRay, contracted_ray};
 use super::exact::transmittance::{log_rho, midpoint, transmittance};
-use organza_device::Result;
 
 /// Samples before the chunk.
 const FIRST_SAMPLE: u32 = 3;
@@ -140,7 +135,6 @@ impl TransmittanceInputs {
     }
 
     /// The pair of a column of the output, and the sample's place in it.
-    #[must_use]
     pub fn owner(&self, column: usize) -> (usize, u32) {
         let sample = FIRST_SAMPLE + column as u32;
         let after = self.first_sample.partition_point(|&first| first <= sample);
@@ -195,8 +189,8 @@ impl Parity for TransmittanceInputs {
             first_sample: &self.first_sample,
             segment: &self.segment,
             extra: &self.extra,
-            point: &runner.unwritten((POINT_ROWS as usize + 1) * stride),
-            input: &runner.unwritten(4 * stride),
+            point: &unwritten((POINT_ROWS as usize + 1) * stride),
+            input: &unwritten(4 * stride),
         };
         let mut outputs = runner.run(&kernel, self.samples, 1)?;
         let factor = Values::Float(joined(&mut outputs[0], stride));
@@ -305,7 +299,7 @@ impl Parity for TransmittanceHead {
             parameters: &layer.parameters,
             point: &points(layer, &self.factor),
             input: &layer.input,
-            log_rho: &runner.unwritten((FIRST_SAMPLE + layer.samples) as usize),
+            log_rho: &unwritten((FIRST_SAMPLE + layer.samples) as usize),
         };
         runner.run(&kernel, layer.samples, 1)
     }
@@ -329,20 +323,10 @@ impl Parity for TransmittanceHead {
     }
 }
 
-/// Inputs of `segment_product`.
-#[derive(Clone, Debug)]
-pub struct SegmentProduct {
-    /// How many times as long as sigma the steps are.
-    pub power: f32,
-    /// `[pairs + 1]`
-    pub first_sample: Vec<u32>,
-    /// `[samples]`
-    pub log_rho: Vec<f32>,
-}
+case!(pub SegmentProduct(SegmentProductInputs));
 
 impl SegmentProduct {
     /// The samples of a pair.
-    #[must_use]
     pub fn of(&self, pair: usize) -> &[f32] {
         &self.log_rho[self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize]
     }
@@ -354,39 +338,40 @@ impl Parity for SegmentProduct {
     const WHY: &'static str = "exp's 3 + 2 abs(x) ulp, and roundings of the sum, which where regrouped grow with its terms";
 
     fn sets() -> Vec<(String, Self)> {
+        let set = |power, first_sample: Vec<u32>, log_rho| {
+            let pairs = first_sample.len() as u32 - 1;
+            Self(SegmentProductInputs {
+                params: SegmentProductParams { pairs, power },
+                first_sample,
+                log_rho,
+                transmittance: unwritten(pairs as usize),
+            })
+        };
         let mut sets = inputs::sets(|pairs, fill, random| {
             let counts: Vec<_> = (0..pairs).map(|_| random.below(9).saturating_sub(2)).collect();
             let first_sample = prefix(&counts);
             let samples = counts.iter().sum::<u32>() as usize;
             let log_rho = fill.values(random, samples, [0.0, 3.0], 1e30);
             let log_rho = log_rho.into_iter().map(|x| -x.abs()).collect();
-            Self { power: 1.0, first_sample, log_rho }
+            set(1.0, first_sample, log_rho)
         });
         for (name, size) in [("a long segment", 1e-3), ("a long segment down to zero", 0.1)] {
             let log_rho = Random::new(8).values(16_384, -size, 0.0);
-            let set = Self { power: 1.0, first_sample: vec![0, 0, 16_384, 16_384], log_rho };
-            sets.push((name.into(), set));
+            sets.push((name.into(), set(1.0, vec![0, 0, 16_384, 16_384], log_rho)));
         }
         let log_rho = Random::new(9).values(900, -0.1, 0.0);
         let first_sample = (0..=100).map(|pair| 9 * pair).collect();
-        sets.push(("steps four times as long".into(), Self { power: 4.0, first_sample, log_rho }));
+        sets.push(("steps four times as long".into(), set(4.0, first_sample, log_rho)));
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pairs = self.first_sample.len() as u32 - 1;
-        let kernel = SegmentProductKernel {
-            params: SegmentProductParams { pairs, power: self.power },
-            first_sample: &self.first_sample,
-            log_rho: &self.log_rho,
-            transmittance: &runner.unwritten(pairs as usize),
-        };
-        runner.run(&kernel, pairs, 1)
+        runner.run(&self.kernel(), self.params.pairs, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let terms = self.of(index);
-        let sum: f64 = terms.iter().map(|&x| f64::from(self.power * x.abs())).sum();
+        let sum: f64 = terms.iter().map(|&x| f64::from(self.params.power * x.abs())).sum();
         let roundings = match rounding {
             Rounding::AsWritten => 1.0,
             Rounding::Regrouped => 1.0 + 0.03 * terms.len() as f64,
@@ -395,7 +380,7 @@ impl Parity for SegmentProduct {
     }
 
     fn exact_at(&self, _: &str, pair: usize) -> Option<f64> {
-        let logarithms = self.of(pair).iter().map(|&x| f64::from(self.power * x));
+        let logarithms = self.of(pair).iter().map(|&x| f64::from(self.params.power * x));
         Some(transmittance(logarithms.sum()))
     }
 

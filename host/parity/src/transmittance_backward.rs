@@ -1,11 +1,7 @@
 //! Cases of `segment_product_backward`, `transmittance_head_backward` and `extra_backward`.
 
 use glam::Vec4;
-use organza_check::{
-    Bound, KernelRunner, Output, Parity, Rounding,
-    inputs::{self, Fill, Random},
-};
-use organza_kernel::math::TINY;
+use organza_check::prelude::*;
 use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
     SegmentProductBackwardParams, TransmittanceHeadBackwardKernel,
@@ -15,7 +11,6 @@ use super::dense::Layer;
 use super::exact::numeric::{Dual, gradient};
 use super::exact::transmittance::{log_rho, transmittance};
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
-use organza_device::Result;
 
 /// Samples before the chunk.
 const FIRST_SAMPLE: u32 = 3;
@@ -138,7 +133,7 @@ impl Parity for SegmentProductBackward {
             first_sample: &chunk.first_sample,
             transmittance: &self.transmittance,
             pair_gradient: &self.gradient,
-            log_rho_gradient: &runner.unwritten(chunk.samples as usize),
+            log_rho_gradient: &unwritten(chunk.samples as usize),
         };
         runner.run(&kernel, pairs, 1)
     }
@@ -198,7 +193,7 @@ impl Parity for TransmittanceHeadBackward {
             point: &points(layer, &self.factor),
             input: &layer.input,
             log_rho_gradient: &self.gradient,
-            logit_gradient: &runner.unwritten(layer.samples as usize),
+            logit_gradient: &unwritten(layer.samples as usize),
         };
         runner.run(&kernel, layer.samples, 1)
     }

@@ -57,6 +57,30 @@ pub trait Parity: Sized + 'static {
     }
 }
 
+/// Declares a case whose inputs are those of its kernel: `case!(pub Square(SquareInputs))` is a struct around them.
+#[macro_export]
+macro_rules! case {
+    ($visibility:vis $case:ident($inputs:ty)) => {
+        #[doc = concat!("A case around [`", stringify!($inputs), "`].")]
+        #[derive(Clone)]
+        $visibility struct $case($visibility $inputs);
+
+        impl ::core::ops::Deref for $case {
+            type Target = $inputs;
+
+            fn deref(&self) -> &$inputs {
+                &self.0
+            }
+        }
+
+        impl ::core::ops::DerefMut for $case {
+            fn deref_mut(&mut self) -> &mut $inputs {
+                &mut self.0
+            }
+        }
+    };
+}
+
 /// The rounding of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {

@@ -1,30 +1,12 @@
 //! A kernel's buffers as a case gives them: in the host's memory.
 
-use bytemuck::Pod;
 use organza_device::{Buffer, Host};
 use organza_kernel::KernelInfo;
+use organza_kernel::given::Given;
 use organza_kernel::kernel::{Access, BindingInfo, Dispatch, Storage};
 
 use super::measure::{Output, Values};
 use super::runner::Canary;
-
-/// Where a case's buffers are: a kernel's struct takes a `&Vec` for each of them.
-#[derive(Debug)]
-pub struct Given;
-
-impl Storage for Given {
-    type Buffer<T: Pod> = Vec<T>;
-    type Binding<'a> = &'a [u8];
-    type Count = u32;
-
-    fn bind<T: Pod>(buffer: &Vec<T>) -> &[u8] {
-        bytemuck::cast_slice(buffer)
-    }
-
-    fn at_most(count: &u32) -> u32 {
-        *count
-    }
-}
 
 /// What a kernel's storage buffers hold, as words.
 pub(super) fn words<'a>(

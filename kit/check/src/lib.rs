@@ -5,7 +5,7 @@
 //! A kernel's case has its inputs, its equation in f64, and the error allowed on a device. It implements [`Parity`]:
 //!
 //! ```
-//! use organza_check::{KernelRunner, Output, Parity, Result, inputs};
+//! use organza_check::prelude::*;
 //! use organza_kernel::prelude::*;
 //!
 //! #[params]
@@ -20,7 +20,7 @@
 //!     }
 //! }
 //!
-//! struct Square(Vec<f32>);
+//! case!(Square(SquareInputs));
 //!
 //! impl Parity for Square {
 //!     const KERNEL: &'static str = "square";
@@ -28,22 +28,23 @@
 //!     const WHY: &'static str = "one rounding";
 //!
 //!     fn sets() -> Vec<(String, Self)> {
-//!         inputs::sets(|count, fill, random| Self(fill.values(random, count as usize, [-2.0, 2.0], 1e19)))
+//!         inputs::sets(|count, fill, random| {
+//!             let input = fill.values(random, count as usize, [-2.0, 2.0], 1e19);
+//!             Self(SquareInputs { params: SquareParams { count }, input, output: unwritten(count as usize) })
+//!         })
 //!     }
 //!
 //!     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-//!         let params = SquareParams { count: self.0.len() as u32 };
-//!         let output = runner.unwritten(self.0.len());
-//!         runner.run(&SquareKernel { params, input: &self.0, output: &output }, params.count, 1)
+//!         runner.run(&self.kernel(), self.params.count, 1)
 //!     }
 //!
 //!     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-//!         Some(f64::from(self.0[index]).powi(2))
+//!         Some(f64::from(self.input[index]).powi(2))
 //!     }
 //! }
 //!
 //! # fn main() {
-//! # use organza_check::{Case, Rounding, devices};
+//! # use organza_check::{Case, devices};
 //! # let measure = Case::of::<Square>().hold(&devices::checked(), Rounding::AsWritten).unwrap();
 //! # assert!(measure.is_ok() && measure.values > 0);
 //! # }
@@ -72,6 +73,7 @@ mod given;
 mod hold;
 pub mod inputs;
 pub mod measure;
+pub mod prelude;
 pub mod report;
 pub mod runner;
 pub mod skip;
@@ -80,10 +82,9 @@ pub mod snapshot;
 
 pub use assert::assert_parity;
 pub use case::{Case, Parity, Rounding, missing};
-pub use given::Given;
 // the result type of cases
 pub use organza_device::Result;
 
 pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use report::{Report, Row};
-pub use runner::{Canary, KernelRunner};
+pub use runner::{Canary, KernelRunner, unwritten};

@@ -2,9 +2,10 @@
 
 use bytemuck::Pod;
 use glam::Vec4;
+use organza_kernel::given::Given;
 use organza_kernel::kernel::{Access, BindingInfo, Dispatch};
 
-use super::given::{self, Given, Uploaded};
+use super::given::{self, Uploaded};
 use super::measure::Output;
 use organza_device::{Buffer, Device, Error, Result};
 
@@ -42,6 +43,13 @@ impl Canary for u32 {
 impl Canary for Vec4 {
     const CANARY: Self = Self::splat(f32::CANARY);
     const OTHER_CANARY: Self = Self::splat(f32::OTHER_CANARY);
+}
+
+/// An output of `len` elements for [`KernelRunner::run`], which no kernel has written. If the kernel reads an element before it
+/// writes it, a device with checks reports that.
+#[must_use]
+pub fn unwritten<T: Canary>(len: usize) -> Vec<T> {
+    vec![T::CANARY; len]
 }
 
 impl<'d> KernelRunner<'d> {
@@ -173,20 +181,16 @@ impl<'d> KernelRunner<'d> {
         outputs.map(|((binding, _), buffer)| self.output_given(binding, buffer)).collect()
     }
 
-    /// An output of `len` elements for [`run`](Self::run). If the kernel reads an element before it writes it, a device
-    /// with checks reports that.
-    #[must_use]
-    pub fn unwritten<T: Canary>(&self, len: usize) -> Vec<T> {
-        vec![self.canary(); len]
-    }
-
     fn upload_given(&self, binding: &BindingInfo, words: &[u32]) -> Result<Buffer<u32>> {
         if !is_written(binding) {
             return self.device.upload(binding.name, words);
         }
-        let canary = given::canaries(binding)[usize::from(self.has_other_canaries)];
-        let is_unwritten = words.iter().all(|word| *word == canary);
-        let words = [words, &vec![canary; tail(binding)]].concat();
+        let canaries = given::canaries(binding);
+        let canary = canaries[usize::from(self.has_other_canaries)];
+        let is_unwritten = words.iter().all(|word| *word == canaries[0]);
+        let len = words.len() + tail(binding);
+        let mut words = if is_unwritten { Vec::new() } else { words.to_vec() };
+        words.resize(len, canary);
         let buffer = self.device.upload(binding.name, &words)?;
         if is_unwritten {
             self.device.forget(&buffer);

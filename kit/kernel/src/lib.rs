@@ -126,6 +126,8 @@ pub mod atomic;
 pub mod binned;
 pub mod count;
 pub mod fixed;
+#[cfg(not(target_arch = "spirv"))]
+pub mod given;
 pub mod half;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]

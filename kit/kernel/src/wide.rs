@@ -1,6 +1,5 @@
 //! Lanes on the CPU: arrays that the compiler turns into vector instructions.
 
-use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
 use crate::half::half_value;
@@ -8,6 +7,17 @@ use crate::lane::{Lane, LaneIndex};
 use crate::memory::{Read, Write};
 use crate::wide_math::{exp, fma, pairwise, wholes};
 use crate::{atomic, fixed};
+
+/// An array of what an expression gives for each lane.
+macro_rules! lanes {
+    (|$lane:ident| $value:expr) => {
+        core::array::from_fn(
+            #[inline(always)]
+            |$lane| $value,
+        )
+    };
+}
+pub(crate) use lanes;
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
 ///
@@ -33,7 +43,7 @@ macro_rules! elementwise {
 
             #[inline(always)]
             fn $name(self, other: Self) -> Self {
-                Self(from_fn(#[inline(always)] |i| self.0[i] $op other.0[i]))
+                Self(lanes!(|i| self.0[i] $op other.0[i]))
             }
         }
     )*};
@@ -51,10 +61,7 @@ impl<const N: usize, const FUSED: bool> Neg for Wide<N, FUSED> {
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| -self.0[i],
-        ))
+        Self(lanes!(|i| -self.0[i]))
     }
 }
 
@@ -63,10 +70,7 @@ impl<const N: usize> BitXor for WideIndex<N> {
 
     #[inline(always)]
     fn bitxor(self, other: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| self.0[i] ^ other.0[i],
-        ))
+        Self(lanes!(|i| self.0[i] ^ other.0[i]))
     }
 }
 
@@ -75,10 +79,7 @@ impl<const N: usize> BitAnd for WideIndex<N> {
 
     #[inline(always)]
     fn bitand(self, other: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| self.0[i] & other.0[i],
-        ))
+        Self(lanes!(|i| self.0[i] & other.0[i]))
     }
 }
 
@@ -100,66 +101,42 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn ramp() -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| i as f32,
-        ))
+        Self(lanes!(|i| i as f32))
     }
 
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| fma::<FUSED>(self.0[i], a.0[i], b.0[i]),
-        ))
+        Self(lanes!(|i| fma::<FUSED>(self.0[i], a.0[i], b.0[i])))
     }
 
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] },
-        ))
+        Self(lanes!(|i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] }))
     }
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] },
-        ))
+        Self(lanes!(|i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] }))
     }
 
     #[inline(always)]
     fn less(self, other: Self) -> Self::Mask {
-        WideMask(from_fn(
-            #[inline(always)]
-            |i| self.0[i] < other.0[i],
-        ))
+        WideMask(lanes!(|i| self.0[i] < other.0[i]))
     }
 
     #[inline(always)]
     fn at_most(self, other: Self) -> Self::Mask {
-        WideMask(from_fn(
-            #[inline(always)]
-            |i| self.0[i] <= other.0[i],
-        ))
+        WideMask(lanes!(|i| self.0[i] <= other.0[i]))
     }
 
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| if mask.0[i] { yes.0[i] } else { no.0[i] },
-        ))
+        Self(lanes!(|i| if mask.0[i] { yes.0[i] } else { no.0[i] }))
     }
 
     #[inline(always)]
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask {
-        WideMask(from_fn(
-            #[inline(always)]
-            |i| a.0[i] & b.0[i],
-        ))
+        WideMask(lanes!(|i| a.0[i] & b.0[i]))
     }
 
     #[inline(always)]
@@ -175,10 +152,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| self.0[i].sqrt(),
-        ))
+        Self(lanes!(|i| self.0[i].sqrt()))
     }
 
     #[inline(always)]
@@ -191,19 +165,13 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[inline(always)]
     fn truncate(self) -> Self {
         let whole = wholes(self.0);
-        Self(from_fn(
-            #[inline(always)]
-            |i| whole[i] as f32,
-        ))
+        Self(lanes!(|i| whole[i] as f32))
     }
 
     #[inline(always)]
     fn index(self) -> Self::Index {
         let whole = wholes(self.0);
-        WideIndex(from_fn(
-            #[inline(always)]
-            |i| whole[i] as u32,
-        ))
+        WideIndex(lanes!(|i| whole[i] as u32))
     }
 
     #[inline(always)]
@@ -238,14 +206,8 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[track_caller]
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2] {
         let words = buffer.gather(at.0);
-        let lower = from_fn(
-            #[inline(always)]
-            |i| half_value(words[i] & 0xffff),
-        );
-        let upper = from_fn(
-            #[inline(always)]
-            |i| half_value(words[i] >> 16),
-        );
+        let lower = lanes!(|i| half_value(words[i] & 0xffff));
+        let upper = lanes!(|i| half_value(words[i] >> 16));
         [Self(lower), Self(upper)]
     }
 
@@ -289,10 +251,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[inline(always)]
     #[track_caller]
     fn flag(mask: Self::Mask, flags: Write<u32>, at: Self::Index, block: u32) {
-        let at = from_fn(
-            #[inline(always)]
-            |i| at.0[i] / block,
-        );
+        let at = lanes!(|i| at.0[i] / block);
         atomic::flag_lanes(flags, mask.0, at);
     }
 }
@@ -307,42 +266,27 @@ impl<const N: usize> LaneIndex for WideIndex<N> {
 
     #[inline(always)]
     fn wrapping_add(self, other: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| self.0[i].wrapping_add(other.0[i]),
-        ))
+        Self(lanes!(|i| self.0[i].wrapping_add(other.0[i])))
     }
 
     #[inline(always)]
     fn wrapping_sub(self, other: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| self.0[i].wrapping_sub(other.0[i]),
-        ))
+        Self(lanes!(|i| self.0[i].wrapping_sub(other.0[i])))
     }
 
     #[inline(always)]
     fn wrapping_mul(self, other: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| self.0[i].wrapping_mul(other.0[i]),
-        ))
+        Self(lanes!(|i| self.0[i].wrapping_mul(other.0[i])))
     }
 
     #[inline(always)]
     fn less(self, other: Self) -> Self::Mask {
-        WideMask(from_fn(
-            #[inline(always)]
-            |i| self.0[i] < other.0[i],
-        ))
+        WideMask(lanes!(|i| self.0[i] < other.0[i]))
     }
 
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
-        Self(from_fn(
-            #[inline(always)]
-            |i| if mask.0[i] { yes.0[i] } else { no.0[i] },
-        ))
+        Self(lanes!(|i| if mask.0[i] { yes.0[i] } else { no.0[i] }))
     }
 
     #[inline(always)]

@@ -1,9 +1,7 @@
 //! Functions of [`Wide`](crate::lane::Wide) that take more than one instruction.
 
-use core::array::from_fn;
-
 use crate::lane::Lane;
-use crate::wide::Wide;
+use crate::wide::{Wide, lanes};
 
 /// e^x = 2^n e^r with |r| <= ln 2 / 2: Cephes' polynomial. Each step runs for all lanes: a closure of this length
 /// would not be vectorized.
@@ -24,22 +22,10 @@ pub fn exp<const N: usize, const FUSED: bool>(x: Wide<N, FUSED>) -> Wide<N, FUSE
     let p = p.mul_add(r, number(0.5));
     let p = (p * r).mul_add(r, r) + number(1.0);
     // 2^n in two factors: n may be 128
-    let whole: [i32; N] = from_fn(
-        #[inline(always)]
-        |i| ((shifted.0[i].to_bits() as i32) << 9) >> 9,
-    );
-    let half: [i32; N] = from_fn(
-        #[inline(always)]
-        |i| whole[i] >> 1,
-    );
-    let first = Wide(from_fn(
-        #[inline(always)]
-        |i| f32::from_bits(((half[i] + 127) as u32) << 23),
-    ));
-    let second = Wide(from_fn(
-        #[inline(always)]
-        |i| f32::from_bits(((whole[i] - half[i] + 127) as u32) << 23),
-    ));
+    let whole: [i32; N] = lanes!(|i| ((shifted.0[i].to_bits() as i32) << 9) >> 9);
+    let half: [i32; N] = lanes!(|i| whole[i] >> 1);
+    let first = Wide(lanes!(|i| f32::from_bits(((half[i] + 127) as u32) << 23)));
+    let second = Wide(lanes!(|i| f32::from_bits(((whole[i] - half[i] + 127) as u32) << 23)));
     p * first * second
 }
 

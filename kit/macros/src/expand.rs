@@ -5,6 +5,7 @@ use quote::{format_ident, quote};
 use syn::parse_quote;
 
 use crate::cpu::{cpu_run, run_variant};
+use crate::inputs::inputs;
 use crate::loops::count_iterations;
 use crate::parse::{Kernel, Parameter, Role};
 
@@ -14,6 +15,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
     let entries = variants.iter().map(|&shared| entry_point(kernel, shared));
     let info = info(kernel);
     let dispatch = dispatch(kernel);
+    let inputs = inputs(kernel, &dispatch_name(kernel));
     let iterations = kernel.iterations.iter();
     quote! {
         #[inline(always)]
@@ -24,6 +26,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
         #(#entries)*
         #info
         #dispatch
+        #inputs
     }
 }
 

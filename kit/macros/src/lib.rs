@@ -21,8 +21,8 @@
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
 //! | `name: &mut impl SharedTile<T, N>` | in the variant `_shared`, `N` values of `T` in workgroup memory; nothing otherwise |
 //!
-//! From this declaration the attribute writes the SPIR-V entry points, the host's typed dispatch (`SquareKernel`), the CPU
-//! execution, and an entry in the registry of kernels, which the manifest is made from. A binding's number is its position in
+//! From this declaration the attribute writes the SPIR-V entry points, the host's typed dispatch (`SquareKernel`), the inputs
+//! of a test (`SquareInputs`), the CPU execution, and an entry in the registry of kernels, which the manifest is made from. A binding's number is its position in
 //! the parameter list, in descriptor set 0.
 //!
 //! | in `#[kernel(..)]`  | meaning |
@@ -42,6 +42,7 @@
 
 mod cpu;
 mod expand;
+mod inputs;
 mod loops;
 mod parse;
 

@@ -6,7 +6,7 @@ use organza::data::Background;
 use organza::train::TrainConfig;
 use organza_tests::devices;
 
-use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
+use super::runs::{TINY, assert_same, assert_same_run, bits, sandbox};
 
 #[test]
 fn the_same_settings_give_the_same_bits_on_any_number_of_threads() {
@@ -14,11 +14,8 @@ fn the_same_settings_give_the_same_bits_on_any_number_of_threads() {
     sandbox.run(&format!("{TINY} one --threads 1")).assert_ok();
     sandbox.run(&format!("{TINY} two --threads 2")).assert_ok();
     sandbox.run("train --config one/config.toml --backend cpu -o again").assert_ok();
-    let one = bits(&sandbox, "one");
-    assert_same("two threads", &bits(&sandbox, "two"), &one);
-    assert_same("a run's own settings", &bits(&sandbox, "again"), &one);
-    let told = |run: &str| without_times(&records(&sandbox.path(run)));
-    assert_eq!(told("two"), told("one"));
+    assert_same_run(&sandbox, "two", "one");
+    assert_same_run(&sandbox, "again", "one");
     let config = |run: &str| fs::read_to_string(sandbox.path(run).join("config.toml")).unwrap();
     assert_eq!(config("again"), config("one"));
     let read = |name: &str| TrainConfig::load(sandbox.path(name)).expect("settings");
@@ -37,9 +34,7 @@ fn a_run_of_so_many_minutes_is_repeated_from_its_settings() {
     // the first plan, and those after the steps 1, 2 and 4 at least
     assert!(config.run.plan.len() >= 4, "{:?}", config.run);
     sandbox.run("train --config one/config.toml --backend cpu -o again").assert_ok();
-    assert_same("again", &bits(&sandbox, "again"), &bits(&sandbox, "one"));
-    let told = |run: &str| without_times(&records(&sandbox.path(run)));
-    assert_eq!(told("again"), told("one"));
+    assert_same_run(&sandbox, "again", "one");
     assert_eq!(TrainConfig::load(sandbox.path("again/config.toml")).expect("settings"), config);
     // a fixed number of steps needs no plan
     let words = "train --config one/config.toml --backend cpu --steps 5 -o five";

@@ -16,7 +16,7 @@ use organza::train::{
 use organza_tests::devices;
 
 use super::processes::{self, start};
-use super::runs::{TINY, assert_same, bits, dataset, records, sandbox, without_times};
+use super::runs::{TINY, assert_same, assert_same_run, bits, dataset, records, sandbox};
 use crate::sandbox::{Outcome, Sandbox};
 
 const LONGEST: Duration = Duration::from_secs(120);
@@ -53,9 +53,7 @@ fn pictures(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 /// Asserts that `run` has the same result and the same log as `whole`.
 #[track_caller]
 fn assert_like_whole(sandbox: &Sandbox, run: &str) {
-    assert_same(run, &bits(sandbox, run), &bits(sandbox, "whole"));
-    let told = |run: &str| without_times(&records(&sandbox.path(run)));
-    assert_eq!(told(run), told("whole"), "{run}");
+    assert_same_run(sandbox, run, "whole");
     let [pictures, expected] = [run, "whole"].map(|run| pictures(&sandbox.path(run)));
     assert!(expected.contains_key("over-time-000000.jpg"), "{:?}", expected.keys());
     assert_eq!(pictures.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>());

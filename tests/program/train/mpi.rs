@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{fs, thread};
 
-use super::runs::{TINY, assert_same, bits, photographs, records, sandbox, without_times};
+use super::runs::{TINY, assert_same, assert_same_run, bits, photographs, sandbox};
 use crate::sandbox::Sandbox;
 
 /// Starts a number of processes for each command line. CI is root, and has fewer cores than there are ranks.
@@ -48,12 +48,10 @@ fn any_number_of_processes_gives_the_same_bits() {
     sandbox.run(&format!("{} --ranks 2", words("threads"))).assert_ok();
     let threads = bits(&sandbox, "threads");
     assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
-    let told = |run: &str| without_times(&records(&sandbox.path(run)));
     for ranks in 1..=4 {
         let run = format!("of-{ranks}");
         assert_ok(mpirun(&sandbox, &[(ranks, &words(&run))]));
-        assert_same(&run, &bits(&sandbox, &run), &threads);
-        assert_eq!(told(&run), told("threads"));
+        assert_same_run(&sandbox, &run, "threads");
     }
 }
 
@@ -67,13 +65,10 @@ fn processes_with_shares_train_what_threads_train() {
     let threads = bits(&sandbox, "threads");
     assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
     assert_ok(mpirun(&sandbox, &[(3, &words("processes"))]));
-    assert_same("processes", &bits(&sandbox, "processes"), &threads);
+    assert_same_run(&sandbox, "processes", "threads");
     // two groups, in which the first share is empty
     assert_ok(mpirun(&sandbox, &[(4, &format!("{} --shares 2", words("grid")))]));
-    assert_same("grid", &bits(&sandbox, "grid"), &threads);
-    let told = |run: &str| without_times(&records(&sandbox.path(run)));
-    assert_eq!(told("processes"), told("threads"));
-    assert_eq!(told("grid"), told("threads"));
+    assert_same_run(&sandbox, "grid", "threads");
     let refused = format!("{} --shares 3", words("no"));
     assert_fails(mpirun(&sandbox, &[(4, &refused)]), &["must divide the number of ranks, 4"]);
 }

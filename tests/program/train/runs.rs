@@ -173,6 +173,14 @@ pub fn assert_same(what: &str, found: &Bits, expected: &Bits) {
     }
 }
 
+/// Asserts that two runs have the same bits and the same log, but for times.
+#[track_caller]
+pub fn assert_same_run(sandbox: &Sandbox, found: &str, expected: &str) {
+    assert_same(found, &bits(sandbox, found), &bits(sandbox, expected));
+    let told = |run: &str| without_times(&records(&sandbox.path(run)));
+    assert_eq!(told(found), told(expected), "{found}");
+}
+
 /// A run's records.
 #[track_caller]
 pub fn records(folder: &Path) -> Vec<Record> {

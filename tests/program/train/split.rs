@@ -11,7 +11,7 @@ use organza::train::{Checkpoint, CheckpointShare, TrainConfig, Trainer};
 use organza::{Error, Renderer};
 use organza_tests::devices;
 
-use super::runs::{TINY, assert_same, begun, bits, records, sandbox, state_bits, without_times};
+use super::runs::{TINY, assert_same_run, begun, bits, records, sandbox, state_bits};
 
 type Begun = (TrainConfig, Checkpoint, Arc<Dataset>);
 
@@ -251,7 +251,6 @@ fn a_run_of_shares_is_one_run() {
         let words = format!("{TINY} {name} --steps 24 --split gaussians {learned} {words}");
         sandbox.run(&words).assert_ok();
     };
-    let told = |run: &str| without_times(&records(&sandbox.path(run)));
     run("one", "--ranks 1");
     let one = bits(&sandbox, "one");
     assert!(one["gaussians.opacity"].1.len() > 200, "the scene has grown");
@@ -270,8 +269,7 @@ fn a_run_of_shares_is_one_run() {
         .run("train --resume grid --ranks 3 --split gaussians --shares 1 --backend cpu")
         .assert_ok();
     for resumed in ["other", "grid"] {
-        assert_same(resumed, &bits(&sandbox, resumed), &one);
-        assert_eq!(told(resumed), told("one"));
+        assert_same_run(&sandbox, resumed, "one");
     }
     let refuses = |words: &str, facts: &[&str]| {
         sandbox.assert_refuses(&format!("{TINY} no {words}"), facts);

@@ -185,4 +185,10 @@ fn text_errors_say_where() {
     );
     assert_file_error("points3D.txt", b"1 2 3\n", &["line 1", "Z is missing"]);
     assert_file_error("points3D.txt", b"\xff\xff\n", &["UTF-8"]);
+    let long = "1 ".repeat(1 << 20);
+    cameras(&long, &["line 1 is longer than 1048576 bytes"]);
+    assert_file_error("points3D.txt", long.as_bytes(), &["line 1 is longer than 1048576 bytes"]);
+    // an image's observations may be a long line, and are not kept
+    let edited = images.replace("\n\n", &format!("\n{long}\n")).replace(" 7 a.png", " x a.png");
+    assert_file_error("images.txt", edited.as_bytes(), &["line 4", "CAMERA_ID is `x`"]);
 }

@@ -97,5 +97,14 @@ fn errors_say_what_is_wrong() {
     assert_error(list.as_bytes(), &["not a whole PLY file"]);
     let empty = header(&format!("element face 1000000000\nelement vertex 1\n{xyz}"));
     assert_error(empty.as_bytes(), &["1000000000 of `face`", "no properties"]);
+    let huge = header(&format!("element vertex 4000000000\n{xyz}"));
+    assert_error(huge.as_bytes(), &["more than"]);
+    let one = header(&format!("element vertex 1\n{xyz}"));
+    let long = "1".repeat(3 << 20);
+    for damaged in
+        [one.replace("element", &format!("comment {long}\nelement")), one.replace("1 2 3", &long)]
+    {
+        assert_error(damaged.as_bytes(), &["longer than 1048576"]);
+    }
     assert_facts(read(Path::new("absent.ply")), &["absent.ply", "no such file"]);
 }

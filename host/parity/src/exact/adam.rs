@@ -17,7 +17,6 @@ pub struct Step {
 
 impl Step {
     /// Takes a step: returns the new m, v and value.
-    #[must_use]
     pub fn take(&self, gradient: f64, [m, v, value]: [f64; 3]) -> [f64; 3] {
         let [beta1, beta2] = self.decay;
         let m = beta1 * m + (1.0 - beta1) * gradient;

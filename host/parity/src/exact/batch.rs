@@ -32,26 +32,22 @@ pub struct Sums {
 
 impl Batch {
     /// K
-    #[must_use]
     pub fn tiles(&self) -> usize {
         self.valid.len() / (self.side * self.side)
     }
 
     /// The place in the mask of a value of the image.
-    #[must_use]
     pub fn pixel(&self, index: usize) -> usize {
         let area = self.side * self.side;
         index / area / 3 * area + index % area
     }
 
     /// The number of valid pixels.
-    #[must_use]
     pub fn valid_pixels(&self) -> f64 {
         self.valid.iter().copied().map(f64::from).sum()
     }
 
     /// A channel of a tile in f64.
-    #[must_use]
     pub fn plane(&self, tile: usize, channel: usize) -> Plane {
         let area = self.side * self.side;
         let part = |values: &[f32], first: usize| -> Vec<f64> {
@@ -67,7 +63,6 @@ impl Batch {
     }
 
     /// The sums of a tile over its valid pixels and three channels.
-    #[must_use]
     pub fn sums(&self, tile: usize) -> Sums {
         let mut sums = Sums::default();
         for channel in 0..3 {
@@ -99,7 +94,6 @@ pub struct Plane {
 
 impl Plane {
     /// SSIM of the window around a pixel, its weights normalized over the valid pixels in it.
-    #[must_use]
     pub fn similarity(&self, center: usize) -> f64 {
         self.similarity_where(center, |at| self.x[at])
     }
@@ -127,7 +121,6 @@ impl Plane {
     }
 
     /// The derivatives of the sums of `|x - y|` and `1 - SSIM` by the image's pixel.
-    #[must_use]
     pub fn slopes(&self, at: usize) -> [f64; 2] {
         if !self.valid[at] {
             return [0.0; 2];

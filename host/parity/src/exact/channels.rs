@@ -3,14 +3,12 @@
 use super::project::{Gaussian, View, unit_axes};
 
 /// The center's coordinate along the camera's axis.
-#[must_use]
 pub fn depth(view: &View, gaussian: &Gaussian<f64>) -> f64 {
     view.place(gaussian.position)[2]
 }
 
 /// The shortest axis, the first of several, turned toward the camera; and the cosine of its angle with the ray to the
 /// camera, by which it was turned: 0 at a grazing angle, where rounding decides.
-#[must_use]
 pub fn normal(view: &View, gaussian: &Gaussian<f64>) -> ([f64; 3], f64) {
     let axes = unit_axes(gaussian.rotation);
     let [x, y, z] = gaussian.log_scale;

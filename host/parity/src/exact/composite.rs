@@ -19,13 +19,11 @@ pub struct Splat<N> {
 }
 
 /// `opacity T`, of an opacity's logit: alpha but for the falloff.
-#[must_use]
 pub fn weight<N: Number>(logit: N, transmittance: N) -> N {
     sigmoid(logit) * transmittance
 }
 
 /// `exp(-q/2)` up to the cutoff, and 0 behind it.  Rounding may have taken q of a needle below 0.
-#[must_use]
 pub fn falloff<N: Number>(q: N) -> N {
     if q.value() > cutoff() {
         return N::from(0.0);
@@ -36,7 +34,6 @@ pub fn falloff<N: Number>(q: N) -> N {
 
 impl Splat<f64> {
     /// A splat as the kernels have it.
-    #[must_use]
     pub fn of(vectors: &[Vec4; 3]) -> Self {
         let [placed, conic, color] = vectors.map(|vector| vector.as_dvec4());
         Self {

@@ -4,20 +4,17 @@ use super::numeric::Number;
 use organza_core::scene::Network;
 
 /// An output of a layer before its activation: `w . x + b`, w its row of W.
-#[must_use]
 pub fn affine<N: Number>(weights: &[N], bias: N, inputs: &[N]) -> N {
     assert_eq!(weights.len(), inputs.len(), "weights and inputs");
     weights.iter().zip(inputs).fold(bias, |sum, (&w, &x)| sum + w * x)
 }
 
 /// max(x, 0)
-#[must_use]
 pub fn relu<N: Number>(x: N) -> N {
     if x.value() > 0.0 { x } else { N::from(0.0) }
 }
 
 /// A whole network: ReLU after every layer but the last.
-#[must_use]
 pub fn network(network: &Network, mut values: Vec<f64>) -> Vec<f64> {
     let wide = |row: &[f32]| row.iter().copied().map(f64::from).collect::<Vec<_>>();
     for (index, layer) in network.layers.iter().enumerate() {

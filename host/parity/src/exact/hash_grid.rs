@@ -16,7 +16,6 @@ pub struct Level {
 }
 
 /// The levels of a grid, coarsest first.
-#[must_use]
 pub fn levels(grid: &GridConfig) -> Vec<Level> {
     let mut first = 0;
     let level = |l: u32| {
@@ -31,13 +30,11 @@ pub fn levels(grid: &GridConfig) -> Vec<Level> {
 
 impl Level {
     /// A point's position in cells; its coordinates are clamped to 0 to 1 first.
-    #[must_use]
     pub fn place(&self, point: [f64; 3]) -> [f64; 3] {
         point.map(|x| x.clamp(0.0, 1.0) * self.scale + 0.5)
     }
 
     /// The entry of a grid point, counted from the start of the table.
-    #[must_use]
     pub fn entry(&self, [x, y, z]: [u64; 3]) -> usize {
         let u32s = |x: u64| x & u64::from(u32::MAX);
         let index = if self.resolution.pow(3) > self.count {
@@ -49,7 +46,6 @@ impl Level {
     }
 
     /// The eight corners of a point's cell, x fastest: entries and trilinear weights.
-    #[must_use]
     pub fn corners(&self, point: [f64; 3]) -> [(usize, f64); 8] {
         let place = self.place(point);
         let fraction = place.map(|x| x - x.floor());
@@ -63,7 +59,6 @@ impl Level {
 }
 
 /// The features of a point, level by level.  The table is `[entries, features]`.
-#[must_use]
 pub fn encode(grid: &GridConfig, table: &[f32], point: [f64; 3]) -> Vec<f64> {
     let features = grid.features as usize;
     let mut encoded = Vec::new();

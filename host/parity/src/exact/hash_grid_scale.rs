@@ -1,19 +1,16 @@
 //! The unit of the hash grids' gradient, as docs/numerics.md defines it.
 
 /// A bound of |dL/dlogit| of a color (Eq. 3): a sigmoid's slope is at most 1/4.
-#[must_use]
 pub fn color_bound(gradient: [f64; 3]) -> f64 {
     largest(gradient.map(|g| g / 4.0))
 }
 
 /// A bound of |dL/da_k| of a segment's samples (Eq. 11), whose product is to a power.
-#[must_use]
 pub fn transmittance_bound([gradient, transmittance, power]: [f64; 3]) -> f64 {
     largest([power * gradient * transmittance])
 }
 
 /// The largest absolute value; infinite if a value is infinite or NaN.
-#[must_use]
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     let larger = |most: f64, x: f64| if x.is_finite() { most.max(x.abs()) } else { f64::INFINITY };
     values.into_iter().fold(0.0, larger)
@@ -23,7 +20,6 @@ pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 ///
 /// 2^e is the next power of two above the product of the bounds, plus 1% for rounding, with e from -125 to 128.  2^b is the
 /// next power of two of the samples.  The unit is `2^(62 - e - b)`, at most 2^126, and the limit is the f32 before 2^e.
-#[must_use]
 pub fn unit(bounds: &[f32], samples: u32) -> (i32, f32) {
     // a denormal counts as up to 2^-126: the bits of its mantissa after a leading 1, at 2^-127
     let logarithm = |&bound: &f32| {

@@ -1,20 +1,17 @@
 //! The loss of a rendered batch (Kerbl et al. 2023, Eq. 7).
 
 /// `(|d|, 1 - SSIM, d^2, m)` of a pixel, summed over its channels; d is the difference of the images.
-#[must_use]
 pub fn sums(d: [f64; 3], dissimilarity: f64, valid: f64) -> [f64; 4] {
     let sum = |of: fn(f64) -> f64| d.into_iter().map(of).sum::<f64>();
     [sum(f64::abs), dissimilarity, sum(|d| d * d), valid]
 }
 
 /// The loss from the sums over `valid` pixels: `(1 - w) |x - y| + w (1 - SSIM)`, the mean over their three channels.
-#[must_use]
 pub fn mean(absolute: f64, dissimilarity: f64, valid: f64, weight: f64) -> f64 {
     ((1.0 - weight) * absolute + weight * dissimilarity) / (3.0 * valid)
 }
 
 /// The derivative of |d|: 0 at 0, and for denormals, which a GPU may flush to 0.
-#[must_use]
 pub fn sign(d: f64) -> f64 {
     if d.abs() < 2_f64.powi(-126) { 0.0 } else { d.signum() }
 }

@@ -19,7 +19,6 @@ pub struct View {
 
 impl View {
     /// A camera as the kernels have it.
-    #[must_use]
     pub fn of(camera: &organza_shaders::camera::Camera) -> Self {
         Self {
             axes: camera.rotation.map(|row| row.as_dvec3().to_array()),
@@ -39,7 +38,6 @@ impl View {
     }
 
     /// What x/z (axis 0) and y/z (axis 1) are clamped to in J: the image's border, and 0.3 of half its size.
-    #[must_use]
     pub fn limits(&self, axis: usize) -> [f64; 2] {
         let (focal, center, size) = (self.focal[axis], self.center[axis], self.size[axis]);
         let margin = 0.3 * 0.5 * size / focal;
@@ -60,7 +58,6 @@ pub struct Gaussian<N> {
 
 impl Gaussian<f64> {
     /// The lengths of its axes.
-    #[must_use]
     pub fn axes(&self) -> [f64; 3] {
         self.log_scale.map(f64::exp)
     }
@@ -84,13 +81,11 @@ pub struct Projected<N> {
 }
 
 /// `2 ln 255`: the q at which the falloff ends.
-#[must_use]
 pub fn cutoff() -> f64 {
     2.0 * 255f64.ln()
 }
 
 /// A Gaussian that is not behind the near plane.
-#[must_use]
 pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Option<Projected<N>> {
     let place @ [x, y, z] = view.place(gaussian.position);
     // as an f32 has it

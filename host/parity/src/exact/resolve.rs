@@ -3,7 +3,6 @@
 use super::numeric::Number;
 
 /// A channel of a pixel, of C and S.
-#[must_use]
 pub fn pixel<N: Number>(color: N, weight: N, background: f64) -> N {
     if weight.value() > 1.0 {
         color / weight

@@ -20,7 +20,6 @@ pub struct Segment {
 const MAX_STEPS: f64 = 16_384.0;
 
 /// Eq. 4 and 5 for `p + t v`: where it enters the cube and where it leaves it.
-#[must_use]
 pub fn planes(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
     let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..3 {
@@ -38,14 +37,12 @@ pub fn planes(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
 }
 
 /// Eq. 6: t0 and lambda.
-#[must_use]
 pub fn clip([enter, exit]: [f64; 2]) -> [f64; 2] {
     let t0 = enter.clamp(0.0, 1.0);
     [t0, (exit.clamp(0.0, 1.0) - t0).max(0.0)]
 }
 
 /// The segment from a Gaussian to a camera, both in the unit cube's space, in steps of about `step` (sigma).
-#[must_use]
 pub fn segment(p: [f64; 3], eye: [f64; 3], step: f64) -> Segment {
     let v = std::array::from_fn(|axis| eye[axis] - p[axis]);
     let [t0, lambda] = clip(planes(p, v));
@@ -76,7 +73,6 @@ pub struct ContractedRay {
 }
 
 /// The ray from a Gaussian to a camera, both in the unit cube's space, in steps of about `step` (sigma).
-#[must_use]
 pub fn contracted_ray(p: [f64; 3], eye: [f64; 3], step: f64) -> ContractedRay {
     let v: [f64; 3] = std::array::from_fn(|axis| eye[axis] - p[axis]);
     let far = dot(v, v).sqrt();
@@ -98,7 +94,6 @@ pub fn contracted_ray(p: [f64; 3], eye: [f64; 3], step: f64) -> ContractedRay {
 
 impl ContractedRay {
     /// The midpoint x_k of Eq. 9, contracted.
-    #[must_use]
     pub fn midpoint(&self, k: u32, count: u32) -> [f64; 3] {
         let [begin, end] = self.ends;
         let r = begin + (f64::from(k) + 0.5) / f64::from(count) * (end - begin);

@@ -3,7 +3,6 @@
 use std::f64::consts::{PI, SQRT_2};
 
 /// The unit direction from a camera to a Gaussian.
-#[must_use]
 pub fn direction(eye: [f64; 3], center: [f64; 3]) -> [f64; 3] {
     let v: [f64; 3] = std::array::from_fn(|axis| center[axis] - eye[axis]);
     let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -11,7 +10,6 @@ pub fn direction(eye: [f64; 3], center: [f64; 3]) -> [f64; 3] {
 }
 
 /// The harmonics of the bands 0 to `degree`, that of band l and order m at `l*l + l + m`.
-#[must_use]
 pub fn harmonics(degree: u32, direction: [f64; 3]) -> Vec<f64> {
     let bands = 0..=degree as i32;
     bands.flat_map(|l| (-l..=l).map(move |m| harmonic(l, m, direction))).collect()

@@ -4,7 +4,6 @@ use super::numeric::Number;
 
 /// The Gaussian weights of a window along one axis, by the distance from its center in pixels: sigma is 1.5, and the
 /// eleven weights add up to 1.
-#[must_use]
 pub fn weights() -> [f64; 6] {
     let gauss = |distance: i32| (-f64::from(distance * distance) / 4.5).exp();
     let all: f64 = (-5..=5).map(gauss).sum();
@@ -12,7 +11,6 @@ pub fn weights() -> [f64; 6] {
 }
 
 /// The weighted sum of a row or column of values around place `at`.
-#[must_use]
 pub fn weighted_sum(at: usize, values: impl Iterator<Item = f64>) -> f64 {
     let weights = weights();
     let terms = values.enumerate().filter_map(|(tap, value)| {
@@ -23,14 +21,12 @@ pub fn weighted_sum(at: usize, values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// SSIM from the means of x and y, the sum of their variances, and their covariance.
-#[must_use]
 pub fn similarity<N: Number>([x, y]: [N; 2], variances: N, covariance: N) -> N {
     let [two, c1, c2] = [2.0, 0.01_f64.powi(2), 0.03_f64.powi(2)].map(N::from);
     (two * x * y + c1) * (two * covariance + c2) / ((x * x + y * y + c1) * (variances + c2))
 }
 
 /// SSIM of a window from its pixels: weight, x and y of each.  The weights need not add up to 1.
-#[must_use]
 pub fn of_pixels<N: Number>(pixels: &[(f64, [N; 2])]) -> N {
     let total: f64 = pixels.iter().map(|(weight, _)| weight).sum();
     let mean = |value: &dyn Fn(N, N) -> N| {
@@ -44,7 +40,6 @@ pub fn of_pixels<N: Number>(pixels: &[(f64, [N; 2])]) -> N {
 }
 
 /// 1 - SSIM of a window, from its weighted sums of d = x - y, s = x + y - 1, d^2, s^2, and of the weights.
-#[must_use]
 pub fn dissimilarity<N: Number>([d, s, dd, ss, weight]: [N; 5]) -> N {
     let [one, two, four] = [1.0, 2.0, 4.0].map(N::from);
     let [d, s, dd, ss] = [d, s, dd, ss].map(|sum| sum / weight);

@@ -1,7 +1,6 @@
 //! Eq. 14 and 15: who is a member of a tile.
 
 /// `dist(x, B_t)`, to the closed box.
-#[must_use]
 pub fn distance(center: [f64; 2], origin: [i32; 2], side: u32) -> f64 {
     let outside = |axis: usize| {
         let low = f64::from(origin[axis]);
@@ -12,7 +11,6 @@ pub fn distance(center: [f64; 2], origin: [i32; 2], side: u32) -> f64 {
 
 /// Whether a support reaches a tile: its radius has the kernel's margin for rounding, and is negative where the
 /// Gaussian is culled.
-#[must_use]
 pub fn reaches(center: [f64; 2], radius: f64, origin: [i32; 2], side: u32) -> bool {
     radius >= 0.0 && distance(center, origin, side) <= radius * 1.001 + 0.01
 }

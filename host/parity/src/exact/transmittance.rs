@@ -3,21 +3,18 @@
 use super::numeric::Number;
 
 /// The midpoint x_k of Eq. 9, for `count` steps along w, starting at s.
-#[must_use]
 pub fn midpoint(s: [f64; 3], w: [f64; 3], k: u32, count: u32) -> [f64; 3] {
     let t = (f64::from(k) + 0.5) / f64::from(count);
     std::array::from_fn(|axis| s[axis] + t * w[axis])
 }
 
 /// The logarithm of a step's factor: `log rho_k = s_factor log sigmoid(a_k)`.
-#[must_use]
 pub fn log_rho<N: Number>(a: N, factor: f64) -> N {
     let [least, distance] = if a.value() < 0.0 { [a, a] } else { [N::from(0.0), -a] };
     N::from(factor) * (least - distance.exp().ln_1p())
 }
 
 /// T of Eq. 11, from the sum of the factors' logarithms.
-#[must_use]
 pub fn transmittance<N: Number>(log_rho: N) -> N {
     log_rho.exp()
 }

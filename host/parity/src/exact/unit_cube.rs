@@ -2,7 +2,6 @@
 
 /// A point of the world in the unit cube's space: `x' = 0.05 + 0.9 (x - lo) / (hi - lo)` for each axis, and
 /// `x' = 0.25 + 0.5 (x - lo) / (hi - lo)` where what lies outside the box is contracted.
-#[must_use]
 pub fn unit(x: [f64; 3], [low, high]: [[f64; 3]; 2], is_contracted: bool) -> [f64; 3] {
     let margin = if is_contracted { 0.25 } else { 0.05 };
     std::array::from_fn(|axis| {
@@ -11,7 +10,6 @@ pub fn unit(x: [f64; 3], [low, high]: [[f64; 3]; 2], is_contracted: bool) -> [f6
 }
 
 /// All of the unit cube's space to the cube, and the scene's box, its middle half, to itself.
-#[must_use]
 pub fn contract(x: [f64; 3]) -> [f64; 3] {
     let q = x.map(|x| x - 0.5);
     let n = q.iter().fold(0.25, |n, q| q.abs().max(n));

@@ -7,7 +7,7 @@ mod broken;
 
 use std::process::Command;
 
-use organza_check::{KernelRunner, devices};
+use organza_check::{KernelRunner, devices, unwritten};
 use organza_device::{Device, DeviceOptions, Error, Modules};
 use organza_kernel::glam::UVec3;
 use organza_kernel::invocation::Invocation;
@@ -239,9 +239,8 @@ fn memory_that_nobody_has_written_is_not_read() {
 fn canaries_differ() {
     let device = devices::cpu(None);
     let run = |runner: KernelRunner<'_>| {
-        let output = runner.unwritten(72);
-        let kernel = AddsToNothingKernel { input: &vec![1; 64], output: &output };
-        runner.run(&kernel, 64, 1).unwrap().remove(0)
+        let inputs = AddsToNothingInputs { input: vec![1; 64], output: unwritten(72) };
+        runner.run(&inputs.kernel(), 64, 1).unwrap().remove(0)
     };
     let [one, other] = [KernelRunner::new, KernelRunner::with_other_canaries]
         .map(|new| run(new(&device, "adds_to_nothing")));

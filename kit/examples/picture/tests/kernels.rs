@@ -1,14 +1,13 @@
 //! The kernels on the CPU and, two ways, on a GPU: beside each other, beside the equations in f64, and as a picture.
 
 use organza_check::snapshot::{Snapshots, picture::Montage};
-use organza_check::{Case, KernelRunner, Output, Parity, Result, assert_parity, devices, inputs};
+use organza_check::{Case, assert_parity, devices, prelude::*};
 use picture::{MODULES, picture};
 use picture_kernels::*;
 
 const SNAPSHOTS: Snapshots = organza_check::snapshots!("tests/snapshots");
 
-/// Inputs of `ripples`: the side.
-struct Ripples(u32);
+case!(Ripples(RipplesInputs));
 
 impl Parity for Ripples {
     const KERNEL: &'static str = "ripples";
@@ -16,46 +15,50 @@ impl Parity for Ripples {
     const WHY: &'static str = "five roundings of up to 6 ripples, beside a gray of 0.2";
 
     fn sets() -> Vec<(String, Self)> {
-        [1, 7, 8, 33].map(|side| (format!("side {side}"), Self(side))).into()
+        let set = |side: u32| {
+            let params = Picture { side, pixels: side * side };
+            let gray = unwritten(params.pixels as usize);
+            (format!("side {side}"), Self(RipplesInputs { params, gray }))
+        };
+        [1, 7, 8, 33].map(set).into()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let params = Picture { side: self.0, pixels: self.0 * self.0 };
-        let gray = runner.unwritten(params.pixels as usize);
-        runner.run_over(&RipplesKernel { params, gray: &gray }, self.0, 1)
+        runner.run_over(&self.kernel(), self.params.side, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let at = |place: u32| (2.0 * f64::from(place) + 1.0) / f64::from(self.0) - 1.0;
-        let waves = (0..self.0).flat_map(|y| (0..self.0).map(move |x| 4.0 * at(x).hypot(at(y))));
+        let side = self.params.side;
+        let at = |place: u32| (2.0 * f64::from(place) + 1.0) / f64::from(side) - 1.0;
+        let waves = (0..side).flat_map(|y| (0..side).map(move |x| 4.0 * at(x).hypot(at(y))));
         waves.map(|wave| Some(1.0 - 0.8 * (2.0 * wave.fract() - 1.0).abs())).collect()
     }
 }
 
-/// Inputs of `histogram`: the gray of each pixel.
-struct Histogram(Vec<f32>);
+case!(Histogram(HistogramInputs));
 
 impl Parity for Histogram {
     const KERNEL: &'static str = "histogram";
 
     fn sets() -> Vec<(String, Self)> {
-        inputs::sets(|count, _, random| Self(random.values(count as usize, 0.0, 1.0)))
+        inputs::sets(|pixels, _, random| {
+            let gray = random.values(pixels as usize, 0.0, 1.0);
+            let params = Picture { side: 0, pixels };
+            Self(HistogramInputs { params, gray, bins: vec![0; BINS] })
+        })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let params = Picture { side: 0, pixels: self.0.len() as u32 };
-        let kernel = HistogramKernel { params, gray: &self.0, bins: &vec![0; BINS] };
-        runner.run(&kernel, params.pixels, 1)
+        runner.run(&self.kernel(), self.params.pixels, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let count = |bin| self.0.iter().filter(|gray| (*gray * 15.99) as usize == bin).count();
+        let count = |bin| self.gray.iter().filter(|gray| (*gray * 15.99) as usize == bin).count();
         (0..BINS).map(|bin| Some(count(bin) as f64)).collect()
     }
 }
 
-/// Inputs of `tint`: the gray of each pixel.
-struct Tint(Vec<f32>);
+case!(Tint(TintInputs));
 
 impl Parity for Tint {
     const KERNEL: &'static str = "tint";
@@ -63,18 +66,20 @@ impl Parity for Tint {
     const WHY: &'static str = "one rounding";
 
     fn sets() -> Vec<(String, Self)> {
-        inputs::sets(|count, _, random| Self(random.values(count as usize, 0.0, 1.0)))
+        inputs::sets(|pixels, _, random| {
+            let gray = random.values(pixels as usize, 0.0, 1.0);
+            let params = Picture { side: 0, pixels };
+            Self(TintInputs { params, gray, color: unwritten(3 * pixels as usize) })
+        })
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let params = Picture { side: 0, pixels: self.0.len() as u32 };
-        let color = runner.unwritten(3 * self.0.len());
-        runner.run(&TintKernel { params, gray: &self.0, color: &color }, params.pixels, 1)
+        runner.run(&self.kernel(), self.params.pixels, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let tints = [|x| x, |x| x * x, |x| 0.5 - 0.25 * x] as [fn(f64) -> f64; 3];
-        tints.iter().flat_map(|tint| self.0.iter().map(|&x| Some(tint(x.into())))).collect()
+        tints.iter().flat_map(|tint| self.gray.iter().map(|&x| Some(tint(x.into())))).collect()
     }
 }
 

@@ -9,6 +9,7 @@ use glam::UVec3;
 
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Read, Shared, Write};
+pub use crate::path::Scope;
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 use crate::work::{Shape, Work, WorkOf};
 

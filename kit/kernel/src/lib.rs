@@ -134,6 +134,8 @@ pub mod lane;
 pub mod lane_vec4;
 pub mod math;
 pub mod memory;
+#[cfg(not(target_arch = "spirv"))]
+mod path;
 pub mod prelude;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;

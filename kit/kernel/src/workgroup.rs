@@ -40,14 +40,21 @@ use glam::UVec3;
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::Shared;
+use crate::path::{self, Step};
 use crate::running::{self, unlinear};
 use crate::workgroup_memory::WorkgroupMemory;
 
 /// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
 const STACK: usize = 64 << 10;
 
-/// The place in the source where an invocation waits.
-type Barrier = &'static Location<'static>;
+/// The barrier that an invocation waits at.
+#[derive(Clone, Copy, PartialEq)]
+struct Barrier {
+    /// Its place in the source.
+    at: &'static Location<'static>,
+    /// The branches and loops around it. The waiting coroutine owns it, so it lives until that is resumed or dropped.
+    path: &'static [Step],
+}
 
 /// An invocation.
 type Body = Coroutine<(), Barrier, (), DefaultStack>;
@@ -103,12 +110,16 @@ fn wait(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let (invocation, left) = (running::invocation(), running::iterations_left());
+    let path = path::take();
+    // SAFETY: nobody looks at it after this coroutine was resumed or dropped, and until then `path` is not touched
+    let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
-    unsafe { &*yielder }.suspend(at);
+    unsafe { &*yielder }.suspend(Barrier { at, path: steps });
     // other coroutines ran meanwhile
     CURRENT.set(yielder);
     running::enter(invocation);
     running::allow_iterations(left);
+    path::set(path);
 }
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
@@ -233,10 +244,13 @@ fn give_up(invocations: Vec<Body>) {
 fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
     let (first, others): (Vec<_>, Vec<_>) =
         (0..waiting.len()).partition(|&index| waiting[index] == waiting[0]);
+    let ways = [waiting[first[0]], waiting[others[0]]];
     let side = |indices: &[usize]| {
         let place = unlinear(indices[0] as u64, size);
         let does = match waiting[indices[0]] {
-            Some(barrier) => format!("waits at the barrier of {barrier}"),
+            Some(barrier) => {
+                format!("waits at the barrier of {}{}", barrier.at, way(barrier, ways))
+            }
             None => "has ended".to_owned(),
         };
         match indices.len() - 1 {
@@ -246,6 +260,16 @@ fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
     };
     let (first, others) = (side(&first), side(&others));
     format!("a barrier in divergent control flow: {first}, while {others}")
+}
+
+/// How an invocation came to its barrier, if two came to the same one on different paths.
+fn way(own: Barrier, ways: [Option<Barrier>; 2]) -> String {
+    let [Some(first), Some(second)] = ways else { return String::new() };
+    if first.at != second.at {
+        return String::new();
+    }
+    let same = first.path.iter().zip(second.path).take_while(|(one, other)| one == other).count();
+    own.path.get(same).map_or_else(String::new, |step| format!(" {step}"))
 }
 
 fn take_stack() -> DefaultStack {

@@ -4,8 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse_quote;
 
+use crate::checks;
 use crate::cpu::{cpu_run, run_variant};
-use crate::loops::count_iterations;
 use crate::parse::{Kernel, Parameter, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
@@ -40,23 +40,34 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
         let _witness = ::organza_kernel::kernel::PanicContext::new(#name, #id);
     };
-    let most = kernel.iterations.as_ref().map(|most| {
-        let most = match kernel.lanes_type() {
-            // an invocation that takes several lanes may loop over them
-            Some(lanes) => quote!((#most) * #lanes::WIDTH),
-            None => quote!(#most),
-        };
-        parse_quote! {
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            ::organza_kernel::kernel::allow_iterations(#most);
-        }
+    // a kernel that declares no iterations has none, in its helpers either
+    let most = kernel.iterations.as_ref().map_or(quote!(0), |most| match kernel.lanes_type() {
+        // an invocation that takes several lanes may loop over them
+        Some(lanes) => quote!((#most) * #lanes::WIDTH),
+        None => quote!(#most),
     });
-    if most.is_some() {
-        count_iterations(&mut function.block);
-    }
-    let statements: Vec<syn::Stmt> = [witness].into_iter().chain(most).chain(named).collect();
+    let most = parse_quote! {
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        ::organza_kernel::kernel::allow_iterations(#most);
+    };
+    checks::add(&mut function.block, has_barriers(kernel));
+    let statements: Vec<syn::Stmt> = [witness, most].into_iter().chain(named).collect();
     function.block.stmts.splice(0..0, statements);
     function
+}
+
+/// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.
+fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
+    if kernel.has_shared() {
+        return Some(parse_quote!(true));
+    }
+    let tiles = kernel.parameters.iter().filter_map(|Parameter { name, role, element }| {
+        let Role::SharedTile(len) = role else { return None };
+        Some(quote! {
+            ::organza_kernel::shared_tile::SharedTile::<#element, {#len}>::is_shared(&*#name)
+        })
+    });
+    kernel.has_shared_tiles().then(|| parse_quote!(false #(|| #tiles)*))
 }
 
 /// `tile_mask` -> `TileMaskKernel`

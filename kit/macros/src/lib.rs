@@ -40,9 +40,9 @@
 //! A kernel with a shared tile has a second SPIR-V entry point, its variant, with the same body and bindings. The CPU always
 //! runs the plain one.
 
+mod checks;
 mod cpu;
 mod expand;
-mod loops;
 mod parse;
 
 use proc_macro::TokenStream;
@@ -56,11 +56,13 @@ pub fn kernel(attribute: TokenStream, item: TokenStream) -> TokenStream {
         .into()
 }
 
-/// Of a function that kernels call: the iterations of its loops count as the kernel's, against its `iterations`.
+/// Of a function that kernels call: the iterations of its loops count as the kernel's, against its `iterations`. If it takes the
+/// `Invocation`, the CPU run also knows on which path through it an invocation came to a barrier.
 #[proc_macro_attribute]
 pub fn loops(_: TokenStream, item: TokenStream) -> TokenStream {
     let mut function = syn::parse_macro_input!(item as syn::ItemFn);
-    loops::count_iterations(&mut function.block);
+    let has_barriers = checks::takes_invocation(&function).then(|| syn::parse_quote!(true));
+    checks::add(&mut function.block, has_barriers);
     quote::quote!(#function).into()
 }
 

@@ -1,0 +1,126 @@
+//! Checks in the body of a function, in debug builds on the CPU: iterations of loops are counted, and paths to barriers are noted.
+
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
+use syn::{
+    Arm, Block, Expr, ExprForLoop, ExprIf, ExprLoop, ExprWhile, FnArg, ItemFn, Stmt, Type,
+    parse_quote, parse_quote_spanned,
+};
+
+/// Adds the checks to a function. `has_barriers` says at run time whether its path to barriers matters; `None` if it never does.
+pub fn add(block: &mut Block, has_barriers: Option<Expr>) {
+    let notes_paths = has_barriers.is_some();
+    Checks { notes_paths }.visit_block_mut(block);
+    if let Some(has_barriers) = has_barriers {
+        let statement = parse_quote! {
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            let _has_barriers = #has_barriers;
+        };
+        block.stmts.insert(0, statement);
+    }
+}
+
+/// Whether a helper can wait at barriers: they are methods of `Invocation`.
+pub fn takes_invocation(function: &ItemFn) -> bool {
+    function.sig.inputs.iter().any(|argument| {
+        let FnArg::Typed(argument) = argument else { return false };
+        let mut ty = &*argument.ty;
+        while let Type::Reference(reference) = ty {
+            ty = &reference.elem;
+        }
+        let Type::Path(path) = ty else { return false };
+        path.path.segments.last().is_some_and(|segment| segment.ident == "Invocation")
+    })
+}
+
+struct Checks {
+    notes_paths: bool,
+}
+
+impl Checks {
+    /// Counts a loop. The message of one that takes too many iterations has the place of its first word.
+    fn count(&self, body: &mut Block, span: Span) {
+        let count = parse_quote_spanned! { span =>
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            ::organza_kernel::kernel::iterate();
+        };
+        body.stmts.insert(0, count);
+        if self.notes_paths {
+            let round = parse_quote! {
+                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+                _scope.round();
+            };
+            body.stmts.insert(0, round);
+        }
+    }
+
+    /// What begins a branch.
+    fn branch(span: Span) -> Stmt {
+        parse_quote_spanned! { span =>
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            let _branch = ::organza_kernel::kernel::Scope::new(_has_barriers);
+        }
+    }
+}
+
+impl VisitMut for Checks {
+    /// A loop is in a block of its own, with the loop's rounds.
+    fn visit_expr_mut(&mut self, expression: &mut Expr) {
+        visit_mut::visit_expr_mut(self, expression);
+        let span = match expression {
+            Expr::While(of) => of.while_token.span(),
+            Expr::ForLoop(of) => of.for_token.span(),
+            Expr::Loop(of) => of.loop_token.span(),
+            _ => return,
+        };
+        if self.notes_paths {
+            let scope: Stmt = parse_quote_spanned! { span =>
+                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+                let mut _scope = ::organza_kernel::kernel::Scope::new(_has_barriers);
+            };
+            *expression = parse_quote! {{ #scope #expression }};
+        }
+    }
+
+    fn visit_expr_while_mut(&mut self, expression: &mut ExprWhile) {
+        visit_mut::visit_expr_while_mut(self, expression);
+        self.count(&mut expression.body, expression.while_token.span());
+    }
+
+    fn visit_expr_for_loop_mut(&mut self, expression: &mut ExprForLoop) {
+        visit_mut::visit_expr_for_loop_mut(self, expression);
+        self.count(&mut expression.body, expression.for_token.span());
+    }
+
+    fn visit_expr_loop_mut(&mut self, expression: &mut ExprLoop) {
+        visit_mut::visit_expr_loop_mut(self, expression);
+        self.count(&mut expression.body, expression.loop_token.span());
+    }
+
+    fn visit_expr_if_mut(&mut self, expression: &mut ExprIf) {
+        visit_mut::visit_expr_if_mut(self, expression);
+        if !self.notes_paths {
+            return;
+        }
+        let span = expression.if_token.span();
+        expression.then_branch.stmts.insert(0, Self::branch(span));
+        if let Some((token, otherwise)) = &mut expression.else_branch
+            && let Expr::Block(otherwise) = &mut **otherwise
+        {
+            otherwise.block.stmts.insert(0, Self::branch(token.span()));
+        }
+    }
+
+    fn visit_arm_mut(&mut self, arm: &mut Arm) {
+        visit_mut::visit_arm_mut(self, arm);
+        if self.notes_paths {
+            let branch = Self::branch(arm.pat.span());
+            let body = &arm.body;
+            arm.body = parse_quote! {{ #branch #body }};
+        }
+    }
+
+    /// A function in a function is another one.
+    fn visit_item_mut(&mut self, _: &mut syn::Item) {}
+}

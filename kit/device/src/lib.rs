@@ -64,6 +64,8 @@
 mod buffer;
 mod count;
 mod cpu;
+mod cpu_bindings;
+mod cpu_dispatch;
 mod cpu_memory;
 mod device;
 mod error;
@@ -76,6 +78,8 @@ mod races;
 mod supervise;
 mod timings;
 mod transfer;
+mod watchdog;
+mod workgroups;
 mod written;
 
 pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};

@@ -5,10 +5,11 @@ use std::panic::Location;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::UVec3;
-use organza_kernel::BindingInfo;
 use organza_kernel::memory::{AccessMonitor, Touch};
 use organza_kernel::running::{self, unlinear};
+use organza_kernel::{BindingInfo, KernelInfo};
 
+use crate::workgroups::Workgroups;
 use crate::written::Written;
 
 /// Monitors a binding that is only read: parts of the buffer may be unwritten.
@@ -19,8 +20,7 @@ pub struct Reads<'a> {
 impl<'a> Reads<'a> {
     /// `begin` is the offset of the binding's first byte in the buffer.
     pub fn new(info: &BindingInfo, written: &'a Written, begin: usize) -> Self {
-        let bytes = info.element_bytes as usize;
-        Self { written: Elements { written, begin, bytes } }
+        Self { written: Elements::new(info, written, begin) }
     }
 }
 
@@ -40,13 +40,18 @@ impl AccessMonitor for Reads<'_> {
 }
 
 /// The written elements of a binding.
-struct Elements<'a> {
+pub struct Elements<'a> {
     written: &'a Written,
     begin: usize,
     bytes: usize,
 }
 
-impl Elements<'_> {
+impl<'a> Elements<'a> {
+    /// `begin` is the offset of the binding's first byte in the buffer.
+    pub fn new(info: &BindingInfo, written: &'a Written, begin: usize) -> Self {
+        Self { written, begin, bytes: info.element_bytes as usize }
+    }
+
     fn range(&self, index: u32) -> std::ops::Range<usize> {
         let first = self.begin + index as usize * self.bytes;
         first..first + self.bytes
@@ -56,8 +61,11 @@ impl Elements<'_> {
         self.written.has(self.range(index))
     }
 
-    fn set(&self, index: u32) {
-        self.written.set(self.range(index), true);
+    fn set(&self, index: u32, is_additional: bool) {
+        match is_additional {
+            true => self.written.set_additional(self.range(index)),
+            false => self.written.set(self.range(index), true),
+        }
     }
 }
 
@@ -68,6 +76,8 @@ fn unwritten(does: &str, index: u32, name: &str) -> String {
 /// Monitors a storage buffer during one dispatch: no barrier orders the accesses of different invocations.
 pub struct Races<'a> {
     invocations: UVec3,
+    /// Workgroups that are not additional, along each axis.
+    needed: UVec3,
     /// Whether workgroups with the same z run on one thread (`z_serial`).
     layers: bool,
     elements: Vec<Touched>,
@@ -107,20 +117,18 @@ fn leave(slot: &AtomicU64, own: u64) -> u64 {
 }
 
 impl<'a> Races<'a> {
-    /// `invocations` are those of the dispatch, along each axis. `begin` is the offset of the binding's first byte in
-    /// the buffer.
+    /// Monitors `len` elements. `written` are those that count as written.
     pub fn new(
-        info: &BindingInfo,
-        bytes: usize,
-        invocations: UVec3,
-        layers: bool,
-        written: Option<&'a Written>,
-        begin: usize,
+        info: &KernelInfo,
+        len: usize,
+        workgroups: Workgroups,
+        written: Option<Elements<'a>>,
     ) -> Self {
-        let element = info.element_bytes as usize;
-        let elements = (0..bytes / element).map(|_| Touched::default()).collect();
-        let written = written.map(|written| Elements { written, begin, bytes: element });
-        Self { invocations, layers, elements, written }
+        let invocations = UVec3::from(workgroups.all) * UVec3::from(info.workgroup_size);
+        let needed = workgroups.needed.into();
+        let layers = info.z_serial;
+        let elements = (0..len).map(|_| Touched::default()).collect();
+        Self { invocations, needed, layers, elements, written }
     }
 
     fn is_written(&self, index: u32) -> bool {
@@ -208,7 +216,7 @@ impl AccessMonitor for Races<'_> {
             return Err(unwritten(does, index, name));
         }
         if let Some(written) = self.written.as_ref().filter(|_| touch != Touch::Read) {
-            written.set(index);
+            written.set(index, place.id.workgroup.cmpge(self.needed).any());
         }
         Ok(())
     }

@@ -232,6 +232,13 @@ fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure
     Ok(())
 }
 
+/// Forgets the workgroup that the thread has left in the middle.
+#[doc(hidden)]
+pub fn abandon() {
+    CURRENT.set(ptr::null());
+    path::take();
+}
+
 /// Ends invocations that are still waiting.
 fn give_up(invocations: Vec<Body>) {
     CURRENT.set(ptr::null());

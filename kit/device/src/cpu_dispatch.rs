@@ -1,0 +1,157 @@
+//! Dispatches of the CPU backend.
+
+use std::ops::Range;
+use std::time::Duration;
+
+use glam::{UVec3, Vec3Swizzles};
+use organza_kernel::invocation::Invocation;
+use organza_kernel::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
+use organza_kernel::running::{RunningInvocation, begin, unlinear};
+use organza_kernel::workgroup;
+use rayon::prelude::*;
+
+use crate::buffer::RawBuffer;
+use crate::cpu::Cpu;
+use crate::cpu_bindings::{Monitor, bind, monitors};
+use crate::error::{Error, Result};
+use crate::workgroups::Workgroups;
+use crate::{supervise, watchdog};
+
+/// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
+const AT_ONCE: u64 = 8;
+
+/// A kernel with what a dispatch needs.
+struct Launch<'a> {
+    info: &'static KernelInfo,
+    run: CpuRun,
+    shared: &'static [SharedInfo],
+    bindings: &'a [CpuBinding<'a>],
+    workgroups: UVec3,
+    time_limit: Option<Duration>,
+}
+
+impl Launch<'_> {
+    fn place(&self, index: u64) -> UVec3 {
+        match self.info.z_innermost {
+            // z is the fastest axis
+            true => unlinear(index, self.workgroups.zxy()).yzx(),
+            false => unlinear(index, self.workgroups),
+        }
+    }
+
+    fn run(&self, index: u64) -> Result<(), String> {
+        let local = UVec3::from(self.info.workgroup_size);
+        let place = self.place(index);
+        let first = Invocation::new(UVec3::ZERO, place, self.workgroups, local);
+        begin(Some(RunningInvocation { kernel: self.info.name, id: first }));
+        match self.time_limit {
+            Some(limit) => watchdog::run(limit, self.info.name, || self.run_at(place)),
+            None => self.run_at(place),
+        }
+    }
+
+    fn run_at(&self, place: UVec3) -> Result<(), String> {
+        let local = UVec3::from(self.info.workgroup_size);
+        match self.run {
+            CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
+            CpuRun::Workgroup(run) => {
+                // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
+                // element from two invocations without atomics. `Cpu::new` has checked the instruction set.
+                unsafe { run(self.bindings, place, self.workgroups) };
+                Ok(())
+            }
+            // SAFETY: as above, and the workgroup memory is what this kernel declares
+            CpuRun::Invocation(run) => unsafe {
+                let shared = self.shared;
+                workgroup::run_bound(shared, local, run, self.bindings, place, self.workgroups)
+            },
+        }
+    }
+
+    fn run_some(&self, mut indices: Range<u64>) -> Result<(), String> {
+        supervise::supervise(|| indices.try_for_each(|index| self.run(index)))
+    }
+}
+
+impl Cpu {
+    /// Runs a kernel, and returns when it is done.
+    pub fn dispatch(
+        &self,
+        info: &'static KernelInfo,
+        uniform: &[u8],
+        buffers: &[&RawBuffer],
+        workgroups: Workgroups,
+    ) -> Result<()> {
+        let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
+        let mut bindings = bind(info, uniform, buffers).map_err(failed)?;
+        let monitors = match self.check_races {
+            true => monitors(info, &bindings, buffers, workgroups),
+            false => Vec::new(),
+        };
+        for (binding, monitor) in bindings.iter_mut().zip(&monitors) {
+            binding.monitor = monitor.as_ref().map(Monitor::as_dyn);
+        }
+        let launch = Launch {
+            info,
+            run: self.run_of(info),
+            shared: self.entry_point(info).shared,
+            bindings: &bindings,
+            workgroups: workgroups.all.into(),
+            time_limit: self.time_limit,
+        };
+        let result = self.launch(&launch);
+        result.and_then(|()| self.refuse_nan(info, &bindings, &monitors)).map_err(failed)
+    }
+
+    /// The run of a kernel, or of its variant.
+    fn run_of(&self, info: &KernelInfo) -> CpuRun {
+        match info.run {
+            _ if self.entry_point(info).name != info.name => match info.run_variant {
+                Some(run) => CpuRun::Invocation(run),
+                None => unreachable!("`entry_point` has looked"),
+            },
+            CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.of(self.instruction_set())),
+            run => run,
+        }
+    }
+
+    /// Runs all workgroups, on the threads that there are.
+    fn launch(&self, launch: &Launch<'_>) -> Result<(), String> {
+        let [x, y, z] = launch.workgroups.to_array().map(u64::from);
+        // one thread runs all workgroups with the same z
+        let (all, at_once) = match launch.info.z_serial {
+            true => (z, x * y),
+            false => ((x * y * z).div_ceil(AT_ONCE), AT_ONCE),
+        };
+        let some = |index: usize| {
+            let first = index as u64 * at_once;
+            launch.run_some(first..(first + at_once).min(x * y * z))
+        };
+        if Self::is_single_thread() {
+            return (0..all as usize).try_for_each(some);
+        }
+        self.pool.install(|| match launch.info.z_serial {
+            true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
+            false => (0..all as usize).into_par_iter().try_for_each(some),
+        })
+    }
+
+    /// Fails if a kernel has written NaN, on a device that checks this.
+    fn refuse_nan(
+        &self,
+        info: &KernelInfo,
+        bindings: &[CpuBinding<'_>],
+        monitors: &[Option<Monitor<'_>>],
+    ) -> Result<(), String> {
+        let bindings = info.bindings.iter().zip(bindings).zip(monitors);
+        for ((info, binding), monitor) in bindings.filter(|_| self.check_nan) {
+            let Some(Monitor::Written(races)) = monitor else { continue };
+            // SAFETY: the buffer's bytes; the dispatch is over, so nothing writes them
+            let data = unsafe { std::slice::from_raw_parts(binding.data, binding.bytes) };
+            if let Some(fault) = races.nan(info, data) {
+                return Err(fault);
+            }
+        }
+        Ok(())
+    }
+}

@@ -34,6 +34,8 @@ corpus! {
         divergent_half
         returns_before_barrier
         barrier_in_each_branch
+        helper_in_both_branches
+        rounds_apart
         loop_of_different_lengths
         barrier_behind_a_vote
         barrier_for_storage
@@ -91,6 +93,7 @@ corpus! {
         last_element
         one_branch_writes
         dispatch_rounds_down
+        items_round_down
         dispatch_without_rows
         every_second_pair
         behind_the_output
@@ -121,6 +124,8 @@ corpus! {
         depends_on_data
         one_iteration_too_many
         never_ends
+        helper_is_not_counted
+        helper_never_ends
     }
     bindings {
         swapped_inputs

@@ -118,6 +118,17 @@ fn no_two_invocations_get_in_each_others_way() {
     }
 }
 
+/// Runs everything twice, in two orders of workgroups and invocations that have nothing in common.
+#[test]
+fn no_kernel_depends_on_the_order() {
+    let scalar = devices::with(InstructionSet::Scalar);
+    let thorough = devices::thorough(1);
+    for case in organza_parity::cases() {
+        let measure = case.measure(&scalar, &thorough, Rounding::AsWritten).expect("no order");
+        assert_eq!(measure.share.value, 0.0, "{}: the order changes the result", case.kernel);
+    }
+}
+
 /// Compares variants with plain kernels. Their invocations copy to workgroup memory and wait for each other.
 #[test]
 fn staged_copies_are_right_without_a_gpu() {

@@ -44,6 +44,7 @@ pub struct Cpu {
     pub(crate) check_races: bool,
     pub(crate) check_nan: bool,
     pub(crate) time_limit: Option<Duration>,
+    pub(crate) thorough: Option<u64>,
     /// Whether kernels run as their variants.
     variants: bool,
     instruction_set: InstructionSet,
@@ -76,6 +77,7 @@ impl Cpu {
             check_races,
             check_nan,
             time_limit,
+            thorough: options.thorough,
             variants,
             instruction_set,
             pool_memory,

@@ -1,6 +1,5 @@
 //! Dispatches of the CPU backend.
 
-use std::ops::Range;
 use std::time::Duration;
 
 use glam::{UVec3, Vec3Swizzles};
@@ -14,13 +13,22 @@ use crate::buffer::RawBuffer;
 use crate::cpu::Cpu;
 use crate::cpu_bindings::{Monitor, bind, monitors};
 use crate::error::{Error, Result};
+use crate::order::Order;
 use crate::workgroups::Workgroups;
-use crate::{supervise, watchdog};
+use crate::{supervise, thorough, watchdog};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
 const AT_ONCE: u64 = 8;
 
-/// A kernel with what a dispatch needs.
+/// A kernel and its bindings.
+pub struct Job<'a> {
+    pub info: &'static KernelInfo,
+    pub bindings: Vec<CpuBinding<'static>>,
+    pub buffers: &'a [&'a RawBuffer],
+    pub workgroups: Workgroups,
+}
+
+/// One run of a dispatch.
 struct Launch<'a> {
     info: &'static KernelInfo,
     run: CpuRun,
@@ -28,6 +36,7 @@ struct Launch<'a> {
     bindings: &'a [CpuBinding<'a>],
     workgroups: UVec3,
     time_limit: Option<Duration>,
+    order: Option<Order>,
 }
 
 impl Launch<'_> {
@@ -44,31 +53,45 @@ impl Launch<'_> {
         let place = self.place(index);
         let first = Invocation::new(UVec3::ZERO, place, self.workgroups, local);
         begin(Some(RunningInvocation { kernel: self.info.name, id: first }));
+        // each workgroup has an order of its own
+        let count = u64::from(local.element_product());
+        let order = self.order.map(|order| order.of(count, 1 + index));
         match self.time_limit {
-            Some(limit) => watchdog::run(limit, self.info.name, || self.run_at(place)),
-            None => self.run_at(place),
+            Some(limit) => {
+                watchdog::run(limit, self.info.name, || self.run_at(place, order.as_deref()))
+            }
+            None => self.run_at(place, order.as_deref()),
         }
     }
 
-    fn run_at(&self, place: UVec3) -> Result<(), String> {
-        let local = UVec3::from(self.info.workgroup_size);
+    fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
+        let size = UVec3::from(self.info.workgroup_size);
         match self.run {
             CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
             CpuRun::Workgroup(run) => {
-                // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
-                // element from two invocations without atomics. `Cpu::new` has checked the instruction set.
-                unsafe { run(self.bindings, place, self.workgroups) };
+                let run = |part| {
+                    // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
+                    // element from two invocations without atomics. `Cpu::new` has checked the instruction set.
+                    unsafe { run(self.bindings, place, self.workgroups, part) }
+                };
+                match order {
+                    None => run([UVec3::ZERO, size]),
+                    Some(order) => order.iter().for_each(|&index| {
+                        let begin = unlinear(index, size);
+                        run([begin, begin + 1]);
+                    }),
+                }
                 Ok(())
             }
             // SAFETY: as above, and the workgroup memory is what this kernel declares
             CpuRun::Invocation(run) => unsafe {
-                let shared = self.shared;
-                workgroup::run_bound(shared, local, run, self.bindings, place, self.workgroups)
+                let places = [place, self.workgroups];
+                workgroup::run_bound(self.shared, size, run, self.bindings, places, order)
             },
         }
     }
 
-    fn run_some(&self, mut indices: Range<u64>) -> Result<(), String> {
+    fn run_some(&self, mut indices: impl Iterator<Item = u64>) -> Result<(), String> {
         supervise::supervise(|| indices.try_for_each(|index| self.run(index)))
     }
 }
@@ -83,11 +106,27 @@ impl Cpu {
         workgroups: Workgroups,
     ) -> Result<()> {
         let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
-        let mut bindings = bind(info, uniform, buffers).map_err(failed)?;
+        let bindings = bind(info, uniform, buffers).map_err(failed)?;
+        let job = Job { info, bindings, buffers, workgroups };
+        let result = match self.thorough {
+            Some(seed) => thorough::run(self, &job, seed),
+            None => self.run_once(&job, None).map(drop),
+        };
+        result.map_err(failed)
+    }
+
+    /// Runs a kernel once, in an order. Returns what has watched its bindings.
+    pub fn run_once<'a>(
+        &self,
+        job: &Job<'a>,
+        order: Option<Order>,
+    ) -> Result<Vec<Option<Monitor<'a>>>, String> {
+        let info = job.info;
         let monitors = match self.check_races {
-            true => monitors(info, &bindings, buffers, workgroups),
+            true => monitors(info, &job.bindings, job.buffers, job.workgroups),
             false => Vec::new(),
         };
+        let mut bindings: Vec<CpuBinding<'_>> = job.bindings.clone();
         for (binding, monitor) in bindings.iter_mut().zip(&monitors) {
             binding.monitor = monitor.as_ref().map(Monitor::as_dyn);
         }
@@ -96,11 +135,13 @@ impl Cpu {
             run: self.run_of(info),
             shared: self.entry_point(info).shared,
             bindings: &bindings,
-            workgroups: workgroups.all.into(),
+            workgroups: job.workgroups.all.into(),
             time_limit: self.time_limit,
+            order,
         };
-        let result = self.launch(&launch);
-        result.and_then(|()| self.refuse_nan(info, &bindings, &monitors)).map_err(failed)
+        self.launch(&launch)?;
+        self.refuse_nan(info, &bindings, &monitors)?;
+        Ok(monitors)
     }
 
     /// The run of a kernel, or of its variant.
@@ -118,6 +159,9 @@ impl Cpu {
     /// Runs all workgroups, on the threads that there are.
     fn launch(&self, launch: &Launch<'_>) -> Result<(), String> {
         let [x, y, z] = launch.workgroups.to_array().map(u64::from);
+        if let Some(order) = launch.order {
+            return launch.run_some(order.of(x * y * z, 0).into_iter());
+        }
         // one thread runs all workgroups with the same z
         let (all, at_once) = match launch.info.z_serial {
             true => (z, x * y),

@@ -76,6 +76,9 @@ pub struct DeviceOptions {
     /// How long a workgroup may run on the CPU, by its thread's clock. What takes longer is an error; outside of Linux on x86-64 it ends
     /// the program. For tests of kernels: a loop in a helper may never end.
     pub time_limit: Option<Duration>,
+    /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
+    /// thread, and once more in the reverse order. The results must agree.
+    pub thorough: Option<u64>,
     /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,
     /// Whether a GPU runs the [variant](organza_kernel::KernelInfo::variant) of a kernel that has one, or its plain
@@ -109,6 +112,13 @@ impl DeviceOptions {
             time_limit: Some(Duration::from_secs(30)),
             ..Self::cpu(None)
         }
+    }
+
+    /// Like [`checked`](Self::checked), for all that takes several times as long: see [`thorough`](Self::thorough). Each seed is
+    /// another test.
+    #[must_use]
+    pub fn thorough(seed: u64) -> Self {
+        Self { thorough: Some(seed), ..Self::checked() }
     }
 
     /// Sets [`backend`](Self::backend).

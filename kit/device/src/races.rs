@@ -2,7 +2,8 @@
 //! elements.
 
 use std::panic::Location;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::ptr;
+use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
 use organza_kernel::memory::{AccessMonitor, Touch};
@@ -92,6 +93,20 @@ struct Touched {
     writer: AtomicU64,
     atomic: AtomicU64,
     reader: AtomicU64,
+    /// The place of the last write in the source.
+    place: AtomicPtr<Location<'static>>,
+}
+
+impl Touched {
+    /// Notes the place of a write: the last one is kept.
+    fn note(&self, at: &'static Location<'static>) {
+        self.place.store(ptr::from_ref(at).cast_mut(), Ordering::Relaxed);
+    }
+
+    fn place(&self) -> Option<&'static Location<'static>> {
+        // SAFETY: null, or a place that `note` was given
+        unsafe { self.place.load(Ordering::Relaxed).as_ref() }
+    }
 }
 
 /// Marks an access of several invocations.
@@ -160,15 +175,21 @@ impl<'a> Races<'a> {
             return None;
         }
         let elements = data.chunks_exact(info.element_bytes as usize).zip(&self.elements);
-        let (index, writer) = elements.enumerate().find_map(|(index, (bytes, touched))| {
-            let writer = touched.writer.load(Ordering::SeqCst);
-            (writer != 0 && is_nan(bytes)).then_some((index, writer))
+        let (index, _) = elements.enumerate().find(|(_, (bytes, touched))| {
+            touched.writer.load(Ordering::SeqCst) != 0 && is_nan(bytes)
         })?;
         let name = info.name;
-        let invocation = unlinear(who(writer) - 1, self.invocations);
-        Some(format!(
-            "writes NaN to element {index} of `{name}`, in invocation {invocation} of the dispatch"
-        ))
+        Some(format!("writes NaN to element {index} of `{name}`{}", self.writer(index)))
+    }
+
+    /// Where an element was written, and by whom: the end of a message.
+    pub fn writer(&self, index: usize) -> String {
+        let touched = &self.elements[index];
+        let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
+        let Some(mark) = marks.into_iter().find(|mark| *mark != 0) else { return String::new() };
+        let invocation = unlinear(who(mark) - 1, self.invocations);
+        let place = touched.place().map_or_else(String::new, |at| format!(", at {at}"));
+        format!("{place}, in invocation {invocation} of the dispatch")
     }
 }
 
@@ -185,7 +206,7 @@ impl AccessMonitor for Races<'_> {
         name: &str,
         index: u32,
         touch: Touch,
-        _: &'static Location<'static>,
+        at: &'static Location<'static>,
     ) -> Result<(), String> {
         let Some(place) = running::current() else { return Ok(()) };
         let touched = &self.elements[index as usize];
@@ -197,6 +218,9 @@ impl AccessMonitor for Races<'_> {
             Touch::Serial => ("adds, for its z alone, to", &touched.atomic, own | SERIAL),
         };
         let before = leave(slot, mark);
+        if touch != Touch::Read {
+            touched.note(at);
+        }
         let is_atomic = !matches!(touch, Touch::Read | Touch::Write);
         let others = [
             (&touched.writer, "written", true),

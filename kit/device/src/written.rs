@@ -77,6 +77,18 @@ impl Written {
         }
     }
 
+    /// The flags, for [`Written::restore`].
+    pub fn save(&self) -> Vec<u8> {
+        self.words.iter().map(|word| word.load(Ordering::Relaxed)).collect()
+    }
+
+    /// Sets all flags to what they were.
+    pub fn restore(&self, flags: &[u8]) {
+        for (word, flag) in self.words.iter().zip(flags) {
+            word.store(*flag, Ordering::Relaxed);
+        }
+    }
+
     /// Notes the kernel that may write next, and its name for the buffer.
     pub fn set_kernel(&self, kernel: &'static str, name: &'static str) {
         *self.kernel.lock().unwrap_or_else(PoisonError::into_inner) = Some([kernel, name]);

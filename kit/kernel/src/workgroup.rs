@@ -123,7 +123,7 @@ fn wait(at: &'static Location<'static>) {
 }
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
-/// `shared` after the bindings.
+/// `shared` after the bindings. `order` has the indices of the invocations, if it is not the usual one.
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.
@@ -137,8 +137,8 @@ pub unsafe fn run_bound(
     size: UVec3,
     run: unsafe fn(&[CpuBinding], Invocation),
     bindings: &[CpuBinding],
-    workgroup: UVec3,
-    workgroups: UVec3,
+    [workgroup, workgroups]: [UVec3; 2],
+    order: Option<&[u64]>,
 ) -> Result<(), String> {
     let watches: Vec<_> = shared.iter().map(|shared| WorkgroupMemory::new(shared.len)).collect();
     let words: usize = shared.iter().map(|shared| shared.bytes.div_ceil(16) as usize).sum();
@@ -160,7 +160,7 @@ pub unsafe fn run_bound(
     // a thread, so only one at a time touches memory.
     let body = |id| unsafe { run(bindings, id) };
     let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
-    run_to_end(place, &body).map_err(|reason| match reason {
+    run_to_end(place, &body, order).map_err(|reason| match reason {
         Failure::Divergence(reason) => format!("{reason}, in workgroup {workgroup}"),
         Failure::Memory(reason) => reason,
     })
@@ -174,7 +174,11 @@ enum Failure {
 
 /// Runs all invocations of a workgroup from barrier to barrier. Either all wait at the same barrier, or none waits.
 /// `place` is the first invocation.
-fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure> {
+fn run_to_end(
+    place: Invocation,
+    run: &dyn Fn(Invocation),
+    order: Option<&[u64]>,
+) -> Result<(), Failure> {
     let size = place.size;
     next_phase();
     FIRST_PHASE.set(PHASE.get());
@@ -192,15 +196,15 @@ fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure
     };
     let mut invocations: Vec<Body> = (0..size.element_product()).map(new).collect();
     loop {
-        let mut waiting = Vec::with_capacity(invocations.len());
-        for index in 0..invocations.len() {
+        let mut waiting = vec![None; invocations.len()];
+        for step in 0..invocations.len() {
+            let index = order.map_or(step, |order| order[step] as usize);
             let invocation = &mut invocations[index];
             if invocation.done() {
-                waiting.push(None);
                 continue;
             }
             match catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield())) {
-                Ok(barrier) => waiting.push(barrier),
+                Ok(barrier) => waiting[index] = barrier,
                 Err(panic) => {
                     give_up(invocations);
                     // it may have panicked because of a wrong value
@@ -316,7 +320,7 @@ impl Workgroup {
     #[track_caller]
     pub fn run(&self, kernel: impl Fn(Invocation)) {
         let place = Invocation::new(UVec3::ZERO, self.place, self.among, self.size);
-        match run_to_end(place, &kernel) {
+        match run_to_end(place, &kernel, None) {
             Ok(()) => {}
             Err(Failure::Divergence(reason) | Failure::Memory(reason)) => panic!("{reason}"),
         }

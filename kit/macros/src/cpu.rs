@@ -99,7 +99,7 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
     }}
 }
 
-/// Parameters and body of a function that runs a workgroup: `step` runs the invocation `id`, or several from it on, and
+/// Parameters and body of a function that runs a workgroup, or the part of it from `part_begin` to `part_end`: `step` runs the invocation `id`, or several from it on, and
 /// adds their number to `local_x`.
 fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> TokenStream {
     let [x, y, z] = kernel.threads;
@@ -108,16 +108,17 @@ fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> Toke
             bindings: &[::organza_kernel::kernel::CpuBinding],
             workgroup: ::organza_kernel::dependencies::glam::UVec3,
             workgroups: ::organza_kernel::dependencies::glam::UVec3,
+            [part_begin, part_end]: [::organza_kernel::dependencies::glam::UVec3; 2],
         ) {
             #(
                 // SAFETY: the caller passes bindings of the declared types
                 #views
             )*
             let size = ::organza_kernel::dependencies::glam::UVec3::new(#x, #y, #z);
-            for local_z in 0..#z {
-                for local_y in 0..#y {
-                    let mut local_x = 0;
-                    while local_x < #x {
+            for local_z in part_begin.z..part_end.z {
+                for local_y in part_begin.y..part_end.y {
+                    let mut local_x = part_begin.x;
+                    while local_x < part_end.x {
                         let local = ::organza_kernel::dependencies::glam::UVec3::new(local_x, local_y, local_z);
                         let id = ::organza_kernel::invocation::Invocation::new(local, workgroup, workgroups, size);
                         ::organza_kernel::kernel::enter(local_x + #x * (local_y + #y * local_z));
@@ -144,8 +145,8 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
         Lanes::Invocations(end) => {
             let at = if flat { quote!(id.index()) } else { quote!(id.global().x) };
             quote! {
-                let end: u32 = #uniform.#end;
-                if end >= L::WIDTH && #at <= end - L::WIDTH {
+                let part_items: u32 = #uniform.#end;
+                if part_items >= L::WIDTH && #at <= part_items - L::WIDTH {
                     self::#name::<L>(id, #(#names),*);
                     local_x += L::WIDTH;
                 } else {

@@ -196,6 +196,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
     let each = each(kernel);
     let work = work(kernel);
+    let unordered = kernel.unordered.iter().map(ToString::to_string);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::organza_kernel::dependencies::linkme::distributed_slice(::organza_kernel::kernel::KERNELS)]
@@ -216,6 +217,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 shared: &#shared,
                 variant: #variant,
                 work: #work,
+                unordered: &[#(#unordered),*],
                 run: run(),
                 run_variant: #run_variant,
             }

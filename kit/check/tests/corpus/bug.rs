@@ -82,6 +82,11 @@ impl Bench {
         Self::open(DeviceOptions::checked().threads(1).time_limit(LIMIT))
     }
 
+    /// The CPU as a project's CI should use it.
+    pub fn thorough() -> Self {
+        Self::open(DeviceOptions::thorough(1).threads(1).time_limit(LIMIT))
+    }
+
     fn open(options: DeviceOptions) -> Self {
         Self { device: Device::open(&options, Modules::none()).expect("the CPU") }
     }

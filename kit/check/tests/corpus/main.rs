@@ -102,6 +102,12 @@ corpus! {
         consumer_before_producer
         producer_is_too_short
     }
+    order {
+        ticket_in_the_result
+        ticket_within_a_workgroup
+        reader_before_publisher
+        last_one_wins
+    }
     arithmetic {
         sum_overflows
         product_overflows

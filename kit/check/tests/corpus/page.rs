@@ -16,6 +16,8 @@ enum Check {
     Debug,
     /// A device for tests.
     Tests,
+    /// The device for tests that takes its time.
+    Thorough,
     /// The canaries in an output and after it.
     Canaries,
     /// The values.
@@ -25,14 +27,22 @@ enum Check {
 }
 
 impl Check {
-    const ALL: [Self; 6] =
-        [Self::Always, Self::Debug, Self::Tests, Self::Canaries, Self::Values, Self::Nothing];
+    const ALL: [Self; 7] = [
+        Self::Always,
+        Self::Debug,
+        Self::Tests,
+        Self::Thorough,
+        Self::Canaries,
+        Self::Values,
+        Self::Nothing,
+    ];
 
     const fn name(self) -> &'static str {
         match self {
             Self::Always => "always",
             Self::Debug => "debug builds",
             Self::Tests => "checked device",
+            Self::Thorough => "thorough",
             Self::Canaries => "canaries",
             Self::Values => "values",
             Self::Nothing => "**not found**",
@@ -51,10 +61,18 @@ struct Finding {
     has_invocation: bool,
 }
 
-/// Tests a bug on the ordinary CPU and on the CPU for tests.
+/// Tests a bug on the ordinary CPU, and on both CPUs for tests.
 fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
+    let thorough = || (bug.test)(&Bench::thorough()).err();
+    let has_message = |found: &Option<Found>| matches!(found, Some(Found::Message(_)));
+    if !has_message(&plain)
+        && !has_message(&checked)
+        && let Some(Found::Message(text)) = thorough()
+    {
+        return finding(bug, Check::Thorough, &text);
+    }
     let (check, text) = match (plain, checked) {
         (Some(Found::Message(text)), _) if is_of_debug_builds(&text) => (Check::Debug, text),
         // the plain device of these tests has a limit of time, those of programs do not
@@ -69,10 +87,15 @@ fn find(bug: &'static Bug) -> Finding {
         (Some(Found::Value(text)), _) | (_, Some(Found::Value(text))) => (Check::Values, text),
         (None, None) => (Check::Nothing, String::new()),
     };
-    let (message, mut line) = shorten(bug, &text);
+    finding(bug, check, &text)
+}
+
+/// What a message says.
+fn finding(bug: &'static Bug, check: Check, text: &str) -> Finding {
+    let (message, mut line) = shorten(bug, text);
     let marked = marked(bug);
     // a loop is left anywhere in it, so all of it is marked
-    if is_of_time(&text) && line.is_some_and(|line| marked.contains(&line)) {
+    if is_of_time(text) && line.is_some_and(|line| marked.contains(&line)) {
         line = marked.first().copied();
     }
     let has_invocation = text.contains("invocation [");

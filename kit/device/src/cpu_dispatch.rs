@@ -35,6 +35,7 @@ struct Launch<'a> {
     shared: &'static [SharedInfo],
     bindings: &'a [CpuBinding<'a>],
     workgroups: UVec3,
+    is_checked: bool,
     time_limit: Option<Duration>,
     order: Option<Order>,
 }
@@ -52,14 +53,13 @@ impl Launch<'_> {
         let local = UVec3::from(self.info.workgroup_size);
         let place = self.place(index);
         let first = Invocation::new(UVec3::ZERO, place, self.workgroups, local);
-        begin(Some(RunningInvocation { kernel: self.info.name, id: first }));
+        let kernel = self.info.name;
+        begin(Some(RunningInvocation { kernel, id: first, is_checked: self.is_checked }));
         // each workgroup has an order of its own
         let count = u64::from(local.element_product());
         let order = self.order.map(|order| order.of(count, 1 + index));
         match self.time_limit {
-            Some(limit) => {
-                watchdog::run(limit, self.info.name, || self.run_at(place, order.as_deref()))
-            }
+            Some(limit) => watchdog::run(limit, kernel, || self.run_at(place, order.as_deref())),
             None => self.run_at(place, order.as_deref()),
         }
     }
@@ -136,6 +136,7 @@ impl Cpu {
             shared: self.entry_point(info).shared,
             bindings: &bindings,
             workgroups: job.workgroups.all.into(),
+            is_checked: self.check_races,
             time_limit: self.time_limit,
             order,
         };

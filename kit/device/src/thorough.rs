@@ -1,4 +1,4 @@
-//! Runs each dispatch in several ways that must agree: GPUs differ in them.
+//! Runs each dispatch in several ways that must agree: devices differ in them.
 
 use organza_kernel::KernelInfo;
 use organza_kernel::kernel::{Access, BindingInfo, CpuBinding};
@@ -27,7 +27,16 @@ struct Content {
     flags: Option<Vec<u8>>,
 }
 
-/// Runs a dispatch in an order of the invocations and in the reverse one. Any two of them are run in both orders.
+/// What a run has in place of the usual.
+#[derive(Clone, Copy)]
+enum Other {
+    /// The reverse order of invocations.
+    Order(Order),
+    /// What is smaller than any normal number counts as zero.
+    Flushing(Order),
+}
+
+/// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
 pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let outputs = outputs(job);
     let before: Vec<_> = outputs.iter().map(Output::save).collect();
@@ -35,22 +44,109 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     cpu.run_once(job, Some(order))?;
     let expected: Vec<_> = outputs.iter().map(Output::save).collect();
     let reverse = Order { is_reversed: true, ..order };
-    restore(&outputs, &before);
-    let monitors = cpu.run_once(job, Some(reverse))?;
-    for (output, expected) in outputs.iter().zip(&expected) {
-        let Some((element, [one, other])) = output.difference(expected) else { continue };
-        let writer = match monitors.get(output.index) {
-            Some(Some(Monitor::Written(races))) => races.writer(element),
-            _ => String::new(),
-        };
-        let name = output.info.name;
-        return Err(format!(
-            "element {element} of `{name}` depends on the order of invocations: it is {one}, and {other} in the reverse \
-             order (seed {seed}){writer}"
-        ));
+    for other in [Other::Order(reverse), Other::Flushing(order)] {
+        restore(&outputs, &before);
+        let monitors = other.run(cpu, job)?;
+        for (output, expected) in outputs.iter().zip(&expected) {
+            let Some(difference) = output.difference(expected, other) else { continue };
+            let writer = match monitors.get(output.index) {
+                Some(Some(Monitor::Written(races))) => races.writer(difference.element),
+                _ => String::new(),
+            };
+            return Err(other.describe(output.info.name, &difference) + &writer);
+        }
     }
     restore(&outputs, &expected);
     Ok(())
+}
+
+impl Other {
+    fn run<'a>(self, cpu: &Cpu, job: &Job<'a>) -> Result<Vec<Option<Monitor<'a>>>, String> {
+        match self {
+            Self::Order(order) => cpu.run_once(job, Some(order)),
+            Self::Flushing(order) => {
+                let _flushing = Flushing::begin();
+                let result = cpu.run_once(job, Some(order));
+                result.map_err(|reason| format!("where denormals are flushed to zero: {reason}"))
+            }
+        }
+    }
+
+    fn describe(self, name: &str, difference: &Difference) -> String {
+        let Difference { element, usual, other } = difference;
+        match self {
+            Self::Order(Order { seed, .. }) => format!(
+                "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} in the \
+                 reverse order (seed {seed})"
+            ),
+            Self::Flushing(_) => format!(
+                "element {element} of `{name}` depends on the device: it is {usual}, and {other} where denormals are \
+                 flushed to zero"
+            ),
+        }
+    }
+
+    /// Whether two words of an output agree.
+    fn agree(self, is_float: bool, [one, other]: [[u8; 4]; 2]) -> bool {
+        let is_flushing = matches!(self, Self::Flushing(_));
+        one == other || is_flushing && is_float && is_close([one, other].map(f32::from_ne_bytes))
+    }
+}
+
+/// Whether two numbers differ by what is flushed, and not by what follows from it.
+fn is_close([one, other]: [f32; 2]) -> bool {
+    let difference = (one - other).abs();
+    difference <= NEGLIGIBLE || difference <= 1e-5 * one.abs().max(other.abs())
+}
+
+/// A multiple of what devices flush.
+const NEGLIGIBLE: f32 = 1e-30;
+
+/// While it lives, the thread flushes denormals to zero, where the CPU can do that.
+struct Flushing {
+    #[cfg(target_arch = "x86_64")]
+    before: u32,
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Flushing {
+    /// Bits of MXCSR: results are flushed, and denormal arguments are zeros.
+    const BITS: u32 = 1 << 15 | 1 << 6;
+
+    fn begin() -> Self {
+        let mut before = 0_u32;
+        // SAFETY: it writes to `before`
+        unsafe { std::arch::asm!("stmxcsr [{}]", in(reg) &raw mut before) };
+        Self::set(before | Self::BITS);
+        Self { before }
+    }
+
+    fn set(bits: u32) {
+        // SAFETY: The bits are those of the register, which has no others. Compilers compute constants without flushing: such a result
+        // is that of the usual run, and then nothing is found.
+        unsafe { std::arch::asm!("ldmxcsr [{}]", in(reg) &raw const bits) };
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Drop for Flushing {
+    fn drop(&mut self) {
+        Self::set(self.before);
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+impl Flushing {
+    fn begin() -> Self {
+        Self {}
+    }
+}
+
+/// A value of an output that differs.
+struct Difference {
+    element: usize,
+    usual: String,
+    other: String,
 }
 
 fn outputs<'a>(job: &Job<'a>) -> Vec<Output<'a>> {
@@ -100,30 +196,28 @@ impl Output<'_> {
         }
     }
 
-    /// The first element that differs from what was expected, and both values.
-    fn difference(&self, expected: &Content) -> Option<(usize, [String; 2])> {
+    /// The first value that does not agree with what was expected.
+    fn difference(&self, expected: &Content, other: Other) -> Option<Difference> {
         let bytes = self.info.element_bytes as usize;
         let sorted = |content: &[u8]| {
-            let mut elements: Vec<_> = content.chunks_exact(bytes).map(<[u8]>::to_vec).collect();
+            let mut elements: Vec<_> = content.chunks_exact(bytes).collect();
             elements.sort_unstable();
             elements.concat()
         };
-        let [one, other] = match self.is_unordered {
+        let [usual, found] = match self.is_unordered {
             true => [sorted(&expected.bytes), sorted(self.bytes())],
             false => [expected.bytes.clone(), self.bytes().to_vec()],
         };
-        let words = one.chunks_exact(4).zip(other.chunks_exact(4));
-        let (word, pair) = words.enumerate().find(|(_, (one, other))| one != other)?;
-        let text = |word: &[u8]| self.text(word.try_into().unwrap_or_default());
-        Some((word * 4 / bytes, [text(pair.0), text(pair.1)]))
-    }
-
-    /// A word of the binding, as a number.
-    fn text(&self, word: [u8; 4]) -> String {
-        match self.info.element.rsplit("::").next().unwrap_or_default().trim() {
-            "f32" | "Vec2" | "Vec4" => format!("{:?}", f32::from_ne_bytes(word)),
+        let element = self.info.element.rsplit("::").next().unwrap_or_default().trim();
+        let is_float = ["f32", "Vec2", "Vec4"].contains(&element);
+        let text = |word: [u8; 4]| match element {
             "i32" => i32::from_ne_bytes(word).to_string(),
+            _ if is_float => format!("{:?}", f32::from_ne_bytes(word)),
             _ => u32::from_ne_bytes(word).to_string(),
-        }
+        };
+        let words = usual.as_chunks::<4>().0.iter().zip(found.as_chunks::<4>().0);
+        let mut all = words.enumerate().map(|(word, (usual, found))| (word, [*usual, *found]));
+        let (word, [usual, found]) = all.find(|(_, pair)| !other.agree(is_float, *pair))?;
+        Some(Difference { element: word * 4 / bytes, usual: text(usual), other: text(found) })
     }
 }

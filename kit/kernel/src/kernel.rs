@@ -7,6 +7,7 @@ use core::slice;
 use bytemuck::Pod;
 use glam::UVec3;
 
+pub use crate::casts::check_cast;
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Read, Shared, Write};
 pub use crate::path::Scope;

@@ -124,6 +124,8 @@ extern crate self as organza_kernel;
 
 pub mod atomic;
 pub mod binned;
+#[cfg(not(target_arch = "spirv"))]
+mod casts;
 pub mod count;
 pub mod fixed;
 pub mod half;

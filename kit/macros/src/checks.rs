@@ -1,11 +1,12 @@
-//! Checks in the body of a function, in debug builds on the CPU: iterations of loops are counted, and paths to barriers are noted.
+//! Checks in the body of a function, in debug builds on the CPU: iterations of loops are counted, paths to barriers are noted, and casts to
+//! integers are looked at.
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Arm, Block, Expr, ExprForLoop, ExprIf, ExprLoop, ExprWhile, FnArg, ItemFn, Stmt, Type,
-    parse_quote, parse_quote_spanned,
+    Arm, Block, Expr, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop, ExprRepeat, ExprWhile,
+    FnArg, GenericArgument, Item, ItemFn, Pat, Stmt, Type, parse_quote, parse_quote_spanned,
 };
 
 /// Adds the checks to a function. `has_barriers` says at run time whether its path to barriers matters; `None` if it never does.
@@ -55,12 +56,44 @@ impl Checks {
         }
     }
 
+    /// Looks at what becomes an integer. Only `f32` matters, and types are not known here.
+    fn cast(cast: &mut ExprCast) {
+        let Type::Path(ty) = &*cast.ty else { return };
+        let is_integer = INTEGERS.iter().any(|name| ty.path.is_ident(name));
+        if !is_integer || is_literal(&cast.expr) {
+            return;
+        }
+        let ty = &cast.ty;
+        let value = match &*cast.expr {
+            Expr::Paren(paren) => &*paren.expr,
+            value => value,
+        };
+        let check: Stmt = parse_quote_spanned! { cast.as_token.span() =>
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            ::organza_kernel::kernel::check_cast::<#ty, _>(_value);
+        };
+        cast.expr = parse_quote! {{ let _value = #value; #check _value }};
+    }
+
     /// What begins a branch.
     fn branch(span: Span) -> Stmt {
         parse_quote_spanned! { span =>
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
             let _branch = ::organza_kernel::kernel::Scope::new(_has_barriers);
         }
+    }
+}
+
+const INTEGERS: [&str; 10] =
+    ["u8", "u16", "u32", "u64", "usize", "i8", "i16", "i32", "i64", "isize"];
+
+/// A literal takes its type from the cast.
+fn is_literal(expression: &Expr) -> bool {
+    match expression {
+        Expr::Lit(_) => true,
+        Expr::Unary(unary) => is_literal(&unary.expr),
+        Expr::Paren(paren) => is_literal(&paren.expr),
+        _ => false,
     }
 }
 
@@ -72,6 +105,7 @@ impl VisitMut for Checks {
             Expr::While(of) => of.while_token.span(),
             Expr::ForLoop(of) => of.for_token.span(),
             Expr::Loop(of) => of.loop_token.span(),
+            Expr::Cast(of) => return Self::cast(of),
             _ => return,
         };
         if self.notes_paths {
@@ -121,6 +155,17 @@ impl VisitMut for Checks {
         }
     }
 
+    /// The length is a constant.
+    fn visit_expr_repeat_mut(&mut self, repeat: &mut ExprRepeat) {
+        self.visit_expr_mut(&mut repeat.expr);
+    }
+
+    // constants are computed by the compiler
+    fn visit_expr_const_mut(&mut self, _: &mut ExprConst) {}
+    fn visit_generic_argument_mut(&mut self, _: &mut GenericArgument) {}
+    fn visit_pat_mut(&mut self, _: &mut Pat) {}
+    fn visit_type_mut(&mut self, _: &mut Type) {}
+
     /// A function in a function is another one.
-    fn visit_item_mut(&mut self, _: &mut syn::Item) {}
+    fn visit_item_mut(&mut self, _: &mut Item) {}
 }

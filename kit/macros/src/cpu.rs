@@ -1,10 +1,15 @@
 //! How the CPU runs a kernel.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Span, TokenStream};
+use quote::quote_spanned;
 
 use crate::expand::plain_argument;
 use crate::parse::{Kernel, Lanes, Role};
+
+/// `quote!`, whose local names are others than those of the kernel's bindings.
+macro_rules! hygienic {
+    ($($tokens:tt)*) => { quote_spanned! { Span::mixed_site() => $($tokens)* } };
+}
 
 /// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
 pub fn cpu_run(kernel: &Kernel) -> TokenStream {
@@ -17,19 +22,19 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
         let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
         let index = *slot;
         let view = match &parameter.role {
-            Role::Uniform => quote!(uniform::<#element>()),
-            Role::Read => quote!(read::<#element>()),
-            Role::Write => quote!(write::<#element>()),
-            Role::Shared(len) => quote!(shared::<#element, {#len}>()),
+            Role::Uniform => hygienic!(uniform::<#element>()),
+            Role::Read => hygienic!(read::<#element>()),
+            Role::Write => hygienic!(write::<#element>()),
+            Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
             Role::SharedTile(_) => return None,
         };
         *slot += 1;
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-        Some(quote! { let #name = unsafe { bindings[#index].#view }; })
+        Some(hygienic! { let #name = unsafe { bindings[#index].#view }; })
     });
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     if kernel.has_shared() {
-        return quote! {
+        return hygienic! {
             // SAFETY: called as `CpuRun` says
             unsafe fn run_invocation(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
                 #(
@@ -44,12 +49,12 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     if let Some(lanes) = &kernel.lanes {
         return lane_run(kernel, lanes, &views.collect::<Vec<_>>());
     }
-    let step = quote! {
+    let step = hygienic! {
         self::#name(id, #(#names),*);
         local_x += 1;
     };
     let body = workgroup(kernel, &views.collect::<Vec<_>>(), &step);
-    quote! {
+    hygienic! {
         // SAFETY: called as `CpuRun` says
         unsafe fn run_workgroup #body
         const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Workgroup(run_workgroup) }
@@ -60,7 +65,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
 pub fn run_variant(kernel: &Kernel) -> TokenStream {
     // four samples per invocation are for GPUs
     if !kernel.has_shared_tiles() || kernel.samples {
-        return quote!(::core::option::Option::None);
+        return hygienic!(::core::option::Option::None);
     }
     let name = &kernel.function.sig.ident;
     let mut binding = 0usize;
@@ -72,21 +77,21 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
         *slot += 1;
         let text = name.to_string();
         let view = match &parameter.role {
-            Role::Uniform => quote!(uniform::<#element>()),
-            Role::Read => quote!(read::<#element>()),
-            Role::Write => quote!(write::<#element>()),
-            Role::Shared(len) => quote!(shared::<#element, {#len}>()),
+            Role::Uniform => hygienic!(uniform::<#element>()),
+            Role::Read => hygienic!(read::<#element>()),
+            Role::Write => hygienic!(write::<#element>()),
+            Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
             Role::SharedTile(len) => {
                 // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-                return quote! { let #name = &mut unsafe { bindings[#index].shared::<#element, {#len}>() }.named(#text); };
+                return hygienic! { let #name = &mut unsafe { bindings[#index].shared::<#element, {#len}>() }.named(#text); };
             }
         };
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-        quote! { let #name = unsafe { bindings[#index].#view }; }
+        hygienic! { let #name = unsafe { bindings[#index].#view }; }
     });
     let names = kernel.parameters.iter().map(|parameter| &parameter.name);
-    let lane = kernel.lanes.is_some().then(|| quote!(::<f32>));
-    quote! {{
+    let lane = kernel.lanes.is_some().then(|| hygienic!(::<f32>));
+    hygienic! {{
         // SAFETY: called as `CpuRun` says
         unsafe fn run_variant(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
             #(
@@ -103,7 +108,7 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
 /// adds their number to `local_x`.
 fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> TokenStream {
     let [x, y, z] = kernel.threads;
-    quote! {
+    hygienic! {
         (
             bindings: &[::organza_kernel::kernel::CpuBinding],
             workgroup: ::organza_kernel::dependencies::glam::UVec3,
@@ -138,13 +143,13 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
     let flat = y == 1 && z == 1;
     let uniform = kernel.uniform().map(|parameter| &parameter.name);
     let step = match lanes {
-        Lanes::Inside => quote! {
+        Lanes::Inside => hygienic! {
             self::#name::<L>(id, #(#names),*);
             local_x += 1;
         },
         Lanes::Invocations(end) => {
-            let at = if flat { quote!(id.index()) } else { quote!(id.global().x) };
-            quote! {
+            let at = if flat { hygienic!(id.index()) } else { hygienic!(id.global().x) };
+            hygienic! {
                 let part_items: u32 = #uniform.#end;
                 if part_items >= L::WIDTH && #at <= part_items - L::WIDTH {
                     self::#name::<L>(id, #(#names),*);
@@ -158,13 +163,13 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
         }
     };
     let whole = match lanes {
-        Lanes::Inside => quote!(),
-        Lanes::Invocations(_) => quote! {
+        Lanes::Inside => hygienic!(),
+        Lanes::Invocations(_) => hygienic! {
             const _: () = ::core::assert!(#x % ::organza_kernel::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
     let body = workgroup(kernel, views, &step);
-    quote! {
+    hygienic! {
         #whole
         // SAFETY: called as `CpuRun` says
         #[inline(always)]

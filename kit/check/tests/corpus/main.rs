@@ -119,10 +119,17 @@ corpus! {
         color_spills_over
         float_counts_too_far
         negative_float_to_unsigned
+        too_large_for_an_integer
+        nan_becomes_an_index
+        nan_in_a_helper
         nan_of_an_empty_mean
         nan_of_a_root
         nan_of_a_direction
         sign_is_lost
+    }
+    machine {
+        denormal_is_not_zero
+        divides_by_a_denormal
     }
     loops {
         understated

@@ -13,6 +13,7 @@ use crate::buffer::RawBuffer;
 use crate::cpu::Cpu;
 use crate::cpu_bindings::{Monitor, bind, monitors};
 use crate::error::{Error, Result};
+use crate::flushing::Flushing;
 use crate::order::Order;
 use crate::workgroups::Workgroups;
 use crate::{supervise, thorough, watchdog};
@@ -28,6 +29,15 @@ pub struct Job<'a> {
     pub workgroups: Workgroups,
 }
 
+/// How a dispatch runs.
+#[derive(Clone, Copy, Default)]
+pub struct Way {
+    /// The order of its invocations, if it is not the usual one.
+    pub order: Option<Order>,
+    /// Whether denormals are flushed to zero.
+    pub is_flushing: bool,
+}
+
 /// One run of a dispatch.
 struct Launch<'a> {
     info: &'static KernelInfo,
@@ -37,7 +47,7 @@ struct Launch<'a> {
     workgroups: UVec3,
     is_checked: bool,
     time_limit: Option<Duration>,
-    order: Option<Order>,
+    way: Way,
 }
 
 impl Launch<'_> {
@@ -57,7 +67,7 @@ impl Launch<'_> {
         begin(Some(RunningInvocation { kernel, id: first, is_checked: self.is_checked }));
         // each workgroup has an order of its own
         let count = u64::from(local.element_product());
-        let order = self.order.map(|order| order.of(count, 1 + index));
+        let order = self.way.order.map(|order| order.of(count, 1 + index));
         match self.time_limit {
             Some(limit) => watchdog::run(limit, kernel, || self.run_at(place, order.as_deref())),
             None => self.run_at(place, order.as_deref()),
@@ -92,6 +102,7 @@ impl Launch<'_> {
     }
 
     fn run_some(&self, mut indices: impl Iterator<Item = u64>) -> Result<(), String> {
+        let _flushing = self.way.is_flushing.then(Flushing::begin);
         supervise::supervise(|| indices.try_for_each(|index| self.run(index)))
     }
 }
@@ -110,16 +121,16 @@ impl Cpu {
         let job = Job { info, bindings, buffers, workgroups };
         let result = match self.thorough {
             Some(seed) => thorough::run(self, &job, seed),
-            None => self.run_once(&job, None).map(drop),
+            None => self.run_once(&job, Way::default()).map(drop),
         };
         result.map_err(failed)
     }
 
-    /// Runs a kernel once, in an order. Returns what has watched its bindings.
+    /// Runs a kernel once. Returns what has watched its bindings.
     pub fn run_once<'a>(
         &self,
         job: &Job<'a>,
-        order: Option<Order>,
+        way: Way,
     ) -> Result<Vec<Option<Monitor<'a>>>, String> {
         let info = job.info;
         let monitors = match self.check_races {
@@ -138,7 +149,7 @@ impl Cpu {
             workgroups: job.workgroups.all.into(),
             is_checked: self.check_races,
             time_limit: self.time_limit,
-            order,
+            way,
         };
         self.launch(&launch)?;
         self.refuse_nan(info, &bindings, &monitors)?;
@@ -160,7 +171,7 @@ impl Cpu {
     /// Runs all workgroups, on the threads that there are.
     fn launch(&self, launch: &Launch<'_>) -> Result<(), String> {
         let [x, y, z] = launch.workgroups.to_array().map(u64::from);
-        if let Some(order) = launch.order {
+        if let Some(order) = launch.way.order {
             return launch.run_some(order.of(x * y * z, 0).into_iter());
         }
         // one thread runs all workgroups with the same z

@@ -69,6 +69,7 @@ mod cpu_dispatch;
 mod cpu_memory;
 mod device;
 mod error;
+mod flushing;
 mod gpu;
 pub mod memory;
 mod modules;

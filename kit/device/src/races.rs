@@ -182,6 +182,11 @@ impl<'a> Races<'a> {
         Some(format!("writes NaN to element {index} of `{name}`{}", self.writer(index)))
     }
 
+    /// Whether elements were changed atomically.
+    pub fn has_atomics(&self) -> bool {
+        self.elements.iter().any(|touched| touched.atomic.load(Ordering::SeqCst) != 0)
+    }
+
     /// Where an element was written, and by whom: the end of a message.
     pub fn writer(&self, index: usize) -> String {
         let touched = &self.elements[index];

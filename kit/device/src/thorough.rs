@@ -6,7 +6,7 @@ use organza_kernel::kernel::{Access, BindingInfo, CpuBinding};
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
 use crate::cpu_bindings::Monitor;
-use crate::cpu_dispatch::Job;
+use crate::cpu_dispatch::{Job, Way};
 use crate::order::Order;
 use crate::written::Written;
 
@@ -41,19 +41,18 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let outputs = outputs(job);
     let before: Vec<_> = outputs.iter().map(Output::save).collect();
     let order = Order { seed, is_reversed: false };
-    cpu.run_once(job, Some(order))?;
+    cpu.run_once(job, Way { order: Some(order), is_flushing: false })?;
     let expected: Vec<_> = outputs.iter().map(Output::save).collect();
     let reverse = Order { is_reversed: true, ..order };
     for other in [Other::Order(reverse), Other::Flushing(order)] {
         restore(&outputs, &before);
         let monitors = other.run(cpu, job)?;
         for (output, expected) in outputs.iter().zip(&expected) {
-            let Some(difference) = output.difference(expected, other) else { continue };
-            let writer = match monitors.get(output.index) {
-                Some(Some(Monitor::Written(races))) => races.writer(difference.element),
-                _ => String::new(),
-            };
-            return Err(other.describe(output.info.name, &difference) + &writer);
+            let Some(Some(Monitor::Written(races))) = monitors.get(output.index) else { continue };
+            if let Some(difference) = output.difference(expected, other, races.has_atomics()) {
+                let writer = races.writer(difference.element);
+                return Err(other.describe(output.info.name, &difference) + &writer);
+            }
         }
     }
     restore(&outputs, &expected);
@@ -63,10 +62,9 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
 impl Other {
     fn run<'a>(self, cpu: &Cpu, job: &Job<'a>) -> Result<Vec<Option<Monitor<'a>>>, String> {
         match self {
-            Self::Order(order) => cpu.run_once(job, Some(order)),
+            Self::Order(order) => cpu.run_once(job, Way { order: Some(order), is_flushing: false }),
             Self::Flushing(order) => {
-                let _flushing = Flushing::begin();
-                let result = cpu.run_once(job, Some(order));
+                let result = cpu.run_once(job, Way { order: Some(order), is_flushing: true });
                 result.map_err(|reason| format!("where denormals are flushed to zero: {reason}"))
             }
         }
@@ -86,59 +84,15 @@ impl Other {
         }
     }
 
-    /// Whether two words of an output agree.
-    fn agree(self, is_float: bool, [one, other]: [[u8; 4]; 2]) -> bool {
-        let is_flushing = matches!(self, Self::Flushing(_));
-        one == other || is_flushing && is_float && is_close([one, other].map(f32::from_ne_bytes))
-    }
-}
-
-/// Whether two numbers differ by what is flushed, and not by what follows from it.
-fn is_close([one, other]: [f32; 2]) -> bool {
-    let difference = (one - other).abs();
-    difference <= NEGLIGIBLE || difference <= 1e-5 * one.abs().max(other.abs())
-}
-
-/// A multiple of what devices flush.
-const NEGLIGIBLE: f32 = 1e-30;
-
-/// While it lives, the thread flushes denormals to zero, where the CPU can do that.
-struct Flushing {
-    #[cfg(target_arch = "x86_64")]
-    before: u32,
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Flushing {
-    /// Bits of MXCSR: results are flushed, and denormal arguments are zeros.
-    const BITS: u32 = 1 << 15 | 1 << 6;
-
-    fn begin() -> Self {
-        let mut before = 0_u32;
-        // SAFETY: it writes to `before`
-        unsafe { std::arch::asm!("stmxcsr [{}]", in(reg) &raw mut before) };
-        Self::set(before | Self::BITS);
-        Self { before }
-    }
-
-    fn set(bits: u32) {
-        // SAFETY: The bits are those of the register, which has no others. Compilers compute constants without flushing: such a result
-        // is that of the usual run, and then nothing is found.
-        unsafe { std::arch::asm!("ldmxcsr [{}]", in(reg) &raw const bits) };
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-impl Drop for Flushing {
-    fn drop(&mut self) {
-        Self::set(self.before);
-    }
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-impl Flushing {
-    fn begin() -> Self {
-        Self {}
+    /// Whether two words of an output agree. How much a float may differ without denormals is not known here. Integers that are changed
+    /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them.
+    fn agree(self, [one, other]: [[u8; 4]; 2], is_float: bool, is_atomic: bool) -> bool {
+        let is_finite = |word| f32::from_ne_bytes(word).is_finite();
+        let may_differ = match is_float {
+            true => is_finite(one) == is_finite(other),
+            false => is_atomic,
+        };
+        one == other || may_differ && matches!(self, Self::Flushing(_))
     }
 }
 
@@ -197,7 +151,7 @@ impl Output<'_> {
     }
 
     /// The first value that does not agree with what was expected.
-    fn difference(&self, expected: &Content, other: Other) -> Option<Difference> {
+    fn difference(&self, expected: &Content, other: Other, is_atomic: bool) -> Option<Difference> {
         let bytes = self.info.element_bytes as usize;
         let sorted = |content: &[u8]| {
             let mut elements: Vec<_> = content.chunks_exact(bytes).collect();
@@ -217,7 +171,8 @@ impl Output<'_> {
         };
         let words = usual.as_chunks::<4>().0.iter().zip(found.as_chunks::<4>().0);
         let mut all = words.enumerate().map(|(word, (usual, found))| (word, [*usual, *found]));
-        let (word, [usual, found]) = all.find(|(_, pair)| !other.agree(is_float, *pair))?;
+        let (word, [usual, found]) =
+            all.find(|(_, pair)| !other.agree(*pair, is_float, is_atomic))?;
         Some(Difference { element: word * 4 / bytes, usual: text(usual), other: text(found) })
     }
 }

@@ -198,7 +198,6 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     fn truncate(self) -> Self {
         crate::math::truncate(self)
     }

@@ -46,7 +46,6 @@ elementary! {
 
 /// x without its fraction, for |x| below 2^31.
 #[inline(always)]
-#[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn truncate(x: f32) -> f32 {
     #[cfg(target_arch = "spirv")]
     {
@@ -55,8 +54,6 @@ pub fn truncate(x: f32) -> f32 {
     // one instruction each way, while `libm` computes with bits
     #[cfg(not(target_arch = "spirv"))]
     {
-        #[cfg(debug_assertions)]
-        check_cast::<i32, _>(x);
         x as i32 as f32
     }
 }

@@ -3,7 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
-use crate::casts::{Integer, check_cast};
+use crate::casts::check_cast;
 use crate::half::half_value;
 use crate::lane::{Lane, LaneIndex};
 use crate::memory::{Read, Write};
@@ -45,17 +45,6 @@ elementwise! {
     Sub::sub -;
     Mul::mul *;
     Div::div /;
-}
-
-impl<const N: usize, const FUSED: bool> Wide<N, FUSED> {
-    /// A device that checks has one lane.
-    #[inline(always)]
-    #[track_caller]
-    fn check_casts<I: Integer>(self) {
-        if cfg!(debug_assertions) && N == 1 {
-            check_cast::<I, _>(self.0[0]);
-        }
-    }
 }
 
 impl<const N: usize, const FUSED: bool> Neg for Wide<N, FUSED> {
@@ -201,9 +190,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     }
 
     #[inline(always)]
-    #[track_caller]
     fn truncate(self) -> Self {
-        self.check_casts::<i32>();
         let whole = wholes(self.0);
         Self(from_fn(
             #[inline(always)]
@@ -214,7 +201,10 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[inline(always)]
     #[track_caller]
     fn index(self) -> Self::Index {
-        self.check_casts::<u32>();
+        // a device that checks has one lane
+        if cfg!(debug_assertions) && N == 1 {
+            check_cast::<u32, _>(self.0[0]);
+        }
         let whole = wholes(self.0);
         WideIndex(from_fn(
             #[inline(always)]

@@ -19,7 +19,7 @@ fn root(x: u32) -> u32 {
 
 #[kernel(threads(64))]
 pub fn helper_never_ends(id: Invocation, input: Read<u32>, output: Write<u32>) {
-    output.write(id.index(), root(input.read(id.index())));
+    output.write(id.index(), root(input.read(id.index()))); //~
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {

@@ -157,6 +157,9 @@ mod workgroup_memory;
 #[cfg(not(target_arch = "spirv"))]
 pub use kernel::{Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, kernels, kernels_of};
 
+/// Most iterations of all loops of one invocation together: llvmpipe ends it silently after 65,536.
+pub const MAX_ITERATIONS: u32 = 60_000;
+
 // vectors for kernels and their hosts
 pub use glam;
 

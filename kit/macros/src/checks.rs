@@ -3,6 +3,7 @@
 
 use proc_macro2::Span;
 use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
     Arm, Block, Expr, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop, ExprRepeat, ExprWhile,
@@ -20,6 +21,28 @@ pub fn add(block: &mut Block, has_barriers: Option<Expr>) {
         };
         block.stmts.insert(0, statement);
     }
+}
+
+/// The first word of a function's first loop.
+pub fn first_loop(block: &Block) -> Option<Span> {
+    struct First(Option<Span>);
+    impl<'ast> Visit<'ast> for First {
+        fn visit_expr(&mut self, expression: &'ast Expr) {
+            let span = match expression {
+                Expr::While(of) => Some(of.while_token.span()),
+                Expr::ForLoop(of) => Some(of.for_token.span()),
+                Expr::Loop(of) => Some(of.loop_token.span()),
+                _ => None,
+            };
+            self.0 = self.0.or(span);
+            visit::visit_expr(self, expression);
+        }
+
+        fn visit_item(&mut self, _: &'ast Item) {}
+    }
+    let mut first = First(None);
+    first.visit_block(block);
+    first.0
 }
 
 /// Whether a helper can wait at barriers: they are methods of `Invocation`.

@@ -195,6 +195,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let run_variant = run_variant(kernel);
     let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
     let each = each(kernel);
+    let limit = limit(kernel);
     let work = work(kernel);
     let unordered = kernel.unordered.iter().map(ToString::to_string);
     quote! {
@@ -226,9 +227,21 @@ fn info(kernel: &Kernel) -> TokenStream {
         const _: () = {
             use ::organza_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
+            #limit
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
         };
     }
+}
+
+/// Refuses more iterations than every device takes.
+fn limit(kernel: &Kernel) -> Option<TokenStream> {
+    let iterations = kernel.iterations.as_ref()?;
+    let name = &kernel.function.sig.ident;
+    let message = format!(
+        "the kernel `{name}` declares more than 60,000 iterations: llvmpipe ends an invocation silently after 65,536, so split the \
+         work over dispatches"
+    );
+    Some(quote!(::core::assert!((#iterations) <= ::organza_kernel::MAX_ITERATIONS, #message);))
 }
 
 /// What counts a dispatch: the declared function, of the parameters' bytes.

@@ -45,6 +45,8 @@ mod checks;
 mod cpu;
 mod expand;
 mod parse;
+#[cfg(test)]
+mod tests;
 
 use proc_macro::TokenStream;
 

@@ -8,6 +8,8 @@ use syn::{
     PathSegment, Result, Type, TypeParamBound,
 };
 
+use crate::checks::first_loop;
+
 /// What a parameter of a kernel stands for.
 pub enum Role {
     /// `&P`
@@ -130,6 +132,14 @@ impl Kernel {
             };
             kernel.parameters.iter().any(is_it)
         };
+        if let (None, Some(span)) = (&kernel.iterations, first_loop(&kernel.function.block)) {
+            let name = &kernel.function.sig.ident;
+            let message = format!(
+                "the kernel `{name}` has a loop: state how many iterations its loops take at most, all together, with \
+                 `#[kernel(.., iterations = ..)]`"
+            );
+            return Err(Error::new(span, message));
+        }
         if let Some(name) = kernel.unordered.iter().find(|name| !is_written(name)) {
             return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
@@ -323,8 +333,32 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
             "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
         )
     })?;
+    let is_buffer = matches!(role, Role::Read | Role::Write);
+    if let Some(segment) = last_segment(&element)
+        && let Some((_, advice)) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)
+        && is_buffer
+    {
+        let message = format!(
+            "the elements of `{name}` are `{}`, which have another layout on a GPU than in Rust: use {advice}",
+            segment.ident
+        );
+        return Err(Error::new(argument.ty.span(), message));
+    }
     Ok(Parameter { name, role, element })
 }
+
+/// Types that no buffer has, and what has the same layout on every device. The kernel builder finds structs of them.
+const WITH_ANOTHER_LAYOUT: [(&str, &str); 9] = [
+    ("bool", "`u32`"),
+    ("Vec3", "three `f32`, or `Vec4`"),
+    ("Vec3A", "three `f32`, or `Vec4`"),
+    ("UVec3", "three `u32`, or `UVec4`"),
+    ("IVec3", "three `i32`, or `IVec4`"),
+    ("Mat2", "four `f32`, or `Vec4`"),
+    ("Mat3", "nine `f32`"),
+    ("Mat3A", "nine `f32`"),
+    ("usize", "`u32`"),
+];
 
 /// What a parameter's type stands for, and the type of its elements.
 fn role(ty: &Type) -> Option<(Role, Type)> {

@@ -5,7 +5,7 @@ use std::time::Duration;
 use glam::{UVec3, Vec3Swizzles};
 use organza_kernel::invocation::Invocation;
 use organza_kernel::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
-use organza_kernel::running::{RunningInvocation, begin, unlinear};
+use organza_kernel::running::{RunningInvocation, begin, enter, unlinear};
 use organza_kernel::workgroup;
 use rayon::prelude::*;
 
@@ -36,6 +36,8 @@ pub struct Way {
     pub order: Option<Order>,
     /// Whether denormals are flushed to zero.
     pub is_flushing: bool,
+    /// Whether multiplications and additions are fused, in a kernel that has such a run.
+    pub is_fused: bool,
 }
 
 /// One run of a dispatch.
@@ -76,7 +78,12 @@ impl Launch<'_> {
 
     fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
         let size = UVec3::from(self.info.workgroup_size);
-        match self.run {
+        let fused = self.info.run_fused.filter(|_| self.way.is_fused);
+        let run = match fused {
+            Some(run) => CpuRun::Invocation(run),
+            None => self.run,
+        };
+        match run {
             CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
             CpuRun::Workgroup(run) => {
                 let run = |part| {
@@ -90,6 +97,18 @@ impl Launch<'_> {
                         let begin = unlinear(index, size);
                         run([begin, begin + 1]);
                     }),
+                }
+                Ok(())
+            }
+            // no invocation waits for another
+            CpuRun::Invocation(run) if self.shared.is_empty() => {
+                let usual: Vec<_> = (0..u64::from(size.element_product())).collect();
+                for &index in order.unwrap_or(&usual) {
+                    enter(index as u32);
+                    let local = unlinear(index, size);
+                    let id = Invocation::new(local, place, self.workgroups, size);
+                    // SAFETY: as above
+                    unsafe { run(self.bindings, id) };
                 }
                 Ok(())
             }

@@ -77,8 +77,8 @@ pub struct DeviceOptions {
     /// the program. For tests of kernels: a loop in a helper may never end.
     pub time_limit: Option<Duration>,
     /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
-    /// thread, once more in the reverse order, and once more without denormals (x86-64). The results must agree: the integers where
-    /// denormals are flushed, and which floats are finite.
+    /// thread, once more in the reverse order, once more without denormals (on x86-64), and once more with fused arithmetic (in debug
+    /// builds). The results must agree; where the arithmetic is another one, the integers and which floats are finite.
     pub thorough: Option<u64>,
     /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,

@@ -34,6 +34,8 @@ enum Other {
     Order(Order),
     /// What is smaller than any normal number counts as zero.
     Flushing(Order),
+    /// A multiplication and an addition round once.
+    Fused(Order),
 }
 
 /// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
@@ -41,15 +43,20 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let outputs = outputs(job);
     let before: Vec<_> = outputs.iter().map(Output::save).collect();
     let order = Order { seed, is_reversed: false };
-    cpu.run_once(job, Way { order: Some(order), is_flushing: false })?;
+    let first = cpu.run_once(job, Way { order: Some(order), ..Way::default() })?;
     let expected: Vec<_> = outputs.iter().map(Output::save).collect();
     let reverse = Order { is_reversed: true, ..order };
-    for other in [Other::Order(reverse), Other::Flushing(order)] {
+    let is_variant = cpu.entry_point(job.info).name != job.info.name;
+    let can_fuse = job.info.run_fused.is_some() && !is_variant;
+    let fused = can_fuse.then_some(Other::Fused(order));
+    for other in [Other::Order(reverse), Other::Flushing(order)].into_iter().chain(fused) {
         restore(&outputs, &before);
         let monitors = other.run(cpu, job)?;
         for (output, expected) in outputs.iter().zip(&expected) {
+            let Some(Some(Monitor::Written(usual))) = first.get(output.index) else { continue };
             let Some(Some(Monitor::Written(races))) = monitors.get(output.index) else { continue };
-            if let Some(difference) = output.difference(expected, other, races.has_atomics()) {
+            let is_atomic = usual.has_atomics() || races.has_atomics();
+            if let Some(difference) = output.difference(expected, other, is_atomic) {
                 let writer = races.writer(difference.element);
                 return Err(other.describe(output.info.name, &difference) + &writer);
             }
@@ -61,30 +68,39 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
 
 impl Other {
     fn run<'a>(self, cpu: &Cpu, job: &Job<'a>) -> Result<Vec<Option<Monitor<'a>>>, String> {
+        let (Self::Order(order) | Self::Flushing(order) | Self::Fused(order)) = self;
+        let is_flushing = matches!(self, Self::Flushing(_));
+        let is_fused = matches!(self, Self::Fused(_));
+        let result = cpu.run_once(job, Way { order: Some(order), is_flushing, is_fused });
+        result.map_err(|reason| match self {
+            Self::Order(_) => reason,
+            _ => format!("{}: {reason}", self.place()),
+        })
+    }
+
+    /// Where it is so.
+    fn place(self) -> &'static str {
         match self {
-            Self::Order(order) => cpu.run_once(job, Way { order: Some(order), is_flushing: false }),
-            Self::Flushing(order) => {
-                let result = cpu.run_once(job, Way { order: Some(order), is_flushing: true });
-                result.map_err(|reason| format!("where denormals are flushed to zero: {reason}"))
-            }
+            Self::Order(_) => "in the reverse order",
+            Self::Flushing(_) => "where denormals are flushed to zero",
+            Self::Fused(_) => "where multiplications and additions are fused",
         }
     }
 
     fn describe(self, name: &str, difference: &Difference) -> String {
         let Difference { element, usual, other } = difference;
+        let place = self.place();
         match self {
             Self::Order(Order { seed, .. }) => format!(
-                "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} in the \
-                 reverse order (seed {seed})"
+                "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} {place} (seed {seed})"
             ),
-            Self::Flushing(_) => format!(
-                "element {element} of `{name}` depends on the device: it is {usual}, and {other} where denormals are \
-                 flushed to zero"
+            _ => format!(
+                "element {element} of `{name}` depends on the device: it is {usual}, and {other} {place}"
             ),
         }
     }
 
-    /// Whether two words of an output agree. How much a float may differ without denormals is not known here. Integers that are changed
+    /// Whether two words of an output agree. How much a float may differ between devices is not known here. Integers that are changed
     /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them.
     fn agree(self, [one, other]: [[u8; 4]; 2], is_float: bool, is_atomic: bool) -> bool {
         let is_finite = |word| f32::from_ne_bytes(word).is_finite();
@@ -92,7 +108,7 @@ impl Other {
             true => is_finite(one) == is_finite(other),
             false => is_atomic,
         };
-        one == other || may_differ && matches!(self, Self::Flushing(_))
+        one == other || may_differ && !matches!(self, Self::Order(_))
     }
 }
 

@@ -8,6 +8,7 @@ use bytemuck::Pod;
 use glam::UVec3;
 
 pub use crate::casts::check_cast;
+pub use crate::fused::fused;
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Read, Shared, Write};
 pub use crate::path::Scope;
@@ -127,6 +128,12 @@ pub struct KernelInfo {
     /// # Safety
     /// The same as for [`CpuRun`].
     pub run_variant: Option<unsafe fn(&[CpuBinding], Invocation)>,
+    /// One invocation of the plain entry point, with the fused arithmetic that a driver may choose; `None` if the kernel is `fused` anyway,
+    /// and in release builds.
+    ///
+    /// # Safety
+    /// The same as for [`CpuRun`].
+    pub run_fused: Option<unsafe fn(&[CpuBinding], Invocation)>,
 }
 
 impl KernelInfo {

@@ -128,6 +128,8 @@ pub mod binned;
 mod casts;
 pub mod count;
 pub mod fixed;
+#[cfg(not(target_arch = "spirv"))]
+mod fused;
 pub mod half;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]

@@ -3,7 +3,7 @@
 use proc_macro2::{Span, TokenStream};
 use quote::quote_spanned;
 
-use crate::expand::plain_argument;
+use crate::expand::{fused_name, plain_argument};
 use crate::parse::{Kernel, Lanes, Role};
 
 /// `quote!`, whose local names are others than those of the kernel's bindings.
@@ -14,7 +14,38 @@ macro_rules! hygienic {
 /// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
 pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    // workgroup memory follows the bindings
+    let views = views(kernel);
+    let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
+    if kernel.has_shared() {
+        return hygienic! {
+            // SAFETY: called as `CpuRun` says
+            unsafe fn run_invocation(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+                #(
+                    // SAFETY: the caller passes bindings of the declared types
+                    #views
+                )*
+                self::#name(id, #(#names),*);
+            }
+            const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Invocation(run_invocation) }
+        };
+    }
+    if let Some(lanes) = &kernel.lanes {
+        return lane_run(kernel, lanes, &views);
+    }
+    let step = hygienic! {
+        self::#name(id, #(#names),*);
+        local_x += 1;
+    };
+    let body = workgroup(kernel, &views, &step);
+    hygienic! {
+        // SAFETY: called as `CpuRun` says
+        unsafe fn run_workgroup #body
+        const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Workgroup(run_workgroup) }
+    }
+}
+
+/// Views of the bindings, and of workgroup memory, which follows them.
+fn views(kernel: &Kernel) -> Vec<TokenStream> {
     let mut binding = 0usize;
     let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
     let views = kernel.parameters.iter().filter_map(|parameter| {
@@ -32,32 +63,36 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
         Some(hygienic! { let #name = unsafe { bindings[#index].#view }; })
     });
-    let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
-    if kernel.has_shared() {
-        return hygienic! {
-            // SAFETY: called as `CpuRun` says
-            unsafe fn run_invocation(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
-                #(
-                    // SAFETY: the caller passes bindings of the declared types
-                    #views
-                )*
-                self::#name(id, #(#names),*);
-            }
-            const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Invocation(run_invocation) }
-        };
-    }
-    if let Some(lanes) = &kernel.lanes {
-        return lane_run(kernel, lanes, &views.collect::<Vec<_>>());
-    }
-    let step = hygienic! {
-        self::#name(id, #(#names),*);
-        local_x += 1;
+    views.collect()
+}
+
+/// `const RUN_FUSED`: one invocation with fused arithmetic, in debug builds.
+pub fn run_fused(kernel: &Kernel) -> TokenStream {
+    let ty = hygienic! {
+        ::core::option::Option<unsafe fn(&[::organza_kernel::kernel::CpuBinding], ::organza_kernel::invocation::Invocation)>
     };
-    let body = workgroup(kernel, &views.collect::<Vec<_>>(), &step);
+    if kernel.fused {
+        return hygienic!(const RUN_FUSED: #ty = ::core::option::Option::None;);
+    }
+    let name = fused_name(kernel);
+    let views = views(kernel);
+    let names = kernel.parameters.iter().map(plain_argument);
+    let lane =
+        kernel.lanes.is_some().then(|| hygienic!(::<::organza_kernel::lane::Wide<1, false>>));
     hygienic! {
         // SAFETY: called as `CpuRun` says
-        unsafe fn run_workgroup #body
-        const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Workgroup(run_workgroup) }
+        #[cfg(debug_assertions)]
+        unsafe fn run_fused(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+            #(
+                // SAFETY: the caller passes bindings of the declared types
+                #views
+            )*
+            self::#name #lane (id, #(#names),*);
+        }
+        #[cfg(debug_assertions)]
+        const RUN_FUSED: #ty = ::core::option::Option::Some(run_fused);
+        #[cfg(not(debug_assertions))]
+        const RUN_FUSED: #ty = ::core::option::Option::None;
     }
 }
 

@@ -4,12 +4,13 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse_quote;
 
-use crate::checks;
-use crate::cpu::{cpu_run, run_variant};
+use crate::cpu::{cpu_run, run_fused, run_variant};
 use crate::parse::{Kernel, Parameter, Role};
+use crate::{checks, fused};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
+    let fused = fused_function(kernel);
     let variants = if kernel.has_shared_tiles() { &[false, true][..] } else { &[false] };
     let entries = variants.iter().map(|&shared| entry_point(kernel, shared));
     let info = info(kernel);
@@ -19,6 +20,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
         #[inline(always)]
         #[allow(clippy::too_many_arguments)]
         #function
+        #fused
         // names what the declaration names, on the GPU too
         #(const _: u32 = #iterations;)*
         #(#entries)*
@@ -54,6 +56,29 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
     let statements: Vec<syn::Stmt> = [witness, most].into_iter().chain(named).collect();
     function.block.stmts.splice(0..0, statements);
     function
+}
+
+/// The kernel as a driver may compile it that fuses arithmetic, unless the kernel allows that. Only debug builds on the CPU have it.
+fn fused_function(kernel: &Kernel) -> Option<TokenStream> {
+    if kernel.fused {
+        return None;
+    }
+    let mut function = function(kernel);
+    fused::fuse(&mut function.block);
+    function.sig.ident = fused_name(kernel);
+    function.vis = syn::Visibility::Inherited;
+    function.attrs.clear();
+    Some(quote! {
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        #[allow(warnings, clippy::all)]
+        #[inline(always)]
+        #function
+    })
+}
+
+/// The name of [`fused_function`].
+pub fn fused_name(kernel: &Kernel) -> syn::Ident {
+    format_ident!("{}_with_fused_arithmetic", kernel.function.sig.ident)
 }
 
 /// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.
@@ -193,6 +218,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
+    let run_fused = run_fused(kernel);
     let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
     let each = each(kernel);
     let limit = limit(kernel);
@@ -204,6 +230,7 @@ fn info(kernel: &Kernel) -> TokenStream {
         #[linkme(crate = ::organza_kernel::dependencies::linkme)]
         static #info_name: ::organza_kernel::kernel::KernelInfo = {
             #run
+            #run_fused
             ::organza_kernel::kernel::KernelInfo {
                 name: #name_text,
                 package: ::core::env!("CARGO_PKG_NAME"),
@@ -221,6 +248,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 unordered: &[#(#unordered),*],
                 run: run(),
                 run_variant: #run_variant,
+                run_fused: RUN_FUSED,
             }
         };
         #[cfg(not(target_arch = "spirv"))]

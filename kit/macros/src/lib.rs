@@ -44,6 +44,7 @@
 mod checks;
 mod cpu;
 mod expand;
+mod fused;
 mod parse;
 #[cfg(test)]
 mod tests;

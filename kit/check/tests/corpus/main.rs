@@ -130,6 +130,8 @@ corpus! {
     machine {
         denormal_is_not_zero
         divides_by_a_denormal
+        root_of_a_fused_difference
+        side_of_a_fused_line
     }
     loops {
         understated

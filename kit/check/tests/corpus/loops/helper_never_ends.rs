@@ -3,6 +3,7 @@
 use crate::bug::*;
 
 /// The largest integer whose square is at most `x`.
+#[inline(never)]
 fn root(x: u32) -> u32 {
     let (mut low, mut high) = (0, 1 << 16);
     //~

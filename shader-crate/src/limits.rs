@@ -1,7 +1,6 @@
 //! Size limits: the host checks scenes and batches against them, and they bound the kernels' loops.
 
-/// Iterations of all loops of one invocation together: llvmpipe ends it silently after 65,536.
-pub const MAX_ITERATIONS: u32 = 60_000;
+pub use organza_kernel::MAX_ITERATIONS;
 
 /// The highest degree of the spherical harmonics.
 pub const MAX_SH_DEGREE: u32 = 7;

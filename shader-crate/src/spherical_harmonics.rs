@@ -21,6 +21,7 @@ pub const fn width(degree: u32) -> u32 {
 /// no table and no factorials:
 /// `P(m,m) = -sqrt((2m+1) / 2m) P(m-1,m-1)` and
 /// `P(l,m) = sqrt((4l^2-1) / (l^2-m^2)) (z P(l-1,m) - sqrt(((l-1)^2-m^2) / (4(l-1)^2-1)) P(l-2,m))`.
+#[loops]
 #[inline(always)]
 pub fn spherical_harmonics(
     direction: Vec3,

@@ -3,14 +3,12 @@
 use std::cell::Cell;
 use std::fs;
 use std::panic::{self, UnwindSafe};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Once;
 use std::thread;
 
 use organza::MODULES;
-use organza_device::CodeSize;
 use organza_kernel::{EntryPoint, KernelInfo, kernels as declared};
-use organza_shaders::limits::MAX_ITERATIONS;
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
 use organza_tests::devices;
 use organza_tests::skip::skip;
@@ -75,28 +73,6 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     match validator.validate(&module) {
         Ok(_) => Ok(module),
         Err(error) => Err(format!("{:?}", error.into_inner())),
-    }
-}
-
-#[test]
-fn every_loop_is_bounded() {
-    for (kernel, point) in entry_points() {
-        let loops = CodeSize::of(&MODULES.of(kernel, &point).unwrap().spirv_words()).loops;
-        let name = point.name;
-        match kernel.iterations {
-            None => assert!(
-                loops == 0,
-                "`{name}` has {loops} loops: state how many iterations they take at most, all together, with \
-                 `#[kernel(.., iterations = ..)]`"
-            ),
-            Some(most) => {
-                assert!(loops > 0, "`{name}` has no loop, but states {most} iterations");
-                assert!(
-                    most <= MAX_ITERATIONS,
-                    "`{name}` takes {most} iterations: llvmpipe ends an invocation silently after 65,536"
-                );
-            }
-        }
     }
 }
 
@@ -191,51 +167,8 @@ fn naga_takes_every_entry_point() {
     }
 }
 
-/// All files in a folder and its subfolders.
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    paths.flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] }).collect()
-}
-
-/// naga's reader miscompiles exits through several levels of control flow.
-#[test]
-fn kernels_have_no_early_exits() {
-    for path in sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../shader-crate/src")) {
-        let source = fs::read_to_string(&path).unwrap();
-        let code = source.split("#[cfg(test)]").next().unwrap_or_default().lines();
-        for (number, line) in code.enumerate() {
-            let line = line.split("//").next().unwrap_or_default();
-            let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
-            let exit = words.find(|word| ["break", "continue", "return"].contains(word));
-            assert_eq!(exit, None, "{}:{}", path.display(), number + 1);
-        }
-    }
-}
-
 fn is(instruction: &organza_tests::spirv::Instruction<'_>, opcode: u32) -> bool {
     instruction.opcode == opcode
-}
-
-/// Elements have the same stride in a module as in Rust. For a `Vec3` or a `bool`, they would not.
-#[test]
-fn elements_lie_as_in_rust() {
-    const ARRAY_STRIDE: u32 = 6;
-    for kernel in MODULES.all() {
-        let words = kernel.spirv_words();
-        let mut strides: Vec<_> = instructions(&words)
-            .filter(|i| i.opcode == op::DECORATE && i.operands[1] == ARRAY_STRIDE)
-            .map(|i| i.operands[2])
-            .collect();
-        let buffers = kernel.entry().interface.bindings.iter().filter(|b| b.access != "uniform");
-        let mut sizes: Vec<_> = buffers.map(|binding| binding.element_bytes).collect();
-        for sizes in [&mut strides, &mut sizes] {
-            sizes.sort_unstable();
-            sizes.dedup();
-        }
-        for stride in strides {
-            assert!(sizes.contains(&stride), "{}: a stride of {stride}", kernel.entry().name);
-        }
-    }
 }
 
 /// The trap: NaN and infinity as literals.

@@ -118,6 +118,24 @@ fn no_two_invocations_get_in_each_others_way() {
     }
 }
 
+/// Runs everything in an order of workgroups and invocations, in the reverse one, and without denormals.
+#[test]
+fn no_kernel_depends_on_the_order() {
+    let scalar = devices::with(InstructionSet::Scalar);
+    let thorough = devices::thorough(1);
+    let mut failures = Vec::new();
+    for case in organza_parity::cases() {
+        match case.measure(&scalar, &thorough, Rounding::AsWritten) {
+            Err(error) => failures.push(error.to_string()),
+            Ok(measure) if measure.share.value > 0.0 => {
+                failures.push(format!("{}: the order changes the result", case.kernel));
+            }
+            Ok(_) => {}
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
 /// Compares variants with plain kernels. Their invocations copy to workgroup memory and wait for each other.
 #[test]
 fn staged_copies_are_right_without_a_gpu() {

@@ -1,7 +1,7 @@
 //! The devices that tests run on: those of [`organza_check`], with organza's kernels.
 
 use organza::{Device, MODULES};
-pub use organza_check::devices::{checked, checked_variants, cpu, cpus, with};
+pub use organza_check::devices::{checked, checked_variants, cpu, cpus, thorough, with};
 
 /// [`organza_check::devices::all`] with organza's kernels.
 ///

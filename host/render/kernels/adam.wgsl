@@ -1,12 +1,4 @@
 struct type_5 {
-    member: array<f32>,
-}
-
-struct type_12 {
-    member: array<u32>,
-}
-
-struct type_15 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -18,25 +10,33 @@ struct type_15 {
     member_8: f32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_6 {
+    member: type_5,
+}
+
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_15 {
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
+var<uniform> global_3: type_6;
 @group(0) @binding(1) 
-var<storage> global_4: type_12;
+var<storage> global_4: type_11;
 @group(0) @binding(2) 
-var<storage, read_write> global_5: type_5;
+var<storage, read_write> global_5: type_15;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_5;
+var<storage, read_write> global_6: type_15;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_5;
+var<storage, read_write> global_7: type_15;
 @group(0) @binding(5) 
-var<storage, read_write> global_8: type_5;
+var<storage, read_write> global_8: type_15;
 
 fn function_() {
     let _e21 = global;

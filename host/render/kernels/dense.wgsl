@@ -1,12 +1,4 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_12 {
-    member: array<vec4<f32>>,
-}
-
-struct type_15 {
+struct type_4 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -15,352 +7,360 @@ struct type_15 {
     member_5: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_18 {
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_14 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: f32,
 }
 
-struct type_19 {
-    member: type_18,
-    member_1: type_18,
-    member_2: type_18,
-    member_3: type_18,
+struct type_15 {
+    member: type_14,
+    member_1: type_14,
+    member_2: type_14,
+    member_3: type_14,
+}
+
+struct type_18 {
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
+var<uniform> global_3: type_5;
 @group(0) @binding(1) 
 var<storage> global_4: type_12;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_5: type_18;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_5;
+var<storage, read_write> global_6: type_18;
 
 fn function_() {
-    var phi_119_: u32;
+    var phi_117_: u32;
+    var phi_120_: u32;
     var phi_122_: u32;
-    var phi_124_: u32;
-    var phi_126_: type_19;
-    var phi_128_: type_19;
-    var phi_130_: type_19;
-    var phi_132_: type_19;
-    var local: type_19;
-    var local_1: type_19;
-    var local_2: type_19;
-    var local_3: type_19;
-    var local_4: type_19;
-    var local_5: type_19;
-    var local_6: type_19;
-    var local_7: type_19;
-    var local_8: type_19;
-    var local_9: type_19;
-    var local_10: type_19;
-    var local_11: type_19;
-    var local_12: type_19;
-    var local_13: type_19;
-    var local_14: type_19;
-    var local_15: type_19;
+    var phi_124_: type_15;
+    var phi_126_: type_15;
+    var phi_128_: type_15;
+    var phi_130_: type_15;
+    var local: type_15;
+    var local_1: type_15;
+    var local_2: type_15;
+    var local_3: type_15;
+    var local_4: type_15;
+    var local_5: type_15;
+    var local_6: type_15;
+    var local_7: type_15;
+    var local_8: type_15;
+    var local_9: type_15;
+    var local_10: type_15;
+    var local_11: type_15;
+    var local_12: type_15;
+    var local_13: type_15;
+    var local_14: type_15;
+    var local_15: type_15;
     var local_16: u32;
     var local_17: u32;
     var local_18: u32;
-    var local_19: type_19;
-    var local_20: type_19;
-    var local_21: type_19;
-    var local_22: type_19;
+    var local_19: type_15;
+    var local_20: type_15;
+    var local_21: type_15;
+    var local_22: type_15;
 
-    let _e20 = global;
-    let _e21 = global_1;
-    let _e22 = global_2;
-    let _e31 = ((((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x) * 4u);
-    let _e34 = global_3.member.member;
-    if (_e31 < _e34) {
-        let _e37 = (_e21.z * 4u);
-        let _e40 = global_3.member.member_5;
-        let _e41 = (_e40 + _e37);
-        let _e44 = global_4.member[_e41];
-        let _e57 = global_4.member[(_e41 + 1u)];
-        let _e70 = global_4.member[(_e41 + 2u)];
-        let _e83 = global_4.member[(_e41 + 3u)];
-        let _e95 = global_3.member.member_4;
-        phi_119_ = 0u;
-        phi_122_ = _e31;
-        phi_124_ = (_e95 + _e37);
-        phi_126_ = type_19(type_18(_e83.x, _e83.x, _e83.x, _e83.x), type_18(_e83.y, _e83.y, _e83.y, _e83.y), type_18(_e83.z, _e83.z, _e83.z, _e83.z), type_18(_e83.w, _e83.w, _e83.w, _e83.w));
-        phi_128_ = type_19(type_18(_e70.x, _e70.x, _e70.x, _e70.x), type_18(_e70.y, _e70.y, _e70.y, _e70.y), type_18(_e70.z, _e70.z, _e70.z, _e70.z), type_18(_e70.w, _e70.w, _e70.w, _e70.w));
-        phi_130_ = type_19(type_18(_e57.x, _e57.x, _e57.x, _e57.x), type_18(_e57.y, _e57.y, _e57.y, _e57.y), type_18(_e57.z, _e57.z, _e57.z, _e57.z), type_18(_e57.w, _e57.w, _e57.w, _e57.w));
-        phi_132_ = type_19(type_18(_e44.x, _e44.x, _e44.x, _e44.x), type_18(_e44.y, _e44.y, _e44.y, _e44.y), type_18(_e44.z, _e44.z, _e44.z, _e44.z), type_18(_e44.w, _e44.w, _e44.w, _e44.w));
+    let _e18 = global;
+    let _e19 = global_1;
+    let _e20 = global_2;
+    let _e29 = ((((_e19.x + (_e19.y * _e20.x)) * 64u) + _e18.x) * 4u);
+    let _e32 = global_3.member.member;
+    if (_e29 < _e32) {
+        let _e35 = (_e19.z * 4u);
+        let _e38 = global_3.member.member_5;
+        let _e39 = (_e38 + _e35);
+        let _e42 = global_4.member[_e39];
+        let _e55 = global_4.member[(_e39 + 1u)];
+        let _e68 = global_4.member[(_e39 + 2u)];
+        let _e81 = global_4.member[(_e39 + 3u)];
+        let _e93 = global_3.member.member_4;
+        phi_117_ = 0u;
+        phi_120_ = _e29;
+        phi_122_ = (_e93 + _e35);
+        phi_124_ = type_15(type_14(_e81.x, _e81.x, _e81.x, _e81.x), type_14(_e81.y, _e81.y, _e81.y, _e81.y), type_14(_e81.z, _e81.z, _e81.z, _e81.z), type_14(_e81.w, _e81.w, _e81.w, _e81.w));
+        phi_126_ = type_15(type_14(_e68.x, _e68.x, _e68.x, _e68.x), type_14(_e68.y, _e68.y, _e68.y, _e68.y), type_14(_e68.z, _e68.z, _e68.z, _e68.z), type_14(_e68.w, _e68.w, _e68.w, _e68.w));
+        phi_128_ = type_15(type_14(_e55.x, _e55.x, _e55.x, _e55.x), type_14(_e55.y, _e55.y, _e55.y, _e55.y), type_14(_e55.z, _e55.z, _e55.z, _e55.z), type_14(_e55.w, _e55.w, _e55.w, _e55.w));
+        phi_130_ = type_15(type_14(_e42.x, _e42.x, _e42.x, _e42.x), type_14(_e42.y, _e42.y, _e42.y, _e42.y), type_14(_e42.z, _e42.z, _e42.z, _e42.z), type_14(_e42.w, _e42.w, _e42.w, _e42.w));
         loop {
-            let _e98 = phi_119_;
+            let _e96 = phi_117_;
+            let _e98 = phi_120_;
             let _e100 = phi_122_;
             let _e102 = phi_124_;
             let _e104 = phi_126_;
             let _e106 = phi_128_;
             let _e108 = phi_130_;
-            let _e110 = phi_132_;
-            let _e113 = global_3.member.member_2;
-            local = _e110;
-            local_1 = _e110;
-            local_2 = _e110;
-            local_3 = _e110;
-            local_4 = _e108;
-            local_5 = _e108;
-            local_6 = _e108;
-            local_7 = _e108;
-            local_8 = _e106;
-            local_9 = _e106;
-            local_10 = _e106;
-            local_11 = _e106;
-            local_12 = _e104;
-            local_13 = _e104;
-            local_14 = _e104;
-            local_15 = _e104;
-            if (_e98 < _e113) {
-                let _e117 = global_5.member[_e100];
-                let _e121 = global_5.member[(_e100 + 1u)];
-                let _e125 = global_5.member[(_e100 + 2u)];
-                let _e129 = global_5.member[(_e100 + 3u)];
-                let _e132 = global_4.member[_e102];
-                let _e197 = global_4.member[(_e102 + 1u)];
-                let _e262 = global_4.member[(_e102 + 2u)];
-                let _e327 = global_4.member[(_e102 + 3u)];
-                let _e391 = global_3.member.member_3;
-                let _e395 = global_3.member.member_1;
-                local_16 = (_e98 + 1u);
-                local_17 = (_e100 + _e395);
-                local_18 = (_e102 + _e391);
-                local_19 = type_19(type_18(((_e117 * _e327.x) + _e104.member.member), ((_e121 * _e327.x) + _e104.member.member_1), ((_e125 * _e327.x) + _e104.member.member_2), ((_e129 * _e327.x) + _e104.member.member_3)), type_18(((_e117 * _e327.y) + _e104.member_1.member), ((_e121 * _e327.y) + _e104.member_1.member_1), ((_e125 * _e327.y) + _e104.member_1.member_2), ((_e129 * _e327.y) + _e104.member_1.member_3)), type_18(((_e117 * _e327.z) + _e104.member_2.member), ((_e121 * _e327.z) + _e104.member_2.member_1), ((_e125 * _e327.z) + _e104.member_2.member_2), ((_e129 * _e327.z) + _e104.member_2.member_3)), type_18(((_e117 * _e327.w) + _e104.member_3.member), ((_e121 * _e327.w) + _e104.member_3.member_1), ((_e125 * _e327.w) + _e104.member_3.member_2), ((_e129 * _e327.w) + _e104.member_3.member_3)));
-                local_20 = type_19(type_18(((_e117 * _e262.x) + _e106.member.member), ((_e121 * _e262.x) + _e106.member.member_1), ((_e125 * _e262.x) + _e106.member.member_2), ((_e129 * _e262.x) + _e106.member.member_3)), type_18(((_e117 * _e262.y) + _e106.member_1.member), ((_e121 * _e262.y) + _e106.member_1.member_1), ((_e125 * _e262.y) + _e106.member_1.member_2), ((_e129 * _e262.y) + _e106.member_1.member_3)), type_18(((_e117 * _e262.z) + _e106.member_2.member), ((_e121 * _e262.z) + _e106.member_2.member_1), ((_e125 * _e262.z) + _e106.member_2.member_2), ((_e129 * _e262.z) + _e106.member_2.member_3)), type_18(((_e117 * _e262.w) + _e106.member_3.member), ((_e121 * _e262.w) + _e106.member_3.member_1), ((_e125 * _e262.w) + _e106.member_3.member_2), ((_e129 * _e262.w) + _e106.member_3.member_3)));
-                local_21 = type_19(type_18(((_e117 * _e197.x) + _e108.member.member), ((_e121 * _e197.x) + _e108.member.member_1), ((_e125 * _e197.x) + _e108.member.member_2), ((_e129 * _e197.x) + _e108.member.member_3)), type_18(((_e117 * _e197.y) + _e108.member_1.member), ((_e121 * _e197.y) + _e108.member_1.member_1), ((_e125 * _e197.y) + _e108.member_1.member_2), ((_e129 * _e197.y) + _e108.member_1.member_3)), type_18(((_e117 * _e197.z) + _e108.member_2.member), ((_e121 * _e197.z) + _e108.member_2.member_1), ((_e125 * _e197.z) + _e108.member_2.member_2), ((_e129 * _e197.z) + _e108.member_2.member_3)), type_18(((_e117 * _e197.w) + _e108.member_3.member), ((_e121 * _e197.w) + _e108.member_3.member_1), ((_e125 * _e197.w) + _e108.member_3.member_2), ((_e129 * _e197.w) + _e108.member_3.member_3)));
-                local_22 = type_19(type_18(((_e117 * _e132.x) + _e110.member.member), ((_e121 * _e132.x) + _e110.member.member_1), ((_e125 * _e132.x) + _e110.member.member_2), ((_e129 * _e132.x) + _e110.member.member_3)), type_18(((_e117 * _e132.y) + _e110.member_1.member), ((_e121 * _e132.y) + _e110.member_1.member_1), ((_e125 * _e132.y) + _e110.member_1.member_2), ((_e129 * _e132.y) + _e110.member_1.member_3)), type_18(((_e117 * _e132.z) + _e110.member_2.member), ((_e121 * _e132.z) + _e110.member_2.member_1), ((_e125 * _e132.z) + _e110.member_2.member_2), ((_e129 * _e132.z) + _e110.member_2.member_3)), type_18(((_e117 * _e132.w) + _e110.member_3.member), ((_e121 * _e132.w) + _e110.member_3.member_1), ((_e125 * _e132.w) + _e110.member_3.member_2), ((_e129 * _e132.w) + _e110.member_3.member_3)));
+            let _e111 = global_3.member.member_2;
+            local = _e108;
+            local_1 = _e108;
+            local_2 = _e108;
+            local_3 = _e108;
+            local_4 = _e106;
+            local_5 = _e106;
+            local_6 = _e106;
+            local_7 = _e106;
+            local_8 = _e104;
+            local_9 = _e104;
+            local_10 = _e104;
+            local_11 = _e104;
+            local_12 = _e102;
+            local_13 = _e102;
+            local_14 = _e102;
+            local_15 = _e102;
+            if (_e96 < _e111) {
+                let _e115 = global_5.member[_e98];
+                let _e119 = global_5.member[(_e98 + 1u)];
+                let _e123 = global_5.member[(_e98 + 2u)];
+                let _e127 = global_5.member[(_e98 + 3u)];
+                let _e130 = global_4.member[_e100];
+                let _e195 = global_4.member[(_e100 + 1u)];
+                let _e260 = global_4.member[(_e100 + 2u)];
+                let _e325 = global_4.member[(_e100 + 3u)];
+                let _e389 = global_3.member.member_3;
+                let _e393 = global_3.member.member_1;
+                local_16 = (_e96 + 1u);
+                local_17 = (_e98 + _e393);
+                local_18 = (_e100 + _e389);
+                local_19 = type_15(type_14(((_e115 * _e325.x) + _e102.member.member), ((_e119 * _e325.x) + _e102.member.member_1), ((_e123 * _e325.x) + _e102.member.member_2), ((_e127 * _e325.x) + _e102.member.member_3)), type_14(((_e115 * _e325.y) + _e102.member_1.member), ((_e119 * _e325.y) + _e102.member_1.member_1), ((_e123 * _e325.y) + _e102.member_1.member_2), ((_e127 * _e325.y) + _e102.member_1.member_3)), type_14(((_e115 * _e325.z) + _e102.member_2.member), ((_e119 * _e325.z) + _e102.member_2.member_1), ((_e123 * _e325.z) + _e102.member_2.member_2), ((_e127 * _e325.z) + _e102.member_2.member_3)), type_14(((_e115 * _e325.w) + _e102.member_3.member), ((_e119 * _e325.w) + _e102.member_3.member_1), ((_e123 * _e325.w) + _e102.member_3.member_2), ((_e127 * _e325.w) + _e102.member_3.member_3)));
+                local_20 = type_15(type_14(((_e115 * _e260.x) + _e104.member.member), ((_e119 * _e260.x) + _e104.member.member_1), ((_e123 * _e260.x) + _e104.member.member_2), ((_e127 * _e260.x) + _e104.member.member_3)), type_14(((_e115 * _e260.y) + _e104.member_1.member), ((_e119 * _e260.y) + _e104.member_1.member_1), ((_e123 * _e260.y) + _e104.member_1.member_2), ((_e127 * _e260.y) + _e104.member_1.member_3)), type_14(((_e115 * _e260.z) + _e104.member_2.member), ((_e119 * _e260.z) + _e104.member_2.member_1), ((_e123 * _e260.z) + _e104.member_2.member_2), ((_e127 * _e260.z) + _e104.member_2.member_3)), type_14(((_e115 * _e260.w) + _e104.member_3.member), ((_e119 * _e260.w) + _e104.member_3.member_1), ((_e123 * _e260.w) + _e104.member_3.member_2), ((_e127 * _e260.w) + _e104.member_3.member_3)));
+                local_21 = type_15(type_14(((_e115 * _e195.x) + _e106.member.member), ((_e119 * _e195.x) + _e106.member.member_1), ((_e123 * _e195.x) + _e106.member.member_2), ((_e127 * _e195.x) + _e106.member.member_3)), type_14(((_e115 * _e195.y) + _e106.member_1.member), ((_e119 * _e195.y) + _e106.member_1.member_1), ((_e123 * _e195.y) + _e106.member_1.member_2), ((_e127 * _e195.y) + _e106.member_1.member_3)), type_14(((_e115 * _e195.z) + _e106.member_2.member), ((_e119 * _e195.z) + _e106.member_2.member_1), ((_e123 * _e195.z) + _e106.member_2.member_2), ((_e127 * _e195.z) + _e106.member_2.member_3)), type_14(((_e115 * _e195.w) + _e106.member_3.member), ((_e119 * _e195.w) + _e106.member_3.member_1), ((_e123 * _e195.w) + _e106.member_3.member_2), ((_e127 * _e195.w) + _e106.member_3.member_3)));
+                local_22 = type_15(type_14(((_e115 * _e130.x) + _e108.member.member), ((_e119 * _e130.x) + _e108.member.member_1), ((_e123 * _e130.x) + _e108.member.member_2), ((_e127 * _e130.x) + _e108.member.member_3)), type_14(((_e115 * _e130.y) + _e108.member_1.member), ((_e119 * _e130.y) + _e108.member_1.member_1), ((_e123 * _e130.y) + _e108.member_1.member_2), ((_e127 * _e130.y) + _e108.member_1.member_3)), type_14(((_e115 * _e130.z) + _e108.member_2.member), ((_e119 * _e130.z) + _e108.member_2.member_1), ((_e123 * _e130.z) + _e108.member_2.member_2), ((_e127 * _e130.z) + _e108.member_2.member_3)), type_14(((_e115 * _e130.w) + _e108.member_3.member), ((_e119 * _e130.w) + _e108.member_3.member_1), ((_e123 * _e130.w) + _e108.member_3.member_2), ((_e127 * _e130.w) + _e108.member_3.member_3)));
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e849 = local_16;
-                phi_119_ = _e849;
-                let _e852 = local_17;
-                phi_122_ = _e852;
-                let _e855 = local_18;
-                phi_124_ = _e855;
-                let _e858 = local_19;
-                phi_126_ = _e858;
-                let _e861 = local_20;
-                phi_128_ = _e861;
-                let _e864 = local_21;
-                phi_130_ = _e864;
-                let _e867 = local_22;
-                phi_132_ = _e867;
+                let _e847 = local_16;
+                phi_117_ = _e847;
+                let _e850 = local_17;
+                phi_120_ = _e850;
+                let _e853 = local_18;
+                phi_122_ = _e853;
+                let _e856 = local_19;
+                phi_124_ = _e856;
+                let _e859 = local_20;
+                phi_126_ = _e859;
+                let _e862 = local_21;
+                phi_128_ = _e862;
+                let _e865 = local_22;
+                phi_130_ = _e865;
             }
         }
-        let _e398 = (_e21.z * 16u);
-        let _e401 = global_3.member.member_1;
-        let _e402 = (_e34 - _e31);
-        let _e404 = ((_e398 * _e401) + _e31);
-        let _e406 = local;
-        global_6.member[_e404] = select(0f, _e406.member.member, (_e406.member.member > 0f));
-        let _e422 = (_e402 > 1u);
-        if _e422 {
-            global_6.member[(_e404 + 1u)] = select(0f, _e406.member.member_1, (_e406.member.member_1 > 0f));
+        let _e396 = (_e19.z * 16u);
+        let _e399 = global_3.member.member_1;
+        let _e400 = (_e32 - _e29);
+        let _e402 = ((_e396 * _e399) + _e29);
+        let _e404 = local;
+        global_6.member[_e402] = select(0f, _e404.member.member, (_e404.member.member > 0f));
+        let _e420 = (_e400 > 1u);
+        if _e420 {
+            global_6.member[(_e402 + 1u)] = select(0f, _e404.member.member_1, (_e404.member.member_1 > 0f));
         }
-        let _e426 = (_e402 > 2u);
-        if _e426 {
-            global_6.member[(_e404 + 2u)] = select(0f, _e406.member.member_2, (_e406.member.member_2 > 0f));
+        let _e424 = (_e400 > 2u);
+        if _e424 {
+            global_6.member[(_e402 + 2u)] = select(0f, _e404.member.member_2, (_e404.member.member_2 > 0f));
         }
-        let _e430 = (_e402 > 3u);
-        if _e430 {
-            global_6.member[(_e404 + 3u)] = select(0f, _e406.member.member_3, (_e406.member.member_3 > 0f));
+        let _e428 = (_e400 > 3u);
+        if _e428 {
+            global_6.member[(_e402 + 3u)] = select(0f, _e404.member.member_3, (_e404.member.member_3 > 0f));
         }
-        let _e435 = local_1;
-        let _e449 = (_e404 + _e401);
-        global_6.member[_e449] = select(0f, _e435.member_1.member, (_e435.member_1.member > 0f));
-        if _e422 {
-            global_6.member[(_e449 + 1u)] = select(0f, _e435.member_1.member_1, (_e435.member_1.member_1 > 0f));
+        let _e433 = local_1;
+        let _e447 = (_e402 + _e399);
+        global_6.member[_e447] = select(0f, _e433.member_1.member, (_e433.member_1.member > 0f));
+        if _e420 {
+            global_6.member[(_e447 + 1u)] = select(0f, _e433.member_1.member_1, (_e433.member_1.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e449 + 2u)] = select(0f, _e435.member_1.member_2, (_e435.member_1.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e447 + 2u)] = select(0f, _e433.member_1.member_2, (_e433.member_1.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e449 + 3u)] = select(0f, _e435.member_1.member_3, (_e435.member_1.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e447 + 3u)] = select(0f, _e433.member_1.member_3, (_e433.member_1.member_3 > 0f));
         }
-        let _e462 = local_2;
-        let _e476 = (2u * _e401);
-        let _e477 = (_e404 + _e476);
-        global_6.member[_e477] = select(0f, _e462.member_2.member, (_e462.member_2.member > 0f));
-        if _e422 {
-            global_6.member[(_e477 + 1u)] = select(0f, _e462.member_2.member_1, (_e462.member_2.member_1 > 0f));
+        let _e460 = local_2;
+        let _e474 = (2u * _e399);
+        let _e475 = (_e402 + _e474);
+        global_6.member[_e475] = select(0f, _e460.member_2.member, (_e460.member_2.member > 0f));
+        if _e420 {
+            global_6.member[(_e475 + 1u)] = select(0f, _e460.member_2.member_1, (_e460.member_2.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e477 + 2u)] = select(0f, _e462.member_2.member_2, (_e462.member_2.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e475 + 2u)] = select(0f, _e460.member_2.member_2, (_e460.member_2.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e477 + 3u)] = select(0f, _e462.member_2.member_3, (_e462.member_2.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e475 + 3u)] = select(0f, _e460.member_2.member_3, (_e460.member_2.member_3 > 0f));
         }
-        let _e490 = local_3;
-        let _e504 = (3u * _e401);
-        let _e505 = (_e404 + _e504);
-        global_6.member[_e505] = select(0f, _e490.member_3.member, (_e490.member_3.member > 0f));
-        if _e422 {
-            global_6.member[(_e505 + 1u)] = select(0f, _e490.member_3.member_1, (_e490.member_3.member_1 > 0f));
+        let _e488 = local_3;
+        let _e502 = (3u * _e399);
+        let _e503 = (_e402 + _e502);
+        global_6.member[_e503] = select(0f, _e488.member_3.member, (_e488.member_3.member > 0f));
+        if _e420 {
+            global_6.member[(_e503 + 1u)] = select(0f, _e488.member_3.member_1, (_e488.member_3.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e505 + 2u)] = select(0f, _e490.member_3.member_2, (_e490.member_3.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e503 + 2u)] = select(0f, _e488.member_3.member_2, (_e488.member_3.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e505 + 3u)] = select(0f, _e490.member_3.member_3, (_e490.member_3.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e503 + 3u)] = select(0f, _e488.member_3.member_3, (_e488.member_3.member_3 > 0f));
         }
-        let _e519 = (((_e398 + 4u) * _e401) + _e31);
-        let _e521 = local_4;
-        global_6.member[_e519] = select(0f, _e521.member.member, (_e521.member.member > 0f));
-        if _e422 {
-            global_6.member[(_e519 + 1u)] = select(0f, _e521.member.member_1, (_e521.member.member_1 > 0f));
+        let _e517 = (((_e396 + 4u) * _e399) + _e29);
+        let _e519 = local_4;
+        global_6.member[_e517] = select(0f, _e519.member.member, (_e519.member.member > 0f));
+        if _e420 {
+            global_6.member[(_e517 + 1u)] = select(0f, _e519.member.member_1, (_e519.member.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e519 + 2u)] = select(0f, _e521.member.member_2, (_e521.member.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e517 + 2u)] = select(0f, _e519.member.member_2, (_e519.member.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e519 + 3u)] = select(0f, _e521.member.member_3, (_e521.member.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e517 + 3u)] = select(0f, _e519.member.member_3, (_e519.member.member_3 > 0f));
         }
-        let _e547 = local_5;
-        let _e561 = (_e519 + _e401);
-        global_6.member[_e561] = select(0f, _e547.member_1.member, (_e547.member_1.member > 0f));
-        if _e422 {
-            global_6.member[(_e561 + 1u)] = select(0f, _e547.member_1.member_1, (_e547.member_1.member_1 > 0f));
+        let _e545 = local_5;
+        let _e559 = (_e517 + _e399);
+        global_6.member[_e559] = select(0f, _e545.member_1.member, (_e545.member_1.member > 0f));
+        if _e420 {
+            global_6.member[(_e559 + 1u)] = select(0f, _e545.member_1.member_1, (_e545.member_1.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e561 + 2u)] = select(0f, _e547.member_1.member_2, (_e547.member_1.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e559 + 2u)] = select(0f, _e545.member_1.member_2, (_e545.member_1.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e561 + 3u)] = select(0f, _e547.member_1.member_3, (_e547.member_1.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e559 + 3u)] = select(0f, _e545.member_1.member_3, (_e545.member_1.member_3 > 0f));
         }
-        let _e574 = local_6;
-        let _e588 = (_e519 + _e476);
-        global_6.member[_e588] = select(0f, _e574.member_2.member, (_e574.member_2.member > 0f));
-        if _e422 {
-            global_6.member[(_e588 + 1u)] = select(0f, _e574.member_2.member_1, (_e574.member_2.member_1 > 0f));
+        let _e572 = local_6;
+        let _e586 = (_e517 + _e474);
+        global_6.member[_e586] = select(0f, _e572.member_2.member, (_e572.member_2.member > 0f));
+        if _e420 {
+            global_6.member[(_e586 + 1u)] = select(0f, _e572.member_2.member_1, (_e572.member_2.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e588 + 2u)] = select(0f, _e574.member_2.member_2, (_e574.member_2.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e586 + 2u)] = select(0f, _e572.member_2.member_2, (_e572.member_2.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e588 + 3u)] = select(0f, _e574.member_2.member_3, (_e574.member_2.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e586 + 3u)] = select(0f, _e572.member_2.member_3, (_e572.member_2.member_3 > 0f));
         }
-        let _e601 = local_7;
-        let _e615 = (_e519 + _e504);
-        global_6.member[_e615] = select(0f, _e601.member_3.member, (_e601.member_3.member > 0f));
-        if _e422 {
-            global_6.member[(_e615 + 1u)] = select(0f, _e601.member_3.member_1, (_e601.member_3.member_1 > 0f));
+        let _e599 = local_7;
+        let _e613 = (_e517 + _e502);
+        global_6.member[_e613] = select(0f, _e599.member_3.member, (_e599.member_3.member > 0f));
+        if _e420 {
+            global_6.member[(_e613 + 1u)] = select(0f, _e599.member_3.member_1, (_e599.member_3.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e615 + 2u)] = select(0f, _e601.member_3.member_2, (_e601.member_3.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e613 + 2u)] = select(0f, _e599.member_3.member_2, (_e599.member_3.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e615 + 3u)] = select(0f, _e601.member_3.member_3, (_e601.member_3.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e613 + 3u)] = select(0f, _e599.member_3.member_3, (_e599.member_3.member_3 > 0f));
         }
-        let _e629 = (((_e398 + 8u) * _e401) + _e31);
-        let _e631 = local_8;
-        global_6.member[_e629] = select(0f, _e631.member.member, (_e631.member.member > 0f));
-        if _e422 {
-            global_6.member[(_e629 + 1u)] = select(0f, _e631.member.member_1, (_e631.member.member_1 > 0f));
+        let _e627 = (((_e396 + 8u) * _e399) + _e29);
+        let _e629 = local_8;
+        global_6.member[_e627] = select(0f, _e629.member.member, (_e629.member.member > 0f));
+        if _e420 {
+            global_6.member[(_e627 + 1u)] = select(0f, _e629.member.member_1, (_e629.member.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e629 + 2u)] = select(0f, _e631.member.member_2, (_e631.member.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e627 + 2u)] = select(0f, _e629.member.member_2, (_e629.member.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e629 + 3u)] = select(0f, _e631.member.member_3, (_e631.member.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e627 + 3u)] = select(0f, _e629.member.member_3, (_e629.member.member_3 > 0f));
         }
-        let _e657 = local_9;
-        let _e671 = (_e629 + _e401);
-        global_6.member[_e671] = select(0f, _e657.member_1.member, (_e657.member_1.member > 0f));
-        if _e422 {
-            global_6.member[(_e671 + 1u)] = select(0f, _e657.member_1.member_1, (_e657.member_1.member_1 > 0f));
+        let _e655 = local_9;
+        let _e669 = (_e627 + _e399);
+        global_6.member[_e669] = select(0f, _e655.member_1.member, (_e655.member_1.member > 0f));
+        if _e420 {
+            global_6.member[(_e669 + 1u)] = select(0f, _e655.member_1.member_1, (_e655.member_1.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e671 + 2u)] = select(0f, _e657.member_1.member_2, (_e657.member_1.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e669 + 2u)] = select(0f, _e655.member_1.member_2, (_e655.member_1.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e671 + 3u)] = select(0f, _e657.member_1.member_3, (_e657.member_1.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e669 + 3u)] = select(0f, _e655.member_1.member_3, (_e655.member_1.member_3 > 0f));
         }
-        let _e684 = local_10;
-        let _e698 = (_e629 + _e476);
-        global_6.member[_e698] = select(0f, _e684.member_2.member, (_e684.member_2.member > 0f));
-        if _e422 {
-            global_6.member[(_e698 + 1u)] = select(0f, _e684.member_2.member_1, (_e684.member_2.member_1 > 0f));
+        let _e682 = local_10;
+        let _e696 = (_e627 + _e474);
+        global_6.member[_e696] = select(0f, _e682.member_2.member, (_e682.member_2.member > 0f));
+        if _e420 {
+            global_6.member[(_e696 + 1u)] = select(0f, _e682.member_2.member_1, (_e682.member_2.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e698 + 2u)] = select(0f, _e684.member_2.member_2, (_e684.member_2.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e696 + 2u)] = select(0f, _e682.member_2.member_2, (_e682.member_2.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e698 + 3u)] = select(0f, _e684.member_2.member_3, (_e684.member_2.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e696 + 3u)] = select(0f, _e682.member_2.member_3, (_e682.member_2.member_3 > 0f));
         }
-        let _e711 = local_11;
-        let _e725 = (_e629 + _e504);
-        global_6.member[_e725] = select(0f, _e711.member_3.member, (_e711.member_3.member > 0f));
-        if _e422 {
-            global_6.member[(_e725 + 1u)] = select(0f, _e711.member_3.member_1, (_e711.member_3.member_1 > 0f));
+        let _e709 = local_11;
+        let _e723 = (_e627 + _e502);
+        global_6.member[_e723] = select(0f, _e709.member_3.member, (_e709.member_3.member > 0f));
+        if _e420 {
+            global_6.member[(_e723 + 1u)] = select(0f, _e709.member_3.member_1, (_e709.member_3.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e725 + 2u)] = select(0f, _e711.member_3.member_2, (_e711.member_3.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e723 + 2u)] = select(0f, _e709.member_3.member_2, (_e709.member_3.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e725 + 3u)] = select(0f, _e711.member_3.member_3, (_e711.member_3.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e723 + 3u)] = select(0f, _e709.member_3.member_3, (_e709.member_3.member_3 > 0f));
         }
-        let _e739 = (((_e398 + 12u) * _e401) + _e31);
-        let _e741 = local_12;
-        global_6.member[_e739] = select(0f, _e741.member.member, (_e741.member.member > 0f));
-        if _e422 {
-            global_6.member[(_e739 + 1u)] = select(0f, _e741.member.member_1, (_e741.member.member_1 > 0f));
+        let _e737 = (((_e396 + 12u) * _e399) + _e29);
+        let _e739 = local_12;
+        global_6.member[_e737] = select(0f, _e739.member.member, (_e739.member.member > 0f));
+        if _e420 {
+            global_6.member[(_e737 + 1u)] = select(0f, _e739.member.member_1, (_e739.member.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e739 + 2u)] = select(0f, _e741.member.member_2, (_e741.member.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e737 + 2u)] = select(0f, _e739.member.member_2, (_e739.member.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e739 + 3u)] = select(0f, _e741.member.member_3, (_e741.member.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e737 + 3u)] = select(0f, _e739.member.member_3, (_e739.member.member_3 > 0f));
         }
-        let _e767 = local_13;
-        let _e781 = (_e739 + _e401);
-        global_6.member[_e781] = select(0f, _e767.member_1.member, (_e767.member_1.member > 0f));
-        if _e422 {
-            global_6.member[(_e781 + 1u)] = select(0f, _e767.member_1.member_1, (_e767.member_1.member_1 > 0f));
+        let _e765 = local_13;
+        let _e779 = (_e737 + _e399);
+        global_6.member[_e779] = select(0f, _e765.member_1.member, (_e765.member_1.member > 0f));
+        if _e420 {
+            global_6.member[(_e779 + 1u)] = select(0f, _e765.member_1.member_1, (_e765.member_1.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e781 + 2u)] = select(0f, _e767.member_1.member_2, (_e767.member_1.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e779 + 2u)] = select(0f, _e765.member_1.member_2, (_e765.member_1.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e781 + 3u)] = select(0f, _e767.member_1.member_3, (_e767.member_1.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e779 + 3u)] = select(0f, _e765.member_1.member_3, (_e765.member_1.member_3 > 0f));
         }
-        let _e794 = local_14;
-        let _e808 = (_e739 + _e476);
-        global_6.member[_e808] = select(0f, _e794.member_2.member, (_e794.member_2.member > 0f));
-        if _e422 {
-            global_6.member[(_e808 + 1u)] = select(0f, _e794.member_2.member_1, (_e794.member_2.member_1 > 0f));
+        let _e792 = local_14;
+        let _e806 = (_e737 + _e474);
+        global_6.member[_e806] = select(0f, _e792.member_2.member, (_e792.member_2.member > 0f));
+        if _e420 {
+            global_6.member[(_e806 + 1u)] = select(0f, _e792.member_2.member_1, (_e792.member_2.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e808 + 2u)] = select(0f, _e794.member_2.member_2, (_e794.member_2.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e806 + 2u)] = select(0f, _e792.member_2.member_2, (_e792.member_2.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e808 + 3u)] = select(0f, _e794.member_2.member_3, (_e794.member_2.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e806 + 3u)] = select(0f, _e792.member_2.member_3, (_e792.member_2.member_3 > 0f));
         }
-        let _e821 = local_15;
-        let _e835 = (_e739 + _e504);
-        global_6.member[_e835] = select(0f, _e821.member_3.member, (_e821.member_3.member > 0f));
-        if _e422 {
-            global_6.member[(_e835 + 1u)] = select(0f, _e821.member_3.member_1, (_e821.member_3.member_1 > 0f));
+        let _e819 = local_15;
+        let _e833 = (_e737 + _e502);
+        global_6.member[_e833] = select(0f, _e819.member_3.member, (_e819.member_3.member > 0f));
+        if _e420 {
+            global_6.member[(_e833 + 1u)] = select(0f, _e819.member_3.member_1, (_e819.member_3.member_1 > 0f));
         }
-        if _e426 {
-            global_6.member[(_e835 + 2u)] = select(0f, _e821.member_3.member_2, (_e821.member_3.member_2 > 0f));
+        if _e424 {
+            global_6.member[(_e833 + 2u)] = select(0f, _e819.member_3.member_2, (_e819.member_3.member_2 > 0f));
         }
-        if _e430 {
-            global_6.member[(_e835 + 3u)] = select(0f, _e821.member_3.member_3, (_e821.member_3.member_3 > 0f));
+        if _e428 {
+            global_6.member[(_e833 + 3u)] = select(0f, _e819.member_3.member_3, (_e819.member_3.member_3 > 0f));
         }
     }
     return;

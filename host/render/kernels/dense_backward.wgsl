@@ -1,19 +1,4 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_12 {
-    member: array<vec4<f32>>,
-}
-
-struct type_15 {
-    member: f32,
-    member_1: f32,
-    member_2: f32,
-    member_3: f32,
-}
-
-struct type_16 {
+struct type_4 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -24,342 +9,357 @@ struct type_16 {
     member_7: u32,
 }
 
-struct type_17 {
-    member: type_16,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_19 {
-    member: type_15,
-    member_1: type_15,
-    member_2: type_15,
-    member_3: type_15,
+struct type_9 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: f32,
+}
+
+struct type_10 {
+    member: type_9,
+    member_1: type_9,
+    member_2: type_9,
+    member_3: type_9,
+}
+
+struct type_13 {
+    member: array<f32>,
+}
+
+struct type_18 {
+    member: array<vec4<f32>>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_12;
 @group(0) @binding(0) 
-var<uniform> global_4: type_17;
-@group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<uniform> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_6: type_5;
+var<storage> global_4: type_13;
+@group(0) @binding(1) 
+var<storage> global_5: type_18;
+@group(0) @binding(2) 
+var<storage> global_6: type_13;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_5;
+var<storage, read_write> global_7: type_13;
 
 fn function_() {
-    var phi_118_: u32;
-    var phi_121_: u32;
-    var phi_123_: type_19;
-    var phi_125_: type_19;
-    var local: type_19;
-    var phi_584_: type_15;
-    var local_1: type_19;
-    var phi_644_: type_15;
-    var local_2: type_19;
-    var phi_704_: type_15;
-    var local_3: type_19;
-    var phi_764_: type_15;
-    var local_4: type_19;
-    var phi_825_: type_15;
-    var local_5: type_19;
-    var phi_885_: type_15;
-    var local_6: type_19;
-    var phi_945_: type_15;
-    var local_7: type_19;
-    var phi_1005_: type_15;
+    var phi_116_: u32;
+    var phi_119_: u32;
+    var phi_121_: type_10;
+    var phi_123_: type_10;
+    var local: type_10;
+    var phi_582_: type_9;
+    var local_1: type_10;
+    var phi_642_: type_9;
+    var local_2: type_10;
+    var phi_702_: type_9;
+    var local_3: type_10;
+    var phi_762_: type_9;
+    var local_4: type_10;
+    var phi_823_: type_9;
+    var local_5: type_10;
+    var phi_883_: type_9;
+    var local_6: type_10;
+    var phi_943_: type_9;
+    var local_7: type_10;
+    var phi_1003_: type_9;
     var local_8: u32;
     var local_9: u32;
-    var local_10: type_19;
-    var local_11: type_19;
+    var local_10: type_10;
+    var local_11: type_10;
 
-    let _e23 = global;
-    let _e24 = global_1;
-    let _e25 = global_2;
-    let _e34 = ((((_e24.x + (_e24.y * _e25.x)) * 64u) + _e23.x) * 4u);
-    let _e37 = global_4.member.member;
-    if (_e34 < _e37) {
-        let _e41 = global_4.member.member_5;
-        let _e44 = (_e41 + (_e24.z * 8u));
-        let _e47 = global_4.member.member_2;
-        let _e48 = (_e47 - 1u);
-        let _e51 = global_4.member.member_4;
-        let _e54 = global_4.member.member_3;
-        let _e59 = (_e44 + 1u);
-        let _e64 = (_e44 + 2u);
-        let _e69 = (_e44 + 3u);
-        let _e74 = (_e44 + 4u);
-        let _e79 = (_e44 + 5u);
-        let _e84 = (_e44 + 6u);
-        let _e89 = (_e44 + 7u);
-        phi_118_ = 0u;
-        phi_121_ = _e34;
-        phi_123_ = type_19(type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f));
-        phi_125_ = type_19(type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f), type_15(0f, 0f, 0f, 0f));
+    let _e21 = global;
+    let _e22 = global_1;
+    let _e23 = global_2;
+    let _e32 = ((((_e22.x + (_e22.y * _e23.x)) * 64u) + _e21.x) * 4u);
+    let _e35 = global_3.member.member;
+    if (_e32 < _e35) {
+        let _e39 = global_3.member.member_5;
+        let _e42 = (_e39 + (_e22.z * 8u));
+        let _e45 = global_3.member.member_2;
+        let _e46 = (_e45 - 1u);
+        let _e49 = global_3.member.member_4;
+        let _e52 = global_3.member.member_3;
+        let _e57 = (_e42 + 1u);
+        let _e62 = (_e42 + 2u);
+        let _e67 = (_e42 + 3u);
+        let _e72 = (_e42 + 4u);
+        let _e77 = (_e42 + 5u);
+        let _e82 = (_e42 + 6u);
+        let _e87 = (_e42 + 7u);
+        phi_116_ = 0u;
+        phi_119_ = _e32;
+        phi_121_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
+        phi_123_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
         loop {
-            let _e95 = phi_118_;
+            let _e93 = phi_116_;
+            let _e95 = phi_119_;
             let _e97 = phi_121_;
             let _e99 = phi_123_;
-            let _e101 = phi_125_;
-            local = _e101;
-            local_1 = _e101;
-            local_2 = _e101;
-            local_3 = _e101;
-            local_4 = _e99;
-            local_5 = _e99;
-            local_6 = _e99;
-            local_7 = _e99;
-            if (_e95 < _e54) {
-                let _e105 = global_4.member.member_1;
-                let _e108 = global_6.member[_e97];
-                let _e112 = global_6.member[(_e97 + 1u)];
-                let _e116 = global_6.member[(_e97 + 2u)];
-                let _e120 = global_6.member[(_e97 + 3u)];
-                let _e121 = (_e97 + _e105);
-                let _e124 = global_6.member[_e121];
-                let _e128 = global_6.member[(_e121 + 1u)];
-                let _e132 = global_6.member[(_e121 + 2u)];
-                let _e136 = global_6.member[(_e121 + 3u)];
-                let _e138 = (_e97 + (2u * _e105));
-                let _e141 = global_6.member[_e138];
-                let _e145 = global_6.member[(_e138 + 1u)];
-                let _e149 = global_6.member[(_e138 + 2u)];
-                let _e153 = global_6.member[(_e138 + 3u)];
-                let _e155 = (_e97 + (3u * _e105));
-                let _e158 = global_6.member[_e155];
-                let _e162 = global_6.member[(_e155 + 1u)];
-                let _e166 = global_6.member[(_e155 + 2u)];
-                let _e170 = global_6.member[(_e155 + 3u)];
-                let _e174 = global_3.member[((_e51 + (select(_e48, _e44, (_e44 < _e48)) * _e54)) + _e95)];
-                let _e178 = global_3.member[((_e51 + (select(_e48, _e59, (_e59 < _e48)) * _e54)) + _e95)];
-                let _e182 = global_3.member[((_e51 + (select(_e48, _e64, (_e64 < _e48)) * _e54)) + _e95)];
-                let _e186 = global_3.member[((_e51 + (select(_e48, _e69, (_e69 < _e48)) * _e54)) + _e95)];
-                let _e359 = global_3.member[((_e51 + (select(_e48, _e74, (_e74 < _e48)) * _e54)) + _e95)];
-                let _e363 = global_3.member[((_e51 + (select(_e48, _e79, (_e79 < _e48)) * _e54)) + _e95)];
-                let _e367 = global_3.member[((_e51 + (select(_e48, _e84, (_e84 < _e48)) * _e54)) + _e95)];
-                let _e371 = global_3.member[((_e51 + (select(_e48, _e89, (_e89 < _e48)) * _e54)) + _e95)];
-                local_8 = (_e95 + 1u);
-                local_9 = (_e97 + (4u * _e105));
-                local_10 = type_19(type_15(((_e158 * _e359.w) + ((_e141 * _e359.z) + ((_e124 * _e359.y) + ((_e108 * _e359.x) + _e99.member.member)))), ((_e162 * _e359.w) + ((_e145 * _e359.z) + ((_e128 * _e359.y) + ((_e112 * _e359.x) + _e99.member.member_1)))), ((_e166 * _e359.w) + ((_e149 * _e359.z) + ((_e132 * _e359.y) + ((_e116 * _e359.x) + _e99.member.member_2)))), ((_e170 * _e359.w) + ((_e153 * _e359.z) + ((_e136 * _e359.y) + ((_e120 * _e359.x) + _e99.member.member_3))))), type_15(((_e158 * _e363.w) + ((_e141 * _e363.z) + ((_e124 * _e363.y) + ((_e108 * _e363.x) + _e99.member_1.member)))), ((_e162 * _e363.w) + ((_e145 * _e363.z) + ((_e128 * _e363.y) + ((_e112 * _e363.x) + _e99.member_1.member_1)))), ((_e166 * _e363.w) + ((_e149 * _e363.z) + ((_e132 * _e363.y) + ((_e116 * _e363.x) + _e99.member_1.member_2)))), ((_e170 * _e363.w) + ((_e153 * _e363.z) + ((_e136 * _e363.y) + ((_e120 * _e363.x) + _e99.member_1.member_3))))), type_15(((_e158 * _e367.w) + ((_e141 * _e367.z) + ((_e124 * _e367.y) + ((_e108 * _e367.x) + _e99.member_2.member)))), ((_e162 * _e367.w) + ((_e145 * _e367.z) + ((_e128 * _e367.y) + ((_e112 * _e367.x) + _e99.member_2.member_1)))), ((_e166 * _e367.w) + ((_e149 * _e367.z) + ((_e132 * _e367.y) + ((_e116 * _e367.x) + _e99.member_2.member_2)))), ((_e170 * _e367.w) + ((_e153 * _e367.z) + ((_e136 * _e367.y) + ((_e120 * _e367.x) + _e99.member_2.member_3))))), type_15(((_e158 * _e371.w) + ((_e141 * _e371.z) + ((_e124 * _e371.y) + ((_e108 * _e371.x) + _e99.member_3.member)))), ((_e162 * _e371.w) + ((_e145 * _e371.z) + ((_e128 * _e371.y) + ((_e112 * _e371.x) + _e99.member_3.member_1)))), ((_e166 * _e371.w) + ((_e149 * _e371.z) + ((_e132 * _e371.y) + ((_e116 * _e371.x) + _e99.member_3.member_2)))), ((_e170 * _e371.w) + ((_e153 * _e371.z) + ((_e136 * _e371.y) + ((_e120 * _e371.x) + _e99.member_3.member_3))))));
-                local_11 = type_19(type_15(((_e158 * _e174.w) + ((_e141 * _e174.z) + ((_e124 * _e174.y) + ((_e108 * _e174.x) + _e101.member.member)))), ((_e162 * _e174.w) + ((_e145 * _e174.z) + ((_e128 * _e174.y) + ((_e112 * _e174.x) + _e101.member.member_1)))), ((_e166 * _e174.w) + ((_e149 * _e174.z) + ((_e132 * _e174.y) + ((_e116 * _e174.x) + _e101.member.member_2)))), ((_e170 * _e174.w) + ((_e153 * _e174.z) + ((_e136 * _e174.y) + ((_e120 * _e174.x) + _e101.member.member_3))))), type_15(((_e158 * _e178.w) + ((_e141 * _e178.z) + ((_e124 * _e178.y) + ((_e108 * _e178.x) + _e101.member_1.member)))), ((_e162 * _e178.w) + ((_e145 * _e178.z) + ((_e128 * _e178.y) + ((_e112 * _e178.x) + _e101.member_1.member_1)))), ((_e166 * _e178.w) + ((_e149 * _e178.z) + ((_e132 * _e178.y) + ((_e116 * _e178.x) + _e101.member_1.member_2)))), ((_e170 * _e178.w) + ((_e153 * _e178.z) + ((_e136 * _e178.y) + ((_e120 * _e178.x) + _e101.member_1.member_3))))), type_15(((_e158 * _e182.w) + ((_e141 * _e182.z) + ((_e124 * _e182.y) + ((_e108 * _e182.x) + _e101.member_2.member)))), ((_e162 * _e182.w) + ((_e145 * _e182.z) + ((_e128 * _e182.y) + ((_e112 * _e182.x) + _e101.member_2.member_1)))), ((_e166 * _e182.w) + ((_e149 * _e182.z) + ((_e132 * _e182.y) + ((_e116 * _e182.x) + _e101.member_2.member_2)))), ((_e170 * _e182.w) + ((_e153 * _e182.z) + ((_e136 * _e182.y) + ((_e120 * _e182.x) + _e101.member_2.member_3))))), type_15(((_e158 * _e186.w) + ((_e141 * _e186.z) + ((_e124 * _e186.y) + ((_e108 * _e186.x) + _e101.member_3.member)))), ((_e162 * _e186.w) + ((_e145 * _e186.z) + ((_e128 * _e186.y) + ((_e112 * _e186.x) + _e101.member_3.member_1)))), ((_e166 * _e186.w) + ((_e149 * _e186.z) + ((_e132 * _e186.y) + ((_e116 * _e186.x) + _e101.member_3.member_2)))), ((_e170 * _e186.w) + ((_e153 * _e186.z) + ((_e136 * _e186.y) + ((_e120 * _e186.x) + _e101.member_3.member_3))))));
+            local = _e99;
+            local_1 = _e99;
+            local_2 = _e99;
+            local_3 = _e99;
+            local_4 = _e97;
+            local_5 = _e97;
+            local_6 = _e97;
+            local_7 = _e97;
+            if (_e93 < _e52) {
+                let _e103 = global_3.member.member_1;
+                let _e106 = global_4.member[_e95];
+                let _e110 = global_4.member[(_e95 + 1u)];
+                let _e114 = global_4.member[(_e95 + 2u)];
+                let _e118 = global_4.member[(_e95 + 3u)];
+                let _e119 = (_e95 + _e103);
+                let _e122 = global_4.member[_e119];
+                let _e126 = global_4.member[(_e119 + 1u)];
+                let _e130 = global_4.member[(_e119 + 2u)];
+                let _e134 = global_4.member[(_e119 + 3u)];
+                let _e136 = (_e95 + (2u * _e103));
+                let _e139 = global_4.member[_e136];
+                let _e143 = global_4.member[(_e136 + 1u)];
+                let _e147 = global_4.member[(_e136 + 2u)];
+                let _e151 = global_4.member[(_e136 + 3u)];
+                let _e153 = (_e95 + (3u * _e103));
+                let _e156 = global_4.member[_e153];
+                let _e160 = global_4.member[(_e153 + 1u)];
+                let _e164 = global_4.member[(_e153 + 2u)];
+                let _e168 = global_4.member[(_e153 + 3u)];
+                let _e172 = global_5.member[((_e49 + (select(_e46, _e42, (_e42 < _e46)) * _e52)) + _e93)];
+                let _e176 = global_5.member[((_e49 + (select(_e46, _e57, (_e57 < _e46)) * _e52)) + _e93)];
+                let _e180 = global_5.member[((_e49 + (select(_e46, _e62, (_e62 < _e46)) * _e52)) + _e93)];
+                let _e184 = global_5.member[((_e49 + (select(_e46, _e67, (_e67 < _e46)) * _e52)) + _e93)];
+                let _e357 = global_5.member[((_e49 + (select(_e46, _e72, (_e72 < _e46)) * _e52)) + _e93)];
+                let _e361 = global_5.member[((_e49 + (select(_e46, _e77, (_e77 < _e46)) * _e52)) + _e93)];
+                let _e365 = global_5.member[((_e49 + (select(_e46, _e82, (_e82 < _e46)) * _e52)) + _e93)];
+                let _e369 = global_5.member[((_e49 + (select(_e46, _e87, (_e87 < _e46)) * _e52)) + _e93)];
+                local_8 = (_e93 + 1u);
+                local_9 = (_e95 + (4u * _e103));
+                local_10 = type_10(type_9(((_e156 * _e357.w) + ((_e139 * _e357.z) + ((_e122 * _e357.y) + ((_e106 * _e357.x) + _e97.member.member)))), ((_e160 * _e357.w) + ((_e143 * _e357.z) + ((_e126 * _e357.y) + ((_e110 * _e357.x) + _e97.member.member_1)))), ((_e164 * _e357.w) + ((_e147 * _e357.z) + ((_e130 * _e357.y) + ((_e114 * _e357.x) + _e97.member.member_2)))), ((_e168 * _e357.w) + ((_e151 * _e357.z) + ((_e134 * _e357.y) + ((_e118 * _e357.x) + _e97.member.member_3))))), type_9(((_e156 * _e361.w) + ((_e139 * _e361.z) + ((_e122 * _e361.y) + ((_e106 * _e361.x) + _e97.member_1.member)))), ((_e160 * _e361.w) + ((_e143 * _e361.z) + ((_e126 * _e361.y) + ((_e110 * _e361.x) + _e97.member_1.member_1)))), ((_e164 * _e361.w) + ((_e147 * _e361.z) + ((_e130 * _e361.y) + ((_e114 * _e361.x) + _e97.member_1.member_2)))), ((_e168 * _e361.w) + ((_e151 * _e361.z) + ((_e134 * _e361.y) + ((_e118 * _e361.x) + _e97.member_1.member_3))))), type_9(((_e156 * _e365.w) + ((_e139 * _e365.z) + ((_e122 * _e365.y) + ((_e106 * _e365.x) + _e97.member_2.member)))), ((_e160 * _e365.w) + ((_e143 * _e365.z) + ((_e126 * _e365.y) + ((_e110 * _e365.x) + _e97.member_2.member_1)))), ((_e164 * _e365.w) + ((_e147 * _e365.z) + ((_e130 * _e365.y) + ((_e114 * _e365.x) + _e97.member_2.member_2)))), ((_e168 * _e365.w) + ((_e151 * _e365.z) + ((_e134 * _e365.y) + ((_e118 * _e365.x) + _e97.member_2.member_3))))), type_9(((_e156 * _e369.w) + ((_e139 * _e369.z) + ((_e122 * _e369.y) + ((_e106 * _e369.x) + _e97.member_3.member)))), ((_e160 * _e369.w) + ((_e143 * _e369.z) + ((_e126 * _e369.y) + ((_e110 * _e369.x) + _e97.member_3.member_1)))), ((_e164 * _e369.w) + ((_e147 * _e369.z) + ((_e130 * _e369.y) + ((_e114 * _e369.x) + _e97.member_3.member_2)))), ((_e168 * _e369.w) + ((_e151 * _e369.z) + ((_e134 * _e369.y) + ((_e118 * _e369.x) + _e97.member_3.member_3))))));
+                local_11 = type_10(type_9(((_e156 * _e172.w) + ((_e139 * _e172.z) + ((_e122 * _e172.y) + ((_e106 * _e172.x) + _e99.member.member)))), ((_e160 * _e172.w) + ((_e143 * _e172.z) + ((_e126 * _e172.y) + ((_e110 * _e172.x) + _e99.member.member_1)))), ((_e164 * _e172.w) + ((_e147 * _e172.z) + ((_e130 * _e172.y) + ((_e114 * _e172.x) + _e99.member.member_2)))), ((_e168 * _e172.w) + ((_e151 * _e172.z) + ((_e134 * _e172.y) + ((_e118 * _e172.x) + _e99.member.member_3))))), type_9(((_e156 * _e176.w) + ((_e139 * _e176.z) + ((_e122 * _e176.y) + ((_e106 * _e176.x) + _e99.member_1.member)))), ((_e160 * _e176.w) + ((_e143 * _e176.z) + ((_e126 * _e176.y) + ((_e110 * _e176.x) + _e99.member_1.member_1)))), ((_e164 * _e176.w) + ((_e147 * _e176.z) + ((_e130 * _e176.y) + ((_e114 * _e176.x) + _e99.member_1.member_2)))), ((_e168 * _e176.w) + ((_e151 * _e176.z) + ((_e134 * _e176.y) + ((_e118 * _e176.x) + _e99.member_1.member_3))))), type_9(((_e156 * _e180.w) + ((_e139 * _e180.z) + ((_e122 * _e180.y) + ((_e106 * _e180.x) + _e99.member_2.member)))), ((_e160 * _e180.w) + ((_e143 * _e180.z) + ((_e126 * _e180.y) + ((_e110 * _e180.x) + _e99.member_2.member_1)))), ((_e164 * _e180.w) + ((_e147 * _e180.z) + ((_e130 * _e180.y) + ((_e114 * _e180.x) + _e99.member_2.member_2)))), ((_e168 * _e180.w) + ((_e151 * _e180.z) + ((_e134 * _e180.y) + ((_e118 * _e180.x) + _e99.member_2.member_3))))), type_9(((_e156 * _e184.w) + ((_e139 * _e184.z) + ((_e122 * _e184.y) + ((_e106 * _e184.x) + _e99.member_3.member)))), ((_e160 * _e184.w) + ((_e143 * _e184.z) + ((_e126 * _e184.y) + ((_e110 * _e184.x) + _e99.member_3.member_1)))), ((_e164 * _e184.w) + ((_e147 * _e184.z) + ((_e130 * _e184.y) + ((_e114 * _e184.x) + _e99.member_3.member_2)))), ((_e168 * _e184.w) + ((_e151 * _e184.z) + ((_e134 * _e184.y) + ((_e118 * _e184.x) + _e99.member_3.member_3))))));
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e1011 = local_8;
-                phi_118_ = _e1011;
-                let _e1014 = local_9;
-                phi_121_ = _e1014;
-                let _e1017 = local_10;
-                phi_123_ = _e1017;
-                let _e1020 = local_11;
-                phi_125_ = _e1020;
+                let _e1009 = local_8;
+                phi_116_ = _e1009;
+                let _e1012 = local_9;
+                phi_119_ = _e1012;
+                let _e1015 = local_10;
+                phi_121_ = _e1015;
+                let _e1018 = local_11;
+                phi_123_ = _e1018;
             }
         }
-        let _e544 = (_e37 - _e34);
-        let _e547 = global_4.member.member_1;
-        let _e549 = ((_e44 * _e547) + _e34);
-        let _e552 = global_4.member.member_6;
-        if (_e44 < _e552) {
-            let _e555 = local;
-            let _e559 = global_4.member.member_7;
-            if (_e559 == 0u) {
-                phi_584_ = _e555.member;
+        let _e542 = (_e35 - _e32);
+        let _e545 = global_3.member.member_1;
+        let _e547 = ((_e42 * _e545) + _e32);
+        let _e550 = global_3.member.member_6;
+        if (_e42 < _e550) {
+            let _e553 = local;
+            let _e557 = global_3.member.member_7;
+            if (_e557 == 0u) {
+                phi_582_ = _e553.member;
             } else {
-                let _e563 = global_5.member[_e549];
-                let _e567 = global_5.member[(_e549 + 1u)];
-                let _e571 = global_5.member[(_e549 + 2u)];
-                let _e575 = global_5.member[(_e549 + 3u)];
-                phi_584_ = type_15(select(0f, _e555.member.member, (0f < _e563)), select(0f, _e555.member.member_1, (0f < _e567)), select(0f, _e555.member.member_2, (0f < _e571)), select(0f, _e555.member.member_3, (0f < _e575)));
+                let _e561 = global_6.member[_e547];
+                let _e565 = global_6.member[(_e547 + 1u)];
+                let _e569 = global_6.member[(_e547 + 2u)];
+                let _e573 = global_6.member[(_e547 + 3u)];
+                phi_582_ = type_9(select(0f, _e553.member.member, (0f < _e561)), select(0f, _e553.member.member_1, (0f < _e565)), select(0f, _e553.member.member_2, (0f < _e569)), select(0f, _e553.member.member_3, (0f < _e573)));
             }
-            let _e590 = phi_584_;
-            global_7.member[_e549] = _e590.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e549 + 1u)] = _e590.member_1;
+            let _e588 = phi_582_;
+            global_7.member[_e547] = _e588.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e547 + 1u)] = _e588.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e549 + 2u)] = _e590.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e547 + 2u)] = _e588.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e549 + 3u)] = _e590.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e547 + 3u)] = _e588.member_3;
             }
         }
-        let _e609 = (_e549 + _e547);
-        if (_e59 < _e552) {
-            let _e612 = local_1;
-            let _e616 = global_4.member.member_7;
-            if (_e616 == 0u) {
-                phi_644_ = _e612.member_1;
+        let _e607 = (_e547 + _e545);
+        if (_e57 < _e550) {
+            let _e610 = local_1;
+            let _e614 = global_3.member.member_7;
+            if (_e614 == 0u) {
+                phi_642_ = _e610.member_1;
             } else {
-                let _e620 = global_5.member[_e609];
-                let _e624 = global_5.member[(_e609 + 1u)];
-                let _e628 = global_5.member[(_e609 + 2u)];
-                let _e632 = global_5.member[(_e609 + 3u)];
-                phi_644_ = type_15(select(0f, _e612.member_1.member, (0f < _e620)), select(0f, _e612.member_1.member_1, (0f < _e624)), select(0f, _e612.member_1.member_2, (0f < _e628)), select(0f, _e612.member_1.member_3, (0f < _e632)));
+                let _e618 = global_6.member[_e607];
+                let _e622 = global_6.member[(_e607 + 1u)];
+                let _e626 = global_6.member[(_e607 + 2u)];
+                let _e630 = global_6.member[(_e607 + 3u)];
+                phi_642_ = type_9(select(0f, _e610.member_1.member, (0f < _e618)), select(0f, _e610.member_1.member_1, (0f < _e622)), select(0f, _e610.member_1.member_2, (0f < _e626)), select(0f, _e610.member_1.member_3, (0f < _e630)));
             }
-            let _e647 = phi_644_;
-            global_7.member[_e609] = _e647.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e609 + 1u)] = _e647.member_1;
+            let _e645 = phi_642_;
+            global_7.member[_e607] = _e645.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e607 + 1u)] = _e645.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e609 + 2u)] = _e647.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e607 + 2u)] = _e645.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e609 + 3u)] = _e647.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e607 + 3u)] = _e645.member_3;
             }
         }
-        let _e666 = (_e609 + _e547);
-        if (_e64 < _e552) {
-            let _e669 = local_2;
-            let _e673 = global_4.member.member_7;
-            if (_e673 == 0u) {
-                phi_704_ = _e669.member_2;
+        let _e664 = (_e607 + _e545);
+        if (_e62 < _e550) {
+            let _e667 = local_2;
+            let _e671 = global_3.member.member_7;
+            if (_e671 == 0u) {
+                phi_702_ = _e667.member_2;
             } else {
-                let _e677 = global_5.member[_e666];
-                let _e681 = global_5.member[(_e666 + 1u)];
-                let _e685 = global_5.member[(_e666 + 2u)];
-                let _e689 = global_5.member[(_e666 + 3u)];
-                phi_704_ = type_15(select(0f, _e669.member_2.member, (0f < _e677)), select(0f, _e669.member_2.member_1, (0f < _e681)), select(0f, _e669.member_2.member_2, (0f < _e685)), select(0f, _e669.member_2.member_3, (0f < _e689)));
+                let _e675 = global_6.member[_e664];
+                let _e679 = global_6.member[(_e664 + 1u)];
+                let _e683 = global_6.member[(_e664 + 2u)];
+                let _e687 = global_6.member[(_e664 + 3u)];
+                phi_702_ = type_9(select(0f, _e667.member_2.member, (0f < _e675)), select(0f, _e667.member_2.member_1, (0f < _e679)), select(0f, _e667.member_2.member_2, (0f < _e683)), select(0f, _e667.member_2.member_3, (0f < _e687)));
             }
-            let _e704 = phi_704_;
-            global_7.member[_e666] = _e704.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e666 + 1u)] = _e704.member_1;
+            let _e702 = phi_702_;
+            global_7.member[_e664] = _e702.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e664 + 1u)] = _e702.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e666 + 2u)] = _e704.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e664 + 2u)] = _e702.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e666 + 3u)] = _e704.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e664 + 3u)] = _e702.member_3;
             }
         }
-        let _e723 = (_e666 + _e547);
-        if (_e69 < _e552) {
-            let _e726 = local_3;
-            let _e730 = global_4.member.member_7;
-            if (_e730 == 0u) {
-                phi_764_ = _e726.member_3;
+        let _e721 = (_e664 + _e545);
+        if (_e67 < _e550) {
+            let _e724 = local_3;
+            let _e728 = global_3.member.member_7;
+            if (_e728 == 0u) {
+                phi_762_ = _e724.member_3;
             } else {
-                let _e734 = global_5.member[_e723];
-                let _e738 = global_5.member[(_e723 + 1u)];
-                let _e742 = global_5.member[(_e723 + 2u)];
-                let _e746 = global_5.member[(_e723 + 3u)];
-                phi_764_ = type_15(select(0f, _e726.member_3.member, (0f < _e734)), select(0f, _e726.member_3.member_1, (0f < _e738)), select(0f, _e726.member_3.member_2, (0f < _e742)), select(0f, _e726.member_3.member_3, (0f < _e746)));
+                let _e732 = global_6.member[_e721];
+                let _e736 = global_6.member[(_e721 + 1u)];
+                let _e740 = global_6.member[(_e721 + 2u)];
+                let _e744 = global_6.member[(_e721 + 3u)];
+                phi_762_ = type_9(select(0f, _e724.member_3.member, (0f < _e732)), select(0f, _e724.member_3.member_1, (0f < _e736)), select(0f, _e724.member_3.member_2, (0f < _e740)), select(0f, _e724.member_3.member_3, (0f < _e744)));
             }
-            let _e761 = phi_764_;
-            global_7.member[_e723] = _e761.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e723 + 1u)] = _e761.member_1;
+            let _e759 = phi_762_;
+            global_7.member[_e721] = _e759.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e721 + 1u)] = _e759.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e723 + 2u)] = _e761.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e721 + 2u)] = _e759.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e723 + 3u)] = _e761.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e721 + 3u)] = _e759.member_3;
             }
         }
-        let _e781 = ((_e74 * _e547) + _e34);
-        if (_e74 < _e552) {
-            let _e784 = local_4;
-            let _e788 = global_4.member.member_7;
-            if (_e788 == 0u) {
-                phi_825_ = _e784.member;
+        let _e779 = ((_e72 * _e545) + _e32);
+        if (_e72 < _e550) {
+            let _e782 = local_4;
+            let _e786 = global_3.member.member_7;
+            if (_e786 == 0u) {
+                phi_823_ = _e782.member;
             } else {
-                let _e792 = global_5.member[_e781];
-                let _e796 = global_5.member[(_e781 + 1u)];
-                let _e800 = global_5.member[(_e781 + 2u)];
-                let _e804 = global_5.member[(_e781 + 3u)];
-                phi_825_ = type_15(select(0f, _e784.member.member, (0f < _e792)), select(0f, _e784.member.member_1, (0f < _e796)), select(0f, _e784.member.member_2, (0f < _e800)), select(0f, _e784.member.member_3, (0f < _e804)));
+                let _e790 = global_6.member[_e779];
+                let _e794 = global_6.member[(_e779 + 1u)];
+                let _e798 = global_6.member[(_e779 + 2u)];
+                let _e802 = global_6.member[(_e779 + 3u)];
+                phi_823_ = type_9(select(0f, _e782.member.member, (0f < _e790)), select(0f, _e782.member.member_1, (0f < _e794)), select(0f, _e782.member.member_2, (0f < _e798)), select(0f, _e782.member.member_3, (0f < _e802)));
             }
-            let _e819 = phi_825_;
-            global_7.member[_e781] = _e819.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e781 + 1u)] = _e819.member_1;
+            let _e817 = phi_823_;
+            global_7.member[_e779] = _e817.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e779 + 1u)] = _e817.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e781 + 2u)] = _e819.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e779 + 2u)] = _e817.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e781 + 3u)] = _e819.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e779 + 3u)] = _e817.member_3;
             }
         }
-        let _e838 = (_e781 + _e547);
-        if (_e79 < _e552) {
-            let _e841 = local_5;
-            let _e845 = global_4.member.member_7;
-            if (_e845 == 0u) {
-                phi_885_ = _e841.member_1;
+        let _e836 = (_e779 + _e545);
+        if (_e77 < _e550) {
+            let _e839 = local_5;
+            let _e843 = global_3.member.member_7;
+            if (_e843 == 0u) {
+                phi_883_ = _e839.member_1;
             } else {
-                let _e849 = global_5.member[_e838];
-                let _e853 = global_5.member[(_e838 + 1u)];
-                let _e857 = global_5.member[(_e838 + 2u)];
-                let _e861 = global_5.member[(_e838 + 3u)];
-                phi_885_ = type_15(select(0f, _e841.member_1.member, (0f < _e849)), select(0f, _e841.member_1.member_1, (0f < _e853)), select(0f, _e841.member_1.member_2, (0f < _e857)), select(0f, _e841.member_1.member_3, (0f < _e861)));
+                let _e847 = global_6.member[_e836];
+                let _e851 = global_6.member[(_e836 + 1u)];
+                let _e855 = global_6.member[(_e836 + 2u)];
+                let _e859 = global_6.member[(_e836 + 3u)];
+                phi_883_ = type_9(select(0f, _e839.member_1.member, (0f < _e847)), select(0f, _e839.member_1.member_1, (0f < _e851)), select(0f, _e839.member_1.member_2, (0f < _e855)), select(0f, _e839.member_1.member_3, (0f < _e859)));
             }
-            let _e876 = phi_885_;
-            global_7.member[_e838] = _e876.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e838 + 1u)] = _e876.member_1;
+            let _e874 = phi_883_;
+            global_7.member[_e836] = _e874.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e836 + 1u)] = _e874.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e838 + 2u)] = _e876.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e836 + 2u)] = _e874.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e838 + 3u)] = _e876.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e836 + 3u)] = _e874.member_3;
             }
         }
-        let _e895 = (_e838 + _e547);
-        if (_e84 < _e552) {
-            let _e898 = local_6;
-            let _e902 = global_4.member.member_7;
-            if (_e902 == 0u) {
-                phi_945_ = _e898.member_2;
+        let _e893 = (_e836 + _e545);
+        if (_e82 < _e550) {
+            let _e896 = local_6;
+            let _e900 = global_3.member.member_7;
+            if (_e900 == 0u) {
+                phi_943_ = _e896.member_2;
             } else {
-                let _e906 = global_5.member[_e895];
-                let _e910 = global_5.member[(_e895 + 1u)];
-                let _e914 = global_5.member[(_e895 + 2u)];
-                let _e918 = global_5.member[(_e895 + 3u)];
-                phi_945_ = type_15(select(0f, _e898.member_2.member, (0f < _e906)), select(0f, _e898.member_2.member_1, (0f < _e910)), select(0f, _e898.member_2.member_2, (0f < _e914)), select(0f, _e898.member_2.member_3, (0f < _e918)));
+                let _e904 = global_6.member[_e893];
+                let _e908 = global_6.member[(_e893 + 1u)];
+                let _e912 = global_6.member[(_e893 + 2u)];
+                let _e916 = global_6.member[(_e893 + 3u)];
+                phi_943_ = type_9(select(0f, _e896.member_2.member, (0f < _e904)), select(0f, _e896.member_2.member_1, (0f < _e908)), select(0f, _e896.member_2.member_2, (0f < _e912)), select(0f, _e896.member_2.member_3, (0f < _e916)));
             }
-            let _e933 = phi_945_;
-            global_7.member[_e895] = _e933.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e895 + 1u)] = _e933.member_1;
+            let _e931 = phi_943_;
+            global_7.member[_e893] = _e931.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e893 + 1u)] = _e931.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e895 + 2u)] = _e933.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e893 + 2u)] = _e931.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e895 + 3u)] = _e933.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e893 + 3u)] = _e931.member_3;
             }
         }
-        let _e952 = (_e895 + _e547);
-        if (_e89 < _e552) {
-            let _e955 = local_7;
-            let _e959 = global_4.member.member_7;
-            if (_e959 == 0u) {
-                phi_1005_ = _e955.member_3;
+        let _e950 = (_e893 + _e545);
+        if (_e87 < _e550) {
+            let _e953 = local_7;
+            let _e957 = global_3.member.member_7;
+            if (_e957 == 0u) {
+                phi_1003_ = _e953.member_3;
             } else {
-                let _e963 = global_5.member[_e952];
-                let _e967 = global_5.member[(_e952 + 1u)];
-                let _e971 = global_5.member[(_e952 + 2u)];
-                let _e975 = global_5.member[(_e952 + 3u)];
-                phi_1005_ = type_15(select(0f, _e955.member_3.member, (0f < _e963)), select(0f, _e955.member_3.member_1, (0f < _e967)), select(0f, _e955.member_3.member_2, (0f < _e971)), select(0f, _e955.member_3.member_3, (0f < _e975)));
+                let _e961 = global_6.member[_e950];
+                let _e965 = global_6.member[(_e950 + 1u)];
+                let _e969 = global_6.member[(_e950 + 2u)];
+                let _e973 = global_6.member[(_e950 + 3u)];
+                phi_1003_ = type_9(select(0f, _e953.member_3.member, (0f < _e961)), select(0f, _e953.member_3.member_1, (0f < _e965)), select(0f, _e953.member_3.member_2, (0f < _e969)), select(0f, _e953.member_3.member_3, (0f < _e973)));
             }
-            let _e990 = phi_1005_;
-            global_7.member[_e952] = _e990.member;
-            if (_e544 > 1u) {
-                global_7.member[(_e952 + 1u)] = _e990.member_1;
+            let _e988 = phi_1003_;
+            global_7.member[_e950] = _e988.member;
+            if (_e542 > 1u) {
+                global_7.member[(_e950 + 1u)] = _e988.member_1;
             }
-            if (_e544 > 2u) {
-                global_7.member[(_e952 + 2u)] = _e990.member_2;
+            if (_e542 > 2u) {
+                global_7.member[(_e950 + 2u)] = _e988.member_2;
             }
-            if (_e544 > 3u) {
-                global_7.member[(_e952 + 3u)] = _e990.member_3;
+            if (_e542 > 3u) {
+                global_7.member[(_e950 + 3u)] = _e988.member_3;
             }
         }
     }

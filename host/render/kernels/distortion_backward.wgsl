@@ -1,32 +1,32 @@
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: f32,
 }
 
-struct type_5 {
-    member: type_4,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_9 {
-    member: array<i32>,
-}
-
-struct type_12 {
+struct type_11 {
     member: array<f32>,
+}
+
+struct type_16 {
+    member: array<i32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_2: type_5;
-@group(0) @binding(1) 
-var<storage> global_3: type_9;
+var<uniform> global_2: type_6;
 @group(0) @binding(2) 
-var<storage> global_4: type_12;
+var<storage> global_3: type_11;
+@group(0) @binding(1) 
+var<storage> global_4: type_16;
 @group(0) @binding(3) 
-var<storage> global_5: type_12;
+var<storage> global_5: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> global_6: type_12;
+var<storage, read_write> global_6: type_11;
 
 fn function_() {
     let _e20 = global;
@@ -40,12 +40,12 @@ fn function_() {
             let _e38 = (_e32 * _e32);
             let _e39 = (_e21.z * 4u);
             let _e41 = ((_e39 * _e38) + _e37);
-            let _e44 = global_4.member[_e41];
+            let _e44 = global_3.member[_e41];
             let _e45 = (_e41 + _e38);
-            let _e48 = global_4.member[_e45];
+            let _e48 = global_3.member[_e45];
             let _e50 = (_e41 + (3u * _e38));
-            let _e53 = global_4.member[_e50];
-            let _e57 = global_3.member[(_e39 + 3u)];
+            let _e53 = global_3.member[_e50];
+            let _e57 = global_4.member[(_e39 + 3u)];
             let _e63 = global_5.member[((bitcast<u32>(_e57) * _e38) + _e37)];
             let _e66 = select(false, (0.000000000000000000000000000000000000011754944f <= _e44), (0.000000000000000000000000000000000000011754944f <= _e53));
             let _e68 = (1f / select(1f, _e53, _e66));

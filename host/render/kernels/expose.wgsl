@@ -1,27 +1,27 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_10 {
+struct type_4 {
     member: u32,
     member_1: u32,
 }
 
+struct type_5 {
+    member: type_4,
+}
+
 struct type_11 {
-    member: type_10,
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_11;
-@group(0) @binding(1) 
-var<storage> global_4: type_5;
+var<uniform> global_3: type_5;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_4: type_11;
+@group(0) @binding(1) 
+var<storage> global_5: type_11;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_5;
+var<storage, read_write> global_6: type_11;
 
 fn function_() {
     switch bitcast<i32>(0u) {
@@ -38,9 +38,9 @@ fn function_() {
                     break;
                 }
                 let _e34 = ((_e22 / _e26) * 2u);
-                let _e37 = global_5.member[_e34];
-                let _e40 = global_4.member[_e22];
-                let _e45 = global_5.member[(_e34 + 1u)];
+                let _e37 = global_4.member[_e34];
+                let _e40 = global_5.member[_e22];
+                let _e45 = global_4.member[(_e34 + 1u)];
                 global_6.member[_e22] = ((_e37 * _e40) + _e45);
             }
             break;

@@ -1,12 +1,4 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_15 {
+struct type_4 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -16,11 +8,19 @@ struct type_15 {
     member_6: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_18 {
+struct type_11 {
+    member: array<f32>,
+}
+
+struct type_15 {
+    member: array<u32>,
+}
+
+struct type_17 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -30,7 +30,7 @@ struct type_18 {
 }
 
 struct type_20 {
-    member: array<type_18>,
+    member: array<type_17>,
 }
 
 struct type_26 {
@@ -40,66 +40,66 @@ struct type_26 {
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(2) 
-var<storage> global_3: type_5;
 @group(0) @binding(0) 
-var<uniform> global_4: type_16;
-@group(0) @binding(1) 
-var<storage> global_5: type_20;
-@group(0) @binding(3) 
-var<storage> global_6: type_5;
+var<uniform> global_3: type_5;
 @group(0) @binding(4) 
-var<storage> global_7: type_5;
-@group(0) @binding(5) 
-var<storage, read_write> global_8: type_26;
+var<storage> global_4: type_11;
+@group(0) @binding(3) 
+var<storage> global_5: type_11;
+@group(0) @binding(7) 
+var<storage, read_write> global_6: type_26;
+@group(0) @binding(1) 
+var<storage> global_7: type_20;
+@group(0) @binding(2) 
+var<storage> global_8: type_11;
 @group(0) @binding(6) 
 var<storage, read_write> global_9: type_26;
-@group(0) @binding(7) 
+@group(0) @binding(5) 
 var<storage, read_write> global_10: type_26;
 
 fn function_() {
-    var phi_205_: u32;
-    var phi_208_: u32;
+    var phi_203_: u32;
+    var phi_206_: u32;
+    var phi_208_: f32;
     var phi_210_: f32;
-    var phi_212_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_397_: array<u32, 8>;
-    var phi_465_: u32;
-    var phi_468_: u32;
-    var phi_487_: f32;
-    var phi_497_: u32;
-    var phi_511_: u32;
-    var phi_513_: array<u32, 2>;
-    var phi_534_: f32;
-    var phi_544_: u32;
-    var phi_558_: u32;
-    var phi_560_: array<u32, 2>;
-    var phi_581_: f32;
-    var phi_591_: u32;
-    var phi_605_: u32;
-    var phi_607_: array<u32, 2>;
-    var phi_628_: f32;
-    var phi_638_: u32;
-    var phi_652_: u32;
-    var phi_654_: array<u32, 2>;
-    var phi_675_: f32;
-    var phi_685_: u32;
-    var phi_699_: u32;
-    var phi_701_: array<u32, 2>;
-    var phi_722_: f32;
-    var phi_732_: u32;
-    var phi_746_: u32;
-    var phi_748_: array<u32, 2>;
-    var phi_769_: f32;
-    var phi_779_: u32;
-    var phi_793_: u32;
-    var phi_795_: array<u32, 2>;
-    var phi_816_: f32;
-    var phi_826_: u32;
-    var phi_840_: u32;
-    var phi_842_: array<u32, 2>;
+    var phi_395_: array<u32, 8>;
+    var phi_463_: u32;
+    var phi_466_: u32;
+    var phi_485_: f32;
+    var phi_495_: u32;
+    var phi_509_: u32;
+    var phi_511_: array<u32, 2>;
+    var phi_532_: f32;
+    var phi_542_: u32;
+    var phi_556_: u32;
+    var phi_558_: array<u32, 2>;
+    var phi_579_: f32;
+    var phi_589_: u32;
+    var phi_603_: u32;
+    var phi_605_: array<u32, 2>;
+    var phi_626_: f32;
+    var phi_636_: u32;
+    var phi_650_: u32;
+    var phi_652_: array<u32, 2>;
+    var phi_673_: f32;
+    var phi_683_: u32;
+    var phi_697_: u32;
+    var phi_699_: array<u32, 2>;
+    var phi_720_: f32;
+    var phi_730_: u32;
+    var phi_744_: u32;
+    var phi_746_: array<u32, 2>;
+    var phi_767_: f32;
+    var phi_777_: u32;
+    var phi_791_: u32;
+    var phi_793_: array<u32, 2>;
+    var phi_814_: f32;
+    var phi_824_: u32;
+    var phi_838_: u32;
+    var phi_840_: array<u32, 2>;
     var local_3: u32;
     var local_4: u32;
     var local_5: f32;
@@ -109,488 +109,488 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e32 = global;
-            let _e33 = global_1;
-            let _e34 = global_2;
-            let _e40 = ((_e33.x + (_e33.y * _e34.x)) * 64u);
-            let _e45 = global_4.member.member;
-            if ((_e40 + _e32.x) < _e45) {
-                let _e49 = global_4.member.member_3;
-                let _e53 = global_4.member.member_2;
-                let _e58 = global_4.member.member_6;
-                let _e61 = global_4.member.member_4;
-                let _e62 = (_e61 == 0u);
-                if _e62 {
+            let _e30 = global;
+            let _e31 = global_1;
+            let _e32 = global_2;
+            let _e38 = ((_e31.x + (_e31.y * _e32.x)) * 64u);
+            let _e43 = global_3.member.member;
+            if ((_e38 + _e30.x) < _e43) {
+                let _e47 = global_3.member.member_3;
+                let _e51 = global_3.member.member_2;
+                let _e56 = global_3.member.member_6;
+                let _e59 = global_3.member.member_4;
+                let _e60 = (_e59 == 0u);
+                if _e60 {
                     break;
                 }
-                let _e63 = (_e40 / _e61);
-                let _e66 = global_4.member.member_1;
-                let _e70 = (_e40 - (_e63 * _e61));
-                let _e74 = ((((_e63 * (_e58 * _e66)) + _e70) + _e32.x) + ((_e53 + (_e33.z * _e49)) * _e66));
-                let _e77 = global_7.member[2u];
-                phi_205_ = 0u;
-                phi_208_ = _e74;
+                let _e61 = (_e38 / _e59);
+                let _e64 = global_3.member.member_1;
+                let _e68 = (_e38 - (_e61 * _e59));
+                let _e72 = ((((_e61 * (_e56 * _e64)) + _e68) + _e30.x) + ((_e51 + (_e31.z * _e47)) * _e64));
+                let _e75 = global_4.member[2u];
+                phi_203_ = 0u;
+                phi_206_ = _e72;
+                phi_208_ = 0f;
                 phi_210_ = 0f;
-                phi_212_ = 0f;
                 loop {
-                    let _e79 = phi_205_;
+                    let _e77 = phi_203_;
+                    let _e79 = phi_206_;
                     let _e81 = phi_208_;
                     let _e83 = phi_210_;
-                    let _e85 = phi_212_;
-                    local = _e83;
-                    local_1 = _e85;
-                    local_2 = _e83;
-                    if (_e79 < _e49) {
-                        let _e89 = global_6.member[_e81];
-                        let _e90 = -(_e89);
-                        let _e92 = select(_e90, _e89, (_e89 > _e90));
-                        local_3 = (_e79 + 1u);
-                        local_4 = (_e81 + _e66);
-                        local_5 = select(1f, _e83, (_e92 <= _e77));
-                        local_6 = select(_e92, _e85, (_e85 > _e92));
+                    local = _e81;
+                    local_1 = _e83;
+                    local_2 = _e81;
+                    if (_e77 < _e47) {
+                        let _e87 = global_5.member[_e79];
+                        let _e88 = -(_e87);
+                        let _e90 = select(_e88, _e87, (_e87 > _e88));
+                        local_3 = (_e77 + 1u);
+                        local_4 = (_e79 + _e64);
+                        local_5 = select(1f, _e81, (_e90 <= _e75));
+                        local_6 = select(_e90, _e83, (_e83 > _e90));
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e746 = local_3;
-                        phi_205_ = _e746;
-                        let _e749 = local_4;
-                        phi_208_ = _e749;
-                        let _e752 = local_5;
-                        phi_210_ = _e752;
-                        let _e755 = local_6;
-                        phi_212_ = _e755;
+                        let _e744 = local_3;
+                        phi_203_ = _e744;
+                        let _e747 = local_4;
+                        phi_206_ = _e747;
+                        let _e750 = local_5;
+                        phi_208_ = _e750;
+                        let _e753 = local_6;
+                        phi_210_ = _e753;
                     }
                 }
-                let _e100 = local;
-                if (0f < _e100) {
-                    let _e104 = atomicMax((&global_10.member[0u]), 1u);
+                let _e98 = local;
+                if (0f < _e98) {
+                    let _e102 = atomicMax((&global_6.member[0u]), 1u);
                 }
-                let _e106 = local_1;
-                let _e109 = local_2;
-                let _e111 = select(false, (_e109 < 1f), (0.000000000000000000000000000000000000011754944f <= _e106));
-                if _e111 {
-                    let _e114 = global_5.member[_e33.z];
-                    let _e117 = global_4.member.member_5;
-                    if _e62 {
+                let _e104 = local_1;
+                let _e107 = local_2;
+                let _e109 = select(false, (_e107 < 1f), (0.000000000000000000000000000000000000011754944f <= _e104));
+                if _e109 {
+                    let _e112 = global_7.member[_e31.z];
+                    let _e115 = global_3.member.member_5;
+                    if _e60 {
                         break;
                     }
-                    let _e121 = (((_e63 * (_e117 * _e66)) + _e70) + _e32.x);
-                    let _e124 = global_3.member[_e121];
-                    let _e125 = (3u * _e66);
-                    let _e129 = global_3.member[(_e121 + _e125)];
-                    let _e130 = (_e66 + _e121);
-                    let _e133 = global_3.member[_e130];
-                    let _e137 = global_3.member[(_e130 + _e125)];
-                    let _e139 = ((2u * _e66) + _e121);
-                    let _e142 = global_3.member[_e139];
-                    let _e146 = global_3.member[(_e139 + _e125)];
-                    let _e147 = (_e124 + _e129);
-                    let _e150 = select(false, (_e147 < 1f), (0f < _e147));
-                    let _e153 = select(select(0f, 1f, (1f <= _e147)), _e124, _e150);
-                    let _e156 = (_e153 * _e114.member);
-                    let _e159 = (_e114.member + _e114.member_1);
-                    let _e163 = trunc(_e156);
-                    let _e165 = ((_e156 - _e163) + (((_e153 * _e114.member_1) + (select(0f, _e129, _e150) * _e159)) + 0.5f));
-                    let _e167 = select(0f, _e165, (_e165 > 0f));
-                    let _e168 = trunc(_e167);
-                    let _e169 = (_e167 - _e168);
-                    let _e171 = u32((_e163 + _e168));
-                    let _e172 = (_e133 + _e137);
-                    let _e175 = select(false, (_e172 < 1f), (0f < _e172));
-                    let _e178 = select(select(0f, 1f, (1f <= _e172)), _e133, _e175);
-                    let _e180 = (_e178 * _e114.member);
-                    let _e185 = trunc(_e180);
-                    let _e187 = ((_e180 - _e185) + (((_e178 * _e114.member_1) + (select(0f, _e137, _e175) * _e159)) + 0.5f));
-                    let _e189 = select(0f, _e187, (_e187 > 0f));
-                    let _e190 = trunc(_e189);
-                    let _e191 = (_e189 - _e190);
-                    let _e193 = u32((_e185 + _e190));
-                    let _e194 = (_e142 + _e146);
-                    let _e197 = select(false, (_e194 < 1f), (0f < _e194));
-                    let _e200 = select(select(0f, 1f, (1f <= _e194)), _e142, _e197);
-                    let _e202 = (_e200 * _e114.member);
-                    let _e207 = trunc(_e202);
-                    let _e209 = ((_e202 - _e207) + (((_e200 * _e114.member_1) + (select(0f, _e146, _e197) * _e159)) + 0.5f));
-                    let _e211 = select(0f, _e209, (_e209 > 0f));
-                    let _e212 = trunc(_e211);
-                    let _e213 = (_e211 - _e212);
-                    let _e215 = u32((_e207 + _e212));
-                    let _e216 = (1f - _e169);
-                    let _e217 = (1f - _e191);
-                    let _e218 = (1f - _e213);
-                    let _e219 = (_e216 * _e217);
-                    let _e220 = (_e169 * _e217);
-                    let _e221 = (_e216 * _e191);
-                    let _e222 = (_e169 * _e191);
-                    if (_e114.member_5 == 0u) {
-                        let _e272 = (_e114.member_2 * _e114.member_2);
-                        let _e273 = (_e193 * _e114.member_2);
-                        let _e274 = (_e215 * _e272);
-                        let _e275 = (_e171 + 1u);
-                        let _e276 = (_e273 + _e114.member_2);
-                        let _e277 = (_e274 + _e272);
-                        let _e278 = (_e171 + _e273);
-                        let _e279 = (_e278 + _e274);
-                        let _e284 = (_e275 + _e273);
-                        let _e285 = (_e284 + _e274);
-                        let _e290 = (_e171 + _e276);
-                        let _e291 = (_e290 + _e274);
-                        let _e296 = (_e275 + _e276);
-                        let _e297 = (_e296 + _e274);
-                        let _e302 = (_e278 + _e277);
-                        let _e307 = (_e284 + _e277);
-                        let _e312 = (_e290 + _e277);
-                        let _e317 = (_e296 + _e277);
-                        phi_397_ = array<u32, 8>((select((_e279 - _e114.member_4), _e279, (_e279 < _e114.member_4)) + _e114.member_3), (select((_e285 - _e114.member_4), _e285, (_e285 < _e114.member_4)) + _e114.member_3), (select((_e291 - _e114.member_4), _e291, (_e291 < _e114.member_4)) + _e114.member_3), (select((_e297 - _e114.member_4), _e297, (_e297 < _e114.member_4)) + _e114.member_3), (select((_e302 - _e114.member_4), _e302, (_e302 < _e114.member_4)) + _e114.member_3), (select((_e307 - _e114.member_4), _e307, (_e307 < _e114.member_4)) + _e114.member_3), (select((_e312 - _e114.member_4), _e312, (_e312 < _e114.member_4)) + _e114.member_3), (select((_e317 - _e114.member_4), _e317, (_e317 < _e114.member_4)) + _e114.member_3));
+                    let _e119 = (((_e61 * (_e115 * _e64)) + _e68) + _e30.x);
+                    let _e122 = global_8.member[_e119];
+                    let _e123 = (3u * _e64);
+                    let _e127 = global_8.member[(_e119 + _e123)];
+                    let _e128 = (_e64 + _e119);
+                    let _e131 = global_8.member[_e128];
+                    let _e135 = global_8.member[(_e128 + _e123)];
+                    let _e137 = ((2u * _e64) + _e119);
+                    let _e140 = global_8.member[_e137];
+                    let _e144 = global_8.member[(_e137 + _e123)];
+                    let _e145 = (_e122 + _e127);
+                    let _e148 = select(false, (_e145 < 1f), (0f < _e145));
+                    let _e151 = select(select(0f, 1f, (1f <= _e145)), _e122, _e148);
+                    let _e154 = (_e151 * _e112.member);
+                    let _e157 = (_e112.member + _e112.member_1);
+                    let _e161 = trunc(_e154);
+                    let _e163 = ((_e154 - _e161) + (((_e151 * _e112.member_1) + (select(0f, _e127, _e148) * _e157)) + 0.5f));
+                    let _e165 = select(0f, _e163, (_e163 > 0f));
+                    let _e166 = trunc(_e165);
+                    let _e167 = (_e165 - _e166);
+                    let _e169 = u32((_e161 + _e166));
+                    let _e170 = (_e131 + _e135);
+                    let _e173 = select(false, (_e170 < 1f), (0f < _e170));
+                    let _e176 = select(select(0f, 1f, (1f <= _e170)), _e131, _e173);
+                    let _e178 = (_e176 * _e112.member);
+                    let _e183 = trunc(_e178);
+                    let _e185 = ((_e178 - _e183) + (((_e176 * _e112.member_1) + (select(0f, _e135, _e173) * _e157)) + 0.5f));
+                    let _e187 = select(0f, _e185, (_e185 > 0f));
+                    let _e188 = trunc(_e187);
+                    let _e189 = (_e187 - _e188);
+                    let _e191 = u32((_e183 + _e188));
+                    let _e192 = (_e140 + _e144);
+                    let _e195 = select(false, (_e192 < 1f), (0f < _e192));
+                    let _e198 = select(select(0f, 1f, (1f <= _e192)), _e140, _e195);
+                    let _e200 = (_e198 * _e112.member);
+                    let _e205 = trunc(_e200);
+                    let _e207 = ((_e200 - _e205) + (((_e198 * _e112.member_1) + (select(0f, _e144, _e195) * _e157)) + 0.5f));
+                    let _e209 = select(0f, _e207, (_e207 > 0f));
+                    let _e210 = trunc(_e209);
+                    let _e211 = (_e209 - _e210);
+                    let _e213 = u32((_e205 + _e210));
+                    let _e214 = (1f - _e167);
+                    let _e215 = (1f - _e189);
+                    let _e216 = (1f - _e211);
+                    let _e217 = (_e214 * _e215);
+                    let _e218 = (_e167 * _e215);
+                    let _e219 = (_e214 * _e189);
+                    let _e220 = (_e167 * _e189);
+                    if (_e112.member_5 == 0u) {
+                        let _e270 = (_e112.member_2 * _e112.member_2);
+                        let _e271 = (_e191 * _e112.member_2);
+                        let _e272 = (_e213 * _e270);
+                        let _e273 = (_e169 + 1u);
+                        let _e274 = (_e271 + _e112.member_2);
+                        let _e275 = (_e272 + _e270);
+                        let _e276 = (_e169 + _e271);
+                        let _e277 = (_e276 + _e272);
+                        let _e282 = (_e273 + _e271);
+                        let _e283 = (_e282 + _e272);
+                        let _e288 = (_e169 + _e274);
+                        let _e289 = (_e288 + _e272);
+                        let _e294 = (_e273 + _e274);
+                        let _e295 = (_e294 + _e272);
+                        let _e300 = (_e276 + _e275);
+                        let _e305 = (_e282 + _e275);
+                        let _e310 = (_e288 + _e275);
+                        let _e315 = (_e294 + _e275);
+                        phi_395_ = array<u32, 8>((select((_e277 - _e112.member_4), _e277, (_e277 < _e112.member_4)) + _e112.member_3), (select((_e283 - _e112.member_4), _e283, (_e283 < _e112.member_4)) + _e112.member_3), (select((_e289 - _e112.member_4), _e289, (_e289 < _e112.member_4)) + _e112.member_3), (select((_e295 - _e112.member_4), _e295, (_e295 < _e112.member_4)) + _e112.member_3), (select((_e300 - _e112.member_4), _e300, (_e300 < _e112.member_4)) + _e112.member_3), (select((_e305 - _e112.member_4), _e305, (_e305 < _e112.member_4)) + _e112.member_3), (select((_e310 - _e112.member_4), _e310, (_e310 < _e112.member_4)) + _e112.member_3), (select((_e315 - _e112.member_4), _e315, (_e315 < _e112.member_4)) + _e112.member_3));
                     } else {
-                        let _e235 = (_e114.member_4 - 1u);
-                        let _e236 = (_e193 * 2654435761u);
-                        let _e237 = (_e215 * 805459861u);
-                        let _e238 = (_e171 + 1u);
-                        let _e239 = (_e236 + 2654435761u);
-                        let _e240 = (_e237 + 805459861u);
-                        let _e241 = (_e171 ^ _e236);
-                        let _e245 = (_e238 ^ _e236);
-                        let _e249 = (_e171 ^ _e239);
-                        let _e253 = (_e238 ^ _e239);
-                        phi_397_ = array<u32, 8>((((_e241 ^ _e237) & _e235) + _e114.member_3), (((_e245 ^ _e237) & _e235) + _e114.member_3), (((_e249 ^ _e237) & _e235) + _e114.member_3), (((_e253 ^ _e237) & _e235) + _e114.member_3), (((_e241 ^ _e240) & _e235) + _e114.member_3), (((_e245 ^ _e240) & _e235) + _e114.member_3), (((_e249 ^ _e240) & _e235) + _e114.member_3), (((_e253 ^ _e240) & _e235) + _e114.member_3));
+                        let _e233 = (_e112.member_4 - 1u);
+                        let _e234 = (_e191 * 2654435761u);
+                        let _e235 = (_e213 * 805459861u);
+                        let _e236 = (_e169 + 1u);
+                        let _e237 = (_e234 + 2654435761u);
+                        let _e238 = (_e235 + 805459861u);
+                        let _e239 = (_e169 ^ _e234);
+                        let _e243 = (_e236 ^ _e234);
+                        let _e247 = (_e169 ^ _e237);
+                        let _e251 = (_e236 ^ _e237);
+                        phi_395_ = array<u32, 8>((((_e239 ^ _e235) & _e233) + _e112.member_3), (((_e243 ^ _e235) & _e233) + _e112.member_3), (((_e247 ^ _e235) & _e233) + _e112.member_3), (((_e251 ^ _e235) & _e233) + _e112.member_3), (((_e239 ^ _e238) & _e233) + _e112.member_3), (((_e243 ^ _e238) & _e233) + _e112.member_3), (((_e247 ^ _e238) & _e233) + _e112.member_3), (((_e251 ^ _e238) & _e233) + _e112.member_3));
                     }
-                    let _e324 = phi_397_;
-                    let _e333 = (_e324[0] * _e49);
-                    let _e334 = (_e324[1] * _e49);
-                    let _e335 = (_e324[2] * _e49);
-                    let _e336 = (_e324[3] * _e49);
-                    let _e337 = (_e324[4] * _e49);
-                    let _e338 = (_e324[5] * _e49);
-                    let _e339 = (_e324[6] * _e49);
-                    let _e340 = (_e324[7] * _e49);
-                    if _e111 {
-                        let _e344 = atomicMax((&global_9.member[(_e333 / 64u)]), 1u);
+                    let _e322 = phi_395_;
+                    let _e331 = (_e322[0] * _e47);
+                    let _e332 = (_e322[1] * _e47);
+                    let _e333 = (_e322[2] * _e47);
+                    let _e334 = (_e322[3] * _e47);
+                    let _e335 = (_e322[4] * _e47);
+                    let _e336 = (_e322[5] * _e47);
+                    let _e337 = (_e322[6] * _e47);
+                    let _e338 = (_e322[7] * _e47);
+                    if _e109 {
+                        let _e342 = atomicMax((&global_9.member[(_e331 / 64u)]), 1u);
                     }
-                    if _e111 {
-                        let _e348 = atomicMax((&global_9.member[(_e334 / 64u)]), 1u);
+                    if _e109 {
+                        let _e346 = atomicMax((&global_9.member[(_e332 / 64u)]), 1u);
                     }
-                    if _e111 {
-                        let _e352 = atomicMax((&global_9.member[(_e335 / 64u)]), 1u);
+                    if _e109 {
+                        let _e350 = atomicMax((&global_9.member[(_e333 / 64u)]), 1u);
                     }
-                    if _e111 {
-                        let _e356 = atomicMax((&global_9.member[(_e336 / 64u)]), 1u);
+                    if _e109 {
+                        let _e354 = atomicMax((&global_9.member[(_e334 / 64u)]), 1u);
                     }
-                    if _e111 {
-                        let _e360 = atomicMax((&global_9.member[(_e337 / 64u)]), 1u);
+                    if _e109 {
+                        let _e358 = atomicMax((&global_9.member[(_e335 / 64u)]), 1u);
                     }
-                    if _e111 {
-                        let _e364 = atomicMax((&global_9.member[(_e338 / 64u)]), 1u);
+                    if _e109 {
+                        let _e362 = atomicMax((&global_9.member[(_e336 / 64u)]), 1u);
                     }
-                    if _e111 {
-                        let _e368 = atomicMax((&global_9.member[(_e339 / 64u)]), 1u);
+                    if _e109 {
+                        let _e366 = atomicMax((&global_9.member[(_e337 / 64u)]), 1u);
                     }
-                    if _e111 {
-                        let _e372 = atomicMax((&global_9.member[(_e340 / 64u)]), 1u);
+                    if _e109 {
+                        let _e370 = atomicMax((&global_9.member[(_e338 / 64u)]), 1u);
                     }
-                    let _e375 = global_7.member[0u];
-                    phi_465_ = 0u;
-                    phi_468_ = _e74;
+                    let _e373 = global_4.member[0u];
+                    phi_463_ = 0u;
+                    phi_466_ = _e72;
                     loop {
-                        let _e377 = phi_465_;
-                        let _e379 = phi_468_;
-                        if (_e377 < _e49) {
-                            let _e383 = global_6.member[_e379];
-                            let _e384 = -(_e383);
-                            let _e389 = select(0f, (_e383 * _e375), (0.000000000000000000000000000000000000011754944f <= select(_e384, _e383, (_e383 > _e384))));
-                            let _e390 = (_e389 * (_e219 * _e218));
-                            if _e111 {
-                                let _e392 = (_e390 < 0f);
-                                if _e392 {
-                                    phi_487_ = -(_e390);
+                        let _e375 = phi_463_;
+                        let _e377 = phi_466_;
+                        if (_e375 < _e47) {
+                            let _e381 = global_5.member[_e377];
+                            let _e382 = -(_e381);
+                            let _e387 = select(0f, (_e381 * _e373), (0.000000000000000000000000000000000000011754944f <= select(_e382, _e381, (_e381 > _e382))));
+                            let _e388 = (_e387 * (_e217 * _e216));
+                            if _e109 {
+                                let _e390 = (_e388 < 0f);
+                                if _e390 {
+                                    phi_485_ = -(_e388);
                                 } else {
-                                    phi_487_ = _e390;
+                                    phi_485_ = _e388;
                                 }
-                                let _e395 = phi_487_;
-                                let _e397 = u32((_e395 * 0.00000000023283064f));
-                                let _e400 = (_e395 - (f32(_e397) * 4294967300f));
-                                let _e401 = u32(_e400);
-                                if ((_e400 - f32(_e401)) >= 0.5f) {
-                                    phi_497_ = (_e401 + 1u);
+                                let _e393 = phi_485_;
+                                let _e395 = u32((_e393 * 0.00000000023283064f));
+                                let _e398 = (_e393 - (f32(_e395) * 4294967300f));
+                                let _e399 = u32(_e398);
+                                if ((_e398 - f32(_e399)) >= 0.5f) {
+                                    phi_495_ = (_e399 + 1u);
                                 } else {
-                                    phi_497_ = _e401;
+                                    phi_495_ = _e399;
                                 }
-                                let _e407 = phi_497_;
-                                if _e392 {
-                                    let _e410 = (~(_e407) + 1u);
-                                    if (_e410 == 0u) {
-                                        phi_511_ = (~(_e397) + 1u);
+                                let _e405 = phi_495_;
+                                if _e390 {
+                                    let _e408 = (~(_e405) + 1u);
+                                    if (_e408 == 0u) {
+                                        phi_509_ = (~(_e395) + 1u);
                                     } else {
-                                        phi_511_ = ~(_e397);
+                                        phi_509_ = ~(_e395);
                                     }
-                                    let _e416 = phi_511_;
-                                    phi_513_ = array<u32, 2>(_e410, _e416);
+                                    let _e414 = phi_509_;
+                                    phi_511_ = array<u32, 2>(_e408, _e414);
                                 } else {
-                                    phi_513_ = array<u32, 2>(_e407, _e397);
+                                    phi_511_ = array<u32, 2>(_e405, _e395);
                                 }
-                                let _e419 = phi_513_;
-                                let _e422 = (2u * (_e333 + _e377));
-                                let _e425 = atomicAdd((&global_8.member[_e422]), _e419[0]);
-                                let _e433 = atomicAdd((&global_8.member[(_e422 + 1u)]), (_e419[1] + select(0u, 1u, ((_e425 + _e419[0]) < _e419[0]))));
+                                let _e417 = phi_511_;
+                                let _e420 = (2u * (_e331 + _e375));
+                                let _e423 = atomicAdd((&global_10.member[_e420]), _e417[0]);
+                                let _e431 = atomicAdd((&global_10.member[(_e420 + 1u)]), (_e417[1] + select(0u, 1u, ((_e423 + _e417[0]) < _e417[0]))));
                             }
-                            let _e434 = (_e389 * (_e220 * _e218));
-                            if _e111 {
-                                let _e436 = (_e434 < 0f);
-                                if _e436 {
-                                    phi_534_ = -(_e434);
+                            let _e432 = (_e387 * (_e218 * _e216));
+                            if _e109 {
+                                let _e434 = (_e432 < 0f);
+                                if _e434 {
+                                    phi_532_ = -(_e432);
                                 } else {
-                                    phi_534_ = _e434;
+                                    phi_532_ = _e432;
                                 }
-                                let _e439 = phi_534_;
-                                let _e441 = u32((_e439 * 0.00000000023283064f));
-                                let _e444 = (_e439 - (f32(_e441) * 4294967300f));
-                                let _e445 = u32(_e444);
-                                if ((_e444 - f32(_e445)) >= 0.5f) {
-                                    phi_544_ = (_e445 + 1u);
+                                let _e437 = phi_532_;
+                                let _e439 = u32((_e437 * 0.00000000023283064f));
+                                let _e442 = (_e437 - (f32(_e439) * 4294967300f));
+                                let _e443 = u32(_e442);
+                                if ((_e442 - f32(_e443)) >= 0.5f) {
+                                    phi_542_ = (_e443 + 1u);
                                 } else {
-                                    phi_544_ = _e445;
+                                    phi_542_ = _e443;
                                 }
-                                let _e451 = phi_544_;
-                                if _e436 {
-                                    let _e454 = (~(_e451) + 1u);
-                                    if (_e454 == 0u) {
-                                        phi_558_ = (~(_e441) + 1u);
+                                let _e449 = phi_542_;
+                                if _e434 {
+                                    let _e452 = (~(_e449) + 1u);
+                                    if (_e452 == 0u) {
+                                        phi_556_ = (~(_e439) + 1u);
                                     } else {
-                                        phi_558_ = ~(_e441);
+                                        phi_556_ = ~(_e439);
                                     }
-                                    let _e460 = phi_558_;
-                                    phi_560_ = array<u32, 2>(_e454, _e460);
+                                    let _e458 = phi_556_;
+                                    phi_558_ = array<u32, 2>(_e452, _e458);
                                 } else {
-                                    phi_560_ = array<u32, 2>(_e451, _e441);
+                                    phi_558_ = array<u32, 2>(_e449, _e439);
                                 }
-                                let _e463 = phi_560_;
-                                let _e466 = (2u * (_e334 + _e377));
-                                let _e469 = atomicAdd((&global_8.member[_e466]), _e463[0]);
-                                let _e477 = atomicAdd((&global_8.member[(_e466 + 1u)]), (_e463[1] + select(0u, 1u, ((_e469 + _e463[0]) < _e463[0]))));
+                                let _e461 = phi_558_;
+                                let _e464 = (2u * (_e332 + _e375));
+                                let _e467 = atomicAdd((&global_10.member[_e464]), _e461[0]);
+                                let _e475 = atomicAdd((&global_10.member[(_e464 + 1u)]), (_e461[1] + select(0u, 1u, ((_e467 + _e461[0]) < _e461[0]))));
                             }
-                            let _e478 = (_e389 * (_e221 * _e218));
-                            if _e111 {
-                                let _e480 = (_e478 < 0f);
-                                if _e480 {
-                                    phi_581_ = -(_e478);
+                            let _e476 = (_e387 * (_e219 * _e216));
+                            if _e109 {
+                                let _e478 = (_e476 < 0f);
+                                if _e478 {
+                                    phi_579_ = -(_e476);
                                 } else {
-                                    phi_581_ = _e478;
+                                    phi_579_ = _e476;
                                 }
-                                let _e483 = phi_581_;
-                                let _e485 = u32((_e483 * 0.00000000023283064f));
-                                let _e488 = (_e483 - (f32(_e485) * 4294967300f));
-                                let _e489 = u32(_e488);
-                                if ((_e488 - f32(_e489)) >= 0.5f) {
-                                    phi_591_ = (_e489 + 1u);
+                                let _e481 = phi_579_;
+                                let _e483 = u32((_e481 * 0.00000000023283064f));
+                                let _e486 = (_e481 - (f32(_e483) * 4294967300f));
+                                let _e487 = u32(_e486);
+                                if ((_e486 - f32(_e487)) >= 0.5f) {
+                                    phi_589_ = (_e487 + 1u);
                                 } else {
-                                    phi_591_ = _e489;
+                                    phi_589_ = _e487;
                                 }
-                                let _e495 = phi_591_;
-                                if _e480 {
-                                    let _e498 = (~(_e495) + 1u);
-                                    if (_e498 == 0u) {
-                                        phi_605_ = (~(_e485) + 1u);
+                                let _e493 = phi_589_;
+                                if _e478 {
+                                    let _e496 = (~(_e493) + 1u);
+                                    if (_e496 == 0u) {
+                                        phi_603_ = (~(_e483) + 1u);
                                     } else {
-                                        phi_605_ = ~(_e485);
+                                        phi_603_ = ~(_e483);
                                     }
-                                    let _e504 = phi_605_;
-                                    phi_607_ = array<u32, 2>(_e498, _e504);
+                                    let _e502 = phi_603_;
+                                    phi_605_ = array<u32, 2>(_e496, _e502);
                                 } else {
-                                    phi_607_ = array<u32, 2>(_e495, _e485);
+                                    phi_605_ = array<u32, 2>(_e493, _e483);
                                 }
-                                let _e507 = phi_607_;
-                                let _e510 = (2u * (_e335 + _e377));
-                                let _e513 = atomicAdd((&global_8.member[_e510]), _e507[0]);
-                                let _e521 = atomicAdd((&global_8.member[(_e510 + 1u)]), (_e507[1] + select(0u, 1u, ((_e513 + _e507[0]) < _e507[0]))));
+                                let _e505 = phi_605_;
+                                let _e508 = (2u * (_e333 + _e375));
+                                let _e511 = atomicAdd((&global_10.member[_e508]), _e505[0]);
+                                let _e519 = atomicAdd((&global_10.member[(_e508 + 1u)]), (_e505[1] + select(0u, 1u, ((_e511 + _e505[0]) < _e505[0]))));
                             }
-                            let _e522 = (_e389 * (_e222 * _e218));
-                            if _e111 {
-                                let _e524 = (_e522 < 0f);
-                                if _e524 {
-                                    phi_628_ = -(_e522);
+                            let _e520 = (_e387 * (_e220 * _e216));
+                            if _e109 {
+                                let _e522 = (_e520 < 0f);
+                                if _e522 {
+                                    phi_626_ = -(_e520);
                                 } else {
-                                    phi_628_ = _e522;
+                                    phi_626_ = _e520;
                                 }
-                                let _e527 = phi_628_;
-                                let _e529 = u32((_e527 * 0.00000000023283064f));
-                                let _e532 = (_e527 - (f32(_e529) * 4294967300f));
-                                let _e533 = u32(_e532);
-                                if ((_e532 - f32(_e533)) >= 0.5f) {
-                                    phi_638_ = (_e533 + 1u);
+                                let _e525 = phi_626_;
+                                let _e527 = u32((_e525 * 0.00000000023283064f));
+                                let _e530 = (_e525 - (f32(_e527) * 4294967300f));
+                                let _e531 = u32(_e530);
+                                if ((_e530 - f32(_e531)) >= 0.5f) {
+                                    phi_636_ = (_e531 + 1u);
                                 } else {
-                                    phi_638_ = _e533;
+                                    phi_636_ = _e531;
                                 }
-                                let _e539 = phi_638_;
-                                if _e524 {
-                                    let _e542 = (~(_e539) + 1u);
-                                    if (_e542 == 0u) {
-                                        phi_652_ = (~(_e529) + 1u);
+                                let _e537 = phi_636_;
+                                if _e522 {
+                                    let _e540 = (~(_e537) + 1u);
+                                    if (_e540 == 0u) {
+                                        phi_650_ = (~(_e527) + 1u);
                                     } else {
-                                        phi_652_ = ~(_e529);
+                                        phi_650_ = ~(_e527);
                                     }
-                                    let _e548 = phi_652_;
-                                    phi_654_ = array<u32, 2>(_e542, _e548);
+                                    let _e546 = phi_650_;
+                                    phi_652_ = array<u32, 2>(_e540, _e546);
                                 } else {
-                                    phi_654_ = array<u32, 2>(_e539, _e529);
+                                    phi_652_ = array<u32, 2>(_e537, _e527);
                                 }
-                                let _e551 = phi_654_;
-                                let _e554 = (2u * (_e336 + _e377));
-                                let _e557 = atomicAdd((&global_8.member[_e554]), _e551[0]);
-                                let _e565 = atomicAdd((&global_8.member[(_e554 + 1u)]), (_e551[1] + select(0u, 1u, ((_e557 + _e551[0]) < _e551[0]))));
+                                let _e549 = phi_652_;
+                                let _e552 = (2u * (_e334 + _e375));
+                                let _e555 = atomicAdd((&global_10.member[_e552]), _e549[0]);
+                                let _e563 = atomicAdd((&global_10.member[(_e552 + 1u)]), (_e549[1] + select(0u, 1u, ((_e555 + _e549[0]) < _e549[0]))));
                             }
-                            let _e566 = (_e389 * (_e219 * _e213));
-                            if _e111 {
-                                let _e568 = (_e566 < 0f);
-                                if _e568 {
-                                    phi_675_ = -(_e566);
+                            let _e564 = (_e387 * (_e217 * _e211));
+                            if _e109 {
+                                let _e566 = (_e564 < 0f);
+                                if _e566 {
+                                    phi_673_ = -(_e564);
                                 } else {
-                                    phi_675_ = _e566;
+                                    phi_673_ = _e564;
                                 }
-                                let _e571 = phi_675_;
-                                let _e573 = u32((_e571 * 0.00000000023283064f));
-                                let _e576 = (_e571 - (f32(_e573) * 4294967300f));
-                                let _e577 = u32(_e576);
-                                if ((_e576 - f32(_e577)) >= 0.5f) {
-                                    phi_685_ = (_e577 + 1u);
+                                let _e569 = phi_673_;
+                                let _e571 = u32((_e569 * 0.00000000023283064f));
+                                let _e574 = (_e569 - (f32(_e571) * 4294967300f));
+                                let _e575 = u32(_e574);
+                                if ((_e574 - f32(_e575)) >= 0.5f) {
+                                    phi_683_ = (_e575 + 1u);
                                 } else {
-                                    phi_685_ = _e577;
+                                    phi_683_ = _e575;
                                 }
-                                let _e583 = phi_685_;
-                                if _e568 {
-                                    let _e586 = (~(_e583) + 1u);
-                                    if (_e586 == 0u) {
-                                        phi_699_ = (~(_e573) + 1u);
+                                let _e581 = phi_683_;
+                                if _e566 {
+                                    let _e584 = (~(_e581) + 1u);
+                                    if (_e584 == 0u) {
+                                        phi_697_ = (~(_e571) + 1u);
                                     } else {
-                                        phi_699_ = ~(_e573);
+                                        phi_697_ = ~(_e571);
                                     }
-                                    let _e592 = phi_699_;
-                                    phi_701_ = array<u32, 2>(_e586, _e592);
+                                    let _e590 = phi_697_;
+                                    phi_699_ = array<u32, 2>(_e584, _e590);
                                 } else {
-                                    phi_701_ = array<u32, 2>(_e583, _e573);
+                                    phi_699_ = array<u32, 2>(_e581, _e571);
                                 }
-                                let _e595 = phi_701_;
-                                let _e598 = (2u * (_e337 + _e377));
-                                let _e601 = atomicAdd((&global_8.member[_e598]), _e595[0]);
-                                let _e609 = atomicAdd((&global_8.member[(_e598 + 1u)]), (_e595[1] + select(0u, 1u, ((_e601 + _e595[0]) < _e595[0]))));
+                                let _e593 = phi_699_;
+                                let _e596 = (2u * (_e335 + _e375));
+                                let _e599 = atomicAdd((&global_10.member[_e596]), _e593[0]);
+                                let _e607 = atomicAdd((&global_10.member[(_e596 + 1u)]), (_e593[1] + select(0u, 1u, ((_e599 + _e593[0]) < _e593[0]))));
                             }
-                            let _e610 = (_e389 * (_e220 * _e213));
-                            if _e111 {
-                                let _e612 = (_e610 < 0f);
-                                if _e612 {
-                                    phi_722_ = -(_e610);
+                            let _e608 = (_e387 * (_e218 * _e211));
+                            if _e109 {
+                                let _e610 = (_e608 < 0f);
+                                if _e610 {
+                                    phi_720_ = -(_e608);
                                 } else {
-                                    phi_722_ = _e610;
+                                    phi_720_ = _e608;
                                 }
-                                let _e615 = phi_722_;
-                                let _e617 = u32((_e615 * 0.00000000023283064f));
-                                let _e620 = (_e615 - (f32(_e617) * 4294967300f));
-                                let _e621 = u32(_e620);
-                                if ((_e620 - f32(_e621)) >= 0.5f) {
-                                    phi_732_ = (_e621 + 1u);
+                                let _e613 = phi_720_;
+                                let _e615 = u32((_e613 * 0.00000000023283064f));
+                                let _e618 = (_e613 - (f32(_e615) * 4294967300f));
+                                let _e619 = u32(_e618);
+                                if ((_e618 - f32(_e619)) >= 0.5f) {
+                                    phi_730_ = (_e619 + 1u);
                                 } else {
-                                    phi_732_ = _e621;
+                                    phi_730_ = _e619;
                                 }
-                                let _e627 = phi_732_;
-                                if _e612 {
-                                    let _e630 = (~(_e627) + 1u);
-                                    if (_e630 == 0u) {
-                                        phi_746_ = (~(_e617) + 1u);
+                                let _e625 = phi_730_;
+                                if _e610 {
+                                    let _e628 = (~(_e625) + 1u);
+                                    if (_e628 == 0u) {
+                                        phi_744_ = (~(_e615) + 1u);
                                     } else {
-                                        phi_746_ = ~(_e617);
+                                        phi_744_ = ~(_e615);
                                     }
-                                    let _e636 = phi_746_;
-                                    phi_748_ = array<u32, 2>(_e630, _e636);
+                                    let _e634 = phi_744_;
+                                    phi_746_ = array<u32, 2>(_e628, _e634);
                                 } else {
-                                    phi_748_ = array<u32, 2>(_e627, _e617);
+                                    phi_746_ = array<u32, 2>(_e625, _e615);
                                 }
-                                let _e639 = phi_748_;
-                                let _e642 = (2u * (_e338 + _e377));
-                                let _e645 = atomicAdd((&global_8.member[_e642]), _e639[0]);
-                                let _e653 = atomicAdd((&global_8.member[(_e642 + 1u)]), (_e639[1] + select(0u, 1u, ((_e645 + _e639[0]) < _e639[0]))));
+                                let _e637 = phi_746_;
+                                let _e640 = (2u * (_e336 + _e375));
+                                let _e643 = atomicAdd((&global_10.member[_e640]), _e637[0]);
+                                let _e651 = atomicAdd((&global_10.member[(_e640 + 1u)]), (_e637[1] + select(0u, 1u, ((_e643 + _e637[0]) < _e637[0]))));
                             }
-                            let _e654 = (_e389 * (_e221 * _e213));
-                            if _e111 {
-                                let _e656 = (_e654 < 0f);
-                                if _e656 {
-                                    phi_769_ = -(_e654);
+                            let _e652 = (_e387 * (_e219 * _e211));
+                            if _e109 {
+                                let _e654 = (_e652 < 0f);
+                                if _e654 {
+                                    phi_767_ = -(_e652);
                                 } else {
-                                    phi_769_ = _e654;
+                                    phi_767_ = _e652;
                                 }
-                                let _e659 = phi_769_;
-                                let _e661 = u32((_e659 * 0.00000000023283064f));
-                                let _e664 = (_e659 - (f32(_e661) * 4294967300f));
-                                let _e665 = u32(_e664);
-                                if ((_e664 - f32(_e665)) >= 0.5f) {
-                                    phi_779_ = (_e665 + 1u);
+                                let _e657 = phi_767_;
+                                let _e659 = u32((_e657 * 0.00000000023283064f));
+                                let _e662 = (_e657 - (f32(_e659) * 4294967300f));
+                                let _e663 = u32(_e662);
+                                if ((_e662 - f32(_e663)) >= 0.5f) {
+                                    phi_777_ = (_e663 + 1u);
                                 } else {
-                                    phi_779_ = _e665;
+                                    phi_777_ = _e663;
                                 }
-                                let _e671 = phi_779_;
-                                if _e656 {
-                                    let _e674 = (~(_e671) + 1u);
-                                    if (_e674 == 0u) {
-                                        phi_793_ = (~(_e661) + 1u);
+                                let _e669 = phi_777_;
+                                if _e654 {
+                                    let _e672 = (~(_e669) + 1u);
+                                    if (_e672 == 0u) {
+                                        phi_791_ = (~(_e659) + 1u);
                                     } else {
-                                        phi_793_ = ~(_e661);
+                                        phi_791_ = ~(_e659);
                                     }
-                                    let _e680 = phi_793_;
-                                    phi_795_ = array<u32, 2>(_e674, _e680);
+                                    let _e678 = phi_791_;
+                                    phi_793_ = array<u32, 2>(_e672, _e678);
                                 } else {
-                                    phi_795_ = array<u32, 2>(_e671, _e661);
+                                    phi_793_ = array<u32, 2>(_e669, _e659);
                                 }
-                                let _e683 = phi_795_;
-                                let _e686 = (2u * (_e339 + _e377));
-                                let _e689 = atomicAdd((&global_8.member[_e686]), _e683[0]);
-                                let _e697 = atomicAdd((&global_8.member[(_e686 + 1u)]), (_e683[1] + select(0u, 1u, ((_e689 + _e683[0]) < _e683[0]))));
+                                let _e681 = phi_793_;
+                                let _e684 = (2u * (_e337 + _e375));
+                                let _e687 = atomicAdd((&global_10.member[_e684]), _e681[0]);
+                                let _e695 = atomicAdd((&global_10.member[(_e684 + 1u)]), (_e681[1] + select(0u, 1u, ((_e687 + _e681[0]) < _e681[0]))));
                             }
-                            let _e698 = (_e389 * (_e222 * _e213));
-                            if _e111 {
-                                let _e700 = (_e698 < 0f);
-                                if _e700 {
-                                    phi_816_ = -(_e698);
+                            let _e696 = (_e387 * (_e220 * _e211));
+                            if _e109 {
+                                let _e698 = (_e696 < 0f);
+                                if _e698 {
+                                    phi_814_ = -(_e696);
                                 } else {
-                                    phi_816_ = _e698;
+                                    phi_814_ = _e696;
                                 }
-                                let _e703 = phi_816_;
-                                let _e705 = u32((_e703 * 0.00000000023283064f));
-                                let _e708 = (_e703 - (f32(_e705) * 4294967300f));
-                                let _e709 = u32(_e708);
-                                if ((_e708 - f32(_e709)) >= 0.5f) {
-                                    phi_826_ = (_e709 + 1u);
+                                let _e701 = phi_814_;
+                                let _e703 = u32((_e701 * 0.00000000023283064f));
+                                let _e706 = (_e701 - (f32(_e703) * 4294967300f));
+                                let _e707 = u32(_e706);
+                                if ((_e706 - f32(_e707)) >= 0.5f) {
+                                    phi_824_ = (_e707 + 1u);
                                 } else {
-                                    phi_826_ = _e709;
+                                    phi_824_ = _e707;
                                 }
-                                let _e715 = phi_826_;
-                                if _e700 {
-                                    let _e718 = (~(_e715) + 1u);
-                                    if (_e718 == 0u) {
-                                        phi_840_ = (~(_e705) + 1u);
+                                let _e713 = phi_824_;
+                                if _e698 {
+                                    let _e716 = (~(_e713) + 1u);
+                                    if (_e716 == 0u) {
+                                        phi_838_ = (~(_e703) + 1u);
                                     } else {
-                                        phi_840_ = ~(_e705);
+                                        phi_838_ = ~(_e703);
                                     }
-                                    let _e724 = phi_840_;
-                                    phi_842_ = array<u32, 2>(_e718, _e724);
+                                    let _e722 = phi_838_;
+                                    phi_840_ = array<u32, 2>(_e716, _e722);
                                 } else {
-                                    phi_842_ = array<u32, 2>(_e715, _e705);
+                                    phi_840_ = array<u32, 2>(_e713, _e703);
                                 }
-                                let _e727 = phi_842_;
-                                let _e730 = (2u * (_e340 + _e377));
-                                let _e733 = atomicAdd((&global_8.member[_e730]), _e727[0]);
-                                let _e741 = atomicAdd((&global_8.member[(_e730 + 1u)]), (_e727[1] + select(0u, 1u, ((_e733 + _e727[0]) < _e727[0]))));
+                                let _e725 = phi_840_;
+                                let _e728 = (2u * (_e338 + _e375));
+                                let _e731 = atomicAdd((&global_10.member[_e728]), _e725[0]);
+                                let _e739 = atomicAdd((&global_10.member[(_e728 + 1u)]), (_e725[1] + select(0u, 1u, ((_e731 + _e725[0]) < _e725[0]))));
                             }
-                            local_7 = (_e377 + 1u);
-                            local_8 = (_e379 + _e66);
+                            local_7 = (_e375 + 1u);
+                            local_8 = (_e377 + _e64);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e762 = local_7;
-                            phi_465_ = _e762;
-                            let _e765 = local_8;
-                            phi_468_ = _e765;
+                            let _e760 = local_7;
+                            phi_463_ = _e760;
+                            let _e763 = local_8;
+                            phi_466_ = _e763;
                         }
                     }
                 }

@@ -1,32 +1,32 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_15 {
+struct type_4 {
     member: u32,
 }
 
+struct type_5 {
+    member: type_4,
+}
+
+struct type_10 {
+    member: array<u32>,
+}
+
 struct type_16 {
-    member: type_15,
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
-@group(0) @binding(1) 
-var<storage> global_4: type_5;
+var<uniform> global_3: type_5;
 @group(0) @binding(2) 
-var<storage> global_5: type_11;
+var<storage> global_4: type_10;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_11;
+var<storage, read_write> global_5: type_10;
+@group(0) @binding(1) 
+var<storage> global_6: type_16;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_5;
+var<storage, read_write> global_7: type_16;
 
 fn function_() {
     var phi_87_: u32;
@@ -39,14 +39,14 @@ fn function_() {
     let _e25 = (((_e16.x + (_e16.y * _e17.x)) * 256u) + _e15.x);
     let _e28 = global_3.member.member;
     if (_e25 < _e28) {
-        let _e33 = global_5.member[(_e25 / 64u)];
+        let _e33 = global_4.member[(_e25 / 64u)];
         if (_e33 == 0u) {
         } else {
             let _e35 = (2u * _e25);
-            let _e38 = global_6.member[_e35];
-            let _e42 = global_6.member[(_e35 + 1u)];
-            global_6.member[_e35] = 0u;
-            global_6.member[(_e35 + 1u)] = 0u;
+            let _e38 = global_5.member[_e35];
+            let _e42 = global_5.member[(_e35 + 1u)];
+            global_5.member[_e35] = 0u;
+            global_5.member[(_e35 + 1u)] = 0u;
             let _e44 = (_e42 >= 2147483648u);
             if _e44 {
                 let _e46 = (~(_e38) + 1u);
@@ -68,7 +68,7 @@ fn function_() {
                 phi_97_ = _e61;
             }
             let _e64 = phi_97_;
-            let _e67 = global_4.member[1u];
+            let _e67 = global_6.member[1u];
             let _e71 = global_7.member[_e25];
             global_7.member[_e25] = (_e71 + (_e64 * _e67));
         }

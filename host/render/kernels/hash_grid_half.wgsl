@@ -1,12 +1,4 @@
-struct type_6 {
-    member: array<f32>,
-}
-
-struct type_12 {
-    member: array<u32>,
-}
-
-struct type_15 {
+struct type_4 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -16,11 +8,11 @@ struct type_15 {
     member_6: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_18 {
+struct type_9 {
     member: f32,
     member_1: f32,
     member_2: u32,
@@ -29,199 +21,207 @@ struct type_18 {
     member_5: u32,
 }
 
-struct type_20 {
-    member: array<type_18>,
+struct type_12 {
+    member: array<type_9>,
+}
+
+struct type_16 {
+    member: array<f32>,
+}
+
+struct type_21 {
+    member: array<u32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(3) 
-var<storage> global_3: type_6;
 @group(0) @binding(0) 
-var<uniform> global_4: type_16;
+var<uniform> global_3: type_5;
 @group(0) @binding(1) 
-var<storage> global_5: type_20;
+var<storage> global_4: type_12;
+@group(0) @binding(3) 
+var<storage> global_5: type_16;
 @group(0) @binding(2) 
-var<storage> global_6: type_12;
+var<storage> global_6: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_6;
+var<storage, read_write> global_7: type_16;
 
 fn function_() {
-    var phi_218_: u32;
-    var phi_352_: array<u32, 8>;
-    var phi_384_: u32;
-    var phi_387_: u32;
+    var phi_217_: u32;
+    var phi_351_: array<u32, 8>;
+    var phi_383_: u32;
+    var phi_386_: u32;
     var local: u32;
     var local_1: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e31 = global;
-            let _e32 = global_1;
-            let _e33 = global_2;
-            let _e39 = ((_e32.x + (_e32.y * _e33.x)) * 64u);
-            let _e44 = global_4.member.member;
-            if ((_e39 + _e31.x) < _e44) {
-                let _e49 = global_5.member[_e32.z];
-                let _e52 = global_4.member.member_1;
-                let _e55 = global_4.member.member_5;
-                let _e58 = global_4.member.member_4;
-                let _e59 = (_e58 == 0u);
-                if _e59 {
+            let _e30 = global;
+            let _e31 = global_1;
+            let _e32 = global_2;
+            let _e38 = ((_e31.x + (_e31.y * _e32.x)) * 64u);
+            let _e43 = global_3.member.member;
+            if ((_e38 + _e30.x) < _e43) {
+                let _e48 = global_4.member[_e31.z];
+                let _e51 = global_3.member.member_1;
+                let _e54 = global_3.member.member_5;
+                let _e57 = global_3.member.member_4;
+                let _e58 = (_e57 == 0u);
+                if _e58 {
                     break;
                 }
-                let _e60 = (_e39 / _e58);
-                let _e64 = (_e39 - (_e60 * _e58));
-                let _e66 = (((_e60 * (_e55 * _e52)) + _e64) + _e31.x);
-                let _e69 = global_3.member[_e66];
-                let _e70 = (3u * _e52);
-                let _e74 = global_3.member[(_e66 + _e70)];
-                let _e75 = (_e52 + _e66);
-                let _e78 = global_3.member[_e75];
-                let _e82 = global_3.member[(_e75 + _e70)];
-                let _e83 = (2u * _e52);
-                let _e84 = (_e83 + _e66);
-                let _e87 = global_3.member[_e84];
-                let _e91 = global_3.member[(_e84 + _e70)];
-                let _e94 = global_4.member.member_3;
-                let _e95 = (_e94 / 2u);
-                if ((_e94 % 2u) > 0u) {
-                    phi_218_ = (_e95 + 1u);
+                let _e59 = (_e38 / _e57);
+                let _e63 = (_e38 - (_e59 * _e57));
+                let _e65 = (((_e59 * (_e54 * _e51)) + _e63) + _e30.x);
+                let _e68 = global_5.member[_e65];
+                let _e69 = (3u * _e51);
+                let _e73 = global_5.member[(_e65 + _e69)];
+                let _e74 = (_e51 + _e65);
+                let _e77 = global_5.member[_e74];
+                let _e81 = global_5.member[(_e74 + _e69)];
+                let _e82 = (2u * _e51);
+                let _e83 = (_e82 + _e65);
+                let _e86 = global_5.member[_e83];
+                let _e90 = global_5.member[(_e83 + _e69)];
+                let _e93 = global_3.member.member_3;
+                let _e94 = (_e93 / 2u);
+                if ((_e93 % 2u) > 0u) {
+                    phi_217_ = (_e94 + 1u);
                 } else {
-                    phi_218_ = _e95;
+                    phi_217_ = _e94;
                 }
-                let _e100 = phi_218_;
-                let _e101 = (_e69 + _e74);
-                let _e104 = select(false, (_e101 < 1f), (0f < _e101));
-                let _e107 = select(select(0f, 1f, (1f <= _e101)), _e69, _e104);
-                let _e110 = (_e107 * _e49.member);
-                let _e113 = (_e49.member + _e49.member_1);
-                let _e117 = trunc(_e110);
-                let _e119 = ((_e110 - _e117) + (((_e107 * _e49.member_1) + (select(0f, _e74, _e104) * _e113)) + 0.5f));
-                let _e121 = select(0f, _e119, (_e119 > 0f));
-                let _e122 = trunc(_e121);
-                let _e123 = (_e121 - _e122);
-                let _e125 = u32((_e117 + _e122));
-                let _e126 = (_e78 + _e82);
-                let _e129 = select(false, (_e126 < 1f), (0f < _e126));
-                let _e132 = select(select(0f, 1f, (1f <= _e126)), _e78, _e129);
-                let _e134 = (_e132 * _e49.member);
-                let _e139 = trunc(_e134);
-                let _e141 = ((_e134 - _e139) + (((_e132 * _e49.member_1) + (select(0f, _e82, _e129) * _e113)) + 0.5f));
-                let _e143 = select(0f, _e141, (_e141 > 0f));
-                let _e144 = trunc(_e143);
-                let _e145 = (_e143 - _e144);
-                let _e147 = u32((_e139 + _e144));
-                let _e148 = (_e87 + _e91);
-                let _e151 = select(false, (_e148 < 1f), (0f < _e148));
-                let _e154 = select(select(0f, 1f, (1f <= _e148)), _e87, _e151);
-                let _e156 = (_e154 * _e49.member);
-                let _e161 = trunc(_e156);
-                let _e163 = ((_e156 - _e161) + (((_e154 * _e49.member_1) + (select(0f, _e91, _e151) * _e113)) + 0.5f));
-                let _e165 = select(0f, _e163, (_e163 > 0f));
-                let _e166 = trunc(_e165);
-                let _e167 = (_e165 - _e166);
-                let _e169 = u32((_e161 + _e166));
-                let _e170 = (1f - _e123);
-                let _e171 = (1f - _e145);
-                let _e172 = (1f - _e167);
-                let _e173 = (_e170 * _e171);
-                let _e174 = (_e123 * _e171);
-                let _e175 = (_e170 * _e145);
-                let _e176 = (_e123 * _e145);
-                let _e177 = (_e173 * _e172);
-                let _e178 = (_e174 * _e172);
-                let _e179 = (_e175 * _e172);
-                let _e180 = (_e176 * _e172);
-                let _e181 = (_e173 * _e167);
-                let _e182 = (_e174 * _e167);
-                let _e183 = (_e175 * _e167);
-                let _e184 = (_e176 * _e167);
-                if (_e49.member_5 == 0u) {
-                    let _e226 = (_e49.member_2 * _e49.member_2);
-                    let _e227 = (_e147 * _e49.member_2);
-                    let _e228 = (_e169 * _e226);
-                    let _e229 = (_e125 + 1u);
-                    let _e230 = (_e227 + _e49.member_2);
-                    let _e231 = (_e228 + _e226);
-                    let _e232 = (_e125 + _e227);
-                    let _e233 = (_e232 + _e228);
-                    let _e238 = (_e229 + _e227);
-                    let _e239 = (_e238 + _e228);
-                    let _e244 = (_e125 + _e230);
-                    let _e245 = (_e244 + _e228);
-                    let _e250 = (_e229 + _e230);
-                    let _e251 = (_e250 + _e228);
-                    let _e256 = (_e232 + _e231);
-                    let _e261 = (_e238 + _e231);
-                    let _e266 = (_e244 + _e231);
-                    let _e271 = (_e250 + _e231);
-                    phi_352_ = array<u32, 8>((select((_e233 - _e49.member_4), _e233, (_e233 < _e49.member_4)) + _e49.member_3), (select((_e239 - _e49.member_4), _e239, (_e239 < _e49.member_4)) + _e49.member_3), (select((_e245 - _e49.member_4), _e245, (_e245 < _e49.member_4)) + _e49.member_3), (select((_e251 - _e49.member_4), _e251, (_e251 < _e49.member_4)) + _e49.member_3), (select((_e256 - _e49.member_4), _e256, (_e256 < _e49.member_4)) + _e49.member_3), (select((_e261 - _e49.member_4), _e261, (_e261 < _e49.member_4)) + _e49.member_3), (select((_e266 - _e49.member_4), _e266, (_e266 < _e49.member_4)) + _e49.member_3), (select((_e271 - _e49.member_4), _e271, (_e271 < _e49.member_4)) + _e49.member_3));
+                let _e99 = phi_217_;
+                let _e100 = (_e68 + _e73);
+                let _e103 = select(false, (_e100 < 1f), (0f < _e100));
+                let _e106 = select(select(0f, 1f, (1f <= _e100)), _e68, _e103);
+                let _e109 = (_e106 * _e48.member);
+                let _e112 = (_e48.member + _e48.member_1);
+                let _e116 = trunc(_e109);
+                let _e118 = ((_e109 - _e116) + (((_e106 * _e48.member_1) + (select(0f, _e73, _e103) * _e112)) + 0.5f));
+                let _e120 = select(0f, _e118, (_e118 > 0f));
+                let _e121 = trunc(_e120);
+                let _e122 = (_e120 - _e121);
+                let _e124 = u32((_e116 + _e121));
+                let _e125 = (_e77 + _e81);
+                let _e128 = select(false, (_e125 < 1f), (0f < _e125));
+                let _e131 = select(select(0f, 1f, (1f <= _e125)), _e77, _e128);
+                let _e133 = (_e131 * _e48.member);
+                let _e138 = trunc(_e133);
+                let _e140 = ((_e133 - _e138) + (((_e131 * _e48.member_1) + (select(0f, _e81, _e128) * _e112)) + 0.5f));
+                let _e142 = select(0f, _e140, (_e140 > 0f));
+                let _e143 = trunc(_e142);
+                let _e144 = (_e142 - _e143);
+                let _e146 = u32((_e138 + _e143));
+                let _e147 = (_e86 + _e90);
+                let _e150 = select(false, (_e147 < 1f), (0f < _e147));
+                let _e153 = select(select(0f, 1f, (1f <= _e147)), _e86, _e150);
+                let _e155 = (_e153 * _e48.member);
+                let _e160 = trunc(_e155);
+                let _e162 = ((_e155 - _e160) + (((_e153 * _e48.member_1) + (select(0f, _e90, _e150) * _e112)) + 0.5f));
+                let _e164 = select(0f, _e162, (_e162 > 0f));
+                let _e165 = trunc(_e164);
+                let _e166 = (_e164 - _e165);
+                let _e168 = u32((_e160 + _e165));
+                let _e169 = (1f - _e122);
+                let _e170 = (1f - _e144);
+                let _e171 = (1f - _e166);
+                let _e172 = (_e169 * _e170);
+                let _e173 = (_e122 * _e170);
+                let _e174 = (_e169 * _e144);
+                let _e175 = (_e122 * _e144);
+                let _e176 = (_e172 * _e171);
+                let _e177 = (_e173 * _e171);
+                let _e178 = (_e174 * _e171);
+                let _e179 = (_e175 * _e171);
+                let _e180 = (_e172 * _e166);
+                let _e181 = (_e173 * _e166);
+                let _e182 = (_e174 * _e166);
+                let _e183 = (_e175 * _e166);
+                if (_e48.member_5 == 0u) {
+                    let _e225 = (_e48.member_2 * _e48.member_2);
+                    let _e226 = (_e146 * _e48.member_2);
+                    let _e227 = (_e168 * _e225);
+                    let _e228 = (_e124 + 1u);
+                    let _e229 = (_e226 + _e48.member_2);
+                    let _e230 = (_e227 + _e225);
+                    let _e231 = (_e124 + _e226);
+                    let _e232 = (_e231 + _e227);
+                    let _e237 = (_e228 + _e226);
+                    let _e238 = (_e237 + _e227);
+                    let _e243 = (_e124 + _e229);
+                    let _e244 = (_e243 + _e227);
+                    let _e249 = (_e228 + _e229);
+                    let _e250 = (_e249 + _e227);
+                    let _e255 = (_e231 + _e230);
+                    let _e260 = (_e237 + _e230);
+                    let _e265 = (_e243 + _e230);
+                    let _e270 = (_e249 + _e230);
+                    phi_351_ = array<u32, 8>((select((_e232 - _e48.member_4), _e232, (_e232 < _e48.member_4)) + _e48.member_3), (select((_e238 - _e48.member_4), _e238, (_e238 < _e48.member_4)) + _e48.member_3), (select((_e244 - _e48.member_4), _e244, (_e244 < _e48.member_4)) + _e48.member_3), (select((_e250 - _e48.member_4), _e250, (_e250 < _e48.member_4)) + _e48.member_3), (select((_e255 - _e48.member_4), _e255, (_e255 < _e48.member_4)) + _e48.member_3), (select((_e260 - _e48.member_4), _e260, (_e260 < _e48.member_4)) + _e48.member_3), (select((_e265 - _e48.member_4), _e265, (_e265 < _e48.member_4)) + _e48.member_3), (select((_e270 - _e48.member_4), _e270, (_e270 < _e48.member_4)) + _e48.member_3));
                 } else {
-                    let _e189 = (_e49.member_4 - 1u);
-                    let _e190 = (_e147 * 2654435761u);
-                    let _e191 = (_e169 * 805459861u);
-                    let _e192 = (_e125 + 1u);
-                    let _e193 = (_e190 + 2654435761u);
-                    let _e194 = (_e191 + 805459861u);
-                    let _e195 = (_e125 ^ _e190);
-                    let _e199 = (_e192 ^ _e190);
-                    let _e203 = (_e125 ^ _e193);
-                    let _e207 = (_e192 ^ _e193);
-                    phi_352_ = array<u32, 8>((((_e195 ^ _e191) & _e189) + _e49.member_3), (((_e199 ^ _e191) & _e189) + _e49.member_3), (((_e203 ^ _e191) & _e189) + _e49.member_3), (((_e207 ^ _e191) & _e189) + _e49.member_3), (((_e195 ^ _e194) & _e189) + _e49.member_3), (((_e199 ^ _e194) & _e189) + _e49.member_3), (((_e203 ^ _e194) & _e189) + _e49.member_3), (((_e207 ^ _e194) & _e189) + _e49.member_3));
+                    let _e188 = (_e48.member_4 - 1u);
+                    let _e189 = (_e146 * 2654435761u);
+                    let _e190 = (_e168 * 805459861u);
+                    let _e191 = (_e124 + 1u);
+                    let _e192 = (_e189 + 2654435761u);
+                    let _e193 = (_e190 + 805459861u);
+                    let _e194 = (_e124 ^ _e189);
+                    let _e198 = (_e191 ^ _e189);
+                    let _e202 = (_e124 ^ _e192);
+                    let _e206 = (_e191 ^ _e192);
+                    phi_351_ = array<u32, 8>((((_e194 ^ _e190) & _e188) + _e48.member_3), (((_e198 ^ _e190) & _e188) + _e48.member_3), (((_e202 ^ _e190) & _e188) + _e48.member_3), (((_e206 ^ _e190) & _e188) + _e48.member_3), (((_e194 ^ _e193) & _e188) + _e48.member_3), (((_e198 ^ _e193) & _e188) + _e48.member_3), (((_e202 ^ _e193) & _e188) + _e48.member_3), (((_e206 ^ _e193) & _e188) + _e48.member_3));
                 }
-                let _e278 = phi_352_;
-                let _e297 = global_4.member.member_2;
-                let _e302 = global_4.member.member_6;
-                if _e59 {
+                let _e277 = phi_351_;
+                let _e296 = global_3.member.member_2;
+                let _e301 = global_3.member.member_6;
+                if _e58 {
                     break;
                 }
-                phi_384_ = 0u;
-                phi_387_ = ((((_e60 * (_e302 * _e52)) + _e64) + _e31.x) + ((_e297 + (_e32.z * _e94)) * _e52));
+                phi_383_ = 0u;
+                phi_386_ = ((((_e59 * (_e301 * _e51)) + _e63) + _e30.x) + ((_e296 + (_e31.z * _e93)) * _e51));
                 loop {
-                    let _e310 = phi_384_;
-                    let _e312 = phi_387_;
-                    if (_e310 < _e100) {
-                        let _e317 = global_6.member[((_e278[0] * _e100) + _e310)];
-                        let _e318 = (_e317 & 65535u);
-                        let _e329 = (_e317 >> bitcast<u32>(16i));
-                        let _e344 = global_6.member[((_e278[1] * _e100) + _e310)];
-                        let _e345 = (_e344 & 65535u);
-                        let _e356 = (_e344 >> bitcast<u32>(16i));
-                        let _e371 = global_6.member[((_e278[2] * _e100) + _e310)];
-                        let _e372 = (_e371 & 65535u);
-                        let _e383 = (_e371 >> bitcast<u32>(16i));
-                        let _e398 = global_6.member[((_e278[3] * _e100) + _e310)];
-                        let _e399 = (_e398 & 65535u);
-                        let _e410 = (_e398 >> bitcast<u32>(16i));
-                        let _e425 = global_6.member[((_e278[4] * _e100) + _e310)];
-                        let _e426 = (_e425 & 65535u);
-                        let _e437 = (_e425 >> bitcast<u32>(16i));
-                        let _e452 = global_6.member[((_e278[5] * _e100) + _e310)];
-                        let _e453 = (_e452 & 65535u);
-                        let _e464 = (_e452 >> bitcast<u32>(16i));
-                        let _e479 = global_6.member[((_e278[6] * _e100) + _e310)];
-                        let _e480 = (_e479 & 65535u);
-                        let _e491 = (_e479 >> bitcast<u32>(16i));
-                        let _e506 = global_6.member[((_e278[7] * _e100) + _e310)];
-                        let _e507 = (_e506 & 65535u);
-                        let _e518 = (_e506 >> bitcast<u32>(16i));
-                        global_7.member[_e312] = (((((((((bitcast<f32>((((_e318 & 32768u) << bitcast<u32>(16i)) | ((_e318 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e177) + ((bitcast<f32>((((_e345 & 32768u) << bitcast<u32>(16i)) | ((_e345 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e178)) + ((bitcast<f32>((((_e372 & 32768u) << bitcast<u32>(16i)) | ((_e372 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e179)) + ((bitcast<f32>((((_e399 & 32768u) << bitcast<u32>(16i)) | ((_e399 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e180)) + ((bitcast<f32>((((_e426 & 32768u) << bitcast<u32>(16i)) | ((_e426 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e181)) + ((bitcast<f32>((((_e453 & 32768u) << bitcast<u32>(16i)) | ((_e453 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e182)) + ((bitcast<f32>((((_e480 & 32768u) << bitcast<u32>(16i)) | ((_e480 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e183)) + ((bitcast<f32>((((_e507 & 32768u) << bitcast<u32>(16i)) | ((_e507 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e184));
-                        if (((2u * _e310) + 1u) < _e94) {
-                            global_7.member[(_e312 + _e52)] = (((((((((bitcast<f32>((((_e329 & 32768u) << bitcast<u32>(16i)) | ((_e329 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e177) + ((bitcast<f32>((((_e356 & 32768u) << bitcast<u32>(16i)) | ((_e356 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e178)) + ((bitcast<f32>((((_e383 & 32768u) << bitcast<u32>(16i)) | ((_e383 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e179)) + ((bitcast<f32>((((_e410 & 32768u) << bitcast<u32>(16i)) | ((_e410 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e180)) + ((bitcast<f32>((((_e437 & 32768u) << bitcast<u32>(16i)) | ((_e437 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e181)) + ((bitcast<f32>((((_e464 & 32768u) << bitcast<u32>(16i)) | ((_e464 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e182)) + ((bitcast<f32>((((_e491 & 32768u) << bitcast<u32>(16i)) | ((_e491 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e183)) + ((bitcast<f32>((((_e518 & 32768u) << bitcast<u32>(16i)) | ((_e518 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e184));
+                    let _e309 = phi_383_;
+                    let _e311 = phi_386_;
+                    if (_e309 < _e99) {
+                        let _e316 = global_6.member[((_e277[0] * _e99) + _e309)];
+                        let _e317 = (_e316 & 65535u);
+                        let _e328 = (_e316 >> bitcast<u32>(16i));
+                        let _e343 = global_6.member[((_e277[1] * _e99) + _e309)];
+                        let _e344 = (_e343 & 65535u);
+                        let _e355 = (_e343 >> bitcast<u32>(16i));
+                        let _e370 = global_6.member[((_e277[2] * _e99) + _e309)];
+                        let _e371 = (_e370 & 65535u);
+                        let _e382 = (_e370 >> bitcast<u32>(16i));
+                        let _e397 = global_6.member[((_e277[3] * _e99) + _e309)];
+                        let _e398 = (_e397 & 65535u);
+                        let _e409 = (_e397 >> bitcast<u32>(16i));
+                        let _e424 = global_6.member[((_e277[4] * _e99) + _e309)];
+                        let _e425 = (_e424 & 65535u);
+                        let _e436 = (_e424 >> bitcast<u32>(16i));
+                        let _e451 = global_6.member[((_e277[5] * _e99) + _e309)];
+                        let _e452 = (_e451 & 65535u);
+                        let _e463 = (_e451 >> bitcast<u32>(16i));
+                        let _e478 = global_6.member[((_e277[6] * _e99) + _e309)];
+                        let _e479 = (_e478 & 65535u);
+                        let _e490 = (_e478 >> bitcast<u32>(16i));
+                        let _e505 = global_6.member[((_e277[7] * _e99) + _e309)];
+                        let _e506 = (_e505 & 65535u);
+                        let _e517 = (_e505 >> bitcast<u32>(16i));
+                        global_7.member[_e311] = (((((((((bitcast<f32>((((_e317 & 32768u) << bitcast<u32>(16i)) | ((_e317 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e176) + ((bitcast<f32>((((_e344 & 32768u) << bitcast<u32>(16i)) | ((_e344 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e177)) + ((bitcast<f32>((((_e371 & 32768u) << bitcast<u32>(16i)) | ((_e371 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e178)) + ((bitcast<f32>((((_e398 & 32768u) << bitcast<u32>(16i)) | ((_e398 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e179)) + ((bitcast<f32>((((_e425 & 32768u) << bitcast<u32>(16i)) | ((_e425 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e180)) + ((bitcast<f32>((((_e452 & 32768u) << bitcast<u32>(16i)) | ((_e452 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e181)) + ((bitcast<f32>((((_e479 & 32768u) << bitcast<u32>(16i)) | ((_e479 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e182)) + ((bitcast<f32>((((_e506 & 32768u) << bitcast<u32>(16i)) | ((_e506 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e183));
+                        if (((2u * _e309) + 1u) < _e93) {
+                            global_7.member[(_e311 + _e51)] = (((((((((bitcast<f32>((((_e328 & 32768u) << bitcast<u32>(16i)) | ((_e328 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e176) + ((bitcast<f32>((((_e355 & 32768u) << bitcast<u32>(16i)) | ((_e355 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e177)) + ((bitcast<f32>((((_e382 & 32768u) << bitcast<u32>(16i)) | ((_e382 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e178)) + ((bitcast<f32>((((_e409 & 32768u) << bitcast<u32>(16i)) | ((_e409 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e179)) + ((bitcast<f32>((((_e436 & 32768u) << bitcast<u32>(16i)) | ((_e436 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e180)) + ((bitcast<f32>((((_e463 & 32768u) << bitcast<u32>(16i)) | ((_e463 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e181)) + ((bitcast<f32>((((_e490 & 32768u) << bitcast<u32>(16i)) | ((_e490 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e182)) + ((bitcast<f32>((((_e517 & 32768u) << bitcast<u32>(16i)) | ((_e517 & 32767u) << bitcast<u32>(13i)))) * 5192297000000000000000000000000000f) * _e183));
                         }
-                        local = (_e310 + 1u);
-                        local_1 = (_e312 + _e83);
+                        local = (_e309 + 1u);
+                        local_1 = (_e311 + _e82);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e558 = local;
-                        phi_384_ = _e558;
-                        let _e561 = local_1;
-                        phi_387_ = _e561;
+                        let _e557 = local;
+                        phi_383_ = _e557;
+                        let _e560 = local_1;
+                        phi_386_ = _e560;
                     }
                 }
             }

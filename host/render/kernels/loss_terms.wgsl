@@ -1,34 +1,34 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_10 {
+struct type_4 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: type_10,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_15 {
+struct type_11 {
+    member: array<f32>,
+}
+
+struct type_16 {
     member: array<vec4<f32>>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
-@group(0) @binding(3) 
-var<storage> global_2: type_5;
 @group(0) @binding(0) 
-var<uniform> global_3: type_11;
+var<uniform> global_2: type_5;
+@group(0) @binding(3) 
+var<storage> global_3: type_11;
 @group(0) @binding(1) 
-var<storage> global_4: type_5;
+var<storage> global_4: type_11;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_5: type_11;
 @group(0) @binding(4) 
-var<storage, read_write> global_6: type_15;
+var<storage, read_write> global_6: type_16;
 @group(0) @binding(5) 
-var<storage, read_write> global_7: type_15;
+var<storage, read_write> global_7: type_16;
 
 fn function_() {
     var phi_103_: vec4<f32>;
@@ -38,13 +38,13 @@ fn function_() {
     let _e17 = global_1;
     let _e23 = ((_e17.x * 8u) + _e16.x);
     let _e25 = ((_e17.y * 8u) + _e16.y);
-    let _e28 = global_3.member.member;
+    let _e28 = global_2.member.member;
     if (_e23 < _e28) {
         if (_e25 < _e28) {
             let _e31 = (_e28 * _e28);
             let _e34 = ((_e25 * _e28) + _e23);
             let _e36 = ((_e17.z * _e31) + _e34);
-            let _e39 = global_2.member[_e36];
+            let _e39 = global_3.member[_e36];
             if (_e39 > 0f) {
                 let _e43 = (((_e17.z * 3u) * _e31) + _e34);
                 let _e44 = (_e43 + _e31);

@@ -1,41 +1,41 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_10 {
+struct type_4 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: type_10,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_14 {
+struct type_10 {
     member: array<u32>,
+}
+
+struct type_15 {
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_11;
+var<uniform> global_3: type_5;
 @group(0) @binding(1) 
-var<storage> global_4: type_14;
+var<storage> global_4: type_10;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_5: type_15;
 @group(0) @binding(3) 
-var<storage> global_6: type_5;
-@group(0) @binding(6) 
-var<storage> global_7: type_5;
-@group(0) @binding(4) 
-var<storage> global_8: type_5;
-@group(0) @binding(5) 
-var<storage> global_9: type_5;
+var<storage> global_6: type_15;
 @group(0) @binding(7) 
-var<storage, read_write> global_10: type_5;
+var<storage, read_write> global_7: type_15;
+@group(0) @binding(6) 
+var<storage> global_8: type_15;
+@group(0) @binding(4) 
+var<storage> global_9: type_15;
+@group(0) @binding(5) 
+var<storage> global_10: type_15;
 @group(0) @binding(8) 
-var<storage, read_write> global_11: type_5;
+var<storage, read_write> global_11: type_15;
 
 fn function_() {
     var phi_211_: vec3<f32>;
@@ -75,20 +75,20 @@ fn function_() {
                 let _e91 = (_e81 - _e69);
                 let _e92 = (_e85 - _e73);
                 let _e93 = (_e89 - _e77);
-                global_10.member[_e90] = (((_e57 * _e91) + (_e61 * _e92)) + (_e65 * _e93));
+                global_7.member[_e90] = (((_e57 * _e91) + (_e61 * _e92)) + (_e65 * _e93));
                 let _e101 = (_e90 + 1u);
-                let _e104 = global_7.member[_e39];
-                global_10.member[_e101] = _e104;
+                let _e104 = global_8.member[_e39];
+                global_7.member[_e101] = _e104;
                 let _e107 = (_e90 + 2u);
-                global_10.member[_e107] = 0f;
+                global_7.member[_e107] = 0f;
                 let _e110 = (_e51 * 4u);
-                let _e113 = global_8.member[_e110];
-                let _e117 = global_8.member[(_e110 + 1u)];
-                let _e121 = global_8.member[(_e110 + 2u)];
-                let _e125 = global_8.member[(_e110 + 3u)];
-                let _e128 = global_9.member[_e78];
-                let _e131 = global_9.member[_e82];
-                let _e134 = global_9.member[_e86];
+                let _e113 = global_9.member[_e110];
+                let _e117 = global_9.member[(_e110 + 1u)];
+                let _e121 = global_9.member[(_e110 + 2u)];
+                let _e125 = global_9.member[(_e110 + 3u)];
+                let _e128 = global_10.member[_e78];
+                let _e131 = global_10.member[_e82];
+                let _e134 = global_10.member[_e86];
                 let _e143 = (1f / sqrt(((((_e113 * _e113) + (_e117 * _e117)) + (_e121 * _e121)) + (_e125 * _e125))));
                 let _e144 = (_e113 * _e143);
                 let _e145 = (_e117 * _e143);

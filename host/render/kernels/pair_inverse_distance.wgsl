@@ -1,33 +1,33 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_10 {
+struct type_4 {
     member: u32,
     member_1: u32,
 }
 
-struct type_11 {
-    member: type_10,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_14 {
+struct type_10 {
     member: array<u32>,
+}
+
+struct type_15 {
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_11;
+var<uniform> global_3: type_5;
 @group(0) @binding(1) 
-var<storage> global_4: type_14;
+var<storage> global_4: type_10;
 @group(0) @binding(2) 
-var<storage> global_5: type_5;
+var<storage> global_5: type_15;
 @group(0) @binding(3) 
-var<storage> global_6: type_5;
+var<storage> global_6: type_15;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_5;
+var<storage, read_write> global_7: type_15;
 
 fn function_() {
     switch bitcast<i32>(0u) {

@@ -1,12 +1,4 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_11 {
-    member: array<u32>,
-}
-
-struct type_15 {
+struct type_4 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -14,36 +6,44 @@ struct type_15 {
     member_4: u32,
 }
 
+struct type_5 {
+    member: type_4,
+}
+
+struct type_11 {
+    member: array<f32>,
+}
+
 struct type_16 {
-    member: type_15,
+    member: array<u32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
-@group(0) @binding(1) 
-var<storage> global_4: type_11;
-@group(0) @binding(2) 
-var<storage> global_5: type_11;
-@group(0) @binding(3) 
-var<storage> global_6: type_5;
+var<uniform> global_3: type_5;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_5;
+var<storage, read_write> global_4: type_11;
+@group(0) @binding(1) 
+var<storage> global_5: type_16;
+@group(0) @binding(2) 
+var<storage> global_6: type_16;
+@group(0) @binding(3) 
+var<storage> global_7: type_11;
 
 fn function_() {
-    var phi_68_: u32;
-    var phi_110_: vec4<f32>;
-    var phi_118_: vec4<f32>;
-    var phi_126_: vec4<f32>;
-    var phi_128_: u32;
-    var phi_131_: vec4<f32>;
-    var phi_133_: u32;
-    var phi_170_: vec4<f32>;
-    var phi_179_: vec4<f32>;
-    var phi_188_: vec4<f32>;
-    var phi_132_: vec4<f32>;
+    var phi_66_: u32;
+    var phi_108_: vec4<f32>;
+    var phi_116_: vec4<f32>;
+    var phi_124_: vec4<f32>;
+    var phi_126_: u32;
+    var phi_129_: vec4<f32>;
+    var phi_131_: u32;
+    var phi_168_: vec4<f32>;
+    var phi_177_: vec4<f32>;
+    var phi_186_: vec4<f32>;
+    var phi_130_: vec4<f32>;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
@@ -54,132 +54,132 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e20 = global;
-            let _e21 = global_1;
-            let _e22 = global_2;
-            let _e30 = (((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x);
-            let _e33 = global_3.member.member_4;
-            let _e34 = (_e33 / 4u);
-            if ((_e33 % 4u) > 0u) {
-                phi_68_ = (_e34 + 1u);
+            let _e18 = global;
+            let _e19 = global_1;
+            let _e20 = global_2;
+            let _e28 = (((_e19.x + (_e19.y * _e20.x)) * 64u) + _e18.x);
+            let _e31 = global_3.member.member_4;
+            let _e32 = (_e31 / 4u);
+            if ((_e31 % 4u) > 0u) {
+                phi_66_ = (_e32 + 1u);
             } else {
-                phi_68_ = _e34;
+                phi_66_ = _e32;
             }
-            let _e39 = phi_68_;
-            let _e42 = global_3.member.member_3;
-            if (_e30 < (_e42 * _e39)) {
-                let _e45 = (_e39 == 0u);
-                if _e45 {
+            let _e37 = phi_66_;
+            let _e40 = global_3.member.member_3;
+            if (_e28 < (_e40 * _e37)) {
+                let _e43 = (_e37 == 0u);
+                if _e43 {
                     break;
                 }
-                let _e46 = (_e30 / _e39);
-                if _e45 {
+                let _e44 = (_e28 / _e37);
+                if _e43 {
                     break;
                 }
-                let _e48 = ((_e30 % _e39) * 4u);
-                let _e50 = ((_e48 + 1u) < _e33);
-                let _e52 = ((_e48 + 2u) < _e33);
-                let _e54 = ((_e48 + 3u) < _e33);
-                let _e58 = global_3.member.member_1;
-                let _e61 = global_3.member.member;
-                let _e66 = ((_e46 * _e33) + _e48);
-                let _e69 = global_7.member[_e66];
+                let _e46 = ((_e28 % _e37) * 4u);
+                let _e48 = ((_e46 + 1u) < _e31);
+                let _e50 = ((_e46 + 2u) < _e31);
+                let _e52 = ((_e46 + 3u) < _e31);
+                let _e56 = global_3.member.member_1;
+                let _e59 = global_3.member.member;
+                let _e64 = ((_e44 * _e31) + _e46);
+                let _e67 = global_4.member[_e64];
+                if _e48 {
+                    let _e72 = global_4.member[(_e64 + 1u)];
+                    phi_108_ = vec4<f32>(_e67, _e72, 0f, 0f);
+                } else {
+                    phi_108_ = vec4<f32>(_e67, 0f, 0f, 0f);
+                }
+                let _e75 = phi_108_;
                 if _e50 {
-                    let _e74 = global_7.member[(_e66 + 1u)];
-                    phi_110_ = vec4<f32>(_e69, _e74, 0f, 0f);
+                    let _e79 = global_4.member[(_e64 + 2u)];
+                    phi_116_ = vec4<f32>(_e75.x, _e75.y, _e79, _e75.w);
                 } else {
-                    phi_110_ = vec4<f32>(_e69, 0f, 0f, 0f);
+                    phi_116_ = _e75;
                 }
-                let _e77 = phi_110_;
+                let _e86 = phi_116_;
                 if _e52 {
-                    let _e81 = global_7.member[(_e66 + 2u)];
-                    phi_118_ = vec4<f32>(_e77.x, _e77.y, _e81, _e77.w);
+                    let _e90 = global_4.member[(_e64 + 3u)];
+                    phi_124_ = vec4<f32>(_e86.x, _e86.y, _e86.z, _e90);
                 } else {
-                    phi_118_ = _e77;
+                    phi_124_ = _e86;
                 }
-                let _e88 = phi_118_;
-                if _e54 {
-                    let _e92 = global_7.member[(_e66 + 3u)];
-                    phi_126_ = vec4<f32>(_e88.x, _e88.y, _e88.z, _e92);
-                } else {
-                    phi_126_ = _e88;
-                }
-                let _e99 = phi_126_;
-                phi_128_ = 0u;
-                phi_131_ = _e99;
-                phi_133_ = ((_e58 * _e61) + (_e46 / 32u));
+                let _e97 = phi_124_;
+                phi_126_ = 0u;
+                phi_129_ = _e97;
+                phi_131_ = ((_e56 * _e59) + (_e44 / 32u));
                 loop {
-                    let _e101 = phi_128_;
+                    let _e99 = phi_126_;
+                    let _e101 = phi_129_;
                     let _e103 = phi_131_;
-                    let _e105 = phi_133_;
-                    let _e108 = global_3.member.member_2;
-                    local = _e103;
-                    local_1 = _e103;
-                    local_2 = _e103;
-                    local_3 = _e103;
-                    if (_e101 < _e108) {
-                        let _e112 = global_4.member[_e105];
-                        let _e113 = ((_e46 % 32u) & 31u);
-                        if (((_e112 >> bitcast<u32>(_e113)) & 1u) == 0u) {
-                            phi_132_ = _e103;
+                    let _e106 = global_3.member.member_2;
+                    local = _e101;
+                    local_1 = _e101;
+                    local_2 = _e101;
+                    local_3 = _e101;
+                    if (_e99 < _e106) {
+                        let _e110 = global_5.member[_e103];
+                        let _e111 = ((_e44 % 32u) & 31u);
+                        if (((_e110 >> bitcast<u32>(_e111)) & 1u) == 0u) {
+                            phi_130_ = _e101;
                         } else {
-                            let _e120 = global_5.member[_e105];
-                            let _e128 = (((_e120 + countOneBits((_e112 & ((1u << bitcast<u32>(_e113)) - 1u)))) * _e33) + _e48);
-                            let _e131 = global_6.member[_e128];
-                            let _e138 = vec4<f32>((_e103.x + _e131), _e103.y, _e103.z, _e103.w);
+                            let _e118 = global_6.member[_e103];
+                            let _e126 = (((_e118 + countOneBits((_e110 & ((1u << bitcast<u32>(_e111)) - 1u)))) * _e31) + _e46);
+                            let _e129 = global_7.member[_e126];
+                            let _e136 = vec4<f32>((_e101.x + _e129), _e101.y, _e101.z, _e101.w);
+                            if _e48 {
+                                let _e140 = global_7.member[(_e126 + 1u)];
+                                phi_168_ = vec4<f32>(_e136.x, (_e101.y + _e140), _e136.z, _e136.w);
+                            } else {
+                                phi_168_ = _e136;
+                            }
+                            let _e149 = phi_168_;
                             if _e50 {
-                                let _e142 = global_6.member[(_e128 + 1u)];
-                                phi_170_ = vec4<f32>(_e138.x, (_e103.y + _e142), _e138.z, _e138.w);
+                                let _e153 = global_7.member[(_e126 + 2u)];
+                                phi_177_ = vec4<f32>(_e149.x, _e149.y, (_e149.z + _e153), _e149.w);
                             } else {
-                                phi_170_ = _e138;
+                                phi_177_ = _e149;
                             }
-                            let _e151 = phi_170_;
+                            let _e162 = phi_177_;
                             if _e52 {
-                                let _e155 = global_6.member[(_e128 + 2u)];
-                                phi_179_ = vec4<f32>(_e151.x, _e151.y, (_e151.z + _e155), _e151.w);
+                                let _e166 = global_7.member[(_e126 + 3u)];
+                                phi_186_ = vec4<f32>(_e162.x, _e162.y, _e162.z, (_e162.w + _e166));
                             } else {
-                                phi_179_ = _e151;
+                                phi_186_ = _e162;
                             }
-                            let _e164 = phi_179_;
-                            if _e54 {
-                                let _e168 = global_6.member[(_e128 + 3u)];
-                                phi_188_ = vec4<f32>(_e164.x, _e164.y, _e164.z, (_e164.w + _e168));
-                            } else {
-                                phi_188_ = _e164;
-                            }
-                            let _e177 = phi_188_;
-                            phi_132_ = _e177;
+                            let _e175 = phi_186_;
+                            phi_130_ = _e175;
                         }
-                        let _e179 = phi_132_;
-                        local_4 = (_e101 + 1u);
-                        local_5 = _e179;
-                        local_6 = (_e105 + _e61);
+                        let _e177 = phi_130_;
+                        local_4 = (_e99 + 1u);
+                        local_5 = _e177;
+                        local_6 = (_e103 + _e59);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e209 = local_4;
-                        phi_128_ = _e209;
-                        let _e212 = local_5;
-                        phi_131_ = _e212;
-                        let _e215 = local_6;
-                        phi_133_ = _e215;
+                        let _e207 = local_4;
+                        phi_126_ = _e207;
+                        let _e210 = local_5;
+                        phi_129_ = _e210;
+                        let _e213 = local_6;
+                        phi_131_ = _e213;
                     }
                 }
-                let _e183 = local;
-                global_7.member[_e66] = _e183.x;
+                let _e181 = local;
+                global_4.member[_e64] = _e181.x;
+                if _e48 {
+                    let _e185 = local_1;
+                    global_4.member[(_e64 + 1u)] = _e185.y;
+                }
                 if _e50 {
-                    let _e187 = local_1;
-                    global_7.member[(_e66 + 1u)] = _e187.y;
+                    let _e191 = local_2;
+                    global_4.member[(_e64 + 2u)] = _e191.z;
                 }
                 if _e52 {
-                    let _e193 = local_2;
-                    global_7.member[(_e66 + 2u)] = _e193.z;
-                }
-                if _e54 {
-                    let _e199 = local_3;
-                    global_7.member[(_e66 + 3u)] = _e199.w;
+                    let _e197 = local_3;
+                    global_4.member[(_e64 + 3u)] = _e197.w;
                 }
             }
             break;

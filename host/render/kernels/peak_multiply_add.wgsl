@@ -1,119 +1,119 @@
 struct type_5 {
-    member: array<f32>,
-}
-
-struct type_11 {
-    member: f32,
-    member_1: f32,
-    member_2: f32,
-    member_3: f32,
-}
-
-struct type_12 {
     member: u32,
     member_1: u32,
     member_2: f32,
     member_3: f32,
 }
 
+struct type_6 {
+    member: type_5,
+}
+
+struct type_10 {
+    member: f32,
+    member_1: f32,
+    member_2: f32,
+    member_3: f32,
+}
+
 struct type_13 {
-    member: type_12,
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_13;
+var<uniform> global_3: type_6;
 @group(0) @binding(1) 
-var<storage, read_write> global_4: type_5;
+var<storage, read_write> global_4: type_13;
 
 fn function_() {
-    var phi_82_: u32;
-    var phi_85_: type_11;
-    var phi_87_: type_11;
-    var phi_89_: type_11;
-    var local: type_11;
-    var local_1: type_11;
-    var local_2: type_11;
-    var local_3: type_11;
-    var local_4: type_11;
-    var local_5: type_11;
-    var local_6: type_11;
-    var local_7: type_11;
-    var local_8: type_11;
-    var local_9: type_11;
-    var local_10: type_11;
-    var local_11: type_11;
+    var phi_80_: u32;
+    var phi_83_: type_10;
+    var phi_85_: type_10;
+    var phi_87_: type_10;
+    var local: type_10;
+    var local_1: type_10;
+    var local_2: type_10;
+    var local_3: type_10;
+    var local_4: type_10;
+    var local_5: type_10;
+    var local_6: type_10;
+    var local_7: type_10;
+    var local_8: type_10;
+    var local_9: type_10;
+    var local_10: type_10;
+    var local_11: type_10;
     var local_12: u32;
-    var local_13: type_11;
-    var local_14: type_11;
-    var local_15: type_11;
+    var local_13: type_10;
+    var local_14: type_10;
+    var local_15: type_10;
 
-    let _e24 = global;
-    let _e25 = global_1;
-    let _e26 = global_2;
-    let _e34 = (((_e25.x + (_e25.y * _e26.x)) * 64u) + _e24.x);
-    let _e37 = global_3.member.member;
-    if (_e34 < _e37) {
-        let _e40 = (f32(_e34) * 0.00000023841858f);
-        let _e43 = global_3.member.member_2;
-        let _e46 = global_3.member.member_3;
-        phi_82_ = 0u;
-        phi_85_ = type_11((_e40 + 8f), (_e40 + 9f), (_e40 + 10f), (_e40 + 11f));
-        phi_87_ = type_11((_e40 + 4f), (_e40 + 5f), (_e40 + 6f), (_e40 + 7f));
-        phi_89_ = type_11(_e40, (_e40 + 1f), (_e40 + 2f), (_e40 + 3f));
+    let _e22 = global;
+    let _e23 = global_1;
+    let _e24 = global_2;
+    let _e32 = (((_e23.x + (_e23.y * _e24.x)) * 64u) + _e22.x);
+    let _e35 = global_3.member.member;
+    if (_e32 < _e35) {
+        let _e38 = (f32(_e32) * 0.00000023841858f);
+        let _e41 = global_3.member.member_2;
+        let _e44 = global_3.member.member_3;
+        phi_80_ = 0u;
+        phi_83_ = type_10((_e38 + 8f), (_e38 + 9f), (_e38 + 10f), (_e38 + 11f));
+        phi_85_ = type_10((_e38 + 4f), (_e38 + 5f), (_e38 + 6f), (_e38 + 7f));
+        phi_87_ = type_10(_e38, (_e38 + 1f), (_e38 + 2f), (_e38 + 3f));
         loop {
-            let _e62 = phi_82_;
+            let _e60 = phi_80_;
+            let _e62 = phi_83_;
             let _e64 = phi_85_;
             let _e66 = phi_87_;
-            let _e68 = phi_89_;
-            let _e71 = global_3.member.member_1;
-            local = _e68;
-            local_1 = _e68;
-            local_2 = _e68;
-            local_3 = _e68;
-            local_4 = _e66;
-            local_5 = _e66;
-            local_6 = _e66;
-            local_7 = _e66;
-            local_8 = _e64;
-            local_9 = _e64;
-            local_10 = _e64;
-            local_11 = _e64;
-            if (_e62 < _e71) {
-                local_12 = (_e62 + 1u);
-                local_13 = type_11(((((((((_e64.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e64.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
-                local_14 = type_11(((((((((_e66.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e66.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
-                local_15 = type_11(((((((((_e68.member * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_1 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_2 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46), ((((((((_e68.member_3 * _e43) + _e46) * _e43) + _e46) * _e43) + _e46) * _e43) + _e46));
+            let _e69 = global_3.member.member_1;
+            local = _e66;
+            local_1 = _e66;
+            local_2 = _e66;
+            local_3 = _e66;
+            local_4 = _e64;
+            local_5 = _e64;
+            local_6 = _e64;
+            local_7 = _e64;
+            local_8 = _e62;
+            local_9 = _e62;
+            local_10 = _e62;
+            local_11 = _e62;
+            if (_e60 < _e69) {
+                local_12 = (_e60 + 1u);
+                local_13 = type_10(((((((((_e62.member * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e62.member_1 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e62.member_2 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e62.member_3 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44));
+                local_14 = type_10(((((((((_e64.member * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e64.member_1 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e64.member_2 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e64.member_3 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44));
+                local_15 = type_10(((((((((_e66.member * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e66.member_1 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e66.member_2 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e66.member_3 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44));
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e236 = local_12;
-                phi_82_ = _e236;
-                let _e239 = local_13;
-                phi_85_ = _e239;
-                let _e242 = local_14;
-                phi_87_ = _e242;
-                let _e245 = local_15;
-                phi_89_ = _e245;
+                let _e234 = local_12;
+                phi_80_ = _e234;
+                let _e237 = local_13;
+                phi_83_ = _e237;
+                let _e240 = local_14;
+                phi_85_ = _e240;
+                let _e243 = local_15;
+                phi_87_ = _e243;
             }
         }
-        let _e186 = local;
-        let _e189 = local_1;
-        let _e192 = local_2;
-        let _e195 = local_3;
-        let _e198 = local_4;
-        let _e201 = local_5;
-        let _e204 = local_6;
-        let _e207 = local_7;
-        let _e210 = local_8;
-        let _e213 = local_9;
-        let _e216 = local_10;
-        let _e219 = local_11;
-        global_4.member[_e34] = ((((_e186.member + _e189.member_1) + (_e192.member_2 + _e195.member_3)) + ((_e198.member + _e201.member_1) + (_e204.member_2 + _e207.member_3))) + ((_e210.member + _e213.member_1) + (_e216.member_2 + _e219.member_3)));
+        let _e184 = local;
+        let _e187 = local_1;
+        let _e190 = local_2;
+        let _e193 = local_3;
+        let _e196 = local_4;
+        let _e199 = local_5;
+        let _e202 = local_6;
+        let _e205 = local_7;
+        let _e208 = local_8;
+        let _e211 = local_9;
+        let _e214 = local_10;
+        let _e217 = local_11;
+        global_4.member[_e32] = ((((_e184.member + _e187.member_1) + (_e190.member_2 + _e193.member_3)) + ((_e196.member + _e199.member_1) + (_e202.member_2 + _e205.member_3))) + ((_e208.member + _e211.member_1) + (_e214.member_2 + _e217.member_3)));
     }
     return;
 }

@@ -1,16 +1,4 @@
-struct type_6 {
-    member: array<f32>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_19 {
-    member: array<vec4<f32>>,
-}
-
-struct type_22 {
+struct type_5 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -20,8 +8,20 @@ struct type_22 {
     member_6: f32,
 }
 
-struct type_23 {
-    member: type_22,
+struct type_6 {
+    member: type_5,
+}
+
+struct type_11 {
+    member: array<f32>,
+}
+
+struct type_15 {
+    member: array<u32>,
+}
+
+struct type_21 {
+    member: array<vec4<f32>>,
 }
 
 struct type_28 {
@@ -32,448 +32,448 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_23;
+var<uniform> global_3: type_6;
 @group(0) @binding(1) 
-var<storage> global_4: type_6;
-@group(0) @binding(2) 
-var<storage> global_5: type_6;
-@group(0) @binding(3) 
-var<storage> global_6: type_6;
-@group(0) @binding(4) 
-var<storage> global_7: type_6;
+var<storage> global_4: type_11;
 @group(0) @binding(5) 
-var<storage> global_8: type_13;
+var<storage> global_5: type_15;
 @group(0) @binding(6) 
-var<storage> global_9: type_13;
+var<storage> global_6: type_15;
+@group(0) @binding(2) 
+var<storage> global_7: type_11;
+@group(0) @binding(3) 
+var<storage> global_8: type_11;
+@group(0) @binding(4) 
+var<storage> global_9: type_11;
 @group(0) @binding(7) 
-var<storage> global_10: type_19;
+var<storage> global_10: type_21;
 @group(0) @binding(8) 
 var<storage, read_write> global_11: type_28;
 
 fn function_() {
-    var phi_559_: vec3<f32>;
-    var phi_562_: vec3<f32>;
+    var phi_557_: vec3<f32>;
+    var phi_560_: vec3<f32>;
+    var phi_562_: u32;
     var phi_564_: u32;
-    var phi_566_: u32;
     var local: vec3<f32>;
-    var phi_678_: u32;
-    var phi_680_: array<u32, 2>;
-    var phi_686_: array<u32, 2>;
+    var phi_676_: u32;
+    var phi_678_: array<u32, 2>;
+    var phi_684_: array<u32, 2>;
     var local_1: vec3<f32>;
-    var phi_735_: u32;
-    var phi_737_: array<u32, 2>;
-    var phi_743_: array<u32, 2>;
+    var phi_733_: u32;
+    var phi_735_: array<u32, 2>;
+    var phi_741_: array<u32, 2>;
     var local_2: vec3<f32>;
-    var phi_792_: u32;
-    var phi_794_: array<u32, 2>;
-    var phi_800_: array<u32, 2>;
+    var phi_790_: u32;
+    var phi_792_: array<u32, 2>;
+    var phi_798_: array<u32, 2>;
     var local_3: vec3<f32>;
-    var phi_849_: u32;
-    var phi_851_: array<u32, 2>;
-    var phi_857_: array<u32, 2>;
+    var phi_847_: u32;
+    var phi_849_: array<u32, 2>;
+    var phi_855_: array<u32, 2>;
     var local_4: vec3<f32>;
-    var phi_906_: u32;
-    var phi_908_: array<u32, 2>;
-    var phi_914_: array<u32, 2>;
+    var phi_904_: u32;
+    var phi_906_: array<u32, 2>;
+    var phi_912_: array<u32, 2>;
     var local_5: vec3<f32>;
-    var phi_963_: u32;
-    var phi_965_: array<u32, 2>;
-    var phi_971_: array<u32, 2>;
+    var phi_961_: u32;
+    var phi_963_: array<u32, 2>;
+    var phi_969_: array<u32, 2>;
     var local_6: vec3<f32>;
     var local_7: vec3<f32>;
     var local_8: u32;
     var local_9: u32;
 
-    let _e52 = global;
-    let _e53 = global_1;
-    let _e54 = global_2;
-    let _e62 = (((_e53.x + (_e53.y * _e54.x)) * 64u) + _e52.x);
-    let _e65 = global_3.member.member_4;
-    if (_e62 < _e65) {
-        let _e69 = global_3.member.member_2;
-        let _e70 = (_e69 * 18u);
-        let _e73 = global_4.member[_e70];
-        let _e77 = global_4.member[(_e70 + 1u)];
-        let _e81 = global_4.member[(_e70 + 2u)];
-        let _e85 = global_4.member[(_e70 + 3u)];
-        let _e89 = global_4.member[(_e70 + 4u)];
-        let _e93 = global_4.member[(_e70 + 5u)];
-        let _e97 = global_4.member[(_e70 + 6u)];
-        let _e101 = global_4.member[(_e70 + 7u)];
-        let _e105 = global_4.member[(_e70 + 8u)];
-        let _e109 = global_4.member[(_e70 + 9u)];
-        let _e113 = global_4.member[(_e70 + 10u)];
-        let _e117 = global_4.member[(_e70 + 11u)];
-        let _e121 = global_4.member[(_e70 + 12u)];
-        let _e125 = global_4.member[(_e70 + 13u)];
-        let _e129 = global_4.member[(_e70 + 14u)];
-        let _e133 = global_4.member[(_e70 + 15u)];
-        let _e137 = global_4.member[(_e70 + 16u)];
-        let _e141 = global_4.member[(_e70 + 17u)];
-        let _e145 = global_3.member.member_1;
-        let _e149 = global_8.member[((_e69 + 1u) * _e145)];
-        let _e153 = global_8.member[(_e69 * _e145)];
-        let _e155 = (_e153 + (_e62 * 256u));
-        let _e156 = (_e155 + 256u);
-        phi_559_ = vec3<f32>(0f, 0f, 0f);
-        phi_562_ = vec3<f32>(0f, 0f, 0f);
-        phi_564_ = (3u * _e155);
-        phi_566_ = _e155;
+    let _e50 = global;
+    let _e51 = global_1;
+    let _e52 = global_2;
+    let _e60 = (((_e51.x + (_e51.y * _e52.x)) * 64u) + _e50.x);
+    let _e63 = global_3.member.member_4;
+    if (_e60 < _e63) {
+        let _e67 = global_3.member.member_2;
+        let _e68 = (_e67 * 18u);
+        let _e71 = global_4.member[_e68];
+        let _e75 = global_4.member[(_e68 + 1u)];
+        let _e79 = global_4.member[(_e68 + 2u)];
+        let _e83 = global_4.member[(_e68 + 3u)];
+        let _e87 = global_4.member[(_e68 + 4u)];
+        let _e91 = global_4.member[(_e68 + 5u)];
+        let _e95 = global_4.member[(_e68 + 6u)];
+        let _e99 = global_4.member[(_e68 + 7u)];
+        let _e103 = global_4.member[(_e68 + 8u)];
+        let _e107 = global_4.member[(_e68 + 9u)];
+        let _e111 = global_4.member[(_e68 + 10u)];
+        let _e115 = global_4.member[(_e68 + 11u)];
+        let _e119 = global_4.member[(_e68 + 12u)];
+        let _e123 = global_4.member[(_e68 + 13u)];
+        let _e127 = global_4.member[(_e68 + 14u)];
+        let _e131 = global_4.member[(_e68 + 15u)];
+        let _e135 = global_4.member[(_e68 + 16u)];
+        let _e139 = global_4.member[(_e68 + 17u)];
+        let _e143 = global_3.member.member_1;
+        let _e147 = global_5.member[((_e67 + 1u) * _e143)];
+        let _e151 = global_5.member[(_e67 * _e143)];
+        let _e153 = (_e151 + (_e60 * 256u));
+        let _e154 = (_e153 + 256u);
+        phi_557_ = vec3<f32>(0f, 0f, 0f);
+        phi_560_ = vec3<f32>(0f, 0f, 0f);
+        phi_562_ = (3u * _e153);
+        phi_564_ = _e153;
         loop {
-            let _e161 = phi_559_;
+            let _e159 = phi_557_;
+            let _e161 = phi_560_;
             let _e163 = phi_562_;
             let _e165 = phi_564_;
-            let _e167 = phi_566_;
-            local = _e163;
-            local_1 = _e163;
-            local_2 = _e163;
-            local_3 = _e161;
-            local_4 = _e161;
-            local_5 = _e161;
-            if (_e167 < select(_e149, _e156, (_e156 < _e149))) {
-                let _e171 = global_9.member[_e167];
-                let _e174 = global_3.member.member;
-                let _e176 = (_e171 - (_e69 * _e174));
-                let _e177 = (3u * _e176);
-                let _e180 = global_5.member[_e177];
-                let _e181 = (_e177 + 1u);
-                let _e184 = global_5.member[_e181];
-                let _e185 = (_e177 + 2u);
-                let _e188 = global_5.member[_e185];
-                let _e189 = (_e176 * 4u);
-                let _e192 = global_6.member[_e189];
-                let _e196 = global_6.member[(_e189 + 1u)];
-                let _e200 = global_6.member[(_e189 + 2u)];
-                let _e204 = global_6.member[(_e189 + 3u)];
-                let _e207 = global_7.member[_e177];
-                let _e210 = global_7.member[_e181];
-                let _e213 = global_7.member[_e185];
-                let _e214 = (_e180 - _e109);
-                let _e215 = (_e184 - _e113);
-                let _e216 = (_e188 - _e117);
-                let _e221 = (((_e73 * _e214) + (_e77 * _e215)) + (_e81 * _e216));
-                let _e226 = (((_e85 * _e214) + (_e89 * _e215)) + (_e93 * _e216));
-                let _e231 = (((_e97 * _e214) + (_e101 * _e215)) + (_e105 * _e216));
-                let _e233 = select(1f, _e231, (0.01f < _e231));
-                let _e234 = (1f / _e121);
-                let _e235 = (1f / _e125);
-                let _e238 = ((_e137 * _e234) * 0.15f);
-                let _e239 = ((_e141 * _e235) * 0.15f);
-                let _e244 = (((_e129 * _e234) * -1f) - _e238);
-                let _e245 = (((_e133 * _e235) * -1f) - _e239);
-                let _e250 = (((_e137 - _e129) * _e234) + _e238);
-                let _e251 = (((_e141 - _e133) * _e235) + _e239);
-                let _e252 = (_e221 / _e233);
-                let _e254 = select(_e244, _e252, (_e252 > _e244));
-                let _e256 = select(_e250, _e254, (_e254 < _e250));
-                let _e257 = (_e226 / _e233);
-                let _e259 = select(_e245, _e257, (_e257 > _e245));
-                let _e261 = select(_e251, _e259, (_e259 < _e251));
-                let _e262 = (_e121 / _e233);
-                let _e263 = (_e125 / _e233);
-                let _e270 = ((_e73 - (_e97 * _e256)) * _e262);
-                let _e271 = ((_e77 - (_e101 * _e256)) * _e262);
-                let _e272 = ((_e81 - (_e105 * _e256)) * _e262);
-                let _e279 = ((_e85 - (_e97 * _e261)) * _e263);
-                let _e280 = ((_e89 - (_e101 * _e261)) * _e263);
-                let _e281 = ((_e93 - (_e105 * _e261)) * _e263);
-                let _e290 = (1f / sqrt(((((_e192 * _e192) + (_e196 * _e196)) + (_e200 * _e200)) + (_e204 * _e204))));
-                let _e291 = (_e192 * _e290);
-                let _e292 = (_e196 * _e290);
-                let _e293 = (_e200 * _e290);
-                let _e294 = (_e204 * _e290);
-                let _e295 = (_e293 * _e293);
-                let _e296 = (_e294 * _e294);
-                let _e299 = (1f - (2f * (_e295 + _e296)));
-                let _e300 = (_e292 * _e293);
-                let _e301 = (_e291 * _e294);
-                let _e303 = (2f * (_e300 + _e301));
-                let _e304 = (_e292 * _e294);
-                let _e305 = (_e291 * _e293);
-                let _e307 = (2f * (_e304 - _e305));
-                let _e309 = (2f * (_e300 - _e301));
-                let _e310 = (_e292 * _e292);
-                let _e313 = (1f - (2f * (_e310 + _e296)));
-                let _e314 = (_e293 * _e294);
-                let _e315 = (_e291 * _e292);
-                let _e317 = (2f * (_e314 + _e315));
-                let _e319 = (2f * (_e304 + _e305));
-                let _e321 = (2f * (_e314 - _e315));
-                let _e324 = (1f - (2f * (_e310 + _e295)));
-                let _e325 = exp(_e207);
-                let _e326 = exp(_e210);
-                let _e327 = exp(_e213);
-                let _e343 = ((((_e270 * _e299) + (_e271 * _e303)) + (_e272 * _e307)) * _e325);
-                let _e344 = ((((_e270 * _e309) + (_e271 * _e313)) + (_e272 * _e317)) * _e326);
-                let _e345 = ((((_e270 * _e319) + (_e271 * _e321)) + (_e272 * _e324)) * _e327);
-                let _e361 = ((((_e279 * _e299) + (_e280 * _e303)) + (_e281 * _e307)) * _e325);
-                let _e362 = ((((_e279 * _e309) + (_e280 * _e313)) + (_e281 * _e317)) * _e326);
-                let _e363 = ((((_e279 * _e319) + (_e280 * _e321)) + (_e281 * _e324)) * _e327);
-                let _e366 = global_10.member[_e165];
-                let _e370 = global_10.member[(_e165 + 1u)];
-                let _e378 = global_3.member.member_6;
-                let _e383 = (((_e343 * _e343) + (_e344 * _e344)) + (_e345 * _e345));
-                let _e393 = (((_e361 * _e361) + (_e362 * _e362)) + (_e363 * _e363));
-                let _e396 = ((_e344 * _e363) - (_e345 * _e362));
-                let _e399 = ((_e345 * _e361) - (_e343 * _e363));
-                let _e402 = ((_e343 * _e362) - (_e344 * _e361));
-                let _e413 = (1f / (((((_e396 * _e396) + (_e399 * _e399)) + (_e402 * _e402)) + (_e378 * (_e383 + _e393))) + (_e378 * _e378)));
-                let _e429 = (((_e343 * _e378) + ((_e362 * _e402) - (_e363 * _e399))) * _e413);
-                let _e430 = (((_e344 * _e378) + ((_e363 * _e396) - (_e361 * _e402))) * _e413);
-                let _e431 = (((_e345 * _e378) + ((_e361 * _e399) - (_e362 * _e396))) * _e413);
-                let _e447 = (((_e361 * _e378) + ((_e399 * _e345) - (_e402 * _e344))) * _e413);
-                let _e448 = (((_e362 * _e378) + ((_e402 * _e343) - (_e396 * _e345))) * _e413);
-                let _e449 = (((_e363 * _e378) + ((_e396 * _e344) - (_e399 * _e343))) * _e413);
-                let _e450 = (0.5f * _e370.y);
-                let _e457 = ((_e429 * _e370.x) + (_e447 * _e450));
-                let _e458 = ((_e430 * _e370.x) + (_e448 * _e450));
-                let _e459 = ((_e431 * _e370.x) + (_e449 * _e450));
-                let _e466 = ((_e429 * _e450) + (_e447 * _e370.z));
-                let _e467 = ((_e430 * _e450) + (_e448 * _e370.z));
-                let _e468 = ((_e431 * _e450) + (_e449 * _e370.z));
-                let _e470 = ((_e393 + _e378) * _e413);
-                let _e472 = (-((((_e343 * _e361) + (_e344 * _e362)) + (_e345 * _e363))) * _e413);
-                let _e474 = ((_e383 + _e378) * _e413);
-                let _e499 = ((((_e457 * _e470) + (_e466 * _e472)) * -2f) * _e325);
-                let _e500 = ((((_e458 * _e470) + (_e467 * _e472)) * -2f) * _e326);
-                let _e501 = ((((_e459 * _e470) + (_e468 * _e472)) * -2f) * _e327);
-                let _e502 = ((((_e457 * _e472) + (_e466 * _e474)) * -2f) * _e325);
-                let _e503 = ((((_e458 * _e472) + (_e467 * _e474)) * -2f) * _e326);
-                let _e504 = ((((_e459 * _e472) + (_e468 * _e474)) * -2f) * _e327);
-                let _e517 = (((_e299 * _e499) + (_e309 * _e500)) + (_e319 * _e501));
-                let _e518 = (((_e303 * _e499) + (_e313 * _e500)) + (_e321 * _e501));
-                let _e519 = (((_e307 * _e499) + (_e317 * _e500)) + (_e324 * _e501));
-                let _e532 = (((_e299 * _e502) + (_e309 * _e503)) + (_e319 * _e504));
-                let _e533 = (((_e303 * _e502) + (_e313 * _e503)) + (_e321 * _e504));
-                let _e534 = (((_e307 * _e502) + (_e317 * _e503)) + (_e324 * _e504));
-                let _e535 = (1f / _e233);
-                let _e536 = (_e121 * _e535);
-                let _e537 = (_e125 * _e535);
-                let _e558 = ((_e536 * _e366.x) + (select(0f, (-(_e536) * (((_e517 * _e97) + (_e518 * _e101)) + (_e519 * _e105))), (_e256 == _e252)) / _e233));
-                let _e561 = ((_e537 * _e366.y) + (select(0f, (-(_e537) * (((_e532 * _e97) + (_e533 * _e101)) + (_e534 * _e105))), (_e261 == _e257)) / _e233));
-                let _e578 = (-(((_e252 * _e558) + (_e257 * _e561))) - (((((_e517 * _e270) + (_e518 * _e271)) + (_e519 * _e272)) + (((_e532 * _e279) + (_e533 * _e280)) + (_e534 * _e281))) / _e233));
-                let _e597 = (((_e518 * _e272) - (_e519 * _e271)) + ((_e533 * _e281) - (_e534 * _e280)));
-                let _e598 = (((_e519 * _e270) - (_e517 * _e272)) + ((_e534 * _e279) - (_e532 * _e281)));
-                let _e599 = (((_e517 * _e271) - (_e518 * _e270)) + ((_e532 * _e280) - (_e533 * _e279)));
-                local_6 = vec3<f32>((_e161.x + _e558), (_e161.y + _e561), (_e161.z + _e578));
-                local_7 = vec3<f32>((_e163.x + (((_e226 * _e578) - (_e231 * _e561)) + (((_e73 * _e597) + (_e77 * _e598)) + (_e81 * _e599)))), (_e163.y + (((_e231 * _e558) - (_e221 * _e578)) + (((_e85 * _e597) + (_e89 * _e598)) + (_e93 * _e599)))), (_e163.z + (((_e221 * _e561) - (_e226 * _e558)) + (((_e97 * _e597) + (_e101 * _e598)) + (_e105 * _e599)))));
-                local_8 = (_e165 + 3u);
-                local_9 = (_e167 + 1u);
+            local = _e161;
+            local_1 = _e161;
+            local_2 = _e161;
+            local_3 = _e159;
+            local_4 = _e159;
+            local_5 = _e159;
+            if (_e165 < select(_e147, _e154, (_e154 < _e147))) {
+                let _e169 = global_6.member[_e165];
+                let _e172 = global_3.member.member;
+                let _e174 = (_e169 - (_e67 * _e172));
+                let _e175 = (3u * _e174);
+                let _e178 = global_7.member[_e175];
+                let _e179 = (_e175 + 1u);
+                let _e182 = global_7.member[_e179];
+                let _e183 = (_e175 + 2u);
+                let _e186 = global_7.member[_e183];
+                let _e187 = (_e174 * 4u);
+                let _e190 = global_8.member[_e187];
+                let _e194 = global_8.member[(_e187 + 1u)];
+                let _e198 = global_8.member[(_e187 + 2u)];
+                let _e202 = global_8.member[(_e187 + 3u)];
+                let _e205 = global_9.member[_e175];
+                let _e208 = global_9.member[_e179];
+                let _e211 = global_9.member[_e183];
+                let _e212 = (_e178 - _e107);
+                let _e213 = (_e182 - _e111);
+                let _e214 = (_e186 - _e115);
+                let _e219 = (((_e71 * _e212) + (_e75 * _e213)) + (_e79 * _e214));
+                let _e224 = (((_e83 * _e212) + (_e87 * _e213)) + (_e91 * _e214));
+                let _e229 = (((_e95 * _e212) + (_e99 * _e213)) + (_e103 * _e214));
+                let _e231 = select(1f, _e229, (0.01f < _e229));
+                let _e232 = (1f / _e119);
+                let _e233 = (1f / _e123);
+                let _e236 = ((_e135 * _e232) * 0.15f);
+                let _e237 = ((_e139 * _e233) * 0.15f);
+                let _e242 = (((_e127 * _e232) * -1f) - _e236);
+                let _e243 = (((_e131 * _e233) * -1f) - _e237);
+                let _e248 = (((_e135 - _e127) * _e232) + _e236);
+                let _e249 = (((_e139 - _e131) * _e233) + _e237);
+                let _e250 = (_e219 / _e231);
+                let _e252 = select(_e242, _e250, (_e250 > _e242));
+                let _e254 = select(_e248, _e252, (_e252 < _e248));
+                let _e255 = (_e224 / _e231);
+                let _e257 = select(_e243, _e255, (_e255 > _e243));
+                let _e259 = select(_e249, _e257, (_e257 < _e249));
+                let _e260 = (_e119 / _e231);
+                let _e261 = (_e123 / _e231);
+                let _e268 = ((_e71 - (_e95 * _e254)) * _e260);
+                let _e269 = ((_e75 - (_e99 * _e254)) * _e260);
+                let _e270 = ((_e79 - (_e103 * _e254)) * _e260);
+                let _e277 = ((_e83 - (_e95 * _e259)) * _e261);
+                let _e278 = ((_e87 - (_e99 * _e259)) * _e261);
+                let _e279 = ((_e91 - (_e103 * _e259)) * _e261);
+                let _e288 = (1f / sqrt(((((_e190 * _e190) + (_e194 * _e194)) + (_e198 * _e198)) + (_e202 * _e202))));
+                let _e289 = (_e190 * _e288);
+                let _e290 = (_e194 * _e288);
+                let _e291 = (_e198 * _e288);
+                let _e292 = (_e202 * _e288);
+                let _e293 = (_e291 * _e291);
+                let _e294 = (_e292 * _e292);
+                let _e297 = (1f - (2f * (_e293 + _e294)));
+                let _e298 = (_e290 * _e291);
+                let _e299 = (_e289 * _e292);
+                let _e301 = (2f * (_e298 + _e299));
+                let _e302 = (_e290 * _e292);
+                let _e303 = (_e289 * _e291);
+                let _e305 = (2f * (_e302 - _e303));
+                let _e307 = (2f * (_e298 - _e299));
+                let _e308 = (_e290 * _e290);
+                let _e311 = (1f - (2f * (_e308 + _e294)));
+                let _e312 = (_e291 * _e292);
+                let _e313 = (_e289 * _e290);
+                let _e315 = (2f * (_e312 + _e313));
+                let _e317 = (2f * (_e302 + _e303));
+                let _e319 = (2f * (_e312 - _e313));
+                let _e322 = (1f - (2f * (_e308 + _e293)));
+                let _e323 = exp(_e205);
+                let _e324 = exp(_e208);
+                let _e325 = exp(_e211);
+                let _e341 = ((((_e268 * _e297) + (_e269 * _e301)) + (_e270 * _e305)) * _e323);
+                let _e342 = ((((_e268 * _e307) + (_e269 * _e311)) + (_e270 * _e315)) * _e324);
+                let _e343 = ((((_e268 * _e317) + (_e269 * _e319)) + (_e270 * _e322)) * _e325);
+                let _e359 = ((((_e277 * _e297) + (_e278 * _e301)) + (_e279 * _e305)) * _e323);
+                let _e360 = ((((_e277 * _e307) + (_e278 * _e311)) + (_e279 * _e315)) * _e324);
+                let _e361 = ((((_e277 * _e317) + (_e278 * _e319)) + (_e279 * _e322)) * _e325);
+                let _e364 = global_10.member[_e163];
+                let _e368 = global_10.member[(_e163 + 1u)];
+                let _e376 = global_3.member.member_6;
+                let _e381 = (((_e341 * _e341) + (_e342 * _e342)) + (_e343 * _e343));
+                let _e391 = (((_e359 * _e359) + (_e360 * _e360)) + (_e361 * _e361));
+                let _e394 = ((_e342 * _e361) - (_e343 * _e360));
+                let _e397 = ((_e343 * _e359) - (_e341 * _e361));
+                let _e400 = ((_e341 * _e360) - (_e342 * _e359));
+                let _e411 = (1f / (((((_e394 * _e394) + (_e397 * _e397)) + (_e400 * _e400)) + (_e376 * (_e381 + _e391))) + (_e376 * _e376)));
+                let _e427 = (((_e341 * _e376) + ((_e360 * _e400) - (_e361 * _e397))) * _e411);
+                let _e428 = (((_e342 * _e376) + ((_e361 * _e394) - (_e359 * _e400))) * _e411);
+                let _e429 = (((_e343 * _e376) + ((_e359 * _e397) - (_e360 * _e394))) * _e411);
+                let _e445 = (((_e359 * _e376) + ((_e397 * _e343) - (_e400 * _e342))) * _e411);
+                let _e446 = (((_e360 * _e376) + ((_e400 * _e341) - (_e394 * _e343))) * _e411);
+                let _e447 = (((_e361 * _e376) + ((_e394 * _e342) - (_e397 * _e341))) * _e411);
+                let _e448 = (0.5f * _e368.y);
+                let _e455 = ((_e427 * _e368.x) + (_e445 * _e448));
+                let _e456 = ((_e428 * _e368.x) + (_e446 * _e448));
+                let _e457 = ((_e429 * _e368.x) + (_e447 * _e448));
+                let _e464 = ((_e427 * _e448) + (_e445 * _e368.z));
+                let _e465 = ((_e428 * _e448) + (_e446 * _e368.z));
+                let _e466 = ((_e429 * _e448) + (_e447 * _e368.z));
+                let _e468 = ((_e391 + _e376) * _e411);
+                let _e470 = (-((((_e341 * _e359) + (_e342 * _e360)) + (_e343 * _e361))) * _e411);
+                let _e472 = ((_e381 + _e376) * _e411);
+                let _e497 = ((((_e455 * _e468) + (_e464 * _e470)) * -2f) * _e323);
+                let _e498 = ((((_e456 * _e468) + (_e465 * _e470)) * -2f) * _e324);
+                let _e499 = ((((_e457 * _e468) + (_e466 * _e470)) * -2f) * _e325);
+                let _e500 = ((((_e455 * _e470) + (_e464 * _e472)) * -2f) * _e323);
+                let _e501 = ((((_e456 * _e470) + (_e465 * _e472)) * -2f) * _e324);
+                let _e502 = ((((_e457 * _e470) + (_e466 * _e472)) * -2f) * _e325);
+                let _e515 = (((_e297 * _e497) + (_e307 * _e498)) + (_e317 * _e499));
+                let _e516 = (((_e301 * _e497) + (_e311 * _e498)) + (_e319 * _e499));
+                let _e517 = (((_e305 * _e497) + (_e315 * _e498)) + (_e322 * _e499));
+                let _e530 = (((_e297 * _e500) + (_e307 * _e501)) + (_e317 * _e502));
+                let _e531 = (((_e301 * _e500) + (_e311 * _e501)) + (_e319 * _e502));
+                let _e532 = (((_e305 * _e500) + (_e315 * _e501)) + (_e322 * _e502));
+                let _e533 = (1f / _e231);
+                let _e534 = (_e119 * _e533);
+                let _e535 = (_e123 * _e533);
+                let _e556 = ((_e534 * _e364.x) + (select(0f, (-(_e534) * (((_e515 * _e95) + (_e516 * _e99)) + (_e517 * _e103))), (_e254 == _e250)) / _e231));
+                let _e559 = ((_e535 * _e364.y) + (select(0f, (-(_e535) * (((_e530 * _e95) + (_e531 * _e99)) + (_e532 * _e103))), (_e259 == _e255)) / _e231));
+                let _e576 = (-(((_e250 * _e556) + (_e255 * _e559))) - (((((_e515 * _e268) + (_e516 * _e269)) + (_e517 * _e270)) + (((_e530 * _e277) + (_e531 * _e278)) + (_e532 * _e279))) / _e231));
+                let _e595 = (((_e516 * _e270) - (_e517 * _e269)) + ((_e531 * _e279) - (_e532 * _e278)));
+                let _e596 = (((_e517 * _e268) - (_e515 * _e270)) + ((_e532 * _e277) - (_e530 * _e279)));
+                let _e597 = (((_e515 * _e269) - (_e516 * _e268)) + ((_e530 * _e278) - (_e531 * _e277)));
+                local_6 = vec3<f32>((_e159.x + _e556), (_e159.y + _e559), (_e159.z + _e576));
+                local_7 = vec3<f32>((_e161.x + (((_e224 * _e576) - (_e229 * _e559)) + (((_e71 * _e595) + (_e75 * _e596)) + (_e79 * _e597)))), (_e161.y + (((_e229 * _e556) - (_e219 * _e576)) + (((_e83 * _e595) + (_e87 * _e596)) + (_e91 * _e597)))), (_e161.z + (((_e219 * _e559) - (_e224 * _e556)) + (((_e95 * _e595) + (_e99 * _e596)) + (_e103 * _e597)))));
+                local_8 = (_e163 + 3u);
+                local_9 = (_e165 + 1u);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e993 = local_6;
-                phi_559_ = _e993;
-                let _e996 = local_7;
-                phi_562_ = _e996;
-                let _e999 = local_8;
-                phi_564_ = _e999;
-                let _e1002 = local_9;
-                phi_566_ = _e1002;
+                let _e991 = local_6;
+                phi_557_ = _e991;
+                let _e994 = local_7;
+                phi_560_ = _e994;
+                let _e997 = local_8;
+                phi_562_ = _e997;
+                let _e1000 = local_9;
+                phi_564_ = _e1000;
             }
         }
-        let _e645 = global_3.member.member_5;
-        let _e648 = global_3.member.member_3;
-        let _e649 = (6u * _e648);
-        let _e651 = local;
-        let _e653 = bitcast<u32>(_e651.x);
-        let _e656 = ((_e653 >> bitcast<u32>(23i)) & 255u);
-        if (_e656 == 0u) {
+        let _e643 = global_3.member.member_5;
+        let _e646 = global_3.member.member_3;
+        let _e647 = (6u * _e646);
+        let _e649 = local;
+        let _e651 = bitcast<u32>(_e649.x);
+        let _e654 = ((_e651 >> bitcast<u32>(23i)) & 255u);
+        if (_e654 == 0u) {
         } else {
-            let _e659 = (_e656 % 16u);
-            let _e661 = ((_e653 & 8388607u) | 8388608u);
-            let _e664 = (_e661 << bitcast<u32>((_e659 & 31u)));
-            let _e670 = ((_e661 >> bitcast<u32>(((31u - _e659) & 31u))) >> bitcast<u32>(1i));
-            if ((_e653 >> bitcast<u32>(31i)) == 0u) {
-                phi_680_ = array<u32, 2>(_e664, _e670);
+            let _e657 = (_e654 % 16u);
+            let _e659 = ((_e651 & 8388607u) | 8388608u);
+            let _e662 = (_e659 << bitcast<u32>((_e657 & 31u)));
+            let _e668 = ((_e659 >> bitcast<u32>(((31u - _e657) & 31u))) >> bitcast<u32>(1i));
+            if ((_e651 >> bitcast<u32>(31i)) == 0u) {
+                phi_678_ = array<u32, 2>(_e662, _e668);
             } else {
-                let _e676 = (~(_e664) + 1u);
-                if (_e676 == 0u) {
-                    phi_678_ = (~(_e670) + 1u);
+                let _e674 = (~(_e662) + 1u);
+                if (_e674 == 0u) {
+                    phi_676_ = (~(_e668) + 1u);
                 } else {
-                    phi_678_ = ~(_e670);
+                    phi_676_ = ~(_e668);
                 }
-                let _e682 = phi_678_;
-                phi_680_ = array<u32, 2>(_e676, _e682);
+                let _e680 = phi_676_;
+                phi_678_ = array<u32, 2>(_e674, _e680);
             }
-            let _e685 = phi_680_;
-            let _e686 = (_e656 < 255u);
-            if _e686 {
-                phi_686_ = _e685;
+            let _e683 = phi_678_;
+            let _e684 = (_e654 < 255u);
+            if _e684 {
+                phi_684_ = _e683;
             } else {
-                phi_686_ = array<u32, 2>(1u, 0u);
+                phi_684_ = array<u32, 2>(1u, 0u);
             }
-            let _e689 = phi_686_;
-            let _e694 = (2u * ((select(16u, (_e656 / 16u), _e686) * _e645) + _e649));
-            let _e697 = atomicAdd((&global_11.member[_e694]), _e689[0]);
-            let _e705 = atomicAdd((&global_11.member[(_e694 + 1u)]), (_e689[1] + select(0u, 1u, ((_e697 + _e689[0]) < _e689[0]))));
+            let _e687 = phi_684_;
+            let _e692 = (2u * ((select(16u, (_e654 / 16u), _e684) * _e643) + _e647));
+            let _e695 = atomicAdd((&global_11.member[_e692]), _e687[0]);
+            let _e703 = atomicAdd((&global_11.member[(_e692 + 1u)]), (_e687[1] + select(0u, 1u, ((_e695 + _e687[0]) < _e687[0]))));
         }
-        let _e708 = local_1;
-        let _e710 = bitcast<u32>(_e708.y);
-        let _e713 = ((_e710 >> bitcast<u32>(23i)) & 255u);
-        if (_e713 == 0u) {
+        let _e706 = local_1;
+        let _e708 = bitcast<u32>(_e706.y);
+        let _e711 = ((_e708 >> bitcast<u32>(23i)) & 255u);
+        if (_e711 == 0u) {
         } else {
-            let _e716 = (_e713 % 16u);
-            let _e718 = ((_e710 & 8388607u) | 8388608u);
-            let _e721 = (_e718 << bitcast<u32>((_e716 & 31u)));
-            let _e727 = ((_e718 >> bitcast<u32>(((31u - _e716) & 31u))) >> bitcast<u32>(1i));
-            if ((_e710 >> bitcast<u32>(31i)) == 0u) {
-                phi_737_ = array<u32, 2>(_e721, _e727);
+            let _e714 = (_e711 % 16u);
+            let _e716 = ((_e708 & 8388607u) | 8388608u);
+            let _e719 = (_e716 << bitcast<u32>((_e714 & 31u)));
+            let _e725 = ((_e716 >> bitcast<u32>(((31u - _e714) & 31u))) >> bitcast<u32>(1i));
+            if ((_e708 >> bitcast<u32>(31i)) == 0u) {
+                phi_735_ = array<u32, 2>(_e719, _e725);
             } else {
-                let _e733 = (~(_e721) + 1u);
-                if (_e733 == 0u) {
-                    phi_735_ = (~(_e727) + 1u);
+                let _e731 = (~(_e719) + 1u);
+                if (_e731 == 0u) {
+                    phi_733_ = (~(_e725) + 1u);
                 } else {
-                    phi_735_ = ~(_e727);
+                    phi_733_ = ~(_e725);
                 }
-                let _e739 = phi_735_;
-                phi_737_ = array<u32, 2>(_e733, _e739);
+                let _e737 = phi_733_;
+                phi_735_ = array<u32, 2>(_e731, _e737);
             }
-            let _e742 = phi_737_;
-            let _e743 = (_e713 < 255u);
-            if _e743 {
-                phi_743_ = _e742;
+            let _e740 = phi_735_;
+            let _e741 = (_e711 < 255u);
+            if _e741 {
+                phi_741_ = _e740;
             } else {
-                phi_743_ = array<u32, 2>(1u, 0u);
+                phi_741_ = array<u32, 2>(1u, 0u);
             }
-            let _e746 = phi_743_;
-            let _e751 = (2u * ((select(16u, (_e713 / 16u), _e743) * _e645) + (_e649 + 1u)));
-            let _e754 = atomicAdd((&global_11.member[_e751]), _e746[0]);
-            let _e762 = atomicAdd((&global_11.member[(_e751 + 1u)]), (_e746[1] + select(0u, 1u, ((_e754 + _e746[0]) < _e746[0]))));
+            let _e744 = phi_741_;
+            let _e749 = (2u * ((select(16u, (_e711 / 16u), _e741) * _e643) + (_e647 + 1u)));
+            let _e752 = atomicAdd((&global_11.member[_e749]), _e744[0]);
+            let _e760 = atomicAdd((&global_11.member[(_e749 + 1u)]), (_e744[1] + select(0u, 1u, ((_e752 + _e744[0]) < _e744[0]))));
         }
-        let _e765 = local_2;
-        let _e767 = bitcast<u32>(_e765.z);
-        let _e770 = ((_e767 >> bitcast<u32>(23i)) & 255u);
-        if (_e770 == 0u) {
+        let _e763 = local_2;
+        let _e765 = bitcast<u32>(_e763.z);
+        let _e768 = ((_e765 >> bitcast<u32>(23i)) & 255u);
+        if (_e768 == 0u) {
         } else {
-            let _e773 = (_e770 % 16u);
-            let _e775 = ((_e767 & 8388607u) | 8388608u);
-            let _e778 = (_e775 << bitcast<u32>((_e773 & 31u)));
-            let _e784 = ((_e775 >> bitcast<u32>(((31u - _e773) & 31u))) >> bitcast<u32>(1i));
-            if ((_e767 >> bitcast<u32>(31i)) == 0u) {
-                phi_794_ = array<u32, 2>(_e778, _e784);
+            let _e771 = (_e768 % 16u);
+            let _e773 = ((_e765 & 8388607u) | 8388608u);
+            let _e776 = (_e773 << bitcast<u32>((_e771 & 31u)));
+            let _e782 = ((_e773 >> bitcast<u32>(((31u - _e771) & 31u))) >> bitcast<u32>(1i));
+            if ((_e765 >> bitcast<u32>(31i)) == 0u) {
+                phi_792_ = array<u32, 2>(_e776, _e782);
             } else {
-                let _e790 = (~(_e778) + 1u);
-                if (_e790 == 0u) {
-                    phi_792_ = (~(_e784) + 1u);
+                let _e788 = (~(_e776) + 1u);
+                if (_e788 == 0u) {
+                    phi_790_ = (~(_e782) + 1u);
                 } else {
-                    phi_792_ = ~(_e784);
+                    phi_790_ = ~(_e782);
                 }
-                let _e796 = phi_792_;
-                phi_794_ = array<u32, 2>(_e790, _e796);
+                let _e794 = phi_790_;
+                phi_792_ = array<u32, 2>(_e788, _e794);
             }
-            let _e799 = phi_794_;
-            let _e800 = (_e770 < 255u);
-            if _e800 {
-                phi_800_ = _e799;
+            let _e797 = phi_792_;
+            let _e798 = (_e768 < 255u);
+            if _e798 {
+                phi_798_ = _e797;
             } else {
-                phi_800_ = array<u32, 2>(1u, 0u);
+                phi_798_ = array<u32, 2>(1u, 0u);
             }
-            let _e803 = phi_800_;
-            let _e808 = (2u * ((select(16u, (_e770 / 16u), _e800) * _e645) + (_e649 + 2u)));
-            let _e811 = atomicAdd((&global_11.member[_e808]), _e803[0]);
-            let _e819 = atomicAdd((&global_11.member[(_e808 + 1u)]), (_e803[1] + select(0u, 1u, ((_e811 + _e803[0]) < _e803[0]))));
+            let _e801 = phi_798_;
+            let _e806 = (2u * ((select(16u, (_e768 / 16u), _e798) * _e643) + (_e647 + 2u)));
+            let _e809 = atomicAdd((&global_11.member[_e806]), _e801[0]);
+            let _e817 = atomicAdd((&global_11.member[(_e806 + 1u)]), (_e801[1] + select(0u, 1u, ((_e809 + _e801[0]) < _e801[0]))));
         }
-        let _e822 = local_3;
-        let _e824 = bitcast<u32>(_e822.x);
-        let _e827 = ((_e824 >> bitcast<u32>(23i)) & 255u);
-        if (_e827 == 0u) {
+        let _e820 = local_3;
+        let _e822 = bitcast<u32>(_e820.x);
+        let _e825 = ((_e822 >> bitcast<u32>(23i)) & 255u);
+        if (_e825 == 0u) {
         } else {
-            let _e830 = (_e827 % 16u);
-            let _e832 = ((_e824 & 8388607u) | 8388608u);
-            let _e835 = (_e832 << bitcast<u32>((_e830 & 31u)));
-            let _e841 = ((_e832 >> bitcast<u32>(((31u - _e830) & 31u))) >> bitcast<u32>(1i));
-            if ((_e824 >> bitcast<u32>(31i)) == 0u) {
-                phi_851_ = array<u32, 2>(_e835, _e841);
+            let _e828 = (_e825 % 16u);
+            let _e830 = ((_e822 & 8388607u) | 8388608u);
+            let _e833 = (_e830 << bitcast<u32>((_e828 & 31u)));
+            let _e839 = ((_e830 >> bitcast<u32>(((31u - _e828) & 31u))) >> bitcast<u32>(1i));
+            if ((_e822 >> bitcast<u32>(31i)) == 0u) {
+                phi_849_ = array<u32, 2>(_e833, _e839);
             } else {
-                let _e847 = (~(_e835) + 1u);
-                if (_e847 == 0u) {
-                    phi_849_ = (~(_e841) + 1u);
+                let _e845 = (~(_e833) + 1u);
+                if (_e845 == 0u) {
+                    phi_847_ = (~(_e839) + 1u);
                 } else {
-                    phi_849_ = ~(_e841);
+                    phi_847_ = ~(_e839);
                 }
-                let _e853 = phi_849_;
-                phi_851_ = array<u32, 2>(_e847, _e853);
+                let _e851 = phi_847_;
+                phi_849_ = array<u32, 2>(_e845, _e851);
             }
-            let _e856 = phi_851_;
-            let _e857 = (_e827 < 255u);
-            if _e857 {
-                phi_857_ = _e856;
+            let _e854 = phi_849_;
+            let _e855 = (_e825 < 255u);
+            if _e855 {
+                phi_855_ = _e854;
             } else {
-                phi_857_ = array<u32, 2>(1u, 0u);
+                phi_855_ = array<u32, 2>(1u, 0u);
             }
-            let _e860 = phi_857_;
-            let _e865 = (2u * ((select(16u, (_e827 / 16u), _e857) * _e645) + (_e649 + 3u)));
-            let _e868 = atomicAdd((&global_11.member[_e865]), _e860[0]);
-            let _e876 = atomicAdd((&global_11.member[(_e865 + 1u)]), (_e860[1] + select(0u, 1u, ((_e868 + _e860[0]) < _e860[0]))));
+            let _e858 = phi_855_;
+            let _e863 = (2u * ((select(16u, (_e825 / 16u), _e855) * _e643) + (_e647 + 3u)));
+            let _e866 = atomicAdd((&global_11.member[_e863]), _e858[0]);
+            let _e874 = atomicAdd((&global_11.member[(_e863 + 1u)]), (_e858[1] + select(0u, 1u, ((_e866 + _e858[0]) < _e858[0]))));
         }
-        let _e879 = local_4;
-        let _e881 = bitcast<u32>(_e879.y);
-        let _e884 = ((_e881 >> bitcast<u32>(23i)) & 255u);
-        if (_e884 == 0u) {
+        let _e877 = local_4;
+        let _e879 = bitcast<u32>(_e877.y);
+        let _e882 = ((_e879 >> bitcast<u32>(23i)) & 255u);
+        if (_e882 == 0u) {
         } else {
-            let _e887 = (_e884 % 16u);
-            let _e889 = ((_e881 & 8388607u) | 8388608u);
-            let _e892 = (_e889 << bitcast<u32>((_e887 & 31u)));
-            let _e898 = ((_e889 >> bitcast<u32>(((31u - _e887) & 31u))) >> bitcast<u32>(1i));
-            if ((_e881 >> bitcast<u32>(31i)) == 0u) {
-                phi_908_ = array<u32, 2>(_e892, _e898);
+            let _e885 = (_e882 % 16u);
+            let _e887 = ((_e879 & 8388607u) | 8388608u);
+            let _e890 = (_e887 << bitcast<u32>((_e885 & 31u)));
+            let _e896 = ((_e887 >> bitcast<u32>(((31u - _e885) & 31u))) >> bitcast<u32>(1i));
+            if ((_e879 >> bitcast<u32>(31i)) == 0u) {
+                phi_906_ = array<u32, 2>(_e890, _e896);
             } else {
-                let _e904 = (~(_e892) + 1u);
-                if (_e904 == 0u) {
-                    phi_906_ = (~(_e898) + 1u);
+                let _e902 = (~(_e890) + 1u);
+                if (_e902 == 0u) {
+                    phi_904_ = (~(_e896) + 1u);
                 } else {
-                    phi_906_ = ~(_e898);
+                    phi_904_ = ~(_e896);
                 }
-                let _e910 = phi_906_;
-                phi_908_ = array<u32, 2>(_e904, _e910);
+                let _e908 = phi_904_;
+                phi_906_ = array<u32, 2>(_e902, _e908);
             }
-            let _e913 = phi_908_;
-            let _e914 = (_e884 < 255u);
-            if _e914 {
-                phi_914_ = _e913;
+            let _e911 = phi_906_;
+            let _e912 = (_e882 < 255u);
+            if _e912 {
+                phi_912_ = _e911;
             } else {
-                phi_914_ = array<u32, 2>(1u, 0u);
+                phi_912_ = array<u32, 2>(1u, 0u);
             }
-            let _e917 = phi_914_;
-            let _e922 = (2u * ((select(16u, (_e884 / 16u), _e914) * _e645) + (_e649 + 4u)));
-            let _e925 = atomicAdd((&global_11.member[_e922]), _e917[0]);
-            let _e933 = atomicAdd((&global_11.member[(_e922 + 1u)]), (_e917[1] + select(0u, 1u, ((_e925 + _e917[0]) < _e917[0]))));
+            let _e915 = phi_912_;
+            let _e920 = (2u * ((select(16u, (_e882 / 16u), _e912) * _e643) + (_e647 + 4u)));
+            let _e923 = atomicAdd((&global_11.member[_e920]), _e915[0]);
+            let _e931 = atomicAdd((&global_11.member[(_e920 + 1u)]), (_e915[1] + select(0u, 1u, ((_e923 + _e915[0]) < _e915[0]))));
         }
-        let _e936 = local_5;
-        let _e938 = bitcast<u32>(_e936.z);
-        let _e941 = ((_e938 >> bitcast<u32>(23i)) & 255u);
-        if (_e941 == 0u) {
+        let _e934 = local_5;
+        let _e936 = bitcast<u32>(_e934.z);
+        let _e939 = ((_e936 >> bitcast<u32>(23i)) & 255u);
+        if (_e939 == 0u) {
         } else {
-            let _e944 = (_e941 % 16u);
-            let _e946 = ((_e938 & 8388607u) | 8388608u);
-            let _e949 = (_e946 << bitcast<u32>((_e944 & 31u)));
-            let _e955 = ((_e946 >> bitcast<u32>(((31u - _e944) & 31u))) >> bitcast<u32>(1i));
-            if ((_e938 >> bitcast<u32>(31i)) == 0u) {
-                phi_965_ = array<u32, 2>(_e949, _e955);
+            let _e942 = (_e939 % 16u);
+            let _e944 = ((_e936 & 8388607u) | 8388608u);
+            let _e947 = (_e944 << bitcast<u32>((_e942 & 31u)));
+            let _e953 = ((_e944 >> bitcast<u32>(((31u - _e942) & 31u))) >> bitcast<u32>(1i));
+            if ((_e936 >> bitcast<u32>(31i)) == 0u) {
+                phi_963_ = array<u32, 2>(_e947, _e953);
             } else {
-                let _e961 = (~(_e949) + 1u);
-                if (_e961 == 0u) {
-                    phi_963_ = (~(_e955) + 1u);
+                let _e959 = (~(_e947) + 1u);
+                if (_e959 == 0u) {
+                    phi_961_ = (~(_e953) + 1u);
                 } else {
-                    phi_963_ = ~(_e955);
+                    phi_961_ = ~(_e953);
                 }
-                let _e967 = phi_963_;
-                phi_965_ = array<u32, 2>(_e961, _e967);
+                let _e965 = phi_961_;
+                phi_963_ = array<u32, 2>(_e959, _e965);
             }
-            let _e970 = phi_965_;
-            let _e971 = (_e941 < 255u);
-            if _e971 {
-                phi_971_ = _e970;
+            let _e968 = phi_963_;
+            let _e969 = (_e939 < 255u);
+            if _e969 {
+                phi_969_ = _e968;
             } else {
-                phi_971_ = array<u32, 2>(1u, 0u);
+                phi_969_ = array<u32, 2>(1u, 0u);
             }
-            let _e974 = phi_971_;
-            let _e979 = (2u * ((select(16u, (_e941 / 16u), _e971) * _e645) + (_e649 + 5u)));
-            let _e982 = atomicAdd((&global_11.member[_e979]), _e974[0]);
-            let _e990 = atomicAdd((&global_11.member[(_e979 + 1u)]), (_e974[1] + select(0u, 1u, ((_e982 + _e974[0]) < _e974[0]))));
+            let _e972 = phi_969_;
+            let _e977 = (2u * ((select(16u, (_e939 / 16u), _e969) * _e643) + (_e647 + 5u)));
+            let _e980 = atomicAdd((&global_11.member[_e977]), _e972[0]);
+            let _e988 = atomicAdd((&global_11.member[(_e977 + 1u)]), (_e972[1] + select(0u, 1u, ((_e980 + _e972[0]) < _e972[0]))));
         }
     }
     return;

@@ -1,29 +1,29 @@
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: f32,
 }
 
-struct type_5 {
-    member: type_4,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_8 {
+struct type_11 {
     member: array<f32>,
 }
 
-struct type_15 {
-    member: array<u32>,
-}
-
-struct type_22 {
-    member: array<vec4<f32>>,
-}
-
-struct type_25 {
+struct type_16 {
     member: vec2<f32>,
     member_1: vec2<f32>,
     member_2: vec3<f32>,
     member_3: f32,
+}
+
+struct type_20 {
+    member: array<vec4<f32>>,
+}
+
+struct type_24 {
+    member: array<u32>,
 }
 
 struct type_28 {
@@ -34,306 +34,306 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_5;
-@group(0) @binding(3) 
-var<storage> global_4: type_8;
+var<uniform> global_3: type_6;
 @group(0) @binding(1) 
-var<storage> global_5: type_8;
+var<storage> global_4: type_11;
 @group(0) @binding(2) 
-var<storage> global_6: type_8;
-@group(0) @binding(4) 
-var<storage> global_7: type_8;
+var<storage> global_5: type_11;
+@group(0) @binding(3) 
+var<storage> global_6: type_11;
 @group(0) @binding(5) 
-var<storage> global_8: type_8;
+var<storage> global_7: type_11;
+@group(0) @binding(4) 
+var<storage> global_8: type_11;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_22;
+var<storage, read_write> global_9: type_20;
 @group(0) @binding(7) 
 var<storage, read_write> global_10: type_28;
 
 fn function_() {
-    var phi_474_: u32;
-    var phi_538_: f32;
-    var phi_543_: f32;
-    var phi_548_: f32;
-    var phi_553_: f32;
-    var phi_558_: f32;
-    var phi_563_: f32;
-    var phi_572_: f32;
-    var phi_578_: bool;
+    var phi_473_: u32;
+    var phi_537_: f32;
+    var phi_542_: f32;
+    var phi_547_: f32;
+    var phi_552_: f32;
+    var phi_557_: f32;
+    var phi_562_: f32;
+    var phi_571_: f32;
+    var phi_577_: bool;
+    var phi_579_: bool;
     var phi_580_: bool;
-    var phi_581_: bool;
-    var phi_586_: f32;
-    var phi_599_: type_25;
-    var phi_601_: type_25;
-    var phi_602_: bool;
-    var phi_607_: type_25;
+    var phi_585_: f32;
+    var phi_598_: type_16;
+    var phi_600_: type_16;
+    var phi_601_: bool;
+    var phi_606_: type_16;
     var local: u32;
 
-    let _e53 = global;
-    let _e54 = global_1;
-    let _e55 = global_2;
-    let _e63 = (((_e54.x + (_e54.y * _e55.x)) * 64u) + _e53.x);
-    let _e66 = global_3.member.member;
-    if (_e63 < _e66) {
-        let _e69 = (_e54.z * 18u);
-        let _e72 = global_5.member[_e69];
-        let _e76 = global_5.member[(_e69 + 1u)];
-        let _e80 = global_5.member[(_e69 + 2u)];
-        let _e84 = global_5.member[(_e69 + 3u)];
-        let _e88 = global_5.member[(_e69 + 4u)];
-        let _e92 = global_5.member[(_e69 + 5u)];
-        let _e96 = global_5.member[(_e69 + 6u)];
-        let _e100 = global_5.member[(_e69 + 7u)];
-        let _e104 = global_5.member[(_e69 + 8u)];
-        let _e108 = global_5.member[(_e69 + 9u)];
-        let _e112 = global_5.member[(_e69 + 10u)];
-        let _e116 = global_5.member[(_e69 + 11u)];
-        let _e120 = global_5.member[(_e69 + 12u)];
-        let _e124 = global_5.member[(_e69 + 13u)];
-        let _e128 = global_5.member[(_e69 + 14u)];
-        let _e132 = global_5.member[(_e69 + 15u)];
-        let _e136 = global_5.member[(_e69 + 16u)];
-        let _e140 = global_5.member[(_e69 + 17u)];
-        let _e141 = (_e54.z * 4u);
-        let _e144 = global_6.member[_e141];
-        let _e148 = global_6.member[(_e141 + 1u)];
-        let _e152 = global_6.member[(_e141 + 2u)];
-        let _e156 = global_6.member[(_e141 + 3u)];
-        let _e159 = global_3.member.member_1;
-        let _e160 = (_e63 * 3u);
-        let _e161 = (_e160 + 1u);
-        let _e162 = (_e160 + 2u);
-        let _e165 = global_4.member[_e160];
-        let _e168 = global_4.member[_e161];
-        let _e171 = global_4.member[_e162];
-        let _e172 = (_e165 - _e108);
-        let _e173 = (_e168 - _e112);
-        let _e174 = (_e171 - _e116);
-        let _e189 = (((_e96 * _e172) + (_e100 * _e173)) + (_e104 * _e174));
-        let _e192 = global_8.member[_e160];
-        let _e195 = global_8.member[_e161];
-        let _e198 = global_8.member[_e162];
-        let _e199 = (1f / _e189);
-        let _e200 = ((((_e72 * _e172) + (_e76 * _e173)) + (_e80 * _e174)) * _e199);
-        let _e201 = ((((_e84 * _e172) + (_e88 * _e173)) + (_e92 * _e174)) * _e199);
-        let _e203 = ((_e120 * _e200) + _e128);
-        let _e205 = ((_e124 * _e201) + _e132);
-        let _e206 = (1f / _e120);
-        let _e207 = (1f / _e124);
-        let _e210 = ((_e136 * _e206) * 0.15f);
-        let _e211 = ((_e140 * _e207) * 0.15f);
-        let _e216 = (((_e128 * _e206) * -1f) - _e210);
-        let _e217 = (((_e132 * _e207) * -1f) - _e211);
-        let _e222 = (((_e136 - _e128) * _e206) + _e210);
-        let _e223 = (((_e140 - _e132) * _e207) + _e211);
-        let _e225 = select(_e216, _e200, (_e200 > _e216));
-        let _e227 = select(_e222, _e225, (_e225 < _e222));
-        let _e229 = select(_e217, _e201, (_e201 > _e217));
-        let _e231 = select(_e223, _e229, (_e229 < _e223));
-        let _e244 = select(_e198, _e195, (_e195 > _e198));
-        let _e247 = exp(select(_e244, _e192, (_e192 > _e244)));
-        let _e252 = select(_e144, _e203, (_e203 > _e144));
-        let _e255 = (_e203 - select(_e152, _e252, (_e252 < _e152)));
-        let _e257 = select(_e148, _e205, (_e205 > _e148));
-        let _e260 = (_e205 - select(_e156, _e257, (_e257 < _e156)));
-        let _e273 = select(select(0u, 1u, select(false, (-0x1.fffffep+127f <= _e189), (_e189 <= 0x1.fffffep+127f))), select(0u, 3u, (((((((((((_e120 * _e120) * (1f + (_e227 * _e227))) + ((_e124 * _e124) * (1f + (_e231 * _e231)))) * _e199) * _e199) * _e247) * _e247) + _e159) * 11.304177f) + 0.02f) < ((_e255 * _e255) + (_e260 * _e260)))), (0.01f < _e189));
-        phi_474_ = 0u;
+    let _e52 = global;
+    let _e53 = global_1;
+    let _e54 = global_2;
+    let _e62 = (((_e53.x + (_e53.y * _e54.x)) * 64u) + _e52.x);
+    let _e65 = global_3.member.member;
+    if (_e62 < _e65) {
+        let _e68 = (_e53.z * 18u);
+        let _e71 = global_4.member[_e68];
+        let _e75 = global_4.member[(_e68 + 1u)];
+        let _e79 = global_4.member[(_e68 + 2u)];
+        let _e83 = global_4.member[(_e68 + 3u)];
+        let _e87 = global_4.member[(_e68 + 4u)];
+        let _e91 = global_4.member[(_e68 + 5u)];
+        let _e95 = global_4.member[(_e68 + 6u)];
+        let _e99 = global_4.member[(_e68 + 7u)];
+        let _e103 = global_4.member[(_e68 + 8u)];
+        let _e107 = global_4.member[(_e68 + 9u)];
+        let _e111 = global_4.member[(_e68 + 10u)];
+        let _e115 = global_4.member[(_e68 + 11u)];
+        let _e119 = global_4.member[(_e68 + 12u)];
+        let _e123 = global_4.member[(_e68 + 13u)];
+        let _e127 = global_4.member[(_e68 + 14u)];
+        let _e131 = global_4.member[(_e68 + 15u)];
+        let _e135 = global_4.member[(_e68 + 16u)];
+        let _e139 = global_4.member[(_e68 + 17u)];
+        let _e140 = (_e53.z * 4u);
+        let _e143 = global_5.member[_e140];
+        let _e147 = global_5.member[(_e140 + 1u)];
+        let _e151 = global_5.member[(_e140 + 2u)];
+        let _e155 = global_5.member[(_e140 + 3u)];
+        let _e158 = global_3.member.member_1;
+        let _e159 = (_e62 * 3u);
+        let _e160 = (_e159 + 1u);
+        let _e161 = (_e159 + 2u);
+        let _e164 = global_6.member[_e159];
+        let _e167 = global_6.member[_e160];
+        let _e170 = global_6.member[_e161];
+        let _e171 = (_e164 - _e107);
+        let _e172 = (_e167 - _e111);
+        let _e173 = (_e170 - _e115);
+        let _e188 = (((_e95 * _e171) + (_e99 * _e172)) + (_e103 * _e173));
+        let _e191 = global_7.member[_e159];
+        let _e194 = global_7.member[_e160];
+        let _e197 = global_7.member[_e161];
+        let _e198 = (1f / _e188);
+        let _e199 = ((((_e71 * _e171) + (_e75 * _e172)) + (_e79 * _e173)) * _e198);
+        let _e200 = ((((_e83 * _e171) + (_e87 * _e172)) + (_e91 * _e173)) * _e198);
+        let _e202 = ((_e119 * _e199) + _e127);
+        let _e204 = ((_e123 * _e200) + _e131);
+        let _e205 = (1f / _e119);
+        let _e206 = (1f / _e123);
+        let _e209 = ((_e135 * _e205) * 0.15f);
+        let _e210 = ((_e139 * _e206) * 0.15f);
+        let _e215 = (((_e127 * _e205) * -1f) - _e209);
+        let _e216 = (((_e131 * _e206) * -1f) - _e210);
+        let _e221 = (((_e135 - _e127) * _e205) + _e209);
+        let _e222 = (((_e139 - _e131) * _e206) + _e210);
+        let _e224 = select(_e215, _e199, (_e199 > _e215));
+        let _e226 = select(_e221, _e224, (_e224 < _e221));
+        let _e228 = select(_e216, _e200, (_e200 > _e216));
+        let _e230 = select(_e222, _e228, (_e228 < _e222));
+        let _e243 = select(_e197, _e194, (_e194 > _e197));
+        let _e246 = exp(select(_e243, _e191, (_e191 > _e243)));
+        let _e251 = select(_e143, _e202, (_e202 > _e143));
+        let _e254 = (_e202 - select(_e151, _e251, (_e251 < _e151)));
+        let _e256 = select(_e147, _e204, (_e204 > _e147));
+        let _e259 = (_e204 - select(_e155, _e256, (_e256 < _e155)));
+        let _e272 = select(select(0u, 1u, select(false, (-0x1.fffffep+127f <= _e188), (_e188 <= 0x1.fffffep+127f))), select(0u, 3u, (((((((((((_e119 * _e119) * (1f + (_e226 * _e226))) + ((_e123 * _e123) * (1f + (_e230 * _e230)))) * _e198) * _e198) * _e246) * _e246) + _e158) * 11.304177f) + 0.02f) < ((_e254 * _e254) + (_e259 * _e259)))), (0.01f < _e188));
+        phi_473_ = 0u;
         loop {
-            let _e275 = phi_474_;
-            if (_e275 < 1u) {
-                let _e277 = (_e63 + _e275);
-                let _e280 = (2u * ((_e54.z * _e66) + _e277));
-                if (_e273 == 0u) {
-                    let _e282 = (_e277 * 3u);
-                    let _e285 = global_4.member[_e282];
-                    let _e286 = (_e282 + 1u);
-                    let _e289 = global_4.member[_e286];
-                    let _e290 = (_e282 + 2u);
-                    let _e293 = global_4.member[_e290];
-                    let _e294 = (_e277 * 4u);
-                    let _e297 = global_7.member[_e294];
-                    let _e301 = global_7.member[(_e294 + 1u)];
-                    let _e305 = global_7.member[(_e294 + 2u)];
-                    let _e309 = global_7.member[(_e294 + 3u)];
-                    let _e312 = global_8.member[_e282];
-                    let _e315 = global_8.member[_e286];
-                    let _e318 = global_8.member[_e290];
-                    let _e319 = (_e285 - _e108);
-                    let _e320 = (_e289 - _e112);
-                    let _e321 = (_e293 - _e116);
-                    let _e326 = (((_e72 * _e319) + (_e76 * _e320)) + (_e80 * _e321));
-                    let _e331 = (((_e84 * _e319) + (_e88 * _e320)) + (_e92 * _e321));
-                    let _e336 = (((_e96 * _e319) + (_e100 * _e320)) + (_e104 * _e321));
-                    let _e337 = (0.01f < _e336);
-                    let _e338 = select(1f, _e336, _e337);
-                    let _e341 = (((_e120 * _e326) / _e338) + _e128);
-                    let _e344 = (((_e124 * _e331) / _e338) + _e132);
-                    let _e345 = (_e326 / _e338);
-                    let _e347 = select(_e216, _e345, (_e345 > _e216));
-                    let _e349 = select(_e222, _e347, (_e347 < _e222));
-                    let _e350 = (_e331 / _e338);
-                    let _e352 = select(_e217, _e350, (_e350 > _e217));
-                    let _e354 = select(_e223, _e352, (_e352 < _e223));
-                    let _e355 = (_e120 / _e338);
-                    let _e356 = (_e124 / _e338);
-                    let _e363 = ((_e72 - (_e96 * _e349)) * _e355);
-                    let _e364 = ((_e76 - (_e100 * _e349)) * _e355);
-                    let _e365 = ((_e80 - (_e104 * _e349)) * _e355);
-                    let _e372 = ((_e84 - (_e96 * _e354)) * _e356);
-                    let _e373 = ((_e88 - (_e100 * _e354)) * _e356);
-                    let _e374 = ((_e92 - (_e104 * _e354)) * _e356);
-                    let _e383 = (1f / sqrt(((((_e297 * _e297) + (_e301 * _e301)) + (_e305 * _e305)) + (_e309 * _e309))));
-                    let _e384 = (_e297 * _e383);
-                    let _e385 = (_e301 * _e383);
-                    let _e386 = (_e305 * _e383);
-                    let _e387 = (_e309 * _e383);
+            let _e274 = phi_473_;
+            if (_e274 < 1u) {
+                let _e276 = (_e62 + _e274);
+                let _e279 = (2u * ((_e53.z * _e65) + _e276));
+                if (_e272 == 0u) {
+                    let _e281 = (_e276 * 3u);
+                    let _e284 = global_6.member[_e281];
+                    let _e285 = (_e281 + 1u);
+                    let _e288 = global_6.member[_e285];
+                    let _e289 = (_e281 + 2u);
+                    let _e292 = global_6.member[_e289];
+                    let _e293 = (_e276 * 4u);
+                    let _e296 = global_8.member[_e293];
+                    let _e300 = global_8.member[(_e293 + 1u)];
+                    let _e304 = global_8.member[(_e293 + 2u)];
+                    let _e308 = global_8.member[(_e293 + 3u)];
+                    let _e311 = global_7.member[_e281];
+                    let _e314 = global_7.member[_e285];
+                    let _e317 = global_7.member[_e289];
+                    let _e318 = (_e284 - _e107);
+                    let _e319 = (_e288 - _e111);
+                    let _e320 = (_e292 - _e115);
+                    let _e325 = (((_e71 * _e318) + (_e75 * _e319)) + (_e79 * _e320));
+                    let _e330 = (((_e83 * _e318) + (_e87 * _e319)) + (_e91 * _e320));
+                    let _e335 = (((_e95 * _e318) + (_e99 * _e319)) + (_e103 * _e320));
+                    let _e336 = (0.01f < _e335);
+                    let _e337 = select(1f, _e335, _e336);
+                    let _e340 = (((_e119 * _e325) / _e337) + _e127);
+                    let _e343 = (((_e123 * _e330) / _e337) + _e131);
+                    let _e344 = (_e325 / _e337);
+                    let _e346 = select(_e215, _e344, (_e344 > _e215));
+                    let _e348 = select(_e221, _e346, (_e346 < _e221));
+                    let _e349 = (_e330 / _e337);
+                    let _e351 = select(_e216, _e349, (_e349 > _e216));
+                    let _e353 = select(_e222, _e351, (_e351 < _e222));
+                    let _e354 = (_e119 / _e337);
+                    let _e355 = (_e123 / _e337);
+                    let _e362 = ((_e71 - (_e95 * _e348)) * _e354);
+                    let _e363 = ((_e75 - (_e99 * _e348)) * _e354);
+                    let _e364 = ((_e79 - (_e103 * _e348)) * _e354);
+                    let _e371 = ((_e83 - (_e95 * _e353)) * _e355);
+                    let _e372 = ((_e87 - (_e99 * _e353)) * _e355);
+                    let _e373 = ((_e91 - (_e103 * _e353)) * _e355);
+                    let _e382 = (1f / sqrt(((((_e296 * _e296) + (_e300 * _e300)) + (_e304 * _e304)) + (_e308 * _e308))));
+                    let _e383 = (_e296 * _e382);
+                    let _e384 = (_e300 * _e382);
+                    let _e385 = (_e304 * _e382);
+                    let _e386 = (_e308 * _e382);
+                    let _e387 = (_e385 * _e385);
                     let _e388 = (_e386 * _e386);
-                    let _e389 = (_e387 * _e387);
-                    let _e392 = (1f - (2f * (_e388 + _e389)));
-                    let _e393 = (_e385 * _e386);
-                    let _e394 = (_e384 * _e387);
-                    let _e396 = (2f * (_e393 + _e394));
-                    let _e397 = (_e385 * _e387);
-                    let _e398 = (_e384 * _e386);
-                    let _e400 = (2f * (_e397 - _e398));
-                    let _e402 = (2f * (_e393 - _e394));
-                    let _e403 = (_e385 * _e385);
-                    let _e406 = (1f - (2f * (_e403 + _e389)));
-                    let _e407 = (_e386 * _e387);
-                    let _e408 = (_e384 * _e385);
-                    let _e410 = (2f * (_e407 + _e408));
-                    let _e412 = (2f * (_e397 + _e398));
-                    let _e414 = (2f * (_e407 - _e408));
-                    let _e417 = (1f - (2f * (_e403 + _e388)));
-                    let _e418 = exp(_e312);
-                    let _e419 = exp(_e315);
-                    let _e420 = exp(_e318);
-                    let _e436 = ((((_e363 * _e392) + (_e364 * _e396)) + (_e365 * _e400)) * _e418);
-                    let _e437 = ((((_e363 * _e402) + (_e364 * _e406)) + (_e365 * _e410)) * _e419);
-                    let _e438 = ((((_e363 * _e412) + (_e364 * _e414)) + (_e365 * _e417)) * _e420);
-                    let _e454 = ((((_e372 * _e392) + (_e373 * _e396)) + (_e374 * _e400)) * _e418);
-                    let _e455 = ((((_e372 * _e402) + (_e373 * _e406)) + (_e374 * _e410)) * _e419);
-                    let _e456 = ((((_e372 * _e412) + (_e373 * _e414)) + (_e374 * _e417)) * _e420);
-                    let _e461 = (((_e436 * _e436) + (_e437 * _e437)) + (_e438 * _e438));
-                    let _e466 = (((_e436 * _e454) + (_e437 * _e455)) + (_e438 * _e456));
-                    let _e471 = (((_e454 * _e454) + (_e455 * _e455)) + (_e456 * _e456));
-                    let _e472 = (_e461 + _e159);
-                    let _e473 = (_e471 + _e159);
-                    let _e476 = ((_e437 * _e456) - (_e438 * _e455));
-                    let _e479 = ((_e438 * _e454) - (_e436 * _e456));
-                    let _e482 = ((_e436 * _e455) - (_e437 * _e454));
-                    let _e492 = (((((_e476 * _e476) + (_e479 * _e479)) + (_e482 * _e482)) + (_e159 * (_e461 + _e471))) + (_e159 * _e159));
-                    let _e494 = (1f / _e492);
-                    let _e495 = (_e473 * _e494);
-                    let _e496 = (-(_e466) * _e494);
-                    let _e497 = (_e472 * _e494);
-                    let _e500 = (0.5f * (_e472 - _e473));
-                    let _e509 = sqrt((11.082527f * ((0.5f * (_e472 + _e473)) + sqrt(((_e500 * _e500) + (_e466 * _e466))))));
+                    let _e391 = (1f - (2f * (_e387 + _e388)));
+                    let _e392 = (_e384 * _e385);
+                    let _e393 = (_e383 * _e386);
+                    let _e395 = (2f * (_e392 + _e393));
+                    let _e396 = (_e384 * _e386);
+                    let _e397 = (_e383 * _e385);
+                    let _e399 = (2f * (_e396 - _e397));
+                    let _e401 = (2f * (_e392 - _e393));
+                    let _e402 = (_e384 * _e384);
+                    let _e405 = (1f - (2f * (_e402 + _e388)));
+                    let _e406 = (_e385 * _e386);
+                    let _e407 = (_e383 * _e384);
+                    let _e409 = (2f * (_e406 + _e407));
+                    let _e411 = (2f * (_e396 + _e397));
+                    let _e413 = (2f * (_e406 - _e407));
+                    let _e416 = (1f - (2f * (_e402 + _e387)));
+                    let _e417 = exp(_e311);
+                    let _e418 = exp(_e314);
+                    let _e419 = exp(_e317);
+                    let _e435 = ((((_e362 * _e391) + (_e363 * _e395)) + (_e364 * _e399)) * _e417);
+                    let _e436 = ((((_e362 * _e401) + (_e363 * _e405)) + (_e364 * _e409)) * _e418);
+                    let _e437 = ((((_e362 * _e411) + (_e363 * _e413)) + (_e364 * _e416)) * _e419);
+                    let _e453 = ((((_e371 * _e391) + (_e372 * _e395)) + (_e373 * _e399)) * _e417);
+                    let _e454 = ((((_e371 * _e401) + (_e372 * _e405)) + (_e373 * _e409)) * _e418);
+                    let _e455 = ((((_e371 * _e411) + (_e372 * _e413)) + (_e373 * _e416)) * _e419);
+                    let _e460 = (((_e435 * _e435) + (_e436 * _e436)) + (_e437 * _e437));
+                    let _e465 = (((_e435 * _e453) + (_e436 * _e454)) + (_e437 * _e455));
+                    let _e470 = (((_e453 * _e453) + (_e454 * _e454)) + (_e455 * _e455));
+                    let _e471 = (_e460 + _e158);
+                    let _e472 = (_e470 + _e158);
+                    let _e475 = ((_e436 * _e455) - (_e437 * _e454));
+                    let _e478 = ((_e437 * _e453) - (_e435 * _e455));
+                    let _e481 = ((_e435 * _e454) - (_e436 * _e453));
+                    let _e491 = (((((_e475 * _e475) + (_e478 * _e478)) + (_e481 * _e481)) + (_e158 * (_e460 + _e470))) + (_e158 * _e158));
+                    let _e493 = (1f / _e491);
+                    let _e494 = (_e472 * _e493);
+                    let _e495 = (-(_e465) * _e493);
+                    let _e496 = (_e471 * _e493);
+                    let _e499 = (0.5f * (_e471 - _e472));
+                    let _e508 = sqrt((11.082527f * ((0.5f * (_e471 + _e472)) + sqrt(((_e499 * _e499) + (_e465 * _e465))))));
+                    if (_e494 < 0f) {
+                        phi_537_ = -(_e494);
+                    } else {
+                        phi_537_ = _e494;
+                    }
+                    let _e520 = phi_537_;
                     if (_e495 < 0f) {
-                        phi_538_ = -(_e495);
+                        phi_542_ = -(_e495);
                     } else {
-                        phi_538_ = _e495;
+                        phi_542_ = _e495;
                     }
-                    let _e521 = phi_538_;
+                    let _e524 = phi_542_;
                     if (_e496 < 0f) {
-                        phi_543_ = -(_e496);
+                        phi_547_ = -(_e496);
                     } else {
-                        phi_543_ = _e496;
+                        phi_547_ = _e496;
                     }
-                    let _e525 = phi_543_;
-                    if (_e497 < 0f) {
-                        phi_548_ = -(_e497);
+                    let _e529 = phi_547_;
+                    if (_e340 < 0f) {
+                        phi_552_ = -(_e340);
                     } else {
-                        phi_548_ = _e497;
+                        phi_552_ = _e340;
                     }
-                    let _e530 = phi_548_;
-                    if (_e341 < 0f) {
-                        phi_553_ = -(_e341);
+                    let _e534 = phi_552_;
+                    if (_e343 < 0f) {
+                        phi_557_ = -(_e343);
                     } else {
-                        phi_553_ = _e341;
+                        phi_557_ = _e343;
                     }
-                    let _e535 = phi_553_;
-                    if (_e344 < 0f) {
-                        phi_558_ = -(_e344);
+                    let _e539 = phi_557_;
+                    let _e541 = (((((_e520 + _e524) + _e529) + _e534) + _e539) + _e508);
+                    let _e542 = (_e335 < 0f);
+                    if _e542 {
+                        phi_562_ = -(_e335);
                     } else {
-                        phi_558_ = _e344;
+                        phi_562_ = _e335;
                     }
-                    let _e540 = phi_558_;
-                    let _e542 = (((((_e521 + _e525) + _e530) + _e535) + _e540) + _e509);
-                    let _e543 = (_e336 < 0f);
-                    if _e543 {
-                        phi_563_ = -(_e336);
-                    } else {
-                        phi_563_ = _e336;
-                    }
-                    let _e546 = phi_563_;
-                    if (_e546 <= 0x1.fffffep+127f) {
-                        if (_e542 < 0f) {
-                            phi_572_ = -(_e542);
+                    let _e545 = phi_562_;
+                    if (_e545 <= 0x1.fffffep+127f) {
+                        if (_e541 < 0f) {
+                            phi_571_ = -(_e541);
                         } else {
-                            phi_572_ = _e542;
+                            phi_571_ = _e541;
                         }
-                        let _e551 = phi_572_;
-                        let _e552 = (_e551 <= 0x1.fffffep+127f);
-                        if _e552 {
-                            phi_578_ = (_e492 > 0f);
+                        let _e550 = phi_571_;
+                        let _e551 = (_e550 <= 0x1.fffffep+127f);
+                        if _e551 {
+                            phi_577_ = (_e491 > 0f);
                         } else {
-                            phi_578_ = bool();
+                            phi_577_ = bool();
                         }
-                        let _e555 = phi_578_;
-                        phi_580_ = _e555;
-                        phi_581_ = select(true, false, _e552);
+                        let _e554 = phi_577_;
+                        phi_579_ = _e554;
+                        phi_580_ = select(true, false, _e551);
                     } else {
-                        phi_580_ = bool();
-                        phi_581_ = true;
+                        phi_579_ = bool();
+                        phi_580_ = true;
                     }
-                    let _e558 = phi_580_;
-                    let _e560 = phi_581_;
-                    let _e561 = select(_e558, false, _e560);
-                    if _e543 {
-                        phi_586_ = -(_e336);
+                    let _e557 = phi_579_;
+                    let _e559 = phi_580_;
+                    let _e560 = select(_e557, false, _e559);
+                    if _e542 {
+                        phi_585_ = -(_e335);
                     } else {
-                        phi_586_ = _e336;
+                        phi_585_ = _e335;
                     }
-                    let _e564 = phi_586_;
-                    if _e337 {
-                        if _e561 {
-                            phi_599_ = type_25(vec2<f32>(_e341, _e344), vec2<f32>(((sqrt((11.082527f * _e472)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e473)) * 1.001f) + 0.01f)), vec3<f32>(_e495, _e496, _e497), _e509);
+                    let _e563 = phi_585_;
+                    if _e336 {
+                        if _e560 {
+                            phi_598_ = type_16(vec2<f32>(_e340, _e343), vec2<f32>(((sqrt((11.082527f * _e471)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e472)) * 1.001f) + 0.01f)), vec3<f32>(_e494, _e495, _e496), _e508);
                         } else {
-                            phi_599_ = type_25();
+                            phi_598_ = type_16();
                         }
-                        let _e572 = phi_599_;
-                        phi_601_ = _e572;
-                        phi_602_ = select(true, false, _e561);
+                        let _e571 = phi_598_;
+                        phi_600_ = _e571;
+                        phi_601_ = select(true, false, _e560);
                     } else {
-                        phi_601_ = type_25();
-                        phi_602_ = true;
+                        phi_600_ = type_16();
+                        phi_601_ = true;
                     }
-                    let _e575 = phi_601_;
-                    let _e577 = phi_602_;
-                    if _e577 {
-                        phi_607_ = type_25(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e337, (_e564 <= 0x1.fffffep+127f))));
+                    let _e574 = phi_600_;
+                    let _e576 = phi_601_;
+                    if _e576 {
+                        phi_606_ = type_16(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e336, (_e563 <= 0x1.fffffep+127f))));
                     } else {
-                        phi_607_ = _e575;
+                        phi_606_ = _e574;
                     }
-                    let _e580 = phi_607_;
-                    global_9.member[_e280] = vec4<f32>(_e580.member.x, _e580.member.y, _e580.member_3, _e580.member_1.x);
-                    global_9.member[(_e280 + 1u)] = vec4<f32>(_e580.member_2.x, _e580.member_2.y, _e580.member_2.z, _e580.member_1.y);
-                    if (_e580.member_3 == -2f) {
-                        let _e604 = atomicAdd((&global_10.member[0u]), 1u);
+                    let _e579 = phi_606_;
+                    global_9.member[_e279] = vec4<f32>(_e579.member.x, _e579.member.y, _e579.member_3, _e579.member_1.x);
+                    global_9.member[(_e279 + 1u)] = vec4<f32>(_e579.member_2.x, _e579.member_2.y, _e579.member_2.z, _e579.member_1.y);
+                    if (_e579.member_3 == -2f) {
+                        let _e603 = atomicAdd((&global_10.member[0u]), 1u);
                     }
                 } else {
-                    global_9.member[_e280] = vec4<f32>(0f, 0f, -(f32(_e273)), 0f);
-                    global_9.member[(_e280 + 1u)] = vec4<f32>(0f, 0f, 0f, 0f);
+                    global_9.member[_e279] = vec4<f32>(0f, 0f, -(f32(_e272)), 0f);
+                    global_9.member[(_e279 + 1u)] = vec4<f32>(0f, 0f, 0f, 0f);
                 }
-                local = (_e275 + 1u);
+                local = (_e274 + 1u);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e616 = local;
-                phi_474_ = _e616;
+                let _e615 = local;
+                phi_473_ = _e615;
             }
         }
     }

@@ -1,12 +1,4 @@
-struct type_6 {
-    member: array<i32>,
-}
-
-struct type_9 {
-    member: array<f32>,
-}
-
-struct type_16 {
+struct type_5 {
     member: u32,
     member_1: f32,
     member_2: f32,
@@ -14,27 +6,35 @@ struct type_16 {
     member_4: f32,
 }
 
+struct type_6 {
+    member: type_5,
+}
+
+struct type_11 {
+    member: array<f32>,
+}
+
 struct type_17 {
-    member: type_16,
+    member: array<i32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_2: type_6;
-@group(0) @binding(2) 
-var<storage> global_3: type_9;
 @group(0) @binding(0) 
-var<uniform> global_4: type_17;
+var<uniform> global_2: type_6;
+@group(0) @binding(2) 
+var<storage> global_3: type_11;
+@group(0) @binding(1) 
+var<storage> global_4: type_17;
 @group(0) @binding(3) 
-var<storage, read_write> global_5: type_9;
+var<storage, read_write> global_5: type_11;
 
 fn function_() {
     let _e13 = global;
     let _e14 = global_1;
     let _e20 = ((_e14.x * 16u) + _e13.x);
     let _e22 = ((_e14.y * 4u) + _e13.y);
-    let _e25 = global_4.member.member;
+    let _e25 = global_2.member.member;
     if (_e20 < _e25) {
         if (_e22 < _e25) {
             let _e30 = ((_e22 * _e25) + _e20);
@@ -46,14 +46,14 @@ fn function_() {
             let _e42 = (2u * _e31);
             let _e46 = global_3.member[(_e34 + _e42)];
             let _e51 = global_3.member[(_e34 + (3u * _e31))];
-            let _e54 = global_4.member.member_1;
-            let _e57 = global_4.member.member_2;
-            let _e60 = global_4.member.member_3;
+            let _e54 = global_2.member.member_1;
+            let _e57 = global_2.member.member_2;
+            let _e60 = global_2.member.member_3;
             let _e61 = (1f - _e51);
-            let _e70 = global_4.member.member_4;
+            let _e70 = global_2.member.member_4;
             let _e71 = (_e70 < _e51);
             let _e72 = (1f / _e51);
-            let _e82 = global_2.member[(_e32 + 3u)];
+            let _e82 = global_4.member[(_e32 + 3u)];
             let _e86 = (((bitcast<u32>(_e82) * 3u) * _e31) + _e30);
             global_5.member[_e86] = select((_e37 + (_e54 * _e61)), (_e37 * _e72), _e71);
             global_5.member[(_e86 + _e31)] = select((_e41 + (_e57 * _e61)), (_e41 * _e72), _e71);

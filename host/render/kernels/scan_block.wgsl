@@ -1,41 +1,41 @@
-struct type_6 {
-    member: array<u32>,
-}
-
-struct type_9 {
+struct type_5 {
     member: u32,
 }
 
+struct type_6 {
+    member: type_5,
+}
+
 struct type_10 {
-    member: type_9,
+    member: array<u32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_10;
-@group(0) @binding(2) 
-var<storage, read_write> global_4: type_6;
+var<uniform> global_3: type_6;
 @group(0) @binding(1) 
-var<storage> global_5: type_6;
+var<storage> global_4: type_10;
+var<workgroup> global_5: array<u32, 64>;
+@group(0) @binding(2) 
+var<storage, read_write> global_6: type_10;
 @group(0) @binding(3) 
-var<storage, read_write> global_6: type_6;
-var<workgroup> global_7: array<u32, 64>;
+var<storage, read_write> global_7: type_10;
 
 fn function_() {
-    var phi_50_: u32;
+    var phi_49_: u32;
+    var phi_52_: u32;
     var phi_53_: u32;
-    var phi_54_: u32;
     var local: u32;
-    var phi_70_: u32;
+    var phi_69_: u32;
+    var phi_72_: u32;
     var phi_73_: u32;
-    var phi_74_: u32;
     var local_1: u32;
     var local_2: u32;
-    var phi_88_: u32;
+    var phi_87_: u32;
+    var phi_90_: u32;
     var phi_91_: u32;
-    var phi_92_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
@@ -45,115 +45,115 @@ fn function_() {
     var local_9: u32;
     var local_10: u32;
 
-    let _e17 = global;
-    let _e18 = global_1;
-    let _e19 = global_2;
-    let _e25 = (_e18.x + (_e18.y * _e19.x));
-    let _e28 = (((_e25 * 64u) + _e17.x) * 16u);
-    phi_50_ = 0u;
-    phi_53_ = 0u;
+    let _e16 = global;
+    let _e17 = global_1;
+    let _e18 = global_2;
+    let _e24 = (_e17.x + (_e17.y * _e18.x));
+    let _e27 = (((_e24 * 64u) + _e16.x) * 16u);
+    phi_49_ = 0u;
+    phi_52_ = 0u;
     loop {
-        let _e30 = phi_50_;
-        let _e32 = phi_53_;
-        local = _e32;
-        local_7 = _e32;
-        local_2 = _e32;
-        if (_e30 < 16u) {
-            let _e34 = (_e28 + _e30);
-            let _e37 = global_3.member.member;
-            if (_e34 < _e37) {
-                let _e41 = global_5.member[_e34];
-                phi_54_ = (_e32 + _e41);
+        let _e29 = phi_49_;
+        let _e31 = phi_52_;
+        local = _e31;
+        local_7 = _e31;
+        local_2 = _e31;
+        if (_e29 < 16u) {
+            let _e33 = (_e27 + _e29);
+            let _e36 = global_3.member.member;
+            if (_e33 < _e36) {
+                let _e40 = global_4.member[_e33];
+                phi_53_ = (_e31 + _e40);
             } else {
-                phi_54_ = _e32;
+                phi_53_ = _e31;
             }
-            let _e44 = phi_54_;
-            local_4 = (_e30 + 1u);
-            local_5 = _e44;
+            let _e43 = phi_53_;
+            local_4 = (_e29 + 1u);
+            local_5 = _e43;
             continue;
         } else {
             break;
         }
         continuing {
-            let _e99 = local_4;
-            phi_50_ = _e99;
-            let _e102 = local_5;
-            phi_53_ = _e102;
+            let _e98 = local_4;
+            phi_49_ = _e98;
+            let _e101 = local_5;
+            phi_52_ = _e101;
         }
     }
-    let _e48 = local;
-    global_7[_e17.x] = _e48;
+    let _e47 = local;
+    global_5[_e16.x] = _e47;
     workgroupBarrier();
-    phi_70_ = 1u;
-    let _e110 = local_7;
-    phi_73_ = _e110;
+    phi_69_ = 1u;
+    let _e109 = local_7;
+    phi_72_ = _e109;
     loop {
-        let _e50 = phi_70_;
-        let _e52 = phi_73_;
-        local_1 = _e52;
-        local_3 = _e52;
-        if (_e50 < 64u) {
-            if (_e17.x >= _e50) {
-                let _e57 = global_7[(_e17.x - _e50)];
-                phi_74_ = (_e52 + _e57);
+        let _e49 = phi_69_;
+        let _e51 = phi_72_;
+        local_1 = _e51;
+        local_3 = _e51;
+        if (_e49 < 64u) {
+            if (_e16.x >= _e49) {
+                let _e56 = global_5[(_e16.x - _e49)];
+                phi_73_ = (_e51 + _e56);
             } else {
-                phi_74_ = _e52;
+                phi_73_ = _e51;
             }
-            let _e60 = phi_74_;
+            let _e59 = phi_73_;
             workgroupBarrier();
-            global_7[_e17.x] = _e60;
+            global_5[_e16.x] = _e59;
             workgroupBarrier();
-            local_6 = (_e50 * 2u);
-            local_8 = _e60;
+            local_6 = (_e49 * 2u);
+            local_8 = _e59;
             continue;
         } else {
             break;
         }
         continuing {
-            let _e107 = local_6;
-            phi_70_ = _e107;
-            let _e112 = local_8;
-            phi_73_ = _e112;
+            let _e106 = local_6;
+            phi_69_ = _e106;
+            let _e111 = local_8;
+            phi_72_ = _e111;
         }
     }
-    let _e63 = local_1;
-    let _e65 = local_2;
-    phi_88_ = 0u;
-    phi_91_ = (_e63 - _e65);
+    let _e62 = local_1;
+    let _e64 = local_2;
+    phi_87_ = 0u;
+    phi_90_ = (_e62 - _e64);
     loop {
-        let _e68 = phi_88_;
-        let _e70 = phi_91_;
-        if (_e68 < 16u) {
-            let _e72 = (_e28 + _e68);
-            let _e75 = global_3.member.member;
-            if (_e72 <= _e75) {
-                global_4.member[_e72] = _e70;
+        let _e67 = phi_87_;
+        let _e69 = phi_90_;
+        if (_e67 < 16u) {
+            let _e71 = (_e27 + _e67);
+            let _e74 = global_3.member.member;
+            if (_e71 <= _e74) {
+                global_6.member[_e71] = _e69;
             }
-            if (_e72 < _e75) {
-                let _e82 = global_5.member[_e72];
-                phi_92_ = (_e70 + _e82);
+            if (_e71 < _e74) {
+                let _e81 = global_4.member[_e71];
+                phi_91_ = (_e69 + _e81);
             } else {
-                phi_92_ = _e70;
+                phi_91_ = _e69;
             }
-            let _e85 = phi_92_;
-            local_9 = (_e68 + 1u);
-            local_10 = _e85;
+            let _e84 = phi_91_;
+            local_9 = (_e67 + 1u);
+            local_10 = _e84;
             continue;
         } else {
             break;
         }
         continuing {
-            let _e118 = local_9;
-            phi_88_ = _e118;
-            let _e121 = local_10;
-            phi_91_ = _e121;
+            let _e117 = local_9;
+            phi_87_ = _e117;
+            let _e120 = local_10;
+            phi_90_ = _e120;
         }
     }
-    if (_e17.x == 63u) {
-        let _e91 = global_3.member.member;
-        if ((_e25 * 1024u) <= _e91) {
-            let _e96 = local_3;
-            global_6.member[_e25] = _e96;
+    if (_e16.x == 63u) {
+        let _e90 = global_3.member.member;
+        if ((_e24 * 1024u) <= _e90) {
+            let _e95 = local_3;
+            global_7.member[_e24] = _e95;
         }
     }
     return;

@@ -1,90 +1,90 @@
 struct type_5 {
-    member: array<f32>,
-}
-
-struct type_12 {
-    member: array<u32>,
-}
-
-struct type_17 {
-    member: array<vec4<f32>>,
-}
-
-struct type_20 {
-    member: f32,
-    member_1: f32,
-}
-
-struct type_21 {
     member: u32,
     member_1: u32,
     member_2: f32,
     member_3: u32,
 }
 
-struct type_22 {
-    member: type_21,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_24 {
-    member: type_20,
-    member_1: type_20,
+struct type_11 {
+    member: array<u32>,
+}
+
+struct type_15 {
+    member: array<f32>,
+}
+
+struct type_18 {
+    member: f32,
+    member_1: f32,
+}
+
+struct type_19 {
+    member: type_18,
+    member_1: type_18,
+}
+
+struct type_23 {
+    member: array<vec4<f32>>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_12;
-@group(0) @binding(2) 
-var<storage> global_4: type_5;
-@group(0) @binding(3) 
-var<storage> global_5: type_5;
-@group(0) @binding(4) 
-var<storage> global_6: type_5;
 @group(0) @binding(0) 
-var<uniform> global_7: type_22;
+var<uniform> global_3: type_6;
+@group(0) @binding(1) 
+var<storage> global_4: type_11;
+@group(0) @binding(3) 
+var<storage> global_5: type_15;
+@group(0) @binding(2) 
+var<storage> global_6: type_15;
+@group(0) @binding(4) 
+var<storage> global_7: type_15;
 @group(0) @binding(5) 
-var<storage, read_write> global_8: type_17;
+var<storage, read_write> global_8: type_23;
 @group(0) @binding(6) 
-var<storage, read_write> global_9: type_12;
+var<storage, read_write> global_9: type_11;
 
 fn function_() {
     var phi_515_: f32;
-    var phi_520_: type_20;
-    var phi_549_: type_20;
-    var phi_551_: type_20;
+    var phi_520_: type_18;
+    var phi_549_: type_18;
+    var phi_551_: type_18;
     var phi_552_: bool;
-    var phi_556_: type_20;
-    var phi_557_: type_20;
-    var phi_568_: type_20;
-    var phi_575_: type_20;
-    var phi_577_: type_24;
+    var phi_556_: type_18;
+    var phi_557_: type_18;
+    var phi_568_: type_18;
+    var phi_575_: type_18;
+    var phi_577_: type_19;
     var phi_587_: f32;
-    var phi_592_: type_20;
-    var phi_621_: type_20;
-    var phi_623_: type_20;
+    var phi_592_: type_18;
+    var phi_621_: type_18;
+    var phi_623_: type_18;
     var phi_624_: bool;
-    var phi_628_: type_20;
-    var phi_629_: type_20;
-    var phi_640_: type_20;
-    var phi_647_: type_20;
-    var phi_649_: type_24;
+    var phi_628_: type_18;
+    var phi_629_: type_18;
+    var phi_640_: type_18;
+    var phi_647_: type_18;
+    var phi_649_: type_19;
     var phi_659_: f32;
-    var phi_664_: type_20;
-    var phi_693_: type_20;
-    var phi_695_: type_20;
+    var phi_664_: type_18;
+    var phi_693_: type_18;
+    var phi_695_: type_18;
     var phi_696_: bool;
-    var phi_700_: type_20;
-    var phi_701_: type_20;
-    var phi_712_: type_20;
-    var phi_719_: type_20;
-    var phi_721_: type_24;
-    var phi_732_: type_20;
-    var phi_740_: type_20;
-    var phi_749_: type_20;
-    var phi_757_: type_20;
-    var phi_765_: type_20;
+    var phi_700_: type_18;
+    var phi_701_: type_18;
+    var phi_712_: type_18;
+    var phi_719_: type_18;
+    var phi_721_: type_19;
+    var phi_732_: type_18;
+    var phi_740_: type_18;
+    var phi_749_: type_18;
+    var phi_757_: type_18;
+    var phi_765_: type_18;
     var phi_789_: u32;
     var phi_793_: f32;
     var phi_842_: f32;
@@ -104,9 +104,9 @@ fn function_() {
             let _e54 = global_1;
             let _e55 = global_2;
             let _e63 = (((_e54.x + (_e54.y * _e55.x)) * 64u) + _e53.x);
-            let _e66 = global_7.member.member;
+            let _e66 = global_3.member.member;
             if (_e63 < _e66) {
-                let _e70 = global_3.member[_e63];
+                let _e70 = global_4.member[_e63];
                 let _e73 = global_5.member[0u];
                 let _e76 = global_5.member[1u];
                 let _e79 = global_5.member[2u];
@@ -125,15 +125,15 @@ fn function_() {
                 let _e118 = global_5.member[15u];
                 let _e121 = global_5.member[16u];
                 let _e124 = global_5.member[17u];
-                let _e127 = global_7.member.member_1;
+                let _e127 = global_3.member.member_1;
                 let _e128 = (_e127 == 0u);
                 if _e128 {
                     break;
                 }
                 let _e130 = ((_e70 / _e127) * 18u);
-                let _e134 = global_4.member[(_e130 + 9u)];
-                let _e138 = global_4.member[(_e130 + 10u)];
-                let _e142 = global_4.member[(_e130 + 11u)];
+                let _e134 = global_6.member[(_e130 + 9u)];
+                let _e138 = global_6.member[(_e130 + 10u)];
+                let _e142 = global_6.member[(_e130 + 11u)];
                 let _e149 = (trunc((_e134 * _e82)) * _e73);
                 let _e150 = (trunc((_e138 * _e85)) * _e76);
                 let _e151 = (trunc((_e142 * _e88)) * _e79);
@@ -159,9 +159,9 @@ fn function_() {
                     break;
                 }
                 let _e195 = ((_e70 % _e127) * 3u);
-                let _e198 = global_6.member[_e195];
-                let _e202 = global_6.member[(_e195 + 1u)];
-                let _e206 = global_6.member[(_e195 + 2u)];
+                let _e198 = global_7.member[_e195];
+                let _e202 = global_7.member[(_e195 + 1u)];
+                let _e206 = global_7.member[(_e195 + 2u)];
                 let _e213 = (trunc((_e198 * _e82)) * _e73);
                 let _e214 = (trunc((_e202 * _e85)) * _e76);
                 let _e215 = (trunc((_e206 * _e88)) * _e79);
@@ -184,7 +184,7 @@ fn function_() {
                 let _e252 = (_e251 * 0.00024414063f);
                 let _e254 = ((_e227 - _e252) + _e236);
                 let _e255 = (_e63 * 4u);
-                let _e258 = global_7.member.member_3;
+                let _e258 = global_3.member.member_3;
                 if (_e258 == 0u) {
                     let _e260 = (_e179 - _e240);
                     let _e261 = (_e181 - _e242);
@@ -192,7 +192,7 @@ fn function_() {
                     let _e263 = (_e187 - _e248);
                     let _e264 = (_e191 - _e252);
                     let _e265 = (_e193 - _e254);
-                    let _e268 = global_7.member.member_2;
+                    let _e268 = global_3.member.member_2;
                     let _e270 = (_e260 + _e261);
                     if (_e270 < 0f) {
                         phi_515_ = -(_e270);
@@ -202,9 +202,9 @@ fn function_() {
                     let _e274 = phi_515_;
                     let _e275 = (_e274 < 0.000000000000000000000000000000000000011754944f);
                     if _e275 {
-                        phi_520_ = type_20(1f, 0f);
+                        phi_520_ = type_18(1f, 0f);
                     } else {
-                        phi_520_ = type_20(_e260, _e261);
+                        phi_520_ = type_18(_e260, _e261);
                     }
                     let _e277 = phi_520_;
                     let _e278 = (_e239 * -0.00024414063f);
@@ -225,46 +225,46 @@ fn function_() {
                     if (_e322 >= 0f) {
                         let _e324 = (_e322 <= 1f);
                         if _e324 {
-                            phi_549_ = type_20(0f, 0f);
+                            phi_549_ = type_18(0f, 0f);
                         } else {
-                            phi_549_ = type_20();
+                            phi_549_ = type_18();
                         }
                         let _e326 = phi_549_;
                         phi_551_ = _e326;
                         phi_552_ = select(true, false, _e324);
                     } else {
-                        phi_551_ = type_20();
+                        phi_551_ = type_18();
                         phi_552_ = true;
                     }
                     let _e329 = phi_551_;
                     let _e331 = phi_552_;
                     if _e331 {
-                        phi_556_ = type_20(1f, 0f);
-                        phi_557_ = type_20(0f, 0f);
+                        phi_556_ = type_18(1f, 0f);
+                        phi_557_ = type_18(0f, 0f);
                     } else {
                         phi_556_ = _e329;
-                        phi_557_ = type_20(1f, 0f);
+                        phi_557_ = type_18(1f, 0f);
                     }
                     let _e333 = phi_556_;
                     let _e335 = phi_557_;
                     if _e275 {
-                        phi_577_ = type_24(_e333, _e335);
+                        phi_577_ = type_19(_e333, _e335);
                     } else {
                         let _e337 = (_e291 + _e301);
                         let _e338 = (_e311 + _e321);
                         if (_e337 < _e338) {
-                            phi_568_ = type_20(_e291, _e301);
+                            phi_568_ = type_18(_e291, _e301);
                         } else {
-                            phi_568_ = type_20(_e311, _e321);
+                            phi_568_ = type_18(_e311, _e321);
                         }
                         let _e343 = phi_568_;
                         if (_e337 > _e338) {
-                            phi_575_ = type_20(_e291, _e301);
+                            phi_575_ = type_18(_e291, _e301);
                         } else {
-                            phi_575_ = type_20(_e311, _e321);
+                            phi_575_ = type_18(_e311, _e321);
                         }
                         let _e348 = phi_575_;
-                        phi_577_ = type_24(_e343, _e348);
+                        phi_577_ = type_19(_e343, _e348);
                     }
                     let _e351 = phi_577_;
                     let _e361 = (_e262 + _e263);
@@ -276,9 +276,9 @@ fn function_() {
                     let _e365 = phi_587_;
                     let _e366 = (_e365 < 0.000000000000000000000000000000000000011754944f);
                     if _e366 {
-                        phi_592_ = type_20(1f, 0f);
+                        phi_592_ = type_18(1f, 0f);
                     } else {
-                        phi_592_ = type_20(_e262, _e263);
+                        phi_592_ = type_18(_e262, _e263);
                     }
                     let _e368 = phi_592_;
                     let _e369 = (_e245 * -0.00024414063f);
@@ -299,46 +299,46 @@ fn function_() {
                     if (_e413 >= 0f) {
                         let _e415 = (_e413 <= 1f);
                         if _e415 {
-                            phi_621_ = type_20(0f, 0f);
+                            phi_621_ = type_18(0f, 0f);
                         } else {
-                            phi_621_ = type_20();
+                            phi_621_ = type_18();
                         }
                         let _e417 = phi_621_;
                         phi_623_ = _e417;
                         phi_624_ = select(true, false, _e415);
                     } else {
-                        phi_623_ = type_20();
+                        phi_623_ = type_18();
                         phi_624_ = true;
                     }
                     let _e420 = phi_623_;
                     let _e422 = phi_624_;
                     if _e422 {
-                        phi_628_ = type_20(1f, 0f);
-                        phi_629_ = type_20(0f, 0f);
+                        phi_628_ = type_18(1f, 0f);
+                        phi_629_ = type_18(0f, 0f);
                     } else {
                         phi_628_ = _e420;
-                        phi_629_ = type_20(1f, 0f);
+                        phi_629_ = type_18(1f, 0f);
                     }
                     let _e424 = phi_628_;
                     let _e426 = phi_629_;
                     if _e366 {
-                        phi_649_ = type_24(_e424, _e426);
+                        phi_649_ = type_19(_e424, _e426);
                     } else {
                         let _e428 = (_e382 + _e392);
                         let _e429 = (_e402 + _e412);
                         if (_e428 < _e429) {
-                            phi_640_ = type_20(_e382, _e392);
+                            phi_640_ = type_18(_e382, _e392);
                         } else {
-                            phi_640_ = type_20(_e402, _e412);
+                            phi_640_ = type_18(_e402, _e412);
                         }
                         let _e434 = phi_640_;
                         if (_e428 > _e429) {
-                            phi_647_ = type_20(_e382, _e392);
+                            phi_647_ = type_18(_e382, _e392);
                         } else {
-                            phi_647_ = type_20(_e402, _e412);
+                            phi_647_ = type_18(_e402, _e412);
                         }
                         let _e439 = phi_647_;
-                        phi_649_ = type_24(_e434, _e439);
+                        phi_649_ = type_19(_e434, _e439);
                     }
                     let _e442 = phi_649_;
                     let _e452 = (_e264 + _e265);
@@ -350,9 +350,9 @@ fn function_() {
                     let _e456 = phi_659_;
                     let _e457 = (_e456 < 0.000000000000000000000000000000000000011754944f);
                     if _e457 {
-                        phi_664_ = type_20(1f, 0f);
+                        phi_664_ = type_18(1f, 0f);
                     } else {
-                        phi_664_ = type_20(_e264, _e265);
+                        phi_664_ = type_18(_e264, _e265);
                     }
                     let _e459 = phi_664_;
                     let _e460 = (_e251 * -0.00024414063f);
@@ -373,46 +373,46 @@ fn function_() {
                     if (_e504 >= 0f) {
                         let _e506 = (_e504 <= 1f);
                         if _e506 {
-                            phi_693_ = type_20(0f, 0f);
+                            phi_693_ = type_18(0f, 0f);
                         } else {
-                            phi_693_ = type_20();
+                            phi_693_ = type_18();
                         }
                         let _e508 = phi_693_;
                         phi_695_ = _e508;
                         phi_696_ = select(true, false, _e506);
                     } else {
-                        phi_695_ = type_20();
+                        phi_695_ = type_18();
                         phi_696_ = true;
                     }
                     let _e511 = phi_695_;
                     let _e513 = phi_696_;
                     if _e513 {
-                        phi_700_ = type_20(1f, 0f);
-                        phi_701_ = type_20(0f, 0f);
+                        phi_700_ = type_18(1f, 0f);
+                        phi_701_ = type_18(0f, 0f);
                     } else {
                         phi_700_ = _e511;
-                        phi_701_ = type_20(1f, 0f);
+                        phi_701_ = type_18(1f, 0f);
                     }
                     let _e515 = phi_700_;
                     let _e517 = phi_701_;
                     if _e457 {
-                        phi_721_ = type_24(_e515, _e517);
+                        phi_721_ = type_19(_e515, _e517);
                     } else {
                         let _e519 = (_e473 + _e483);
                         let _e520 = (_e493 + _e503);
                         if (_e519 < _e520) {
-                            phi_712_ = type_20(_e473, _e483);
+                            phi_712_ = type_18(_e473, _e483);
                         } else {
-                            phi_712_ = type_20(_e493, _e503);
+                            phi_712_ = type_18(_e493, _e503);
                         }
                         let _e525 = phi_712_;
                         if (_e519 > _e520) {
-                            phi_719_ = type_20(_e473, _e483);
+                            phi_719_ = type_18(_e473, _e483);
                         } else {
-                            phi_719_ = type_20(_e493, _e503);
+                            phi_719_ = type_18(_e493, _e503);
                         }
                         let _e530 = phi_719_;
-                        phi_721_ = type_24(_e525, _e530);
+                        phi_721_ = type_19(_e525, _e530);
                     }
                     let _e533 = phi_721_;
                     if ((_e351.member.member + _e351.member.member_1) > (_e442.member.member + _e442.member.member_1)) {
@@ -442,9 +442,9 @@ fn function_() {
                     let _e576 = (_e573.member - _e556.member);
                     let _e577 = (_e573.member_1 - _e556.member_1);
                     if ((_e576 + _e577) > 0f) {
-                        phi_765_ = type_20(_e576, _e577);
+                        phi_765_ = type_18(_e576, _e577);
                     } else {
-                        phi_765_ = type_20(0f, 0f);
+                        phi_765_ = type_18(0f, 0f);
                     }
                     let _e582 = phi_765_;
                     let _e587 = ((_e582.member * _e261) + (_e582.member_1 * _e270));
@@ -500,7 +500,7 @@ fn function_() {
                     let _e702 = ((_e179 - 0.5f) + _e181);
                     let _e704 = ((_e185 - 0.5f) + _e187);
                     let _e706 = ((_e191 - 0.5f) + _e193);
-                    let _e709 = global_7.member.member_2;
+                    let _e709 = global_3.member.member_2;
                     let _e711 = select(-1000000000000000f, _e696, (_e696 > -1000000000000000f));
                     let _e715 = select(-1000000000000000f, _e698, (_e698 > -1000000000000000f));
                     let _e719 = select(-1000000000000000f, _e700, (_e700 > -1000000000000000f));

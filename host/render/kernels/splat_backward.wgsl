@@ -1,8 +1,14 @@
-struct type_5 {
-    member: array<f32>,
+struct type_4 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
 }
 
-struct type_11 {
+struct type_5 {
+    member: type_4,
+}
+
+struct type_10 {
     member: array<u32>,
 }
 
@@ -10,46 +16,40 @@ struct type_16 {
     member: array<vec4<f32>>,
 }
 
-struct type_19 {
-    member: u32,
-    member_1: u32,
-    member_2: u32,
-}
-
 struct type_20 {
-    member: type_19,
+    member: array<f32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
-@group(0) @binding(1) 
-var<storage> global_3: type_11;
 @group(0) @binding(0) 
-var<uniform> global_4: type_20;
+var<uniform> global_3: type_5;
+@group(0) @binding(1) 
+var<storage> global_4: type_10;
 @group(0) @binding(2) 
-var<storage> global_5: type_11;
+var<storage> global_5: type_10;
 @group(0) @binding(3) 
-var<storage> global_6: type_11;
+var<storage> global_6: type_10;
 @group(0) @binding(4) 
-var<storage> global_7: type_11;
-@group(0) @binding(5) 
-var<storage> global_8: type_5;
-@group(0) @binding(6) 
-var<storage> global_9: type_5;
+var<storage> global_7: type_10;
 @group(0) @binding(7) 
-var<storage> global_10: type_16;
+var<storage> global_8: type_16;
+@group(0) @binding(5) 
+var<storage> global_9: type_20;
+@group(0) @binding(6) 
+var<storage> global_10: type_20;
 @group(0) @binding(8) 
 var<storage, read_write> global_11: type_16;
 
 fn function_() {
-    var phi_105_: vec4<f32>;
-    var phi_108_: vec4<f32>;
-    var phi_110_: vec4<f32>;
-    var phi_112_: u32;
+    var phi_103_: vec4<f32>;
     var phi_106_: vec4<f32>;
+    var phi_108_: vec4<f32>;
+    var phi_110_: u32;
+    var phi_104_: vec4<f32>;
+    var phi_107_: vec4<f32>;
     var phi_109_: vec4<f32>;
-    var phi_111_: vec4<f32>;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
@@ -62,99 +62,99 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e25 = global;
-            let _e26 = global_1;
-            let _e27 = global_2;
-            let _e35 = (((_e26.x + (_e26.y * _e27.x)) * 64u) + _e25.x);
-            let _e38 = global_4.member.member;
-            if (_e35 < _e38) {
-                let _e42 = global_3.member[_e35];
-                let _e45 = global_4.member.member_1;
-                let _e46 = (_e45 == 0u);
-                if _e46 {
+            let _e23 = global;
+            let _e24 = global_1;
+            let _e25 = global_2;
+            let _e33 = (((_e24.x + (_e24.y * _e25.x)) * 64u) + _e23.x);
+            let _e36 = global_3.member.member;
+            if (_e33 < _e36) {
+                let _e40 = global_4.member[_e33];
+                let _e43 = global_3.member.member_1;
+                let _e44 = (_e43 == 0u);
+                if _e44 {
                     break;
                 }
-                let _e47 = (_e42 / _e45);
-                if _e46 {
+                let _e45 = (_e40 / _e43);
+                if _e44 {
                     break;
                 }
-                let _e48 = (_e42 % _e45);
-                let _e53 = (1u << bitcast<u32>(((_e48 % 32u) & 31u)));
-                let _e57 = global_5.member[(_e47 + 1u)];
-                let _e60 = global_5.member[_e47];
-                phi_105_ = vec4<f32>(0f, 0f, 0f, 0f);
+                let _e46 = (_e40 % _e43);
+                let _e51 = (1u << bitcast<u32>(((_e46 % 32u) & 31u)));
+                let _e55 = global_5.member[(_e45 + 1u)];
+                let _e58 = global_5.member[_e45];
+                phi_103_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_106_ = vec4<f32>(0f, 0f, 0f, 0f);
                 phi_108_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_110_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_112_ = _e60;
+                phi_110_ = _e58;
                 loop {
-                    let _e62 = phi_105_;
+                    let _e60 = phi_103_;
+                    let _e62 = phi_106_;
                     let _e64 = phi_108_;
                     let _e66 = phi_110_;
-                    let _e68 = phi_112_;
-                    local = _e66;
-                    local_1 = _e66;
-                    local_2 = _e66;
-                    local_3 = _e64;
-                    local_4 = _e62;
-                    if (_e68 < _e57) {
-                        let _e72 = global_4.member.member_2;
-                        let _e74 = ((_e68 * _e72) + (_e48 / 32u));
-                        let _e77 = global_6.member[_e74];
-                        if ((_e77 & _e53) == 0u) {
-                            phi_106_ = _e62;
+                    local = _e64;
+                    local_1 = _e64;
+                    local_2 = _e64;
+                    local_3 = _e62;
+                    local_4 = _e60;
+                    if (_e66 < _e55) {
+                        let _e70 = global_3.member.member_2;
+                        let _e72 = ((_e66 * _e70) + (_e46 / 32u));
+                        let _e75 = global_6.member[_e72];
+                        if ((_e75 & _e51) == 0u) {
+                            phi_104_ = _e60;
+                            phi_107_ = _e62;
                             phi_109_ = _e64;
-                            phi_111_ = _e66;
                         } else {
-                            let _e85 = global_7.member[_e74];
-                            let _e87 = (3u * (_e85 + countOneBits((_e77 & (_e53 - 1u)))));
-                            let _e90 = global_10.member[_e87];
-                            let _e95 = global_10.member[(_e87 + 1u)];
-                            let _e100 = global_10.member[(_e87 + 2u)];
-                            phi_106_ = (_e62 + _e100);
-                            phi_109_ = (_e64 + _e95);
-                            phi_111_ = (_e66 + _e90);
+                            let _e83 = global_7.member[_e72];
+                            let _e85 = (3u * (_e83 + countOneBits((_e75 & (_e51 - 1u)))));
+                            let _e88 = global_8.member[_e85];
+                            let _e93 = global_8.member[(_e85 + 1u)];
+                            let _e98 = global_8.member[(_e85 + 2u)];
+                            phi_104_ = (_e60 + _e98);
+                            phi_107_ = (_e62 + _e93);
+                            phi_109_ = (_e64 + _e88);
                         }
-                        let _e103 = phi_106_;
+                        let _e101 = phi_104_;
+                        let _e103 = phi_107_;
                         let _e105 = phi_109_;
-                        let _e107 = phi_111_;
-                        local_5 = _e103;
-                        local_6 = _e105;
-                        local_7 = _e107;
-                        local_8 = (_e68 + 1u);
+                        local_5 = _e101;
+                        local_6 = _e103;
+                        local_7 = _e105;
+                        local_8 = (_e66 + 1u);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e158 = local_5;
-                        phi_105_ = _e158;
-                        let _e161 = local_6;
-                        phi_108_ = _e161;
-                        let _e164 = local_7;
-                        phi_110_ = _e164;
-                        let _e167 = local_8;
-                        phi_112_ = _e167;
+                        let _e156 = local_5;
+                        phi_103_ = _e156;
+                        let _e159 = local_6;
+                        phi_106_ = _e159;
+                        let _e162 = local_7;
+                        phi_108_ = _e162;
+                        let _e165 = local_8;
+                        phi_110_ = _e165;
                     }
                 }
-                let _e111 = global_8.member[_e48];
-                let _e113 = local;
-                let _e115 = (_e111 < 0f);
-                let _e116 = -(_e111);
-                let _e118 = exp(select(_e116, _e111, _e115));
-                let _e120 = (1f / (1f + _e118));
-                let _e123 = (_e113.z * select(_e120, (_e118 * _e120), _e115));
-                let _e126 = global_9.member[_e35];
-                let _e128 = (_e116 < 0f);
-                let _e130 = exp(select(_e111, _e116, _e128));
-                let _e132 = (1f / (1f + _e130));
-                let _e136 = (3u * _e35);
-                let _e138 = local_1;
-                let _e141 = local_2;
-                global_11.member[_e136] = vec4<f32>(_e138.x, _e141.y, ((_e123 * _e126) * select(_e132, (_e130 * _e132), _e128)), _e123);
-                let _e150 = local_3;
-                global_11.member[(_e136 + 1u)] = _e150;
-                let _e155 = local_4;
-                global_11.member[(_e136 + 2u)] = _e155;
+                let _e109 = global_9.member[_e46];
+                let _e111 = local;
+                let _e113 = (_e109 < 0f);
+                let _e114 = -(_e109);
+                let _e116 = exp(select(_e114, _e109, _e113));
+                let _e118 = (1f / (1f + _e116));
+                let _e121 = (_e111.z * select(_e118, (_e116 * _e118), _e113));
+                let _e124 = global_10.member[_e33];
+                let _e126 = (_e114 < 0f);
+                let _e128 = exp(select(_e109, _e114, _e126));
+                let _e130 = (1f / (1f + _e128));
+                let _e134 = (3u * _e33);
+                let _e136 = local_1;
+                let _e139 = local_2;
+                global_11.member[_e134] = vec4<f32>(_e136.x, _e139.y, ((_e121 * _e124) * select(_e130, (_e128 * _e130), _e126)), _e121);
+                let _e148 = local_3;
+                global_11.member[(_e134 + 1u)] = _e148;
+                let _e153 = local_4;
+                global_11.member[(_e134 + 2u)] = _e153;
             }
             break;
         }

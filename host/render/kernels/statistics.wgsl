@@ -1,46 +1,46 @@
-struct type_7 {
-    member: array<u32>,
-}
-
-struct type_10 {
+struct type_4 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
-struct type_11 {
-    member: type_10,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_15 {
+struct type_12 {
     member: array<vec4<f32>>,
+}
+
+struct type_16 {
+    member: array<u32>,
 }
 
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_11;
-@group(0) @binding(1) 
-var<storage> global_4: type_15;
-@group(0) @binding(2) 
-var<storage> global_5: type_7;
-@group(0) @binding(3) 
-var<storage> global_6: type_7;
-@group(0) @binding(4) 
-var<storage> global_7: type_15;
+var<uniform> global_3: type_5;
 @group(0) @binding(5) 
-var<storage, read_write> global_8: type_15;
+var<storage, read_write> global_4: type_12;
+@group(0) @binding(2) 
+var<storage> global_5: type_16;
+@group(0) @binding(3) 
+var<storage> global_6: type_16;
+@group(0) @binding(4) 
+var<storage> global_7: type_12;
+@group(0) @binding(1) 
+var<storage> global_8: type_12;
 
 fn function_() {
-    var phi_80_: u32;
+    var phi_78_: u32;
+    var phi_81_: f32;
     var phi_83_: f32;
     var phi_85_: f32;
-    var phi_87_: f32;
+    var phi_82_: f32;
     var phi_84_: f32;
     var phi_86_: f32;
-    var phi_88_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
@@ -50,73 +50,73 @@ fn function_() {
     var local_6: f32;
     var local_7: f32;
 
-    let _e19 = global;
-    let _e20 = global_1;
-    let _e21 = global_2;
-    let _e29 = (((_e20.x + (_e20.y * _e21.x)) * 64u) + _e19.x);
-    let _e32 = global_3.member.member;
-    if (_e29 < _e32) {
-        let _e38 = (1u << bitcast<u32>(((_e29 % 32u) & 31u)));
-        let _e41 = global_8.member[_e29];
-        let _e47 = global_3.member.member_2;
-        let _e50 = global_3.member.member_3;
-        phi_80_ = _e47;
-        phi_83_ = _e41.z;
-        phi_85_ = _e41.y;
-        phi_87_ = _e41.x;
+    let _e17 = global;
+    let _e18 = global_1;
+    let _e19 = global_2;
+    let _e27 = (((_e18.x + (_e18.y * _e19.x)) * 64u) + _e17.x);
+    let _e30 = global_3.member.member;
+    if (_e27 < _e30) {
+        let _e36 = (1u << bitcast<u32>(((_e27 % 32u) & 31u)));
+        let _e39 = global_4.member[_e27];
+        let _e45 = global_3.member.member_2;
+        let _e48 = global_3.member.member_3;
+        phi_78_ = _e45;
+        phi_81_ = _e39.z;
+        phi_83_ = _e39.y;
+        phi_85_ = _e39.x;
         loop {
-            let _e53 = phi_80_;
+            let _e51 = phi_78_;
+            let _e53 = phi_81_;
             let _e55 = phi_83_;
             let _e57 = phi_85_;
-            let _e59 = phi_87_;
-            local = _e57;
-            local_1 = _e59;
-            local_2 = _e57;
-            local_3 = _e55;
-            if (_e53 < (_e47 + _e50)) {
-                let _e63 = global_3.member.member_1;
-                let _e65 = ((_e53 * _e63) + (_e29 / 32u));
-                let _e68 = global_5.member[_e65];
-                if ((_e68 & _e38) == 0u) {
+            local = _e55;
+            local_1 = _e57;
+            local_2 = _e55;
+            local_3 = _e53;
+            if (_e51 < (_e45 + _e48)) {
+                let _e61 = global_3.member.member_1;
+                let _e63 = ((_e51 * _e61) + (_e27 / 32u));
+                let _e66 = global_5.member[_e63];
+                if ((_e66 & _e36) == 0u) {
+                    phi_82_ = _e53;
                     phi_84_ = _e55;
                     phi_86_ = _e57;
-                    phi_88_ = _e59;
                 } else {
-                    let _e76 = global_6.member[_e65];
-                    let _e81 = global_7.member[(3u * (_e76 + countOneBits((_e68 & (_e38 - 1u)))))];
-                    let _e95 = global_4.member[(2u * ((_e53 * _e32) + _e29))];
-                    phi_84_ = select(_e95.z, _e55, (_e55 > _e95.z));
-                    phi_86_ = (_e57 + 1f);
-                    phi_88_ = (_e59 + sqrt(((_e81.x * _e81.x) + (_e81.y * _e81.y))));
+                    let _e74 = global_6.member[_e63];
+                    let _e79 = global_7.member[(3u * (_e74 + countOneBits((_e66 & (_e36 - 1u)))))];
+                    let _e93 = global_8.member[(2u * ((_e51 * _e30) + _e27))];
+                    phi_82_ = select(_e93.z, _e53, (_e53 > _e93.z));
+                    phi_84_ = (_e55 + 1f);
+                    phi_86_ = (_e57 + sqrt(((_e79.x * _e79.x) + (_e79.y * _e79.y))));
                 }
+                let _e98 = phi_82_;
                 let _e100 = phi_84_;
                 let _e102 = phi_86_;
-                let _e104 = phi_88_;
-                local_4 = (_e53 + 1u);
-                local_5 = _e100;
-                local_6 = _e102;
-                local_7 = _e104;
+                local_4 = (_e51 + 1u);
+                local_5 = _e98;
+                local_6 = _e100;
+                local_7 = _e102;
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e119 = local_4;
-                phi_80_ = _e119;
-                let _e122 = local_5;
-                phi_83_ = _e122;
-                let _e125 = local_6;
-                phi_85_ = _e125;
-                let _e128 = local_7;
-                phi_87_ = _e128;
+                let _e117 = local_4;
+                phi_78_ = _e117;
+                let _e120 = local_5;
+                phi_81_ = _e120;
+                let _e123 = local_6;
+                phi_83_ = _e123;
+                let _e126 = local_7;
+                phi_85_ = _e126;
             }
         }
-        let _e107 = local;
-        if (_e107 > _e41.y) {
-            let _e111 = local_1;
-            let _e113 = local_2;
-            let _e115 = local_3;
-            global_8.member[_e29] = vec4<f32>(_e111, _e113, _e115, _e41.w);
+        let _e105 = local;
+        if (_e105 > _e39.y) {
+            let _e109 = local_1;
+            let _e111 = local_2;
+            let _e113 = local_3;
+            global_4.member[_e27] = vec4<f32>(_e109, _e111, _e113, _e39.w);
         }
     }
     return;

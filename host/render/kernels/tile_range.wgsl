@@ -1,13 +1,13 @@
-struct type_5 {
+struct type_4 {
     member: u32,
     member_1: u32,
 }
 
-struct type_6 {
-    member: type_5,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_9 {
+struct type_10 {
     member: array<u32>,
 }
 
@@ -15,11 +15,11 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_6;
+var<uniform> global_3: type_5;
 @group(0) @binding(1) 
-var<storage> global_4: type_9;
+var<storage> global_4: type_10;
 @group(0) @binding(2) 
-var<storage, read_write> global_5: type_9;
+var<storage, read_write> global_5: type_10;
 
 fn function_() {
     let _e9 = global;

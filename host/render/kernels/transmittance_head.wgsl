@@ -1,12 +1,4 @@
-struct type_5 {
-    member: array<f32>,
-}
-
-struct type_12 {
-    member: array<vec4<f32>>,
-}
-
-struct type_15 {
+struct type_4 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -15,93 +7,101 @@ struct type_15 {
     member_5: u32,
 }
 
-struct type_16 {
-    member: type_15,
+struct type_5 {
+    member: type_4,
 }
 
-struct type_18 {
+struct type_12 {
+    member: array<vec4<f32>>,
+}
+
+struct type_14 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: f32,
 }
 
+struct type_17 {
+    member: array<f32>,
+}
+
 var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_16;
+var<uniform> global_3: type_5;
 @group(0) @binding(1) 
 var<storage> global_4: type_12;
-@group(0) @binding(2) 
-var<storage> global_5: type_5;
 @group(0) @binding(3) 
-var<storage> global_6: type_5;
+var<storage> global_5: type_17;
+@group(0) @binding(2) 
+var<storage> global_6: type_17;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_5;
+var<storage, read_write> global_7: type_17;
 
 fn function_() {
-    var phi_85_: u32;
-    var phi_88_: u32;
-    var phi_90_: type_18;
-    var phi_92_: u32;
-    var local: type_18;
+    var phi_83_: u32;
+    var phi_86_: u32;
+    var phi_88_: type_14;
+    var phi_90_: u32;
+    var local: type_14;
     var local_1: u32;
     var local_2: u32;
-    var local_3: type_18;
+    var local_3: type_14;
     var local_4: u32;
 
-    let _e27 = global;
-    let _e28 = global_1;
-    let _e29 = global_2;
-    let _e37 = (((_e28.x + (_e28.y * _e29.x)) * 64u) + _e27.x);
-    let _e40 = global_3.member.member;
-    if (_e37 < _e40) {
-        let _e44 = global_3.member.member_2;
-        let _e47 = global_3.member.member_3;
-        let _e50 = global_3.member.member_4;
-        let _e53 = global_3.member.member_5;
-        let _e56 = global_4.member[_e53];
-        phi_85_ = 0u;
-        phi_88_ = _e50;
-        phi_90_ = type_18(_e56.x, _e56.y, _e56.z, _e56.w);
-        phi_92_ = _e37;
+    let _e25 = global;
+    let _e26 = global_1;
+    let _e27 = global_2;
+    let _e35 = (((_e26.x + (_e26.y * _e27.x)) * 64u) + _e25.x);
+    let _e38 = global_3.member.member;
+    if (_e35 < _e38) {
+        let _e42 = global_3.member.member_2;
+        let _e45 = global_3.member.member_3;
+        let _e48 = global_3.member.member_4;
+        let _e51 = global_3.member.member_5;
+        let _e54 = global_4.member[_e51];
+        phi_83_ = 0u;
+        phi_86_ = _e48;
+        phi_88_ = type_14(_e54.x, _e54.y, _e54.z, _e54.w);
+        phi_90_ = _e35;
         loop {
-            let _e63 = phi_85_;
+            let _e61 = phi_83_;
+            let _e63 = phi_86_;
             let _e65 = phi_88_;
             let _e67 = phi_90_;
-            let _e69 = phi_92_;
-            local = _e67;
-            if (_e63 < _e47) {
-                let _e73 = global_4.member[_e65];
-                let _e76 = global_6.member[_e69];
-                local_1 = (_e63 + 1u);
-                local_2 = (_e65 + 1u);
-                local_3 = type_18(((_e76 * _e73.x) + _e67.member), ((_e76 * _e73.y) + _e67.member_1), ((_e76 * _e73.z) + _e67.member_2), ((_e76 * _e73.w) + _e67.member_3));
-                local_4 = (_e69 + _e44);
+            local = _e65;
+            if (_e61 < _e45) {
+                let _e71 = global_4.member[_e63];
+                let _e74 = global_5.member[_e67];
+                local_1 = (_e61 + 1u);
+                local_2 = (_e63 + 1u);
+                local_3 = type_14(((_e74 * _e71.x) + _e65.member), ((_e74 * _e71.y) + _e65.member_1), ((_e74 * _e71.z) + _e65.member_2), ((_e74 * _e71.w) + _e65.member_3));
+                local_4 = (_e67 + _e42);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e137 = local_1;
-                phi_85_ = _e137;
-                let _e140 = local_2;
-                phi_88_ = _e140;
-                let _e143 = local_3;
-                phi_90_ = _e143;
-                let _e146 = local_4;
-                phi_92_ = _e146;
+                let _e135 = local_1;
+                phi_83_ = _e135;
+                let _e138 = local_2;
+                phi_86_ = _e138;
+                let _e141 = local_3;
+                phi_88_ = _e141;
+                let _e144 = local_4;
+                phi_90_ = _e144;
             }
         }
-        let _e98 = local;
-        let _e104 = global_5.member[((6u * _e44) + _e37)];
-        let _e105 = (_e98.member < 0f);
-        let _e109 = exp(select(-(_e98.member), _e98.member, _e105));
-        let _e111 = (_e109 / (2f + _e109));
-        let _e112 = (_e111 * _e111);
-        let _e131 = global_3.member.member_1;
-        global_7.member[(_e131 + _e37)] = (_e104 * (select(0f, _e98.member, _e105) - ((2f * _e111) * (1f + (_e112 * (0.33333334f + (_e112 * (0.2f + (_e112 * (0.14285715f + (_e112 * (0.11111111f + (_e112 * (0.09090909f + (_e112 * 0.07692308f)))))))))))))));
+        let _e96 = local;
+        let _e102 = global_6.member[((6u * _e42) + _e35)];
+        let _e103 = (_e96.member < 0f);
+        let _e107 = exp(select(-(_e96.member), _e96.member, _e103));
+        let _e109 = (_e107 / (2f + _e107));
+        let _e110 = (_e109 * _e109);
+        let _e129 = global_3.member.member_1;
+        global_7.member[(_e129 + _e35)] = (_e102 * (select(0f, _e96.member, _e103) - ((2f * _e109) * (1f + (_e110 * (0.33333334f + (_e110 * (0.2f + (_e110 * (0.14285715f + (_e110 * (0.11111111f + (_e110 * (0.09090909f + (_e110 * 0.07692308f)))))))))))))));
     }
     return;
 }

@@ -13,7 +13,7 @@ use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
 use crate::lower::lower;
-use crate::{Project, module, naga_check, wgsl};
+use crate::{Project, module, naga_check, rules, wgsl};
 
 /// SPIR-V 1.5, of Vulkan 1.2, is the newest version that all our drivers read.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
@@ -23,6 +23,7 @@ pub const TARGET: &str = "spirv-unknown-vulkan1.2";
 /// # Errors
 /// The compiler's errors, and an error if a kernel does not match its module.
 pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
+    rules::check(&project.root.join(&project.shader_crate))?;
     // Before the build: if a file is saved while it runs, the kernels must be stale.
     let source_hash = manifest::source_hash(&project.root, &project.sources)?;
     let mut modules = build(&project.root.join(&project.shader_crate), &project.target, compiler)?;

@@ -4,7 +4,7 @@ use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble;
 use rspirv::dr;
 
-use crate::{atomic_arguments, contraction, ids, loops, memory_model};
+use crate::{atomic_arguments, contraction, declarations, ids, loops, memory_model};
 
 /// The module for drivers. With `fused`, they may regroup its arithmetic.
 ///
@@ -18,6 +18,7 @@ pub fn lower(spirv: &[u8], fused: bool) -> Result<Vec<u8>> {
     if !fused {
         contraction::forbid(&mut module)?;
     }
+    declarations::sort(&mut module);
     ids::renumber(&mut module);
     Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
 }

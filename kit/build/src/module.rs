@@ -23,6 +23,21 @@ pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()
     for buffer in buffers(&module)? {
         check_buffer(kernel, &buffer)?;
     }
+    check_loops(kernel, &module)
+}
+
+/// A kernel with loops declares their iterations, those of its helpers included.
+fn check_loops(kernel: &KernelInfo, module: &Module) -> Result<()> {
+    let is_loop = |instruction: &&Instruction| instruction.class.opcode == Op::LoopMerge;
+    let loops = module.all_inst_iter().filter(is_loop).count();
+    match kernel.iterations {
+        None => ensure!(
+            loops == 0,
+            "it has {loops} loops, in helpers too: state how many iterations they take at most, all together, with \
+             `#[kernel(.., iterations = ..)]`"
+        ),
+        Some(most) => ensure!(loops > 0, "it has no loop, but declares {most} iterations"),
+    }
     Ok(())
 }
 
@@ -32,10 +47,12 @@ struct Buffer {
     binding: u32,
     class: StorageClass,
     read_only: bool,
+    /// Bytes from one element to the next, of a storage buffer.
+    stride: Option<u32>,
 }
 
 fn check_buffer(kernel: &KernelInfo, buffer: &Buffer) -> Result<()> {
-    let Buffer { set, binding, class, read_only } = *buffer;
+    let Buffer { set, binding, class, read_only, stride } = *buffer;
     ensure!(set == 0, "the module uses descriptor set {set}");
     let Some(declared) = kernel.bindings.get(binding as usize) else {
         bail!("the module uses binding {binding}, the kernel declares {}", kernel.bindings.len());
@@ -53,6 +70,15 @@ fn check_buffer(kernel: &KernelInfo, buffer: &Buffer) -> Result<()> {
         access == "uniform" || read_only == (access == "read"),
         "the kernel declares `{}` as {access}, the module does not",
         declared.name
+    );
+    let bytes = declared.element_bytes;
+    let element = declared.element;
+    ensure!(
+        access == "uniform" || stride == Some(bytes),
+        "the elements of `{}` are `{element}` of {bytes} bytes in Rust, and the module has them {} bytes apart: use \
+         elements of `u32`, `i32`, `f32`, `Vec2` or `Vec4`",
+        declared.name,
+        stride.unwrap_or(0)
     );
     Ok(())
 }
@@ -125,7 +151,83 @@ fn buffers(module: &Module) -> Result<Vec<Buffer>> {
         let (Some(&set), Some(&binding)) = (sets.get(&id), bindings.get(&id)) else {
             bail!("the module has a {class:?} variable that is no binding");
         };
-        buffers.push(Buffer { set, binding, class, read_only: read_only.contains(&id) });
+        let stride = stride(module, variable);
+        buffers.push(Buffer { set, binding, class, read_only: read_only.contains(&id), stride });
     }
     Ok(buffers)
+}
+
+/// Bytes from one element to the next, of a variable that points to a struct with an array alone.
+fn stride(module: &Module, variable: &Instruction) -> Option<u32> {
+    let declared = |id: Word| module.types_global_values.iter().find(|i| i.result_id == Some(id));
+    let pointer = declared(variable.result_type?)?;
+    let block = declared(pointer.operands.get(1)?.id_ref_any()?)?;
+    let array = block.operands.first()?.id_ref_any()?;
+    module.annotations.iter().find_map(|annotation| match *annotation.operands.as_slice() {
+        [
+            Operand::IdRef(id),
+            Operand::Decoration(Decoration::ArrayStride),
+            Operand::LiteralBit32(stride),
+        ] if id == array => Some(stride),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use rspirv::binary::Assemble;
+    use rspirv::dr::Builder;
+    use rspirv::spirv::{Capability, FunctionControl, LoopControl};
+
+    use super::*;
+
+    /// The module of `count_fill`, with a buffer whose elements are `stride` bytes apart, and maybe with a loop.
+    fn module(stride: u32, has_loop: bool) -> Vec<u8> {
+        let mut b = Builder::new();
+        b.capability(Capability::Shader);
+        let [void, word] = [b.type_void(), b.type_int(32, 0)];
+        let array = b.type_runtime_array(word);
+        b.decorate(array, Decoration::ArrayStride, [Operand::LiteralBit32(stride)]);
+        let block = b.type_struct([array]);
+        let pointer = b.type_pointer(None, StorageClass::StorageBuffer, block);
+        let placement = b.variable(pointer, None, StorageClass::StorageBuffer, None);
+        b.decorate(placement, Decoration::DescriptorSet, [Operand::LiteralBit32(0)]);
+        b.decorate(placement, Decoration::Binding, [Operand::LiteralBit32(0)]);
+        b.decorate(placement, Decoration::NonWritable, []);
+        let ty = b.type_function(void, []);
+        let function = b.begin_function(void, None, FunctionControl::NONE, ty).unwrap();
+        b.begin_block(None).unwrap();
+        if has_loop {
+            let [merge, next] = [b.id(), b.id()];
+            b.loop_merge(merge, next, LoopControl::NONE, []).unwrap();
+            b.branch(merge).unwrap();
+            b.begin_block(Some(merge)).unwrap();
+        }
+        b.ret().unwrap();
+        b.end_function().unwrap();
+        b.entry_point(ExecutionModel::GLCompute, function, "count_fill", [placement]);
+        b.execution_mode(function, ExecutionMode::LocalSize, [64, 1, 1]);
+        b.module().assemble().into_iter().flat_map(u32::to_le_bytes).collect()
+    }
+
+    /// What is wrong with a module.
+    fn wrong(module: &[u8]) -> String {
+        let mut kernels = organza_kernel::kernels();
+        let kernel = kernels.find(|kernel| kernel.name == "count_fill").expect("a kernel");
+        check(kernel, &kernel.plain(), module).err().map_or_else(String::new, |e| e.to_string())
+    }
+
+    #[test]
+    fn elements_lie_as_in_rust() {
+        assert_eq!(wrong(&module(4, false)), "");
+        let message = wrong(&module(16, false));
+        let part = "the elements of `placement` are `u32` of 4 bytes in Rust, and the module has them 16 bytes apart";
+        assert!(message.starts_with(part), "{message}");
+    }
+
+    #[test]
+    fn loops_are_declared() {
+        let message = wrong(&module(4, true));
+        assert!(message.starts_with("it has 1 loops, in helpers too: state how many"), "{message}");
+    }
 }

@@ -8,8 +8,8 @@ use organza_kernel::{KernelInfo, kernels};
 use super::case::{Case, Rounding};
 use super::{devices, measure::Measure};
 
-/// Checks each kernel with its case on every device of this machine: the CPU with each instruction set, the CPU that
-/// [checks](devices::checked) for mistakes, and the GPU, passed through and through naga. Each result is compared
+/// Checks each kernel with its case on every device of this machine: the CPU with each instruction set, the CPUs that
+/// [check](devices::checked) for mistakes, and the GPU, passed through and through naga. Each result is compared
 /// with the CPU's and with the equations. Every kernel of the cases' packages must have a case.
 ///
 /// # Panics
@@ -21,6 +21,7 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     let checked = [
         ("cpu, checked", devices::checked()),
         ("cpu, checked variants", devices::checked_variants()),
+        ("cpu, thorough", devices::thorough(1)),
     ];
     let gpus = devices::gpus(modules).into_iter().chain(variants(modules));
     let mut failures = without_case(cases);

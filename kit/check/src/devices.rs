@@ -79,6 +79,15 @@ pub fn checked() -> Device {
     Device::open(&DeviceOptions::checked(), Modules::none()).expect("the CPU")
 }
 
+/// The CPU with all checks, also those that take several times as long: [`DeviceOptions::thorough`]. For CI.
+///
+/// # Panics
+/// If threads cannot be started.
+#[must_use]
+pub fn thorough(seed: u64) -> Device {
+    Device::open(&DeviceOptions::thorough(seed), Modules::none()).expect("the CPU")
+}
+
 /// Like [`checked`], but with the [variants](organza_kernel::KernelInfo::variant) of kernels: so their copies to
 /// workgroup memory run without a GPU.
 ///

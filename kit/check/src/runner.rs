@@ -113,7 +113,7 @@ impl<'d> KernelRunner<'d> {
         canary: T,
         usual: T,
     ) -> Result<Vec<T>> {
-        let mut values = self.device.read(buffer)?;
+        let mut values = self.device.read_unchecked(buffer)?;
         let behind = values.split_off(values.len() - tail);
         if behind.iter().any(|value| *value != canary) {
             let reason = "it writes behind its output".into();
@@ -127,9 +127,11 @@ impl<'d> KernelRunner<'d> {
     /// Reads an output that the kernel must have written entirely.
     ///
     /// # Errors
-    /// The same errors as [`KernelRunner::read`], or an error if an element still is a canary.
+    /// The same errors as [`KernelRunner::read`], or an error if an element still is a canary. On a device that checks, also that of
+    /// [`Device::read`].
     pub fn read_all<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         let values = self.read(buffer)?;
+        self.device.read_range(buffer, 0, values.len())?;
         match values.iter().position(|value| *value == T::CANARY) {
             Some(index) => {
                 let reason = format!("it has not written element {index} of its output");

@@ -64,18 +64,25 @@
 mod buffer;
 mod count;
 mod cpu;
+mod cpu_bindings;
+mod cpu_dispatch;
 mod cpu_memory;
 mod device;
 mod error;
+mod flushing;
 mod gpu;
 pub mod memory;
 mod modules;
 mod open;
+mod order;
 mod plan;
 mod races;
 mod supervise;
+mod thorough;
 mod timings;
 mod transfer;
+mod watchdog;
+mod workgroups;
 mod written;
 
 pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};

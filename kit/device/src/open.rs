@@ -1,5 +1,7 @@
 //! Options of a device, and its choice.
 
+use std::time::Duration;
+
 use organza_kernel::kernel::InstructionSet;
 
 use crate::device::{Device, Kind};
@@ -71,6 +73,13 @@ pub struct DeviceOptions {
     /// Whether [`Device::run`] and [`Device::run_over`] start one workgroup more than needed along x, and along y if
     /// there is a size. For tests of kernels: the additional invocations must do nothing.
     pub extra_workgroup: bool,
+    /// How long a workgroup may run on the CPU, by its thread's clock. What takes longer is an error; outside of Linux on x86-64 it ends
+    /// the program. For tests of kernels: a loop in a helper may never end.
+    pub time_limit: Option<Duration>,
+    /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
+    /// thread, once more in the reverse order, once more without denormals (on x86-64), and once more with fused arithmetic (in debug
+    /// builds). The results must agree; where the arithmetic is another one, the integers and which floats are finite.
+    pub thorough: Option<u64>,
     /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,
     /// Whether a GPU runs the [variant](organza_kernel::KernelInfo::variant) of a kernel that has one, or its plain
@@ -93,10 +102,24 @@ impl DeviceOptions {
     }
 
     /// The CPU for tests of kernels: it [looks for races](Self::check_races), for reads of unwritten elements and for
-    /// [NaN](Self::check_nan), and runs [one workgroup more](Self::extra_workgroup) than needed.
+    /// [NaN](Self::check_nan), runs [one workgroup more](Self::extra_workgroup) than needed, and ends what takes
+    /// [longer](Self::time_limit) than 30 seconds.
     #[must_use]
     pub fn checked() -> Self {
-        Self { check_races: true, check_nan: true, extra_workgroup: true, ..Self::cpu(None) }
+        Self {
+            check_races: true,
+            check_nan: true,
+            extra_workgroup: true,
+            time_limit: Some(Duration::from_secs(30)),
+            ..Self::cpu(None)
+        }
+    }
+
+    /// Like [`checked`](Self::checked), for all that takes several times as long: see [`thorough`](Self::thorough). Each seed is
+    /// another test.
+    #[must_use]
+    pub fn thorough(seed: u64) -> Self {
+        Self { thorough: Some(seed), ..Self::checked() }
     }
 
     /// Sets [`backend`](Self::backend).
@@ -152,6 +175,13 @@ impl DeviceOptions {
     #[must_use]
     pub fn extra_workgroup(mut self, extra: bool) -> Self {
         self.extra_workgroup = extra;
+        self
+    }
+
+    /// Sets [`time_limit`](Self::time_limit).
+    #[must_use]
+    pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
+        self.time_limit = limit.into();
         self
     }
 

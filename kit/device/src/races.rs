@@ -2,13 +2,15 @@
 //! elements.
 
 use std::panic::Location;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::ptr;
+use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
-use organza_kernel::BindingInfo;
 use organza_kernel::memory::{AccessMonitor, Touch};
 use organza_kernel::running::{self, unlinear};
+use organza_kernel::{BindingInfo, KernelInfo};
 
+use crate::workgroups::Workgroups;
 use crate::written::Written;
 
 /// Monitors a binding that is only read: parts of the buffer may be unwritten.
@@ -19,8 +21,7 @@ pub struct Reads<'a> {
 impl<'a> Reads<'a> {
     /// `begin` is the offset of the binding's first byte in the buffer.
     pub fn new(info: &BindingInfo, written: &'a Written, begin: usize) -> Self {
-        let bytes = info.element_bytes as usize;
-        Self { written: Elements { written, begin, bytes } }
+        Self { written: Elements::new(info, written, begin) }
     }
 }
 
@@ -40,13 +41,18 @@ impl AccessMonitor for Reads<'_> {
 }
 
 /// The written elements of a binding.
-struct Elements<'a> {
+pub struct Elements<'a> {
     written: &'a Written,
     begin: usize,
     bytes: usize,
 }
 
-impl Elements<'_> {
+impl<'a> Elements<'a> {
+    /// `begin` is the offset of the binding's first byte in the buffer.
+    pub fn new(info: &BindingInfo, written: &'a Written, begin: usize) -> Self {
+        Self { written, begin, bytes: info.element_bytes as usize }
+    }
+
     fn range(&self, index: u32) -> std::ops::Range<usize> {
         let first = self.begin + index as usize * self.bytes;
         first..first + self.bytes
@@ -56,8 +62,11 @@ impl Elements<'_> {
         self.written.has(self.range(index))
     }
 
-    fn set(&self, index: u32) {
-        self.written.set(self.range(index), true);
+    fn set(&self, index: u32, is_additional: bool) {
+        match is_additional {
+            true => self.written.set_additional(self.range(index)),
+            false => self.written.set(self.range(index), true),
+        }
     }
 }
 
@@ -68,6 +77,8 @@ fn unwritten(does: &str, index: u32, name: &str) -> String {
 /// Monitors a storage buffer during one dispatch: no barrier orders the accesses of different invocations.
 pub struct Races<'a> {
     invocations: UVec3,
+    /// Workgroups that are not additional, along each axis.
+    needed: UVec3,
     /// Whether workgroups with the same z run on one thread (`z_serial`).
     layers: bool,
     elements: Vec<Touched>,
@@ -82,6 +93,20 @@ struct Touched {
     writer: AtomicU64,
     atomic: AtomicU64,
     reader: AtomicU64,
+    /// The place of the last write in the source.
+    place: AtomicPtr<Location<'static>>,
+}
+
+impl Touched {
+    /// Notes the place of a write: the last one is kept.
+    fn note(&self, at: &'static Location<'static>) {
+        self.place.store(ptr::from_ref(at).cast_mut(), Ordering::Relaxed);
+    }
+
+    fn place(&self) -> Option<&'static Location<'static>> {
+        // SAFETY: null, or a place that `note` was given
+        unsafe { self.place.load(Ordering::Relaxed).as_ref() }
+    }
 }
 
 /// Marks an access of several invocations.
@@ -107,20 +132,18 @@ fn leave(slot: &AtomicU64, own: u64) -> u64 {
 }
 
 impl<'a> Races<'a> {
-    /// `invocations` are those of the dispatch, along each axis. `begin` is the offset of the binding's first byte in
-    /// the buffer.
+    /// Monitors `len` elements. `written` are those that count as written.
     pub fn new(
-        info: &BindingInfo,
-        bytes: usize,
-        invocations: UVec3,
-        layers: bool,
-        written: Option<&'a Written>,
-        begin: usize,
+        info: &KernelInfo,
+        len: usize,
+        workgroups: Workgroups,
+        written: Option<Elements<'a>>,
     ) -> Self {
-        let element = info.element_bytes as usize;
-        let elements = (0..bytes / element).map(|_| Touched::default()).collect();
-        let written = written.map(|written| Elements { written, begin, bytes: element });
-        Self { invocations, layers, elements, written }
+        let invocations = UVec3::from(workgroups.all) * UVec3::from(info.workgroup_size);
+        let needed = workgroups.needed.into();
+        let layers = info.z_serial;
+        let elements = (0..len).map(|_| Touched::default()).collect();
+        Self { invocations, needed, layers, elements, written }
     }
 
     fn is_written(&self, index: u32) -> bool {
@@ -152,15 +175,26 @@ impl<'a> Races<'a> {
             return None;
         }
         let elements = data.chunks_exact(info.element_bytes as usize).zip(&self.elements);
-        let (index, writer) = elements.enumerate().find_map(|(index, (bytes, touched))| {
-            let writer = touched.writer.load(Ordering::SeqCst);
-            (writer != 0 && is_nan(bytes)).then_some((index, writer))
+        let (index, _) = elements.enumerate().find(|(_, (bytes, touched))| {
+            touched.writer.load(Ordering::SeqCst) != 0 && is_nan(bytes)
         })?;
         let name = info.name;
-        let invocation = unlinear(who(writer) - 1, self.invocations);
-        Some(format!(
-            "writes NaN to element {index} of `{name}`, in invocation {invocation} of the dispatch"
-        ))
+        Some(format!("writes NaN to element {index} of `{name}`{}", self.writer(index)))
+    }
+
+    /// Whether elements were changed atomically.
+    pub fn has_atomics(&self) -> bool {
+        self.elements.iter().any(|touched| touched.atomic.load(Ordering::SeqCst) != 0)
+    }
+
+    /// Where an element was written, and by whom: the end of a message.
+    pub fn writer(&self, index: usize) -> String {
+        let touched = &self.elements[index];
+        let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
+        let Some(mark) = marks.into_iter().find(|mark| *mark != 0) else { return String::new() };
+        let invocation = unlinear(who(mark) - 1, self.invocations);
+        let place = touched.place().map_or_else(String::new, |at| format!(", at {at}"));
+        format!("{place}, in invocation {invocation} of the dispatch")
     }
 }
 
@@ -177,7 +211,7 @@ impl AccessMonitor for Races<'_> {
         name: &str,
         index: u32,
         touch: Touch,
-        _: &'static Location<'static>,
+        at: &'static Location<'static>,
     ) -> Result<(), String> {
         let Some(place) = running::current() else { return Ok(()) };
         let touched = &self.elements[index as usize];
@@ -189,6 +223,9 @@ impl AccessMonitor for Races<'_> {
             Touch::Serial => ("adds, for its z alone, to", &touched.atomic, own | SERIAL),
         };
         let before = leave(slot, mark);
+        if touch != Touch::Read {
+            touched.note(at);
+        }
         let is_atomic = !matches!(touch, Touch::Read | Touch::Write);
         let others = [
             (&touched.writer, "written", true),
@@ -208,7 +245,7 @@ impl AccessMonitor for Races<'_> {
             return Err(unwritten(does, index, name));
         }
         if let Some(written) = self.written.as_ref().filter(|_| touch != Touch::Read) {
-            written.set(index);
+            written.set(index, place.id.workgroup.cmpge(self.needed).any());
         }
         Ok(())
     }

@@ -162,7 +162,8 @@ impl Device {
     /// Reads a buffer, after all earlier dispatches.
     ///
     /// # Errors
-    /// [`Error::DeviceLost`], or the error of an earlier dispatch.
+    /// [`Error::DeviceLost`], or the error of an earlier dispatch. [`Error::Kernel`] on a device that
+    /// [checks](crate::DeviceOptions::check_races), if nothing has written an element.
     pub fn read<T: Pod>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         self.read_range(buffer, 0, buffer.len())
     }
@@ -200,6 +201,53 @@ impl Device {
         if values.is_empty() {
             return Ok(());
         }
+        self.refuse_unwritten(buffer, first, values.len())?;
+        self.copy_out(buffer, first, values)
+    }
+
+    /// Like [`Device::read`], also if parts of the buffer are unwritten: for tests of what a kernel leaves alone.
+    ///
+    /// # Errors
+    /// [`Error::DeviceLost`], or the error of an earlier dispatch.
+    #[doc(hidden)]
+    pub fn read_unchecked<T: Pod>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
+        let mut values = crate::memory::zeros(buffer.len(), buffer.raw().label)?;
+        if !values.is_empty() {
+            self.copy_out(buffer, 0, &mut values)?;
+        }
+        Ok(values)
+    }
+
+    /// Fails if nothing has written one of some elements, on a device that checks this.
+    fn refuse_unwritten<T: Pod>(&self, buffer: &Buffer<T>, first: usize, len: usize) -> Result<()> {
+        let raw = buffer.raw();
+        let Memory::Cpu(memory) = &raw.memory else { return Ok(()) };
+        let Some(written) = memory.written() else { return Ok(()) };
+        let begin = raw.begin as usize + first * size_of::<T>();
+        let Some(missing) = written.missing(begin..begin + len * size_of::<T>()) else {
+            return Ok(());
+        };
+        let index = (missing.at - raw.begin as usize) / size_of::<T>();
+        let label = raw.label;
+        let Some([kernel, name]) = written.kernel() else {
+            let reason =
+                format!("element {index} of the buffer `{label}` is read, and no kernel writes it");
+            return Err(Error::Argument { reason });
+        };
+        let why = match missing.is_additional {
+            true => {
+                ": only an additional workgroup has, which no other device runs, so the dispatch \
+                 has too few"
+            }
+            false => "",
+        };
+        let reason = format!("it has not written element {index} of `{name}`, which is read{why}");
+        Err(Error::Kernel { kernel: kernel.into(), reason })
+    }
+
+    /// Copies elements to the host, starting at `first`.
+    fn copy_out<T: Pod>(&self, buffer: &Buffer<T>, first: usize, values: &mut [T]) -> Result<()> {
+        let label = buffer.raw().label;
         let begin = buffer.raw().begin as usize + first * size_of::<T>();
         let target: &mut [u8] = bytemuck::cast_slice_mut(values);
         match (&self.kind, &buffer.raw().memory) {

@@ -6,6 +6,8 @@
 //!
 //! [Fixed point](crate::fixed) takes a sixteenth of the memory, but needs a bound of what is added.
 
+use organza_macros::loops;
+
 use crate::atomic;
 use crate::fixed;
 use crate::memory::Write;
@@ -41,6 +43,7 @@ pub fn add(sum: Write<u32>, sums: u32, index: u32, x: f32) {
 }
 
 /// Reads a sum of less than 2^127 and leaves zeros in its place: to two roundings, and NaN if any term was infinite or NaN.
+#[loops]
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn take(sum: Write<u32>, sums: u32, index: u32) -> f32 {

@@ -14,6 +14,7 @@ const WORD: f32 = 4_294_967_296.0;
 ///
 /// Every step is exact, so that all devices get the same integer, whatever they fuse or regroup.
 #[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn words(x: f32) -> [u32; 2] {
     let size = abs(x);
     let high = to_u32(size * (1.0 / WORD));
@@ -44,11 +45,15 @@ pub(crate) fn negated([low, high]: [u32; 2]) -> [u32; 2] {
 /// Like [`words`], for numbers below 2^63, on machines with 64-bit integers.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
+#[track_caller]
 pub fn integers<const N: usize>(mut x: [f32; N]) -> [i64; N] {
     /// The largest number below 2^63.
     const MOST: f32 = 9.223_371_5e18;
     /// The number before 1/2: with 1/2 itself the sum of both would be 1.
     const ALMOST_HALF: f32 = 0.499_999_97;
+    if cfg!(debug_assertions) && N == 1 {
+        crate::casts::check_number(x[0]);
+    }
     let mut integers = [0; N];
     let mut i = 0;
     while i < N {

@@ -7,8 +7,11 @@ use core::slice;
 use bytemuck::Pod;
 use glam::UVec3;
 
+pub use crate::casts::check_cast;
+pub use crate::fused::fused;
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Read, Shared, Write};
+pub use crate::path::Scope;
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 use crate::work::{Shape, Work, WorkOf};
 
@@ -116,6 +119,8 @@ pub struct KernelInfo {
     pub variant: Option<EntryPoint>,
     /// Counts the work of a dispatch, if the kernel declares it.
     pub work: Option<WorkOf>,
+    /// Bindings whose elements come in any order.
+    pub unordered: &'static [&'static str],
     /// The CPU execution.
     pub run: CpuRun,
     /// The CPU execution of the variant: one invocation, with the workgroup memory of the variant after the bindings.
@@ -123,6 +128,12 @@ pub struct KernelInfo {
     /// # Safety
     /// The same as for [`CpuRun`].
     pub run_variant: Option<unsafe fn(&[CpuBinding], Invocation)>,
+    /// One invocation of the plain entry point, with the fused arithmetic that a driver may choose; `None` if the kernel is `fused` anyway,
+    /// and in release builds.
+    ///
+    /// # Safety
+    /// The same as for [`CpuRun`].
+    pub run_fused: Option<unsafe fn(&[CpuBinding], Invocation)>,
 }
 
 impl KernelInfo {
@@ -164,7 +175,7 @@ impl KernelInfo {
 /// Each contains values of the declared type, with its alignment. Nobody else writes to a written binding meanwhile.
 #[derive(Clone, Copy)]
 pub enum CpuRun {
-    /// Runs a whole workgroup: bindings, workgroup, workgroups.
+    /// Runs a workgroup.
     Workgroup(WorkgroupRun),
     /// Runs one invocation, which may wait at barriers.
     Invocation(unsafe fn(&[CpuBinding], Invocation)),
@@ -172,11 +183,11 @@ pub enum CpuRun {
     Lanes(LaneRuns),
 }
 
-/// Runs a whole workgroup: bindings, workgroup, workgroups.
+/// Runs a workgroup: bindings, workgroup, workgroups, and the first of its invocations with the end of them, along each axis.
 ///
 /// # Safety
 /// The same as for [`CpuRun`]. One of [`LaneRuns`] also needs a CPU that has its instruction set.
-pub type WorkgroupRun = unsafe fn(&[CpuBinding], UVec3, UVec3);
+pub type WorkgroupRun = unsafe fn(&[CpuBinding], UVec3, UVec3, [UVec3; 2]);
 
 /// A kernel that is generic over [`Lane`](crate::lane::Lane), compiled for each instruction set.
 #[derive(Clone, Copy)]
@@ -261,18 +272,20 @@ macro_rules! lane_runs {
             bindings: &[$crate::kernel::CpuBinding],
             workgroup: $crate::dependencies::glam::UVec3,
             workgroups: $crate::dependencies::glam::UVec3,
+            part: [$crate::dependencies::glam::UVec3; 2],
         ) {
             // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<1, false>>(bindings, workgroup, workgroups) }
+            unsafe { $run::<$crate::lane::Wide<1, false>>(bindings, workgroup, workgroups, part) }
         }
         // SAFETY: called as `CpuRun` says
         unsafe fn plain(
             bindings: &[$crate::kernel::CpuBinding],
             workgroup: $crate::dependencies::glam::UVec3,
             workgroups: $crate::dependencies::glam::UVec3,
+            part: [$crate::dependencies::glam::UVec3; 2],
         ) {
             // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<8, false>>(bindings, workgroup, workgroups) }
+            unsafe { $run::<$crate::lane::Wide<8, false>>(bindings, workgroup, workgroups, part) }
         }
         // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::of`
         #[cfg(target_arch = "x86_64")]
@@ -281,9 +294,10 @@ macro_rules! lane_runs {
             bindings: &[$crate::kernel::CpuBinding],
             workgroup: $crate::dependencies::glam::UVec3,
             workgroups: $crate::dependencies::glam::UVec3,
+            part: [$crate::dependencies::glam::UVec3; 2],
         ) {
             // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<8, true>>(bindings, workgroup, workgroups) }
+            unsafe { $run::<$crate::lane::Wide<8, true>>(bindings, workgroup, workgroups, part) }
         }
         // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::of`
         #[cfg(target_arch = "x86_64")]
@@ -292,9 +306,10 @@ macro_rules! lane_runs {
             bindings: &[$crate::kernel::CpuBinding],
             workgroup: $crate::dependencies::glam::UVec3,
             workgroups: $crate::dependencies::glam::UVec3,
+            part: [$crate::dependencies::glam::UVec3; 2],
         ) {
             // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<16, true>>(bindings, workgroup, workgroups) }
+            unsafe { $run::<$crate::lane::Wide<16, true>>(bindings, workgroup, workgroups, part) }
         }
         #[cfg(target_arch = "x86_64")]
         let runs = $crate::kernel::LaneRuns::new([scalar, plain, avx2, avx512]);

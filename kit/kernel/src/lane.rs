@@ -203,6 +203,7 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     fn index(self) -> u32 {
         crate::math::to_u32(self)
     }

@@ -124,8 +124,12 @@ extern crate self as organza_kernel;
 
 pub mod atomic;
 pub mod binned;
+#[cfg(not(target_arch = "spirv"))]
+mod casts;
 pub mod count;
 pub mod fixed;
+#[cfg(not(target_arch = "spirv"))]
+mod fused;
 #[cfg(not(target_arch = "spirv"))]
 pub mod given;
 pub mod half;
@@ -136,6 +140,8 @@ pub mod lane;
 pub mod lane_vec4;
 pub mod math;
 pub mod memory;
+#[cfg(not(target_arch = "spirv"))]
+mod path;
 pub mod prelude;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;
@@ -154,6 +160,9 @@ mod workgroup_memory;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use kernel::{Access, BindingInfo, EntryPoint, KernelInfo, SharedInfo, kernels, kernels_of};
+
+/// Most iterations of all loops of one invocation together: llvmpipe ends it silently after 65,536.
+pub const MAX_ITERATIONS: u32 = 60_000;
 
 // vectors for kernels and their hosts
 pub use glam;

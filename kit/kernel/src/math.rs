@@ -8,6 +8,8 @@ use spirv_std::num_traits::Float;
 
 use glam::Vec3;
 
+#[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+use crate::casts::check_cast;
 use crate::lane::Lane;
 
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
@@ -57,8 +59,9 @@ pub fn truncate(x: f32) -> f32 {
 }
 
 /// x without its fraction, for x from 0 to below 2^32. Any other x gives some number, which on the CPU is the
-/// nearest.
+/// nearest. A device that checks refuses it.
 #[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn to_u32(x: f32) -> u32 {
     // `as` takes four more instructions on a GPU, because it compares with both limits
     #[cfg(target_arch = "spirv")]
@@ -68,6 +71,8 @@ pub fn to_u32(x: f32) -> u32 {
     }
     #[cfg(not(target_arch = "spirv"))]
     {
+        #[cfg(debug_assertions)]
+        check_cast::<u32, _>(x);
         x as u32
     }
 }

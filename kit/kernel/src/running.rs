@@ -16,6 +16,8 @@ pub struct RunningInvocation {
     pub kernel: &'static str,
     /// The invocation.
     pub id: Invocation,
+    /// Whether the device checks what kernels do.
+    pub is_checked: bool,
 }
 
 std::thread_local! {
@@ -103,7 +105,7 @@ pub struct PanicContext(RunningInvocation);
 impl PanicContext {
     /// The context of an invocation.
     pub fn new(kernel: &'static str, id: Invocation) -> Self {
-        Self(RunningInvocation { kernel, id })
+        Self(RunningInvocation { kernel, id, is_checked: false })
     }
 }
 

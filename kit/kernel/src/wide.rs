@@ -2,6 +2,7 @@
 
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 
+use crate::casts::check_cast;
 use crate::half::half_value;
 use crate::lane::{Lane, LaneIndex};
 use crate::memory::{Read, Write};
@@ -169,7 +170,12 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     }
 
     #[inline(always)]
+    #[track_caller]
     fn index(self) -> Self::Index {
+        // a device that checks has one lane
+        if cfg!(debug_assertions) && N == 1 {
+            check_cast::<u32, _>(self.0[0]);
+        }
         let whole = wholes(self.0);
         WideIndex(lanes!(|i| whole[i] as u32))
     }

@@ -40,14 +40,21 @@ use glam::UVec3;
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::Shared;
+use crate::path::{self, Step};
 use crate::running::{self, unlinear};
 use crate::workgroup_memory::WorkgroupMemory;
 
 /// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
 const STACK: usize = 64 << 10;
 
-/// The place in the source where an invocation waits.
-type Barrier = &'static Location<'static>;
+/// The barrier that an invocation waits at.
+#[derive(Clone, Copy, PartialEq)]
+struct Barrier {
+    /// Its place in the source.
+    at: &'static Location<'static>,
+    /// The branches and loops around it. The waiting coroutine owns it, so it lives until that is resumed or dropped.
+    path: &'static [Step],
+}
 
 /// An invocation.
 type Body = Coroutine<(), Barrier, (), DefaultStack>;
@@ -103,16 +110,20 @@ fn wait(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let (invocation, left) = (running::invocation(), running::iterations_left());
+    let path = path::take();
+    // SAFETY: nobody looks at it after this coroutine was resumed or dropped, and until then `path` is not touched
+    let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
-    unsafe { &*yielder }.suspend(at);
+    unsafe { &*yielder }.suspend(Barrier { at, path: steps });
     // other coroutines ran meanwhile
     CURRENT.set(yielder);
     running::enter(invocation);
     running::allow_iterations(left);
+    path::set(path);
 }
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
-/// `shared` after the bindings.
+/// `shared` after the bindings. `order` has the indices of the invocations, if it is not the usual one.
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.
@@ -126,8 +137,8 @@ pub unsafe fn run_bound(
     size: UVec3,
     run: unsafe fn(&[CpuBinding], Invocation),
     bindings: &[CpuBinding],
-    workgroup: UVec3,
-    workgroups: UVec3,
+    [workgroup, workgroups]: [UVec3; 2],
+    order: Option<&[u64]>,
 ) -> Result<(), String> {
     let watches: Vec<_> = shared.iter().map(|shared| WorkgroupMemory::new(shared.len)).collect();
     let words: usize = shared.iter().map(|shared| shared.bytes.div_ceil(16) as usize).sum();
@@ -149,7 +160,7 @@ pub unsafe fn run_bound(
     // a thread, so only one at a time touches memory.
     let body = |id| unsafe { run(bindings, id) };
     let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
-    run_to_end(place, &body).map_err(|reason| match reason {
+    run_to_end(place, &body, order).map_err(|reason| match reason {
         Failure::Divergence(reason) => format!("{reason}, in workgroup {workgroup}"),
         Failure::Memory(reason) => reason,
     })
@@ -163,7 +174,11 @@ enum Failure {
 
 /// Runs all invocations of a workgroup from barrier to barrier. Either all wait at the same barrier, or none waits.
 /// `place` is the first invocation.
-fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure> {
+fn run_to_end(
+    place: Invocation,
+    run: &dyn Fn(Invocation),
+    order: Option<&[u64]>,
+) -> Result<(), Failure> {
     let size = place.size;
     next_phase();
     FIRST_PHASE.set(PHASE.get());
@@ -181,15 +196,15 @@ fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure
     };
     let mut invocations: Vec<Body> = (0..size.element_product()).map(new).collect();
     loop {
-        let mut waiting = Vec::with_capacity(invocations.len());
-        for index in 0..invocations.len() {
+        let mut waiting = vec![None; invocations.len()];
+        for step in 0..invocations.len() {
+            let index = order.map_or(step, |order| order[step] as usize);
             let invocation = &mut invocations[index];
             if invocation.done() {
-                waiting.push(None);
                 continue;
             }
             match catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield())) {
-                Ok(barrier) => waiting.push(barrier),
+                Ok(barrier) => waiting[index] = barrier,
                 Err(panic) => {
                     give_up(invocations);
                     // it may have panicked because of a wrong value
@@ -221,6 +236,13 @@ fn run_to_end(place: Invocation, run: &dyn Fn(Invocation)) -> Result<(), Failure
     Ok(())
 }
 
+/// Forgets the workgroup that the thread has left in the middle.
+#[doc(hidden)]
+pub fn abandon() {
+    CURRENT.set(ptr::null());
+    path::take();
+}
+
 /// Ends invocations that are still waiting.
 fn give_up(invocations: Vec<Body>) {
     CURRENT.set(ptr::null());
@@ -233,10 +255,13 @@ fn give_up(invocations: Vec<Body>) {
 fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
     let (first, others): (Vec<_>, Vec<_>) =
         (0..waiting.len()).partition(|&index| waiting[index] == waiting[0]);
+    let ways = [waiting[first[0]], waiting[others[0]]];
     let side = |indices: &[usize]| {
         let place = unlinear(indices[0] as u64, size);
         let does = match waiting[indices[0]] {
-            Some(barrier) => format!("waits at the barrier of {barrier}"),
+            Some(barrier) => {
+                format!("waits at the barrier of {}{}", barrier.at, way(barrier, ways))
+            }
             None => "has ended".to_owned(),
         };
         match indices.len() - 1 {
@@ -246,6 +271,16 @@ fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
     };
     let (first, others) = (side(&first), side(&others));
     format!("a barrier in divergent control flow: {first}, while {others}")
+}
+
+/// How an invocation came to its barrier, if two came to the same one on different paths.
+fn way(own: Barrier, ways: [Option<Barrier>; 2]) -> String {
+    let [Some(first), Some(second)] = ways else { return String::new() };
+    if first.at != second.at {
+        return String::new();
+    }
+    let same = first.path.iter().zip(second.path).take_while(|(one, other)| one == other).count();
+    own.path.get(same).map_or_else(String::new, |step| format!(" {step}"))
 }
 
 fn take_stack() -> DefaultStack {
@@ -285,7 +320,7 @@ impl Workgroup {
     #[track_caller]
     pub fn run(&self, kernel: impl Fn(Invocation)) {
         let place = Invocation::new(UVec3::ZERO, self.place, self.among, self.size);
-        match run_to_end(place, &kernel) {
+        match run_to_end(place, &kernel, None) {
             Ok(()) => {}
             Err(Failure::Divergence(reason) | Failure::Memory(reason)) => panic!("{reason}"),
         }

@@ -1,35 +1,23 @@
 //! How the CPU runs a kernel.
 
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Span, TokenStream};
+use quote::quote_spanned;
 
-use crate::expand::plain_argument;
+use crate::expand::{fused_name, plain_argument};
 use crate::parse::{Kernel, Lanes, Role};
+
+/// `quote!`, whose local names are others than those of the kernel's bindings.
+macro_rules! hygienic {
+    ($($tokens:tt)*) => { quote_spanned! { Span::mixed_site() => $($tokens)* } };
+}
 
 /// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
 pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    // workgroup memory follows the bindings
-    let mut binding = 0usize;
-    let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
-    let views = kernel.parameters.iter().filter_map(|parameter| {
-        let (name, element) = (&parameter.name, &parameter.element);
-        let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
-        let index = *slot;
-        let view = match &parameter.role {
-            Role::Uniform => quote!(uniform::<#element>()),
-            Role::Read => quote!(read::<#element>()),
-            Role::Write => quote!(write::<#element>()),
-            Role::Shared(len) => quote!(shared::<#element, {#len}>()),
-            Role::SharedTile(_) => return None,
-        };
-        *slot += 1;
-        // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-        Some(quote! { let #name = unsafe { bindings[#index].#view }; })
-    });
+    let views = views(kernel);
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     if kernel.has_shared() {
-        return quote! {
+        return hygienic! {
             // SAFETY: called as `CpuRun` says
             unsafe fn run_invocation(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
                 #(
@@ -42,17 +30,69 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
         };
     }
     if let Some(lanes) = &kernel.lanes {
-        return lane_run(kernel, lanes, &views.collect::<Vec<_>>());
+        return lane_run(kernel, lanes, &views);
     }
-    let step = quote! {
+    let step = hygienic! {
         self::#name(id, #(#names),*);
         local_x += 1;
     };
-    let body = workgroup(kernel, &views.collect::<Vec<_>>(), &step);
-    quote! {
+    let body = workgroup(kernel, &views, &step);
+    hygienic! {
         // SAFETY: called as `CpuRun` says
         unsafe fn run_workgroup #body
         const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Workgroup(run_workgroup) }
+    }
+}
+
+/// Views of the bindings, and of workgroup memory, which follows them.
+fn views(kernel: &Kernel) -> Vec<TokenStream> {
+    let mut binding = 0usize;
+    let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
+    let views = kernel.parameters.iter().filter_map(|parameter| {
+        let (name, element) = (&parameter.name, &parameter.element);
+        let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
+        let index = *slot;
+        let view = match &parameter.role {
+            Role::Uniform => hygienic!(uniform::<#element>()),
+            Role::Read => hygienic!(read::<#element>()),
+            Role::Write => hygienic!(write::<#element>()),
+            Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
+            Role::SharedTile(_) => return None,
+        };
+        *slot += 1;
+        // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
+        Some(hygienic! { let #name = unsafe { bindings[#index].#view }; })
+    });
+    views.collect()
+}
+
+/// `const RUN_FUSED`: one invocation with fused arithmetic, in debug builds.
+pub fn run_fused(kernel: &Kernel) -> TokenStream {
+    let ty = hygienic! {
+        ::core::option::Option<unsafe fn(&[::organza_kernel::kernel::CpuBinding], ::organza_kernel::invocation::Invocation)>
+    };
+    if kernel.fused {
+        return hygienic!(const RUN_FUSED: #ty = ::core::option::Option::None;);
+    }
+    let name = fused_name(kernel);
+    let views = views(kernel);
+    let names = kernel.parameters.iter().map(plain_argument);
+    let lane =
+        kernel.lanes.is_some().then(|| hygienic!(::<::organza_kernel::lane::Wide<1, false>>));
+    hygienic! {
+        // SAFETY: called as `CpuRun` says
+        #[cfg(debug_assertions)]
+        unsafe fn run_fused(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+            #(
+                // SAFETY: the caller passes bindings of the declared types
+                #views
+            )*
+            self::#name #lane (id, #(#names),*);
+        }
+        #[cfg(debug_assertions)]
+        const RUN_FUSED: #ty = ::core::option::Option::Some(run_fused);
+        #[cfg(not(debug_assertions))]
+        const RUN_FUSED: #ty = ::core::option::Option::None;
     }
 }
 
@@ -60,7 +100,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
 pub fn run_variant(kernel: &Kernel) -> TokenStream {
     // four samples per invocation are for GPUs
     if !kernel.has_shared_tiles() || kernel.samples {
-        return quote!(::core::option::Option::None);
+        return hygienic!(::core::option::Option::None);
     }
     let name = &kernel.function.sig.ident;
     let mut binding = 0usize;
@@ -72,21 +112,21 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
         *slot += 1;
         let text = name.to_string();
         let view = match &parameter.role {
-            Role::Uniform => quote!(uniform::<#element>()),
-            Role::Read => quote!(read::<#element>()),
-            Role::Write => quote!(write::<#element>()),
-            Role::Shared(len) => quote!(shared::<#element, {#len}>()),
+            Role::Uniform => hygienic!(uniform::<#element>()),
+            Role::Read => hygienic!(read::<#element>()),
+            Role::Write => hygienic!(write::<#element>()),
+            Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
             Role::SharedTile(len) => {
                 // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-                return quote! { let #name = &mut unsafe { bindings[#index].shared::<#element, {#len}>() }.named(#text); };
+                return hygienic! { let #name = &mut unsafe { bindings[#index].shared::<#element, {#len}>() }.named(#text); };
             }
         };
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-        quote! { let #name = unsafe { bindings[#index].#view }; }
+        hygienic! { let #name = unsafe { bindings[#index].#view }; }
     });
     let names = kernel.parameters.iter().map(|parameter| &parameter.name);
-    let lane = kernel.lanes.is_some().then(|| quote!(::<f32>));
-    quote! {{
+    let lane = kernel.lanes.is_some().then(|| hygienic!(::<f32>));
+    hygienic! {{
         // SAFETY: called as `CpuRun` says
         unsafe fn run_variant(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
             #(
@@ -99,25 +139,26 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
     }}
 }
 
-/// Parameters and body of a function that runs a workgroup: `step` runs the invocation `id`, or several from it on, and
+/// Parameters and body of a function that runs a workgroup, or the part of it from `part_begin` to `part_end`: `step` runs the invocation `id`, or several from it on, and
 /// adds their number to `local_x`.
 fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> TokenStream {
     let [x, y, z] = kernel.threads;
-    quote! {
+    hygienic! {
         (
             bindings: &[::organza_kernel::kernel::CpuBinding],
             workgroup: ::organza_kernel::dependencies::glam::UVec3,
             workgroups: ::organza_kernel::dependencies::glam::UVec3,
+            [part_begin, part_end]: [::organza_kernel::dependencies::glam::UVec3; 2],
         ) {
             #(
                 // SAFETY: the caller passes bindings of the declared types
                 #views
             )*
             let size = ::organza_kernel::dependencies::glam::UVec3::new(#x, #y, #z);
-            for local_z in 0..#z {
-                for local_y in 0..#y {
-                    let mut local_x = 0;
-                    while local_x < #x {
+            for local_z in part_begin.z..part_end.z {
+                for local_y in part_begin.y..part_end.y {
+                    let mut local_x = part_begin.x;
+                    while local_x < part_end.x {
                         let local = ::organza_kernel::dependencies::glam::UVec3::new(local_x, local_y, local_z);
                         let id = ::organza_kernel::invocation::Invocation::new(local, workgroup, workgroups, size);
                         ::organza_kernel::kernel::enter(local_x + #x * (local_y + #y * local_z));
@@ -137,15 +178,15 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
     let flat = y == 1 && z == 1;
     let uniform = kernel.uniform().map(|parameter| &parameter.name);
     let step = match lanes {
-        Lanes::Inside => quote! {
+        Lanes::Inside => hygienic! {
             self::#name::<L>(id, #(#names),*);
             local_x += 1;
         },
         Lanes::Invocations(end) => {
-            let at = if flat { quote!(id.index()) } else { quote!(id.global().x) };
-            quote! {
-                let end: u32 = #uniform.#end;
-                if end >= L::WIDTH && #at <= end - L::WIDTH {
+            let at = if flat { hygienic!(id.index()) } else { hygienic!(id.global().x) };
+            hygienic! {
+                let part_items: u32 = #uniform.#end;
+                if part_items >= L::WIDTH && #at <= part_items - L::WIDTH {
                     self::#name::<L>(id, #(#names),*);
                     local_x += L::WIDTH;
                 } else {
@@ -157,13 +198,13 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
         }
     };
     let whole = match lanes {
-        Lanes::Inside => quote!(),
-        Lanes::Invocations(_) => quote! {
+        Lanes::Inside => hygienic!(),
+        Lanes::Invocations(_) => hygienic! {
             const _: () = ::core::assert!(#x % ::organza_kernel::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
     let body = workgroup(kernel, views, &step);
-    quote! {
+    hygienic! {
         #whole
         // SAFETY: called as `CpuRun` says
         #[inline(always)]

@@ -4,13 +4,14 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse_quote;
 
-use crate::cpu::{cpu_run, run_variant};
+use crate::cpu::{cpu_run, run_fused, run_variant};
 use crate::inputs::inputs;
-use crate::loops::count_iterations;
 use crate::parse::{Kernel, Parameter, Role};
+use crate::{checks, fused};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
+    let fused = fused_function(kernel);
     let variants = if kernel.has_shared_tiles() { &[false, true][..] } else { &[false] };
     let entries = variants.iter().map(|&shared| entry_point(kernel, shared));
     let info = info(kernel);
@@ -21,6 +22,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
         #[inline(always)]
         #[allow(clippy::too_many_arguments)]
         #function
+        #fused
         // names what the declaration names, on the GPU too
         #(const _: u32 = #iterations;)*
         #(#entries)*
@@ -43,23 +45,57 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
         let _witness = ::organza_kernel::kernel::PanicContext::new(#name, #id);
     };
-    let most = kernel.iterations.as_ref().map(|most| {
-        let most = match kernel.lanes_type() {
-            // an invocation that takes several lanes may loop over them
-            Some(lanes) => quote!((#most) * #lanes::WIDTH),
-            None => quote!(#most),
-        };
-        parse_quote! {
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            ::organza_kernel::kernel::allow_iterations(#most);
-        }
+    // a kernel that declares no iterations has none, in its helpers either
+    let most = kernel.iterations.as_ref().map_or(quote!(0), |most| match kernel.lanes_type() {
+        // an invocation that takes several lanes may loop over them
+        Some(lanes) => quote!((#most) * #lanes::WIDTH),
+        None => quote!(#most),
     });
-    if most.is_some() {
-        count_iterations(&mut function.block);
-    }
-    let statements: Vec<syn::Stmt> = [witness].into_iter().chain(most).chain(named).collect();
+    let most = parse_quote! {
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        ::organza_kernel::kernel::allow_iterations(#most);
+    };
+    checks::add(&mut function.block, has_barriers(kernel));
+    let statements: Vec<syn::Stmt> = [witness, most].into_iter().chain(named).collect();
     function.block.stmts.splice(0..0, statements);
     function
+}
+
+/// The kernel as a driver may compile it that fuses arithmetic, unless the kernel allows that. Only debug builds on the CPU have it.
+fn fused_function(kernel: &Kernel) -> Option<TokenStream> {
+    if kernel.fused {
+        return None;
+    }
+    let mut function = function(kernel);
+    fused::fuse(&mut function.block);
+    function.sig.ident = fused_name(kernel);
+    function.vis = syn::Visibility::Inherited;
+    function.attrs.clear();
+    Some(quote! {
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        #[allow(warnings, clippy::all)]
+        #[inline(always)]
+        #function
+    })
+}
+
+/// The name of [`fused_function`].
+pub fn fused_name(kernel: &Kernel) -> syn::Ident {
+    format_ident!("{}_with_fused_arithmetic", kernel.function.sig.ident)
+}
+
+/// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.
+fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
+    if kernel.has_shared() {
+        return Some(parse_quote!(true));
+    }
+    let tiles = kernel.parameters.iter().filter_map(|Parameter { name, role, element }| {
+        let Role::SharedTile(len) = role else { return None };
+        Some(quote! {
+            ::organza_kernel::shared_tile::SharedTile::<#element, {#len}>::is_shared(&*#name)
+        })
+    });
+    kernel.has_shared_tiles().then(|| parse_quote!(false #(|| #tiles)*))
 }
 
 /// `tile_mask` -> `TileMaskKernel`
@@ -185,15 +221,19 @@ fn info(kernel: &Kernel) -> TokenStream {
     let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
+    let run_fused = run_fused(kernel);
     let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
     let each = each(kernel);
+    let limit = limit(kernel);
     let work = work(kernel);
+    let unordered = kernel.unordered.iter().map(ToString::to_string);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         #[::organza_kernel::dependencies::linkme::distributed_slice(::organza_kernel::kernel::KERNELS)]
         #[linkme(crate = ::organza_kernel::dependencies::linkme)]
         static #info_name: ::organza_kernel::kernel::KernelInfo = {
             #run
+            #run_fused
             ::organza_kernel::kernel::KernelInfo {
                 name: #name_text,
                 package: ::core::env!("CARGO_PKG_NAME"),
@@ -208,17 +248,31 @@ fn info(kernel: &Kernel) -> TokenStream {
                 shared: &#shared,
                 variant: #variant,
                 work: #work,
+                unordered: &[#(#unordered),*],
                 run: run(),
                 run_variant: #run_variant,
+                run_fused: RUN_FUSED,
             }
         };
         #[cfg(not(target_arch = "spirv"))]
         const _: () = {
             use ::organza_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
+            #limit
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
         };
     }
+}
+
+/// Refuses more iterations than every device takes.
+fn limit(kernel: &Kernel) -> Option<TokenStream> {
+    let iterations = kernel.iterations.as_ref()?;
+    let name = &kernel.function.sig.ident;
+    let message = format!(
+        "the kernel `{name}` declares more than 60,000 iterations: llvmpipe ends an invocation silently after 65,536, so split the \
+         work over dispatches"
+    );
+    Some(quote!(::core::assert!((#iterations) <= ::organza_kernel::MAX_ITERATIONS, #message);))
 }
 
 /// What counts a dispatch: the declared function, of the parameters' bytes.

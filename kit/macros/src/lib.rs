@@ -34,17 +34,21 @@
 //! | `fused`             | drivers may fuse and regroup arithmetic. Otherwise they compute what is written, so devices agree |
 //! | `counts(field, ..)` | fields of the parameters that another kernel can have written on the device: the dispatch gets `counted(&field, ..)` |
 //! | `work(square_work)` | `fn square_work(params: &SquareParams, shape: Shape<'_>) -> Work` counts operations and bytes for `organza bench` |
+//! | `unordered(binding, ..)` | the elements of these bindings come in any order: they are where tickets of atomics say |
 //! | `z_serial`          | the CPU runs the workgroups of one z one after another, on one thread: `atomic::add_wide` can then change what only they touch |
 //! | `z_innermost`       | the CPU runs the workgroups of one x and y one after another: they find in a cache what the first has read |
 //!
 //! A kernel with a shared tile has a second SPIR-V entry point, its variant, with the same body and bindings. The CPU always
 //! runs the plain one.
 
+mod checks;
 mod cpu;
 mod expand;
+mod fused;
 mod inputs;
-mod loops;
 mod parse;
+#[cfg(test)]
+mod tests;
 
 use proc_macro::TokenStream;
 
@@ -57,11 +61,13 @@ pub fn kernel(attribute: TokenStream, item: TokenStream) -> TokenStream {
         .into()
 }
 
-/// Of a function that kernels call: the iterations of its loops count as the kernel's, against its `iterations`.
+/// Of a function that kernels call: the iterations of its loops count as the kernel's, against its `iterations`. If it takes the
+/// `Invocation`, the CPU run also knows on which path through it an invocation came to a barrier.
 #[proc_macro_attribute]
 pub fn loops(_: TokenStream, item: TokenStream) -> TokenStream {
     let mut function = syn::parse_macro_input!(item as syn::ItemFn);
-    loops::count_iterations(&mut function.block);
+    let has_barriers = checks::takes_invocation(&function).then(|| syn::parse_quote!(true));
+    checks::add(&mut function.block, has_barriers);
     quote::quote!(#function).into()
 }
 

@@ -8,6 +8,8 @@ use syn::{
     PathSegment, Result, Type, TypeParamBound,
 };
 
+use crate::checks::first_loop;
+
 /// What a parameter of a kernel stands for.
 pub enum Role {
     /// `&P`
@@ -68,6 +70,8 @@ pub struct Kernel {
     pub counts: Vec<Ident>,
     /// The function that counts what a dispatch computes and moves.
     pub work: Option<Path>,
+    /// Bindings whose elements come in any order.
+    pub unordered: Vec<Ident>,
     /// What the kernel calls its invocation.
     pub id: Ident,
     pub parameters: Vec<Parameter>,
@@ -76,8 +80,9 @@ pub struct Kernel {
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let Attribute { threads, fused, z_serial, z_innermost, lanes, iterations, counts, work } =
-            parse_attribute(attribute)?;
+        let attribute = parse_attribute(attribute)?;
+        let Attribute { threads, fused, z_serial, z_innermost, lanes, .. } = attribute;
+        let Attribute { iterations, counts, work, unordered, .. } = attribute;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
             Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
@@ -109,6 +114,7 @@ impl Kernel {
             iterations,
             counts,
             work,
+            unordered,
             id,
             parameters,
         };
@@ -119,6 +125,23 @@ impl Kernel {
         if !kernel.counts.is_empty() && kernel.uniform().is_none() {
             let message = "`counts` are fields of the kernel's `&Params`";
             return Err(Error::new(kernel.function.sig.span(), message));
+        }
+        let is_written = |name: &Ident| {
+            let is_it = |parameter: &Parameter| {
+                parameter.name == *name && matches!(parameter.role, Role::Write)
+            };
+            kernel.parameters.iter().any(is_it)
+        };
+        if let (None, Some(span)) = (&kernel.iterations, first_loop(&kernel.function.block)) {
+            let name = &kernel.function.sig.ident;
+            let message = format!(
+                "the kernel `{name}` has a loop: state how many iterations its loops take at most, all together, with \
+                 `#[kernel(.., iterations = ..)]`"
+            );
+            return Err(Error::new(span, message));
+        }
+        if let Some(name) = kernel.unordered.iter().find(|name| !is_written(name)) {
+            return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
         if kernel.lanes.is_some() && kernel.has_shared() {
             let message = "a kernel with workgroup memory has no `lanes`";
@@ -160,10 +183,11 @@ struct Attribute {
     iterations: Option<Expr>,
     counts: Vec<Ident>,
     work: Option<Path>,
+    unordered: Vec<Ident>,
 }
 
 /// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial` or `z_innermost`, `lanes` or
-/// `lanes(field)`, and `counts(field, ..)`
+/// `lanes(field)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
@@ -173,6 +197,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut iterations = None;
     let mut counts = Vec::new();
     let mut work = None;
+    let mut unordered = Vec::new();
     let parser = syn::meta::parser(|meta| {
         if meta.path.is_ident("fused") {
             fused = true;
@@ -206,16 +231,17 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             });
             return Ok(());
         }
-        if meta.path.is_ident("counts") {
+        if meta.path.is_ident("counts") || meta.path.is_ident("unordered") {
             let content;
             syn::parenthesized!(content in meta.input);
-            let fields = content.parse_terminated(Ident::parse, syn::Token![,])?;
-            counts = fields.into_iter().collect();
+            let names = content.parse_terminated(Ident::parse, syn::Token![,])?;
+            let list = if meta.path.is_ident("counts") { &mut counts } else { &mut unordered };
+            list.extend(names);
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
             let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, \
-                `z_innermost`, `lanes`, `lanes(field)` `counts(field, ..)` or `work(function)`";
+                `z_innermost`, `lanes`, `lanes(field)`, `counts(field, ..)`, `unordered(binding, ..)` or `work(function)`";
             return Err(meta.error(expected));
         }
         let content;
@@ -250,7 +276,17 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             "workgroups run by `z_serial` or by `z_innermost`",
         ));
     }
-    Ok(Attribute { threads, fused, z_serial, z_innermost, lanes, iterations, counts, work })
+    Ok(Attribute {
+        threads,
+        fused,
+        z_serial,
+        z_innermost,
+        lanes,
+        iterations,
+        counts,
+        work,
+        unordered,
+    })
 }
 
 /// The name of `id: Invocation`.
@@ -297,8 +333,32 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
             "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
         )
     })?;
+    let is_buffer = matches!(role, Role::Read | Role::Write);
+    if let Some(segment) = last_segment(&element)
+        && let Some((_, advice)) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)
+        && is_buffer
+    {
+        let message = format!(
+            "the elements of `{name}` are `{}`, which have another layout on a GPU than in Rust: use {advice}",
+            segment.ident
+        );
+        return Err(Error::new(argument.ty.span(), message));
+    }
     Ok(Parameter { name, role, element })
 }
+
+/// Types that no buffer has, and what has the same layout on every device. The kernel builder finds structs of them.
+const WITH_ANOTHER_LAYOUT: [(&str, &str); 9] = [
+    ("bool", "`u32`"),
+    ("Vec3", "three `f32`, or `Vec4`"),
+    ("Vec3A", "three `f32`, or `Vec4`"),
+    ("UVec3", "three `u32`, or `UVec4`"),
+    ("IVec3", "three `i32`, or `IVec4`"),
+    ("Mat2", "four `f32`, or `Vec4`"),
+    ("Mat3", "nine `f32`"),
+    ("Mat3A", "nine `f32`"),
+    ("usize", "`u32`"),
+];
 
 /// What a parameter's type stands for, and the type of its elements.
 fn role(ty: &Type) -> Option<(Role, Type)> {

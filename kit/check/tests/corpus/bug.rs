@@ -1,6 +1,7 @@
 //! The tools to test a wrong kernel, and the results of its test.
 
 use std::fmt::Debug;
+use std::time::Duration;
 
 pub use organza_check::Canary;
 use organza_check::KernelRunner;
@@ -59,6 +60,9 @@ impl From<Error> for Found {
     }
 }
 
+/// What does not end takes as long.
+const LIMIT: Duration = Duration::from_millis(500);
+
 /// A device, and the functions that tests of kernels need.
 pub struct Bench {
     /// The CPU with one thread, so that each run gives the same result.
@@ -68,12 +72,19 @@ pub struct Bench {
 impl Bench {
     /// The CPU as programs use it, with eight lanes on every machine.
     pub fn plain() -> Self {
-        Self::open(DeviceOptions::cpu(1).instruction_set(InstructionSet::Plain))
+        // programs have no limit of time, and would hang
+        let options = DeviceOptions::cpu(1).time_limit(LIMIT);
+        Self::open(options.instruction_set(InstructionSet::Plain))
     }
 
     /// The CPU as tests of kernels should use it.
     pub fn checked() -> Self {
-        Self::open(DeviceOptions::checked().threads(1))
+        Self::open(DeviceOptions::checked().threads(1).time_limit(LIMIT))
+    }
+
+    /// The CPU as a project's CI should use it.
+    pub fn thorough() -> Self {
+        Self::open(DeviceOptions::thorough(1).threads(1).time_limit(LIMIT))
     }
 
     fn open(options: DeviceOptions) -> Self {

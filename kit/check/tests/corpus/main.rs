@@ -34,6 +34,8 @@ corpus! {
         divergent_half
         returns_before_barrier
         barrier_in_each_branch
+        helper_in_both_branches
+        rounds_apart
         loop_of_different_lengths
         barrier_behind_a_vote
         barrier_for_storage
@@ -91,6 +93,7 @@ corpus! {
         last_element
         one_branch_writes
         dispatch_rounds_down
+        items_round_down
         dispatch_without_rows
         every_second_pair
         behind_the_output
@@ -98,6 +101,12 @@ corpus! {
         sum_onto_its_output
         consumer_before_producer
         producer_is_too_short
+    }
+    order {
+        ticket_in_the_result
+        ticket_within_a_workgroup
+        reader_before_publisher
+        last_one_wins
     }
     arithmetic {
         sum_overflows
@@ -110,10 +119,19 @@ corpus! {
         color_spills_over
         float_counts_too_far
         negative_float_to_unsigned
+        too_large_for_an_integer
+        nan_becomes_an_index
+        nan_in_a_helper
         nan_of_an_empty_mean
         nan_of_a_root
         nan_of_a_direction
         sign_is_lost
+    }
+    machine {
+        denormal_is_not_zero
+        divides_by_a_denormal
+        root_of_a_fused_difference
+        side_of_a_fused_line
     }
     loops {
         understated
@@ -121,6 +139,8 @@ corpus! {
         depends_on_data
         one_iteration_too_many
         never_ends
+        helper_is_not_counted
+        helper_never_ends
     }
     bindings {
         swapped_inputs

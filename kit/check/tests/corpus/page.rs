@@ -16,6 +16,8 @@ enum Check {
     Debug,
     /// A device for tests.
     Tests,
+    /// The device for tests that takes its time.
+    Thorough,
     /// The canaries in an output and after it.
     Canaries,
     /// The values.
@@ -25,14 +27,22 @@ enum Check {
 }
 
 impl Check {
-    const ALL: [Self; 6] =
-        [Self::Always, Self::Debug, Self::Tests, Self::Canaries, Self::Values, Self::Nothing];
+    const ALL: [Self; 7] = [
+        Self::Always,
+        Self::Debug,
+        Self::Tests,
+        Self::Thorough,
+        Self::Canaries,
+        Self::Values,
+        Self::Nothing,
+    ];
 
     const fn name(self) -> &'static str {
         match self {
             Self::Always => "always",
             Self::Debug => "debug builds",
             Self::Tests => "checked device",
+            Self::Thorough => "thorough",
             Self::Canaries => "canaries",
             Self::Values => "values",
             Self::Nothing => "**not found**",
@@ -47,14 +57,28 @@ struct Finding {
     message: String,
     /// The line that the message names.
     line: Option<usize>,
+    /// Whether it names an invocation.
+    has_invocation: bool,
 }
 
-/// Tests a bug on the ordinary CPU and on the CPU for tests.
+/// Tests a bug on the ordinary CPU, and on both CPUs for tests.
 fn find(bug: &'static Bug) -> Finding {
     let plain = (bug.test)(&Bench::plain()).err();
     let checked = (bug.test)(&Bench::checked()).err();
+    let thorough = || (bug.test)(&Bench::thorough()).err();
+    let has_message = |found: &Option<Found>| matches!(found, Some(Found::Message(_)));
+    if !has_message(&plain)
+        && !has_message(&checked)
+        && let Some(Found::Message(text)) = thorough()
+    {
+        return finding(bug, Check::Thorough, &text);
+    }
     let (check, text) = match (plain, checked) {
         (Some(Found::Message(text)), _) if is_of_debug_builds(&text) => (Check::Debug, text),
+        // the plain device of these tests has a limit of time, those of programs do not
+        (Some(Found::Message(_)), Some(Found::Message(text))) if is_of_time(&text) => {
+            (Check::Tests, text)
+        }
         (Some(Found::Message(text)), _) if !is_of_canaries(&text) => (Check::Always, text),
         (_, Some(Found::Message(text))) if !is_of_canaries(&text) => (Check::Tests, text),
         (Some(Found::Message(text)), _) | (_, Some(Found::Message(text))) => {
@@ -63,13 +87,30 @@ fn find(bug: &'static Bug) -> Finding {
         (Some(Found::Value(text)), _) | (_, Some(Found::Value(text))) => (Check::Values, text),
         (None, None) => (Check::Nothing, String::new()),
     };
-    let (message, line) = shorten(bug, &text);
-    Finding { bug, check, message, line }
+    finding(bug, check, &text)
+}
+
+/// What a message says.
+fn finding(bug: &'static Bug, check: Check, text: &str) -> Finding {
+    let (message, mut line) = shorten(bug, text);
+    let marked = marked(bug);
+    // a loop is left anywhere in it, so all of it is marked
+    if is_of_time(text) && line.is_some_and(|line| marked.contains(&line)) {
+        line = marked.first().copied();
+    }
+    let has_invocation = text.contains("invocation [");
+    Finding { bug, check, message, line, has_invocation }
+}
+
+/// Whether a message is about a workgroup that does not end.
+fn is_of_time(text: &str) -> bool {
+    text.contains("does not end")
 }
 
 /// Whether only debug builds give a message.
 fn is_of_debug_builds(text: &str) -> bool {
-    [": attempt to ", " more iterations than "].iter().any(|part| text.contains(part))
+    let parts = [": attempt to ", " more iterations than ", " in the branch of ", " in round "];
+    parts.iter().any(|part| text.contains(part))
 }
 
 /// Whether a message is about a canary.
@@ -123,7 +164,7 @@ fn table(findings: &[Finding]) -> String {
     }
     writeln!(text, "| in all | {} |", findings.len()).expect("a string");
     let mut kind = "";
-    for Finding { bug, check, message, line } in findings {
+    for Finding { bug, check, message, line, .. } in findings {
         if bug.kind != kind {
             kind = bug.kind;
             let title = kind.replace('_', " ");
@@ -152,12 +193,12 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A message, if the error names a line that is not marked.
+/// A message, if the error names a line that is not marked, or no invocation.
 fn elsewhere(finding: &Finding) -> Option<String> {
-    let Finding { bug, check, message, line } = finding;
+    let Finding { bug, check, message, line, has_invocation } = finding;
     let marked = marked(bug);
     let is_there = match line {
-        Some(line) => marked.contains(line),
+        Some(line) => marked.contains(line) && *has_invocation,
         // for wrong values, nothing says where they come from
         None => marked.is_empty() || matches!(check, Check::Values | Check::Nothing),
     };

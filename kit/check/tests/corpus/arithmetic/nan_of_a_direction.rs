@@ -8,7 +8,7 @@ pub fn nan_of_a_direction(id: Invocation, params: &Count, input: Read<Vec4>, out
     let index = id.index();
     if index < params.count {
         let v = input.read(index);
-        output.write(index, v / (v.x * v.x + v.y * v.y + v.z * v.z).sqrt());
+        output.write(index, v / (v.x * v.x + v.y * v.y + v.z * v.z).sqrt()); //~
     }
 }
 

@@ -7,7 +7,7 @@ pub fn nan_of_a_root(id: Invocation, params: &Count, input: Read<f32>, output: W
     let index = id.index();
     if index < params.count {
         let (mean, mean_of_squares) = (input.read(2 * index), input.read(2 * index + 1));
-        output.write(index, (mean_of_squares - mean * mean).sqrt());
+        output.write(index, (mean_of_squares - mean * mean).sqrt()); //~
     }
 }
 

@@ -12,7 +12,7 @@ pub fn nan_of_an_empty_mean(
 ) {
     let index = id.index();
     if index < params.count {
-        output.write(index, sum.read(index) / weight.read(index));
+        output.write(index, sum.read(index) / weight.read(index)); //~
     }
 }
 

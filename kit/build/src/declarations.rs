@@ -1,0 +1,133 @@
+//! Orders the declarations of a module by their first use, and leaves out what nothing uses.
+//!
+//! The compiler declares the types and constants of all kernels together. Without this, a change in one kernel would move declarations in
+//! the modules of others.
+
+use std::collections::HashMap;
+
+use rspirv::dr::{Instruction, Module, Operand};
+use rspirv::spirv::Word;
+
+/// Orders types, constants and global variables, and everything that lists them.
+pub fn sort(module: &mut Module) {
+    let mut order = Order::default();
+    for instruction in std::mem::take(&mut module.types_global_values) {
+        if let Some(id) = instruction.result_id {
+            order.unsorted.insert(id, instruction);
+        }
+    }
+    for function in &module.functions {
+        function.all_inst_iter().for_each(|instruction| order.visit(instruction));
+    }
+    // built-in variables that no instruction uses
+    module.entry_points.iter().for_each(|instruction| order.visit(instruction));
+    let Order { ranks, sorted, .. } = order;
+    let rank = |operand: &Operand| operand.id_ref_any().and_then(|id| ranks.get(&id).copied());
+    let key = |instruction: &Instruction| {
+        let rest: Vec<_> = instruction.operands[1..].iter().map(ToString::to_string).collect();
+        (rank(&instruction.operands[0]), rest)
+    };
+    for list in [&mut module.annotations, &mut module.debug_names] {
+        list.retain(|instruction| rank(&instruction.operands[0]).is_some());
+        list.sort_by_cached_key(key);
+    }
+    for entry_point in &mut module.entry_points {
+        // the model, the function and the name come before the variables
+        entry_point.operands[3..].sort_by_key(rank);
+    }
+    for list in [&mut module.capabilities, &mut module.extensions] {
+        list.sort_by_cached_key(|instruction| instruction.operands[0].to_string());
+    }
+    module.types_global_values = sorted;
+}
+
+/// Declarations in the order of their first use.
+#[derive(Default)]
+struct Order {
+    unsorted: HashMap<Word, Instruction>,
+    sorted: Vec<Instruction>,
+    /// How many ids came before an id.
+    ranks: HashMap<Word, usize>,
+}
+
+impl Order {
+    /// Declares what an instruction uses, and the id that it defines.
+    fn visit(&mut self, instruction: &Instruction) {
+        let operands = instruction.operands.iter().filter_map(Operand::id_ref_any);
+        let uses: Vec<_> = instruction.result_type.into_iter().chain(operands).collect();
+        for id in uses {
+            self.declare(id);
+        }
+        self.rank(instruction.result_id);
+    }
+
+    /// Declares an id, after everything that its declaration uses. Ids of functions are declared there.
+    fn declare(&mut self, id: Word) {
+        if let Some(instruction) = self.unsorted.remove(&id) {
+            self.visit(&instruction);
+            self.sorted.push(instruction);
+        }
+    }
+
+    fn rank(&mut self, id: Option<Word>) {
+        let next = self.ranks.len();
+        if let Some(id) = id {
+            self.ranks.entry(id).or_insert(next);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rspirv::binary::Assemble;
+    use rspirv::dr::Builder;
+    use rspirv::spirv::{Capability, Decoration, FunctionControl, StorageClass};
+
+    use super::*;
+    use crate::ids;
+
+    /// A module that adds a number to itself. Other kernels have left declarations, and the order is theirs.
+    fn module(of_another: bool) -> Module {
+        let mut b = Builder::new();
+        b.capability(Capability::Shader);
+        let early = of_another.then(|| b.type_int(32, 1));
+        let float = b.type_float(32, None);
+        let [void, number] = match of_another {
+            true => {
+                let number = b.constant_bit32(float, 2.0_f32.to_bits());
+                [b.type_void(), number]
+            }
+            false => {
+                let void = b.type_void();
+                [void, b.constant_bit32(float, 2.0_f32.to_bits())]
+            }
+        };
+        let pointer = b.type_pointer(None, StorageClass::Private, float);
+        let variable = b.variable(pointer, None, StorageClass::Private, None);
+        if let Some(early) = early {
+            b.decorate(early, Decoration::RelaxedPrecision, []);
+        }
+        b.decorate(variable, Decoration::RelaxedPrecision, []);
+        let ty = b.type_function(void, []);
+        b.begin_function(void, None, FunctionControl::NONE, ty).unwrap();
+        b.begin_block(None).unwrap();
+        let sum = b.f_add(float, None, number, number).unwrap();
+        b.store(variable, sum, None, []).unwrap();
+        b.ret().unwrap();
+        b.end_function().unwrap();
+        b.module()
+    }
+
+    #[test]
+    fn other_kernels_leave_no_trace() {
+        let [one, other] = [false, true].map(|of_another| {
+            let mut module = module(of_another);
+            let before = module.assemble();
+            sort(&mut module);
+            ids::renumber(&mut module);
+            (before, module.assemble())
+        });
+        assert_ne!(one.0, other.0);
+        assert_eq!(one.1, other.1);
+    }
+}

@@ -1,0 +1,30 @@
+//! A bisection in a helper never ends, and nothing counts its iterations: neither the kernel nor the helper declares a loop.
+
+use crate::bug::*;
+
+/// The largest integer whose square is at most `x`.
+#[inline(never)]
+fn root(x: u32) -> u32 {
+    let (mut low, mut high) = (0, 1 << 16);
+    //~
+    while low < high {
+        let middle = (low + high) / 2; //~
+        if middle * middle <= x { //~
+            low = middle; //~
+        } else {
+            high = middle; //~
+        }
+    }
+    low
+}
+
+#[kernel(threads(64))]
+pub fn helper_never_ends(id: Invocation, input: Read<u32>, output: Write<u32>) {
+    output.write(id.index(), root(input.read(id.index()))); //~
+}
+
+pub fn test(bench: &Bench) -> Result<(), Found> {
+    let (input, output) = (bench.input(&[9; 64])?, bench.output(64)?);
+    bench.workgroups(&HelperNeverEndsKernel { input: &input, output: &output }, [1, 1, 1])?;
+    bench.expect(&output, |_| 3)
+}

@@ -1,0 +1,66 @@
+//! The thorough device: what depends on the order of invocations is found, and what is declared to have none is not.
+
+use organza_check::devices;
+use organza_device::{Buffer, Device, Result};
+use organza_kernel::atomic;
+use organza_kernel::prelude::*;
+
+/// Puts the even values into a list, and does not say that the list has no order.
+#[kernel(threads(64))]
+pub fn list_in_an_order(id: Invocation, input: Read<u32>, next: Write<u32>, list: Write<u32>) {
+    append(id, input, next, list);
+}
+
+/// Puts the even values into a list.
+#[kernel(threads(64), unordered(list))]
+pub fn list_without_order(id: Invocation, input: Read<u32>, next: Write<u32>, list: Write<u32>) {
+    append(id, input, next, list);
+}
+
+/// Declares a list without order, and its elements depend on the order.
+#[kernel(threads(64), unordered(list))]
+pub fn list_of_sums(id: Invocation, input: Read<u32>, next: Write<u32>, list: Write<u32>) {
+    if id.index() < 100 {
+        let ticket = atomic::add(next, 0, 1);
+        list.write(ticket, input.read(id.index()) + ticket);
+    }
+}
+
+fn append(id: Invocation, input: Read<u32>, next: Write<u32>, list: Write<u32>) {
+    if id.index() < 100 && input.read(id.index()).is_multiple_of(2) {
+        list.write(atomic::add(next, 0, 1), input.read(id.index()));
+    }
+}
+
+fn buffers(device: &Device) -> Result<[Buffer<u32>; 3]> {
+    let input: Vec<u32> = (0..100).map(|i| i * i / 7).collect();
+    let list = device.zeros("list", 100)?;
+    Ok([device.upload("input", &input)?, device.zeros("next", 1)?, list])
+}
+
+#[test]
+fn a_list_says_that_it_has_no_order() {
+    let device = devices::thorough(3);
+    let [input, next, list] = &buffers(&device).unwrap();
+    let kernel = ListInAnOrderKernel { input, next, list };
+    let message = device.run(&kernel, 100, 1).unwrap_err().to_string();
+    for part in ["kernel `list_in_an_order`: element 0 of `list`", "(seed 3), at ", "thorough.rs:"]
+    {
+        assert!(message.contains(part), "{message}");
+    }
+    let [input, next, list] = &buffers(&device).unwrap();
+    device.run(&ListWithoutOrderKernel { input, next, list }, 100, 1).expect("any order");
+    let count = device.read(next).unwrap()[0] as usize;
+    let mut found = device.read_range(list, 0, count).unwrap();
+    found.sort_unstable();
+    let expected = device.read(input).unwrap().into_iter().filter(|value| value % 2 == 0);
+    assert!(found.into_iter().eq(expected));
+}
+
+#[test]
+fn a_list_without_order_has_the_same_elements() {
+    let device = devices::thorough(3);
+    let [input, next, list] = &buffers(&device).unwrap();
+    let message = device.run(&ListOfSumsKernel { input, next, list }, 100, 1).unwrap_err();
+    assert!(message.to_string().contains("of `list`"), "{message}");
+}

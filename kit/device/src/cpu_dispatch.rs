@@ -1,0 +1,232 @@
+//! Dispatches of the CPU backend.
+
+use std::time::Duration;
+
+use glam::{UVec3, Vec3Swizzles};
+use organza_kernel::invocation::Invocation;
+use organza_kernel::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
+use organza_kernel::running::{RunningInvocation, begin, enter, unlinear};
+use organza_kernel::workgroup;
+use rayon::prelude::*;
+
+use crate::buffer::RawBuffer;
+use crate::cpu::Cpu;
+use crate::cpu_bindings::{Monitor, bind, monitors};
+use crate::error::{Error, Result};
+use crate::flushing::Flushing;
+use crate::order::Order;
+use crate::workgroups::Workgroups;
+use crate::{supervise, thorough, watchdog};
+
+/// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
+const AT_ONCE: u64 = 8;
+
+/// A kernel and its bindings.
+pub struct Job<'a> {
+    pub info: &'static KernelInfo,
+    pub bindings: Vec<CpuBinding<'static>>,
+    pub buffers: &'a [&'a RawBuffer],
+    pub workgroups: Workgroups,
+}
+
+/// How a dispatch runs.
+#[derive(Clone, Copy, Default)]
+pub struct Way {
+    /// The order of its invocations, if it is not the usual one.
+    pub order: Option<Order>,
+    /// Whether denormals are flushed to zero.
+    pub is_flushing: bool,
+    /// Whether multiplications and additions are fused, in a kernel that has such a run.
+    pub is_fused: bool,
+}
+
+/// One run of a dispatch.
+struct Launch<'a> {
+    info: &'static KernelInfo,
+    run: CpuRun,
+    shared: &'static [SharedInfo],
+    bindings: &'a [CpuBinding<'a>],
+    workgroups: UVec3,
+    is_checked: bool,
+    time_limit: Option<Duration>,
+    way: Way,
+}
+
+impl Launch<'_> {
+    fn place(&self, index: u64) -> UVec3 {
+        match self.info.z_innermost {
+            // z is the fastest axis
+            true => unlinear(index, self.workgroups.zxy()).yzx(),
+            false => unlinear(index, self.workgroups),
+        }
+    }
+
+    fn run(&self, index: u64) -> Result<(), String> {
+        let local = UVec3::from(self.info.workgroup_size);
+        let place = self.place(index);
+        let first = Invocation::new(UVec3::ZERO, place, self.workgroups, local);
+        let kernel = self.info.name;
+        begin(Some(RunningInvocation { kernel, id: first, is_checked: self.is_checked }));
+        // each workgroup has an order of its own
+        let count = u64::from(local.element_product());
+        let order = self.way.order.map(|order| order.of(count, 1 + index));
+        match self.time_limit {
+            Some(limit) => watchdog::run(limit, kernel, || self.run_at(place, order.as_deref())),
+            None => self.run_at(place, order.as_deref()),
+        }
+    }
+
+    fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
+        let size = UVec3::from(self.info.workgroup_size);
+        let fused = self.info.run_fused.filter(|_| self.way.is_fused);
+        let run = match fused {
+            Some(run) => CpuRun::Invocation(run),
+            None => self.run,
+        };
+        match run {
+            CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
+            CpuRun::Workgroup(run) => {
+                let run = |part| {
+                    // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
+                    // element from two invocations without atomics. `Cpu::new` has checked the instruction set.
+                    unsafe { run(self.bindings, place, self.workgroups, part) }
+                };
+                match order {
+                    None => run([UVec3::ZERO, size]),
+                    Some(order) => order.iter().for_each(|&index| {
+                        let begin = unlinear(index, size);
+                        run([begin, begin + 1]);
+                    }),
+                }
+                Ok(())
+            }
+            // no invocation waits for another
+            CpuRun::Invocation(run) if self.shared.is_empty() => {
+                let usual: Vec<_> = (0..u64::from(size.element_product())).collect();
+                for &index in order.unwrap_or(&usual) {
+                    enter(index as u32);
+                    let local = unlinear(index, size);
+                    let id = Invocation::new(local, place, self.workgroups, size);
+                    // SAFETY: as above
+                    unsafe { run(self.bindings, id) };
+                }
+                Ok(())
+            }
+            // SAFETY: as above, and the workgroup memory is what this kernel declares
+            CpuRun::Invocation(run) => unsafe {
+                let places = [place, self.workgroups];
+                workgroup::run_bound(self.shared, size, run, self.bindings, places, order)
+            },
+        }
+    }
+
+    fn run_some(&self, mut indices: impl Iterator<Item = u64>) -> Result<(), String> {
+        let _flushing = self.way.is_flushing.then(Flushing::begin);
+        supervise::supervise(|| indices.try_for_each(|index| self.run(index)))
+    }
+}
+
+impl Cpu {
+    /// Runs a kernel, and returns when it is done.
+    pub fn dispatch(
+        &self,
+        info: &'static KernelInfo,
+        uniform: &[u8],
+        buffers: &[&RawBuffer],
+        workgroups: Workgroups,
+    ) -> Result<()> {
+        let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
+        let bindings = bind(info, uniform, buffers).map_err(failed)?;
+        let job = Job { info, bindings, buffers, workgroups };
+        let result = match self.thorough {
+            Some(seed) => thorough::run(self, &job, seed),
+            None => self.run_once(&job, Way::default()).map(drop),
+        };
+        result.map_err(failed)
+    }
+
+    /// Runs a kernel once. Returns what has watched its bindings.
+    pub fn run_once<'a>(
+        &self,
+        job: &Job<'a>,
+        way: Way,
+    ) -> Result<Vec<Option<Monitor<'a>>>, String> {
+        let info = job.info;
+        let monitors = match self.check_races {
+            true => monitors(info, &job.bindings, job.buffers, job.workgroups),
+            false => Vec::new(),
+        };
+        let mut bindings: Vec<CpuBinding<'_>> = job.bindings.clone();
+        for (binding, monitor) in bindings.iter_mut().zip(&monitors) {
+            binding.monitor = monitor.as_ref().map(Monitor::as_dyn);
+        }
+        let launch = Launch {
+            info,
+            run: self.run_of(info),
+            shared: self.entry_point(info).shared,
+            bindings: &bindings,
+            workgroups: job.workgroups.all.into(),
+            is_checked: self.check_races,
+            time_limit: self.time_limit,
+            way,
+        };
+        self.launch(&launch)?;
+        self.refuse_nan(info, &bindings, &monitors)?;
+        Ok(monitors)
+    }
+
+    /// The run of a kernel, or of its variant.
+    fn run_of(&self, info: &KernelInfo) -> CpuRun {
+        match info.run {
+            _ if self.entry_point(info).name != info.name => match info.run_variant {
+                Some(run) => CpuRun::Invocation(run),
+                None => unreachable!("`entry_point` has looked"),
+            },
+            CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.of(self.instruction_set())),
+            run => run,
+        }
+    }
+
+    /// Runs all workgroups, on the threads that there are.
+    fn launch(&self, launch: &Launch<'_>) -> Result<(), String> {
+        let [x, y, z] = launch.workgroups.to_array().map(u64::from);
+        if let Some(order) = launch.way.order {
+            return launch.run_some(order.of(x * y * z, 0).into_iter());
+        }
+        // one thread runs all workgroups with the same z
+        let (all, at_once) = match launch.info.z_serial {
+            true => (z, x * y),
+            false => ((x * y * z).div_ceil(AT_ONCE), AT_ONCE),
+        };
+        let some = |index: usize| {
+            let first = index as u64 * at_once;
+            launch.run_some(first..(first + at_once).min(x * y * z))
+        };
+        if Self::is_single_thread() {
+            return (0..all as usize).try_for_each(some);
+        }
+        self.pool.install(|| match launch.info.z_serial {
+            true => (0..all as usize).into_par_iter().with_max_len(1).try_for_each(some),
+            false => (0..all as usize).into_par_iter().try_for_each(some),
+        })
+    }
+
+    /// Fails if a kernel has written NaN, on a device that checks this.
+    fn refuse_nan(
+        &self,
+        info: &KernelInfo,
+        bindings: &[CpuBinding<'_>],
+        monitors: &[Option<Monitor<'_>>],
+    ) -> Result<(), String> {
+        let bindings = info.bindings.iter().zip(bindings).zip(monitors);
+        for ((info, binding), monitor) in bindings.filter(|_| self.check_nan) {
+            let Some(Monitor::Written(races)) = monitor else { continue };
+            // SAFETY: the buffer's bytes; the dispatch is over, so nothing writes them
+            let data = unsafe { std::slice::from_raw_parts(binding.data, binding.bytes) };
+            if let Some(fault) = races.nan(info, data) {
+                return Err(fault);
+            }
+        }
+        Ok(())
+    }
+}

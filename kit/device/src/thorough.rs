@@ -1,0 +1,194 @@
+//! Runs each dispatch in several ways that must agree: devices differ in them.
+
+use organza_kernel::KernelInfo;
+use organza_kernel::kernel::{Access, BindingInfo, CpuBinding};
+
+use crate::buffer::{Memory, RawBuffer};
+use crate::cpu::Cpu;
+use crate::cpu_bindings::Monitor;
+use crate::cpu_dispatch::{Job, Way};
+use crate::order::Order;
+use crate::written::Written;
+
+/// What a kernel can write of one binding.
+struct Output<'a> {
+    /// Number of the binding.
+    index: usize,
+    info: &'static BindingInfo,
+    /// Whether its elements come in any order.
+    is_unordered: bool,
+    binding: CpuBinding<'a>,
+    written: Option<&'a Written>,
+}
+
+/// The content of an output.
+struct Content {
+    bytes: Vec<u8>,
+    flags: Option<Vec<u8>>,
+}
+
+/// What a run has in place of the usual.
+#[derive(Clone, Copy)]
+enum Other {
+    /// The reverse order of invocations.
+    Order(Order),
+    /// What is smaller than any normal number counts as zero.
+    Flushing(Order),
+    /// A multiplication and an addition round once.
+    Fused(Order),
+}
+
+/// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
+pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
+    let outputs = outputs(job);
+    let before: Vec<_> = outputs.iter().map(Output::save).collect();
+    let order = Order { seed, is_reversed: false };
+    let first = cpu.run_once(job, Way { order: Some(order), ..Way::default() })?;
+    let expected: Vec<_> = outputs.iter().map(Output::save).collect();
+    let reverse = Order { is_reversed: true, ..order };
+    let is_variant = cpu.entry_point(job.info).name != job.info.name;
+    let can_fuse = job.info.run_fused.is_some() && !is_variant;
+    let fused = can_fuse.then_some(Other::Fused(order));
+    for other in [Other::Order(reverse), Other::Flushing(order)].into_iter().chain(fused) {
+        restore(&outputs, &before);
+        let monitors = other.run(cpu, job)?;
+        for (output, expected) in outputs.iter().zip(&expected) {
+            let Some(Some(Monitor::Written(usual))) = first.get(output.index) else { continue };
+            let Some(Some(Monitor::Written(races))) = monitors.get(output.index) else { continue };
+            let is_atomic = usual.has_atomics() || races.has_atomics();
+            if let Some(difference) = output.difference(expected, other, is_atomic) {
+                let writer = races.writer(difference.element);
+                return Err(other.describe(output.info.name, &difference) + &writer);
+            }
+        }
+    }
+    restore(&outputs, &expected);
+    Ok(())
+}
+
+impl Other {
+    fn run<'a>(self, cpu: &Cpu, job: &Job<'a>) -> Result<Vec<Option<Monitor<'a>>>, String> {
+        let (Self::Order(order) | Self::Flushing(order) | Self::Fused(order)) = self;
+        let is_flushing = matches!(self, Self::Flushing(_));
+        let is_fused = matches!(self, Self::Fused(_));
+        let result = cpu.run_once(job, Way { order: Some(order), is_flushing, is_fused });
+        result.map_err(|reason| match self {
+            Self::Order(_) => reason,
+            _ => format!("{}: {reason}", self.place()),
+        })
+    }
+
+    /// Where it is so.
+    fn place(self) -> &'static str {
+        match self {
+            Self::Order(_) => "in the reverse order",
+            Self::Flushing(_) => "where denormals are flushed to zero",
+            Self::Fused(_) => "where multiplications and additions are fused",
+        }
+    }
+
+    fn describe(self, name: &str, difference: &Difference) -> String {
+        let Difference { element, usual, other } = difference;
+        let place = self.place();
+        match self {
+            Self::Order(Order { seed, .. }) => format!(
+                "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} {place} (seed {seed})"
+            ),
+            _ => format!(
+                "element {element} of `{name}` depends on the device: it is {usual}, and {other} {place}"
+            ),
+        }
+    }
+
+    /// Whether two words of an output agree. How much a float may differ between devices is not known here. Integers that are changed
+    /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them.
+    fn agree(self, [one, other]: [[u8; 4]; 2], is_float: bool, is_atomic: bool) -> bool {
+        let is_finite = |word| f32::from_ne_bytes(word).is_finite();
+        let may_differ = match is_float {
+            true => is_finite(one) == is_finite(other),
+            false => is_atomic,
+        };
+        one == other || may_differ && !matches!(self, Self::Order(_))
+    }
+}
+
+/// A value of an output that differs.
+struct Difference {
+    element: usize,
+    usual: String,
+    other: String,
+}
+
+fn outputs<'a>(job: &Job<'a>) -> Vec<Output<'a>> {
+    let mut buffers = job.buffers.iter();
+    let output = |(index, info): (usize, &'static BindingInfo)| {
+        let buffer: &RawBuffer =
+            if info.access == Access::Uniform { None } else { buffers.next() }?;
+        if info.access != Access::Write {
+            return None;
+        }
+        let written = match &buffer.memory {
+            Memory::Cpu(memory) => memory.written(),
+            _ => None,
+        };
+        let is_unordered = is_unordered(job.info, info);
+        Some(Output { index, info, is_unordered, binding: job.bindings[index], written })
+    };
+    job.info.bindings.iter().enumerate().filter_map(output).collect()
+}
+
+fn is_unordered(kernel: &KernelInfo, binding: &BindingInfo) -> bool {
+    kernel.unordered.contains(&binding.name)
+}
+
+fn restore(outputs: &[Output<'_>], contents: &[Content]) {
+    for (output, content) in outputs.iter().zip(contents) {
+        output.restore(content);
+    }
+}
+
+impl Output<'_> {
+    fn bytes(&self) -> &[u8] {
+        // SAFETY: the bytes of a buffer, and no dispatch runs
+        unsafe { std::slice::from_raw_parts(self.binding.data, self.binding.bytes) }
+    }
+
+    fn save(&self) -> Content {
+        let flags = self.written.map(Written::save);
+        Content { bytes: self.bytes().to_vec(), flags }
+    }
+
+    fn restore(&self, content: &Content) {
+        // SAFETY: as in `bytes`; the content is as long as the buffer
+        unsafe { self.binding.data.copy_from(content.bytes.as_ptr(), content.bytes.len()) };
+        if let (Some(written), Some(flags)) = (self.written, &content.flags) {
+            written.restore(flags);
+        }
+    }
+
+    /// The first value that does not agree with what was expected.
+    fn difference(&self, expected: &Content, other: Other, is_atomic: bool) -> Option<Difference> {
+        let bytes = self.info.element_bytes as usize;
+        let sorted = |content: &[u8]| {
+            let mut elements: Vec<_> = content.chunks_exact(bytes).collect();
+            elements.sort_unstable();
+            elements.concat()
+        };
+        let [usual, found] = match self.is_unordered {
+            true => [sorted(&expected.bytes), sorted(self.bytes())],
+            false => [expected.bytes.clone(), self.bytes().to_vec()],
+        };
+        let element = self.info.element.rsplit("::").next().unwrap_or_default().trim();
+        let is_float = ["f32", "Vec2", "Vec4"].contains(&element);
+        let text = |word: [u8; 4]| match element {
+            "i32" => i32::from_ne_bytes(word).to_string(),
+            _ if is_float => format!("{:?}", f32::from_ne_bytes(word)),
+            _ => u32::from_ne_bytes(word).to_string(),
+        };
+        let words = usual.as_chunks::<4>().0.iter().zip(found.as_chunks::<4>().0);
+        let mut all = words.enumerate().map(|(word, (usual, found))| (word, [*usual, *found]));
+        let (word, [usual, found]) =
+            all.find(|(_, pair)| !other.agree(*pair, is_float, is_atomic))?;
+        Some(Difference { element: word * 4 / bytes, usual: text(usual), other: text(found) })
+    }
+}

@@ -1,0 +1,59 @@
+//! Casts of floats to integers on the CPU. A negative or too large number, or NaN, gives another integer on each device: debug builds refuse it
+//! on a device that checks.
+
+use core::any::type_name;
+
+use crate::running;
+
+/// An integer that a float can be cast to, if it is between two bounds.
+pub trait Integer {
+    /// Name of the type.
+    const NAME: &'static str;
+    /// What is above this number is not too small, without its fraction.
+    const ABOVE: f64;
+    /// What is below this number is not too large.
+    const BELOW: f64;
+}
+
+macro_rules! integers {
+    ($($name:ident)*) => {$(
+        impl Integer for $name {
+            const NAME: &'static str = stringify!($name);
+            const ABOVE: f64 = $name::MIN as f64 - 1.0;
+            const BELOW: f64 = $name::MAX as f64 + 1.0;
+        }
+    )*};
+}
+
+integers!(u8 u16 u32 u64 usize i8 i16 i32 i64 isize);
+
+/// Refuses an `f32` that no `I` is the integer of. Values of other types are fine.
+#[inline(always)]
+#[track_caller]
+pub fn check_cast<I: Integer, T: Copy>(value: T) {
+    if type_name::<T>() == type_name::<f32>() {
+        // SAFETY: the types are the same
+        let x = f64::from(unsafe { core::mem::transmute_copy::<T, f32>(&value) });
+        if !(x > I::ABOVE && x < I::BELOW) {
+            refuse(x, I::NAME);
+        }
+    }
+}
+
+/// Refuses NaN where an integer is made of a number.
+#[inline(always)]
+#[track_caller]
+pub(crate) fn check_number(x: f32) {
+    if x.is_nan() {
+        refuse(x.into(), "integer");
+    }
+}
+
+#[cold]
+#[inline(never)]
+#[track_caller]
+fn refuse(x: f64, integer: &str) {
+    if running::current().is_some_and(|place| place.is_checked) {
+        panic!("makes a `{integer}` of {x}: devices differ in what that is");
+    }
+}

@@ -1,0 +1,49 @@
+//! Fused multiply-adds on the CPU, for the runs that look for what depends on them.
+
+use core::any::type_name;
+
+use crate::lane::Wide;
+
+/// Most floats of a value.
+const MOST: usize = 4;
+
+/// The floats of a value, and their number; none of what has no floats, or is not known.
+fn floats<T: Copy>(value: &T) -> ([f32; MOST], usize) {
+    let name = type_name::<T>();
+    let count = match size_of::<T>() / size_of::<f32>() {
+        _ if name == type_name::<f32>() || name == type_name::<Wide<1, false>>() => 1,
+        count @ 2..=MOST if name.starts_with("glam::f32::") && name.contains("::Vec") => count,
+        _ => 0,
+    };
+    let mut floats = [0.0; MOST];
+    // SAFETY: a vector of glam has as many floats, and nothing before them
+    unsafe {
+        core::ptr::copy_nonoverlapping((&raw const *value).cast(), floats.as_mut_ptr(), count)
+    };
+    (floats, count)
+}
+
+/// `sign a b + other_sign c` with one rounding, if these are floats; otherwise `plain`, which is the same with two.
+#[inline]
+pub fn fused<A: Copy, B: Copy, C: Copy, O: Copy>(
+    a: A,
+    b: B,
+    c: C,
+    mut plain: O,
+    [sign, other_sign]: [f32; 2],
+) -> O {
+    let (a, of_a) = floats(&a);
+    let (b, of_b) = floats(&b);
+    let (c, of_c) = floats(&c);
+    let (mut sum, count) = floats(&plain);
+    let fits = |of: usize| of == count || of == 1;
+    if count > 0 && fits(of_a) && fits(of_b) && fits(of_c) {
+        let at = |of: usize, i: usize| if of == 1 { 0 } else { i };
+        for (i, sum) in sum.iter_mut().enumerate().take(count) {
+            *sum = libm::fmaf(sign * a[at(of_a, i)], b[at(of_b, i)], other_sign * c[at(of_c, i)]);
+        }
+        // SAFETY: the floats of `plain`, in their place
+        unsafe { core::ptr::copy_nonoverlapping(sum.as_ptr(), (&raw mut plain).cast(), count) };
+    }
+    plain
+}

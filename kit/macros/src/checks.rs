@@ -1,0 +1,194 @@
+//! Checks in the body of a function, in debug builds on the CPU: iterations of loops are counted, paths to barriers are noted, and casts to
+//! integers are looked at.
+
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+use syn::visit_mut::{self, VisitMut};
+use syn::{
+    Arm, Block, Expr, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop, ExprRepeat, ExprWhile,
+    FnArg, GenericArgument, Item, ItemFn, Pat, Stmt, Type, parse_quote, parse_quote_spanned,
+};
+
+/// Adds the checks to a function. `has_barriers` says at run time whether its path to barriers matters; `None` if it never does.
+pub fn add(block: &mut Block, has_barriers: Option<Expr>) {
+    let notes_paths = has_barriers.is_some();
+    Checks { notes_paths }.visit_block_mut(block);
+    if let Some(has_barriers) = has_barriers {
+        let statement = parse_quote! {
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            let _has_barriers = #has_barriers;
+        };
+        block.stmts.insert(0, statement);
+    }
+}
+
+/// The first word of a function's first loop.
+pub fn first_loop(block: &Block) -> Option<Span> {
+    struct First(Option<Span>);
+    impl<'ast> Visit<'ast> for First {
+        fn visit_expr(&mut self, expression: &'ast Expr) {
+            let span = match expression {
+                Expr::While(of) => Some(of.while_token.span()),
+                Expr::ForLoop(of) => Some(of.for_token.span()),
+                Expr::Loop(of) => Some(of.loop_token.span()),
+                _ => None,
+            };
+            self.0 = self.0.or(span);
+            visit::visit_expr(self, expression);
+        }
+
+        fn visit_item(&mut self, _: &'ast Item) {}
+    }
+    let mut first = First(None);
+    first.visit_block(block);
+    first.0
+}
+
+/// Whether a helper can wait at barriers: they are methods of `Invocation`.
+pub fn takes_invocation(function: &ItemFn) -> bool {
+    function.sig.inputs.iter().any(|argument| {
+        let FnArg::Typed(argument) = argument else { return false };
+        let mut ty = &*argument.ty;
+        while let Type::Reference(reference) = ty {
+            ty = &reference.elem;
+        }
+        let Type::Path(path) = ty else { return false };
+        path.path.segments.last().is_some_and(|segment| segment.ident == "Invocation")
+    })
+}
+
+struct Checks {
+    notes_paths: bool,
+}
+
+impl Checks {
+    /// Counts a loop. The message of one that takes too many iterations has the place of its first word.
+    fn count(&self, body: &mut Block, span: Span) {
+        let count = parse_quote_spanned! { span =>
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            ::organza_kernel::kernel::iterate();
+        };
+        body.stmts.insert(0, count);
+        if self.notes_paths {
+            let round = parse_quote! {
+                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+                _scope.round();
+            };
+            body.stmts.insert(0, round);
+        }
+    }
+
+    /// Looks at what becomes an integer. Only `f32` matters, and types are not known here.
+    fn cast(cast: &mut ExprCast) {
+        let Type::Path(ty) = &*cast.ty else { return };
+        let is_integer = INTEGERS.iter().any(|name| ty.path.is_ident(name));
+        if !is_integer || is_literal(&cast.expr) {
+            return;
+        }
+        let ty = &cast.ty;
+        let value = match &*cast.expr {
+            Expr::Paren(paren) => &*paren.expr,
+            value => value,
+        };
+        let check: Stmt = parse_quote_spanned! { cast.as_token.span() =>
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            ::organza_kernel::kernel::check_cast::<#ty, _>(_value);
+        };
+        cast.expr = parse_quote! {{ let _value = #value; #check _value }};
+    }
+
+    /// What begins a branch.
+    fn branch(span: Span) -> Stmt {
+        parse_quote_spanned! { span =>
+            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+            let _branch = ::organza_kernel::kernel::Scope::new(_has_barriers);
+        }
+    }
+}
+
+const INTEGERS: [&str; 10] =
+    ["u8", "u16", "u32", "u64", "usize", "i8", "i16", "i32", "i64", "isize"];
+
+/// A literal takes its type from the cast.
+fn is_literal(expression: &Expr) -> bool {
+    match expression {
+        Expr::Lit(_) => true,
+        Expr::Unary(unary) => is_literal(&unary.expr),
+        Expr::Paren(paren) => is_literal(&paren.expr),
+        _ => false,
+    }
+}
+
+impl VisitMut for Checks {
+    /// A loop is in a block of its own, with the loop's rounds.
+    fn visit_expr_mut(&mut self, expression: &mut Expr) {
+        visit_mut::visit_expr_mut(self, expression);
+        let span = match expression {
+            Expr::While(of) => of.while_token.span(),
+            Expr::ForLoop(of) => of.for_token.span(),
+            Expr::Loop(of) => of.loop_token.span(),
+            Expr::Cast(of) => return Self::cast(of),
+            _ => return,
+        };
+        if self.notes_paths {
+            let scope: Stmt = parse_quote_spanned! { span =>
+                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+                let mut _scope = ::organza_kernel::kernel::Scope::new(_has_barriers);
+            };
+            *expression = parse_quote! {{ #scope #expression }};
+        }
+    }
+
+    fn visit_expr_while_mut(&mut self, expression: &mut ExprWhile) {
+        visit_mut::visit_expr_while_mut(self, expression);
+        self.count(&mut expression.body, expression.while_token.span());
+    }
+
+    fn visit_expr_for_loop_mut(&mut self, expression: &mut ExprForLoop) {
+        visit_mut::visit_expr_for_loop_mut(self, expression);
+        self.count(&mut expression.body, expression.for_token.span());
+    }
+
+    fn visit_expr_loop_mut(&mut self, expression: &mut ExprLoop) {
+        visit_mut::visit_expr_loop_mut(self, expression);
+        self.count(&mut expression.body, expression.loop_token.span());
+    }
+
+    fn visit_expr_if_mut(&mut self, expression: &mut ExprIf) {
+        visit_mut::visit_expr_if_mut(self, expression);
+        if !self.notes_paths {
+            return;
+        }
+        let span = expression.if_token.span();
+        expression.then_branch.stmts.insert(0, Self::branch(span));
+        if let Some((token, otherwise)) = &mut expression.else_branch
+            && let Expr::Block(otherwise) = &mut **otherwise
+        {
+            otherwise.block.stmts.insert(0, Self::branch(token.span()));
+        }
+    }
+
+    fn visit_arm_mut(&mut self, arm: &mut Arm) {
+        visit_mut::visit_arm_mut(self, arm);
+        if self.notes_paths {
+            let branch = Self::branch(arm.pat.span());
+            let body = &arm.body;
+            arm.body = parse_quote! {{ #branch #body }};
+        }
+    }
+
+    /// The length is a constant.
+    fn visit_expr_repeat_mut(&mut self, repeat: &mut ExprRepeat) {
+        self.visit_expr_mut(&mut repeat.expr);
+    }
+
+    // constants are computed by the compiler
+    fn visit_expr_const_mut(&mut self, _: &mut ExprConst) {}
+    fn visit_generic_argument_mut(&mut self, _: &mut GenericArgument) {}
+    fn visit_pat_mut(&mut self, _: &mut Pat) {}
+    fn visit_type_mut(&mut self, _: &mut Type) {}
+
+    /// A function in a function is another one.
+    fn visit_item_mut(&mut self, _: &mut Item) {}
+}

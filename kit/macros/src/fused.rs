@@ -1,0 +1,84 @@
+//! A kernel as a driver may compile it: multiplications and additions are fused.
+
+use proc_macro2::Span;
+use quote::quote_spanned;
+use syn::visit_mut::{self, VisitMut};
+use syn::{
+    BinOp, Block, Expr, ExprBinary, ExprConst, ExprRepeat, GenericArgument, Item, Pat, Type,
+};
+
+/// Fuses every sum or difference of a product. Types are not known here: what is no float stays as it is.
+pub fn fuse(block: &mut Block) {
+    Fuse.visit_block_mut(block);
+}
+
+struct Fuse;
+
+/// The factors of a product.
+fn factors(expression: &Expr) -> Option<(&Expr, &Expr)> {
+    match expression {
+        Expr::Paren(paren) => factors(&paren.expr),
+        Expr::Binary(ExprBinary { left, op: BinOp::Mul(_), right, .. }) => Some((left, right)),
+        _ => None,
+    }
+}
+
+/// The fused form of an expression, if it has one.
+fn fused(ExprBinary { left, op, right, .. }: &ExprBinary) -> Option<Expr> {
+    let (is_sum, is_assignment) = match op {
+        BinOp::Add(_) => (true, false),
+        BinOp::Sub(_) => (false, false),
+        BinOp::AddAssign(_) => (true, true),
+        BinOp::SubAssign(_) => (false, true),
+        _ => return None,
+    };
+    let plain = if is_sum { quote::quote!(+) } else { quote::quote!(-) };
+    let names = Span::mixed_site();
+    let tokens = match (factors(left).filter(|_| !is_assignment), factors(right)) {
+        (Some((a, b)), _) => {
+            // a b + c, or a b - c
+            let signs = if is_sum { quote::quote!([1.0, 1.0]) } else { quote::quote!([1.0, -1.0]) };
+            quote_spanned! { names =>
+                match (#a, #b, #right) {
+                    (a, b, c) => ::organza_kernel::kernel::fused(a, b, c, a * b #plain c, #signs),
+                }
+            }
+        }
+        (None, Some((a, b))) => {
+            // c + a b, or c - a b
+            let signs = if is_sum { quote::quote!([1.0, 1.0]) } else { quote::quote!([-1.0, 1.0]) };
+            let value = quote_spanned! { names =>
+                match (#left, #a, #b) {
+                    (c, a, b) => ::organza_kernel::kernel::fused(a, b, c, c #plain a * b, #signs),
+                }
+            };
+            if is_assignment { quote_spanned!(names => #left = #value) } else { value }
+        }
+        (None, None) => return None,
+    };
+    syn::parse2(tokens).ok()
+}
+
+impl VisitMut for Fuse {
+    fn visit_expr_mut(&mut self, expression: &mut Expr) {
+        visit_mut::visit_expr_mut(self, expression);
+        if let Expr::Binary(binary) = expression
+            && let Some(fused) = fused(binary)
+        {
+            *expression = fused;
+        }
+    }
+
+    fn visit_expr_repeat_mut(&mut self, repeat: &mut ExprRepeat) {
+        self.visit_expr_mut(&mut repeat.expr);
+    }
+
+    // constants are computed by the compiler
+    fn visit_expr_const_mut(&mut self, _: &mut ExprConst) {}
+    fn visit_generic_argument_mut(&mut self, _: &mut GenericArgument) {}
+    fn visit_pat_mut(&mut self, _: &mut Pat) {}
+    fn visit_type_mut(&mut self, _: &mut Type) {}
+
+    /// A function in a function is another one.
+    fn visit_item_mut(&mut self, _: &mut Item) {}
+}

@@ -1,0 +1,77 @@
+//! Declarations that the macro refuses, each with the kernel's name or the binding's.
+
+use quote::quote;
+
+use crate::expand::expand;
+use crate::parse::Kernel;
+
+/// The error of a kernel with these options, parameters and body.
+fn refusal(
+    options: proc_macro2::TokenStream,
+    parameters: proc_macro2::TokenStream,
+    body: proc_macro2::TokenStream,
+) -> String {
+    let options = quote!(threads(64), #options);
+    let function = quote!(pub fn blur(id: Invocation, #parameters) { #body });
+    Kernel::parse(options, function).err().map_or_else(String::new, |error| error.to_string())
+}
+
+#[test]
+fn a_loop_needs_its_iterations() {
+    let body = quote!(if id.index() < 9 {
+        let mut i = 0;
+        while i < 9 {
+            i += 1;
+        }
+    });
+    let message = refusal(quote!(), quote!(output: Write<f32>), body.clone());
+    assert!(message.starts_with("the kernel `blur` has a loop: state how many"), "{message}");
+    assert_eq!(refusal(quote!(iterations = 9), quote!(output: Write<f32>), body), "");
+    // the loops of a function in a function are its own
+    assert_eq!(
+        refusal(
+            quote!(),
+            quote!(),
+            quote!(
+                fn other() {
+                    loop {}
+                }
+            )
+        ),
+        ""
+    );
+}
+
+#[test]
+fn elements_have_one_layout() {
+    for (ty, advice) in [(quote!(Vec3), "three `f32`, or `Vec4`"), (quote!(bool), "`u32`")] {
+        let message = refusal(quote!(), quote!(input: Read<glam::#ty>), quote!());
+        let start = format!("the elements of `input` are `{ty}`, which have another layout");
+        assert!(message.starts_with(&start) && message.ends_with(advice), "{message}");
+        // workgroup memory is not shared with the host
+        assert_eq!(refusal(quote!(), quote!(values: Shared<#ty, 64>), quote!()), "");
+    }
+}
+
+#[test]
+fn only_outputs_are_unordered() {
+    let message = refusal(quote!(unordered(input)), quote!(input: Read<u32>), quote!());
+    assert_eq!(message, "`unordered` names bindings of the type `Write`");
+    assert_eq!(refusal(quote!(unordered(list)), quote!(list: Write<u32>), quote!()), "");
+}
+
+#[test]
+fn a_limit_of_iterations_names_its_kernel() {
+    let options = quote!(threads(64), iterations = 70_000);
+    let kernel = Kernel::parse(
+        options,
+        quote!(
+            fn blur(id: Invocation) {
+                loop {}
+            }
+        ),
+    )
+    .unwrap();
+    let text = expand(&kernel).to_string();
+    assert!(text.contains("the kernel `blur` declares more than 60,000 iterations"), "{text}");
+}

@@ -2,10 +2,11 @@
 
 use std::fs;
 
+use image::RgbImage;
 use serde_json::{Value, json};
 
 use super::chromium::{Page, base64, program};
-use super::client::Viewer;
+use super::client::{Viewer, pixels};
 use crate::sandbox::Sandbox;
 use crate::train::runs::{TINY, sandbox};
 
@@ -25,11 +26,11 @@ fn middle(page: &mut Page) -> [f64; 2] {
 }
 
 /// The output of `render` for the camera of the page.
-fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value) -> Vec<u8> {
+fn rendered(sandbox: &Sandbox, viewer: &Viewer, camera: &Value) -> RgbImage {
     let file = viewer.post("/cameras.json", &json!([camera])).ok();
     fs::write(sandbox.path("shown.json"), file.body).unwrap();
     sandbox.run("render scene.safetensors shown.json -o shown --backend cpu").assert_ok();
-    fs::read(sandbox.path("shown/0000.png")).expect("an image")
+    pixels(&fs::read(sandbox.path("shown/0000.png")).expect("an image"))
 }
 
 #[test]
@@ -44,7 +45,7 @@ fn a_scene_in_a_browser() {
     );
     let mut page = Page::open(program, &viewer.url(), [700, 420]);
     page.wait(REST);
-    let shown = |page: &mut Page| base64(page.eval(SHOWN).as_str().expect("bytes"));
+    let shown = |page: &mut Page| pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")));
     let camera = |page: &mut Page| page.eval("organza.view.camera");
     let before = shown(&mut page);
     let first = camera(&mut page);

@@ -8,6 +8,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::Duration;
 
+use image::RgbImage;
 use serde_json::{Value, json};
 
 use crate::sandbox::Sandbox;
@@ -168,4 +169,9 @@ impl Reply {
         let line = self.headers.lines().find_map(|line| line.strip_prefix("x-organza: "));
         serde_json::from_str(line.expect("a header")).expect("JSON")
     }
+}
+
+/// The pixels of an image. A file that the program wrote also says what it was made from.
+pub fn pixels(png: &[u8]) -> RgbImage {
+    image::load_from_memory(png).expect("an image").into_rgb8()
 }

@@ -178,7 +178,11 @@ pub fn assert_same(what: &str, found: &Bits, expected: &Bits) {
 pub fn assert_same_run(sandbox: &Sandbox, found: &str, expected: &str) {
     assert_same(found, &bits(sandbox, found), &bits(sandbox, expected));
     let told = |run: &str| without_times(&records(&sandbox.path(run)));
-    assert_eq!(told(found), told(expected), "{found}");
+    let expected = told(expected);
+    // A run that ends at its time limit is measured there once more.
+    let is_more = |record: &String| record.starts_with("evaluation") && !expected.contains(record);
+    let found_records: Vec<_> = told(found).into_iter().filter(|record| !is_more(record)).collect();
+    assert_eq!(found_records, expected, "{found}");
 }
 
 /// A run's records.

@@ -1,4 +1,4 @@
-//! Tests of kernels: [parity](case) cases, and [snapshots](snapshot) with pictures.
+//! Tests of kernels: [parity](mod@case) cases, and [snapshots](snapshot) with pictures.
 //!
 //! # How devices are compared
 //!

@@ -3,6 +3,7 @@
 #[cfg(test)]
 pub(crate) mod nasty;
 
+use std::ffi::OsStr;
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
 use std::path::Path;
@@ -14,6 +15,13 @@ use organza_device::memory;
 
 /// Largest JSON file, in bytes. No camera or tile list needs more; a larger file was named by mistake.
 const MAX_JSON_BYTES: u64 = 256 << 20;
+
+/// Whether a file's name ends with one of these extensions, in lower or upper case.
+#[must_use]
+pub fn has_extension(path: &Path, extensions: &[&str]) -> bool {
+    let extension = path.extension().and_then(OsStr::to_str).map(str::to_lowercase);
+    extension.is_some_and(|extension| extensions.contains(&&*extension))
+}
 
 /// Opens a regular file and returns it with its length in bytes.
 ///

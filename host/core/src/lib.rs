@@ -8,6 +8,7 @@ pub mod demo;
 pub mod error;
 mod folder_lock;
 pub mod halves;
+mod hex;
 pub mod image;
 pub mod input;
 pub mod metrics;
@@ -23,6 +24,7 @@ pub use atomic_file::{check_inside, check_writable, remove_leftovers, write_atom
 pub use camera::Camera;
 pub use error::{Error, Result};
 pub use folder_lock::FolderLock;
+pub use hex::hex;
 pub use image::Image;
 pub use random::random;
 pub use rendered::{Channel, RenderReport, RenderedTiles};

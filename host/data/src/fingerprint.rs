@@ -6,6 +6,7 @@ use sha2::{Digest as _, Sha256};
 use super::Point;
 use super::lens::Lens;
 use organza_core::camera::Camera;
+use organza_core::hex;
 
 /// SHA-256 of a photograph's file, and of its mask if it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,21 +62,23 @@ impl Fingerprint {
             }
             hash.update([lens.fisheye, held_out].map(u8::from));
         }
-        let frames = hex(hash);
+        let frames = digits(hash);
         let mut hash = Sha256::new();
         photographs.iter().for_each(|digest| hash.update(digest.0));
-        let photographs = if photographs.is_empty() { String::new() } else { hex(hash) };
+        let photographs = if photographs.is_empty() { String::new() } else { digits(hash) };
         let mut hash = Sha256::new();
         for Point { position, color } in points {
             position.iter().for_each(|value| hash.update(value.to_bits().to_le_bytes()));
             hash.update([u8::from(color.is_some())]);
             hash.update(color.unwrap_or_default());
         }
-        Self { frames, photographs, points: hex(hash) }
+        Self { frames, photographs, points: digits(hash) }
     }
 }
 
 /// 32 digits are enough, because nobody tries to find a collision.
-fn hex(hash: Sha256) -> String {
-    hash.finalize().iter().take(16).map(|byte| format!("{byte:02x}")).collect()
+fn digits(hash: Sha256) -> String {
+    let mut digits = hex(hash);
+    digits.truncate(32);
+    digits
 }

@@ -42,6 +42,7 @@ use lens::Lens;
 pub use options::DatasetOptions;
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
+use organza_core::input::has_extension;
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
 
@@ -399,12 +400,6 @@ fn folder_of(path: &Path) -> PathBuf {
         return parent.to_owned();
     }
     path.to_owned()
-}
-
-fn has_extension(path: &Path, extensions: &[&str]) -> bool {
-    let extension =
-        path.extension().and_then(|extension| extension.to_str()).map(str::to_lowercase);
-    extension.is_some_and(|extension| extensions.contains(&&*extension))
 }
 
 /// Most bytes that the photographs will take.

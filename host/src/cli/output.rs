@@ -1,6 +1,5 @@
 //! Checks the places of results before hours are spent on them.
 
-use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -8,6 +7,7 @@ use std::path::{Path, PathBuf};
 use organza::train::{self, CONFIG};
 use organza::{Error, Result};
 use organza_core::FolderLock;
+use organza_core::input::has_extension;
 
 use super::refuse;
 
@@ -73,8 +73,7 @@ fn replaced(existing: &Path, input: &Path) -> Option<String> {
 /// Whether data sets have files of this kind.
 fn is_of_data_sets(path: &Path) -> bool {
     const KINDS: [&str; 7] = ["json", "png", "jpg", "jpeg", "ply", "bin", "txt"];
-    let extension = path.extension().and_then(OsStr::to_str).map(str::to_lowercase);
-    extension.is_some_and(|extension| KINDS.contains(&&*extension))
+    has_extension(path, &KINDS)
 }
 
 /// A folder for results. Newly created folders that stay empty are removed again.

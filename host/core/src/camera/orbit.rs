@@ -99,11 +99,8 @@ impl Orbit {
             let all: f64 = places.iter().map(weight).sum();
             let mean =
                 |of: usize| places.iter().map(|place| weight(place) * place[of]).sum::<f64>() / all;
-            let (height, reach) = mean(1).sin_cos();
-            let (sin, cos) = azimuth.sin_cos();
-            let offset = reach * (cos * ahead + sin * aside) + height * up;
-            let eye = (center + mean(2) * offset).to_array();
-            Camera::look_at(eye, orbit.center, orbit.up, orbit.angle, orbit.size)
+            let here = Self { distance: mean(2), elevation: mean(1), ..orbit.clone() };
+            here.camera(azimuth, [ahead, aside, up])
         };
         (0..count).map(camera).collect()
     }
@@ -141,14 +138,17 @@ impl Orbit {
             return Err(Error::Argument { reason });
         }
         let aside = up.cross(ahead);
-        let (height, reach) = self.elevation.sin_cos();
-        let camera = |index: usize| {
-            let (sin, cos) = (TAU * index as f64 / count as f64).sin_cos();
-            let offset = reach * (cos * ahead + sin * aside) + height * up;
-            let eye = DVec3::from(self.center) + self.distance * offset;
-            Camera::look_at(eye.to_array(), self.center, up.to_array(), self.angle, self.size)
-        };
+        let camera = |index| self.camera(TAU * index as f64 / count as f64, [ahead, aside, up]);
         (0..count).map(camera).collect()
+    }
+
+    /// The camera at an azimuth. The axes are unit vectors: toward azimuth 0, toward a quarter turn, and upward.
+    fn camera(&self, azimuth: f64, [ahead, aside, up]: [DVec3; 3]) -> Result<Camera> {
+        let (height, reach) = self.elevation.sin_cos();
+        let (sin, cos) = azimuth.sin_cos();
+        let offset = reach * (cos * ahead + sin * aside) + height * up;
+        let eye = DVec3::from(self.center) + self.distance * offset;
+        Camera::look_at(eye.to_array(), self.center, up.to_array(), self.angle, self.size)
     }
 }
 

@@ -9,6 +9,8 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
+use crate::hex;
+
 /// Key of the text chunk or the attribute.
 pub(super) const KEY: &str = "organza";
 const BEGIN: &str = "origin 1 ";
@@ -102,9 +104,4 @@ fn content(file: &[u8], text: usize, path: &Path) -> String {
     hash.update(&file[..end - DIGITS]);
     hash.update(&file[end + CRC..]);
     hex(hash)
-}
-
-/// The digits of a SHA-256 sum.
-fn hex(hash: Sha256) -> String {
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }

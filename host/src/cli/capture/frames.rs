@@ -9,8 +9,8 @@ use organza::{Error, Result};
 
 use super::programs::command;
 use super::{Job, Source};
-use crate::cli::refuse;
 use crate::cli::summary::count;
+use crate::cli::{absolute, refuse};
 
 /// Folder of the images, in the work.
 pub const IMAGES: &str = "images";
@@ -70,9 +70,8 @@ impl Job<'_> {
 fn ffmpeg(video: &Path) -> Command {
     let mut ffmpeg = command("ffmpeg");
     // A name such as `-x` or `http:x` is a file's, too.
-    let file = std::path::absolute(video).unwrap_or_else(|_| video.to_owned());
     let mut name = OsString::from("file:");
-    name.push(file);
+    name.push(absolute(video));
     ffmpeg.args(["-v", "error", "-nostdin", "-y", "-i"]).arg(name).args(["-map", "0:v:0"]);
     ffmpeg
 }

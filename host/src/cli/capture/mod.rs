@@ -4,13 +4,13 @@ mod colmap;
 mod frames;
 mod programs;
 
-use std::ffi::OsStr;
 use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
 
 use organza::{Error, Result};
-use organza_core::write_inside;
+use organza_core::input::has_extension;
+use organza_core::{hex, write_inside};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -185,11 +185,6 @@ fn is_photograph(path: &Path) -> bool {
     has_extension(path, &["jpg", "jpeg", "png"])
 }
 
-fn has_extension(path: &Path, extensions: &[&str]) -> bool {
-    let extension = path.extension().and_then(OsStr::to_str).map(str::to_lowercase);
-    extension.is_some_and(|extension| extensions.contains(&&*extension))
-}
-
 /// Identifies inputs and options. Reading a video of gigabytes would take long, so its size and its time stand for its
 /// content.
 fn key(source: &Source<'_>, args: &Args) -> Result<String> {
@@ -199,7 +194,7 @@ fn key(source: &Source<'_>, args: &Args) -> Result<String> {
         hash.update(format!("{file:?} {} {}\n", found.len(), changed(&found)));
     }
     hash.update(format!("{} {} {}", args.frames, args.side, args.exhaustive));
-    Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+    Ok(hex(hash))
 }
 
 /// When a file was changed, in nanoseconds.

@@ -1,6 +1,7 @@
 //! Programs that others wrote: whether they are there, and running them.
 
-use std::io::{BufRead, BufReader, ErrorKind, Read};
+use std::fs::File;
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -83,14 +84,14 @@ impl<'a> Programs<'a> {
         let (sender, lines) = mpsc::channel();
         read_lines(child.stdout.take().expect("it is piped"), sender.clone());
         read_lines(child.stderr.take().expect("it is piped"), sender);
-        let mut log = std::fs::File::options().create(true).append(true).open(&self.log).ok();
+        let mut log = File::options().create(true).append(true).open(&self.log).ok();
         let mut last = Vec::new();
         loop {
             match lines.recv_timeout(INTERVAL) {
                 Ok(line) => {
                     if let Some(log) = &mut log {
                         // A log that cannot be written is no reason to stop.
-                        let _ = std::io::Write::write_all(log, format!("{line}\n").as_bytes());
+                        let _ = writeln!(log, "{line}");
                     }
                     on_line(&line);
                     last.push(line);
@@ -106,17 +107,11 @@ impl<'a> Programs<'a> {
                 return self.check();
             }
         }
-        let status = child.wait().map_err(|source| Error::read(&self.log, source))?;
-        self.check()?;
-        if status.success() {
-            return Ok(());
-        }
-        let said = last.iter().rev().find(|line| !line.trim().is_empty());
-        let said = said.map_or("it says nothing", |line| line.trim());
-        refuse(format!(
-            "{name} fails ({status}): {said}. All that it says is in {}",
-            self.log.display()
-        ))
+        self.finish(&name, &mut child, || {
+            let said = last.iter().rev().find(|line| !line.trim().is_empty());
+            let said = said.map_or("it says nothing", |line| line.trim());
+            format!("{said}. All that it says is in {}", self.log.display())
+        })
     }
 
     /// Runs a program, and passes what it writes to stdout, in pieces of `size` bytes.
@@ -141,16 +136,19 @@ impl<'a> Programs<'a> {
                 return self.check();
             }
         }
+        self.finish(&name, &mut child, || {
+            errors.iter().next().unwrap_or_else(|| "it says nothing".to_owned())
+        })
+    }
+
+    /// Waits for the end of a program. If it fails, the error has what it said.
+    fn finish(&self, name: &str, child: &mut Child, said: impl FnOnce() -> String) -> Result<()> {
         let status = child.wait().map_err(|source| Error::read(&self.log, source))?;
         self.check()?;
         if status.success() {
             return Ok(());
         }
-        let said: Vec<_> = errors.iter().collect();
-        refuse(format!(
-            "{name} fails ({status}): {}",
-            said.first().map_or("it says nothing", |line| line)
-        ))
+        refuse(format!("{name} fails ({status}): {}", said()))
     }
 }
 

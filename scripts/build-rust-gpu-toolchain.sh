@@ -47,7 +47,7 @@ link() {
   if command -v rustup >/dev/null; then
     rustup toolchain link rust-gpu "$TOOLCHAIN"
   else
-    say "there is no rustup: name the compiler by ORGANZA_RUST_GPU=$TOOLCHAIN"
+    say "there is no rustup: name the compiler by MUSLIN_RUST_GPU=$TOOLCHAIN"
   fi
 }
 

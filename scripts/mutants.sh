@@ -12,6 +12,6 @@ command -v cargo-mutants >/dev/null || cargo install --locked cargo-mutants@27.1
 # The copy of the sources has the dependencies that are compiled here.
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}
 # GPUs run SPIR-V, which is not compiled again: the tests have the CPU alone.
-export VK_DRIVER_FILES=/dev/null INSTA_UPDATE=no ORGANZA_REQUIRE_GPU=0
+export VK_DRIVER_FILES=/dev/null INSTA_UPDATE=no MUSLIN_REQUIRE_GPU=0
 # Round-robin: each part has mutants of all files.
 exec cargo mutants --shard "${SHARD:-0/40}" --sharding round-robin --output target "$@"

@@ -9,4 +9,4 @@ pub mod devices;
 #[path = "support/spirv.rs"]
 pub mod spirv;
 
-pub use organza_check::skip;
+pub use muslin_check::skip;

@@ -19,8 +19,8 @@ fn main() {
 mod flops {
     use divan::Bencher;
     use glam::Vec4;
+    use muslin::binned::ROWS;
     use organza::InstructionSet;
-    use organza_kernel::binned::ROWS;
     use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
     use organza_shaders::dense_backward::{
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,

@@ -4,5 +4,5 @@ use std::path::Path;
 
 fn main() {
     let render = Path::new(env!("CARGO_MANIFEST_DIR"));
-    organza_manifest::embed(&render.join("kernels"), &render.join("../.."));
+    muslin_manifest::embed(&render.join("kernels"), &render.join("../.."));
 }

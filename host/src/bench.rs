@@ -12,9 +12,9 @@ use crate::camera::Camera;
 use crate::error::Result;
 use crate::render::{DeviceScene, Renderer, SceneGradient};
 use crate::tile::TileBatch;
+use muslin::work::Work;
+use muslin_device::{Device, KernelTime, memory};
 use organza_core::RenderReport;
-use organza_device::{Device, KernelTime, memory};
-use organza_kernel::work::Work;
 
 pub use peak::Peaks;
 pub use synthetic::Synthetic;

@@ -36,7 +36,7 @@ unsafe impl GlobalAlloc for LastResort {
 #[inline]
 fn checked(memory: *mut u8, size: usize) -> *mut u8 {
     // The library's tensors and buffers handle a failure, and report their purpose.
-    if memory.is_null() && !organza_device::memory::may_fail() { give_up(size) } else { memory }
+    if memory.is_null() && !muslin_device::memory::may_fail() { give_up(size) } else { memory }
 }
 
 #[cold]

@@ -43,15 +43,15 @@ pub mod bench;
 pub mod fuzz;
 
 pub use data::{Dataset, DatasetOptions};
+pub use muslin_device::{
+    BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
+};
 use organza_core::input;
 pub use organza_core::{
     Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
     TileBatch, camera, demo, error, image, metrics, ranks, scene, tile,
 };
 pub use organza_data as data;
-pub use organza_device::{
-    BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
-};
 #[cfg(feature = "ndarray")]
 pub use organza_render::ndarray;
 pub use organza_render::{

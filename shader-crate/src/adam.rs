@@ -2,7 +2,7 @@
 //! tensors.
 
 use crate::hash_grid_backward::VALUES_PER_FLAG;
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 
 /// Parameters of [`adam`]; what depends on the step is computed on the host, in f64.
 #[params]

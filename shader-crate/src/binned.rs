@@ -1,7 +1,7 @@
 //! From [binned] sums to gradients: those of the networks and of the cameras' poses.
 
-use organza_kernel::binned;
-use organza_kernel::prelude::*;
+use muslin::binned;
+use muslin::prelude::*;
 
 /// Parameters of [`binned_gradient`].
 #[params]

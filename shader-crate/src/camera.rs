@@ -2,8 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
-use organza_kernel::math::dot;
-use organza_kernel::prelude::*;
+use muslin::math::dot;
+use muslin::prelude::*;
 
 /// A camera, with OpenCV axes: x right, y down, z forward.  Its projection is in [`lens`](crate::lens).
 #[derive(Clone, Copy)]

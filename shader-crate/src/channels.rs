@@ -5,10 +5,10 @@ use glam::{Vec3, Vec4};
 
 use crate::camera::{Camera, read3};
 use crate::project::{read_quaternion, rotation_columns};
-use organza_kernel::math::dot;
-use organza_kernel::prelude::*;
+use muslin::math::dot;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work};
+use muslin::work::{NUMBER, Shape, Work};
 
 /// Parameters of [`pair_channels`].
 #[params]

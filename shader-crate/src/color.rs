@@ -12,10 +12,10 @@ use crate::hash_grid::write_point;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_VECTOR};
 use crate::spherical_harmonics::{ITERATIONS as SH_ITERATIONS, spherical_harmonics};
 use crate::unit_cube::{SceneBox, contract, from_center};
-use organza_kernel::math::{normalize, sigmoid};
-use organza_kernel::prelude::*;
+use muslin::math::{normalize, sigmoid};
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work, wide};
+use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`color_inputs`].
 #[params]

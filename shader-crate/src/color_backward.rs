@@ -4,9 +4,9 @@ use glam::Vec4;
 
 use crate::limits::MAX_VECTOR;
 use crate::splat::VECTORS;
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
+use muslin::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`color_head_backward`].
 #[params]

@@ -10,10 +10,10 @@ use crate::splat::SPLAT;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::tile_cells::Cells;
-use organza_kernel::math::abs;
-use organza_kernel::prelude::*;
+use muslin::math::abs;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
+use muslin::work::{NUMBER, Shape, VECTOR, Work};
 
 /// Parameters of [`composite`].
 #[params]
@@ -218,7 +218,7 @@ mod tests {
     use std::vec::Vec;
 
     use super::*;
-    use organza_kernel::shared_tile::Unshared;
+    use muslin::shared_tile::Unshared;
 
     /// Workgroup memory of an invocation that copies all of it.  A GPU reads it without a check; here every element that is
     /// read must have been copied, and equal the source's.

@@ -10,10 +10,10 @@ use crate::splat::SPLAT;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::transmittance::owner;
-use organza_kernel::math::{ceil, clamp};
-use organza_kernel::prelude::*;
+use muslin::math::{ceil, clamp};
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
+use muslin::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Parameters of [`composite_backward`].
 #[params]

@@ -4,8 +4,8 @@
 //! capacity, all count as 0: nothing is written past a table's end, and nothing is added to a gradient. The host reads the
 //! numbers at the end, and then repeats the work with more room.
 
-use organza_kernel::count::OVERFLOW;
-use organza_kernel::prelude::*;
+use muslin::count::OVERFLOW;
+use muslin::prelude::*;
 
 /// Index in `counts`: (Gaussian, camera) pairs.
 pub const PAIRS: u32 = 1;

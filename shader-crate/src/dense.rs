@@ -7,11 +7,11 @@
 use glam::Vec4;
 
 use crate::limits::MAX_INPUTS;
-use organza_kernel::lane_vec4::LaneVec4;
-use organza_kernel::prelude::*;
-use organza_kernel::samples::Samples;
+use muslin::lane_vec4::LaneVec4;
+use muslin::prelude::*;
+use muslin::samples::Samples;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, VECTOR, Work, wide};
+use muslin::work::{NUMBER, Shape, VECTOR, Work, wide};
 
 /// Outputs of a hidden layer that one invocation computes.
 pub const OUTPUTS_PER_INVOCATION: u32 = 16;

@@ -6,12 +6,12 @@
 use glam::Vec4;
 
 use crate::limits::{MAX_CAMERAS, MAX_HIDDEN_WIDTH, MAX_SLICE};
-use organza_kernel::binned;
-use organza_kernel::lane_vec4::LaneVec4;
-use organza_kernel::prelude::*;
-use organza_kernel::samples::Samples;
+use muslin::binned;
+use muslin::lane_vec4::LaneVec4;
+use muslin::prelude::*;
+use muslin::samples::Samples;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work, wide};
+use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Inputs of a layer whose gradient one invocation of [`dense_backward`] computes.
 pub const INPUTS_PER_INVOCATION: u32 = 8;
@@ -666,7 +666,7 @@ mod tests {
 
     use super::*;
     use crate::dense::{DenseParams, dense};
-    use organza_kernel::samples::Four;
+    use muslin::samples::Four;
 
     fn numbers(count: u32) -> Vec<f32> {
         (0..count).map(|i| (i * 37 % 101) as f32 / 50.0 - 1.0).collect()

@@ -12,10 +12,10 @@
 use crate::camera::{Camera, read3};
 use crate::composite::SUM_PLANES;
 use crate::tile::Tile;
-use organza_kernel::math::{TINY, dot, sqrt};
-use organza_kernel::prelude::*;
+use muslin::math::{TINY, dot, sqrt};
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work};
+use muslin::work::{NUMBER, Shape, Work};
 
 /// Distances from the eye, in world units, are at least this.
 pub const LEAST_DISTANCE: f32 = 1e-6;

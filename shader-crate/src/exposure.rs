@@ -2,7 +2,7 @@
 //! channel, and the gradient. A plane is a channel of a tile.
 
 use crate::limits::MAX_TILE_SIDE;
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 
 /// Parameters of [`expose`] and [`expose_backward`].
 #[params]

@@ -4,9 +4,9 @@ use crate::limits::MAX_FEATURES;
 use crate::unit_cube::Split;
 #[cfg(not(target_arch = "spirv"))]
 use crate::unit_cube::leading_bits;
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work, wide};
+use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// One level of a grid; the host computes it in f64, kernels never call `pow`.
 #[params]

@@ -1,6 +1,6 @@
 //! Gradient of the hash grids' tables: the transpose of the interpolation of [`hash_grid`](crate::hash_grid).
 //!
-//! Many points share an entry. Their terms are summed in 64-bit [fixed point](organza_kernel::fixed), so the order and the number
+//! Many points share an entry. Their terms are summed in 64-bit [fixed point](muslin::fixed), so the order and the number
 //! of threads change no bit. [`hash_grid_scale`](crate::hash_grid_scale) chooses the unit.
 
 #[cfg(not(target_arch = "spirv"))]
@@ -10,11 +10,11 @@ use crate::hash_grid::POINT;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, value_at};
 use crate::hash_grid_scale::{INVERSE, LIMIT, SCALE, STATUS_LIMIT};
 use crate::limits::MAX_FEATURES;
-use organza_kernel::atomic;
-use organza_kernel::math::TINY;
-use organza_kernel::prelude::*;
+use muslin::atomic;
+use muslin::math::TINY;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work, wide};
+use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Values of a table that share a flag.  The flag is 1 if a gradient has been added to any of them; [`adam`](crate::adam::adam())
 /// skips the others.

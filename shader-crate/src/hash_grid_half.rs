@@ -7,9 +7,9 @@
 use crate::hash_grid::hash_grid_work;
 use crate::hash_grid::{Corners, GridLevel, HashGridParams, of_corners, read_point, sum, value_at};
 use crate::limits::MAX_FEATURES;
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work, wide};
+use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// The largest number that a table may hold.
 pub const MAX_HALF: f32 = 65_504.0;

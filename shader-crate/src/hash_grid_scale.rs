@@ -8,9 +8,9 @@
 use glam::Vec4;
 
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_LAYERS};
-use organza_kernel::atomic;
-use organza_kernel::math::abs;
-use organza_kernel::prelude::*;
+use muslin::atomic;
+use muslin::math::abs;
+use muslin::prelude::*;
 
 /// Index in `scale`: the factor of gradients, a power of two.
 pub const SCALE: u32 = 0;

@@ -1,4 +1,4 @@
-//! The kernels of organza, one file per stage. Each kernel is an ordinary function in the language of [`organza_kernel`].
+//! The kernels of organza, one file per stage. Each kernel is an ordinary function in the language of [`muslin`].
 //!
 //! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`segment`], [`transmittance`], [`color`] (both with
 //! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`]. Gradients run the other way, in the same

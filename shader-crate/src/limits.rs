@@ -1,6 +1,6 @@
 //! Size limits: the host checks scenes and batches against them, and they bound the kernels' loops.
 
-pub use organza_kernel::MAX_ITERATIONS;
+pub use muslin::MAX_ITERATIONS;
 
 /// The highest degree of the spherical harmonics.
 pub const MAX_SH_DEGREE: u32 = 7;

@@ -8,8 +8,8 @@ use glam::Vec4;
 
 use crate::limits::MAX_TILE_SIDE;
 use crate::ssim::{SLOPES, Taps, WINDOW};
-use organza_kernel::math::{TINY, abs};
-use organza_kernel::prelude::*;
+use muslin::math::{TINY, abs};
+use muslin::prelude::*;
 
 /// Parameters of [`loss_terms`] and [`loss_rows`].
 #[params]

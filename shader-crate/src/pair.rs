@@ -3,7 +3,7 @@
 use glam::Vec4;
 
 use crate::limits::{MAX_CAMERAS, MAX_TILES};
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 
 /// Parameters of [`pair_mask`].
 #[params]

@@ -4,10 +4,10 @@ use glam::Vec4;
 
 use crate::dense_backward::settled;
 use crate::limits::MAX_PEAK_STEPS;
-use organza_kernel::lane_vec4::LaneVec4;
-use organza_kernel::prelude::*;
+use muslin::lane_vec4::LaneVec4;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work, wide};
+use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Multiply-adds of an invocation of [`peak_multiply_add`] in a step: twelve sums, four times each.
 pub const MULTIPLY_ADDS: u32 = 48;

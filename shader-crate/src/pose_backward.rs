@@ -12,9 +12,9 @@ use crate::camera::{Camera, read3};
 use crate::project::{Footprint, read_quaternion};
 use crate::project_backward::footprint_backward;
 use crate::splat::VECTORS;
-use organza_kernel::binned;
-use organza_kernel::math::cross;
-use organza_kernel::prelude::*;
+use muslin::binned;
+use muslin::math::cross;
+use muslin::prelude::*;
 
 /// Values of a pose's gradient: of the rotation vector w, then of the shift v.
 pub const VALUES: u32 = 6;

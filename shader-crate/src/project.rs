@@ -4,11 +4,11 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::camera::{Camera, gather3, read3};
 use crate::lens::Lens;
-use organza_kernel::atomic;
-use organza_kernel::math::{HUGE, abs, cross, dot, exp, is_finite, sqrt};
-use organza_kernel::prelude::*;
+use muslin::atomic;
+use muslin::math::{HUGE, abs, cross, dot, exp, is_finite, sqrt};
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
+use muslin::work::{NUMBER, Shape, VECTOR, Work};
 
 /// `2 ln 255`: the squared Mahalanobis radius at which the falloff has come down to 1/255, and ends.
 pub const FALLOFF_CUTOFF: f32 = 11.082_527;

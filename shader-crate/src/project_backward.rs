@@ -6,8 +6,8 @@ use crate::camera::{Camera, read3};
 use crate::limits::MAX_CAMERAS;
 use crate::project::{Footprint, read_quaternion};
 use crate::splat::VECTORS;
-use organza_kernel::math::{cross, dot, sqrt};
-use organza_kernel::prelude::*;
+use muslin::math::{cross, dot, sqrt};
+use muslin::prelude::*;
 
 /// A loss's derivatives with respect to one Gaussian.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,9 @@
 
 use crate::composite::SUM_PLANES;
 use crate::tile::Tile;
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work};
+use muslin::work::{NUMBER, Shape, Work};
 
 /// Parameters of [`resolve`] and [`resolve_backward`].
 #[params]

@@ -1,6 +1,6 @@
 //! Exclusive prefix sums.
 
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 
 /// Invocations of a workgroup.
 const THREADS: u32 = 64;

@@ -5,8 +5,8 @@ use glam::{Vec3, Vec4};
 use crate::camera::{Camera, read3};
 use crate::limits::MAX_SAMPLES;
 use crate::unit_cube::{SceneBox, Split, contract, from_center};
-use organza_kernel::math::{self, TINY, abs, ceil, clamp, dot, length};
-use organza_kernel::prelude::*;
+use muslin::math::{self, TINY, abs, ceil, clamp, dot, length};
+use muslin::prelude::*;
 
 /// The part of a ray in the unit cube.
 #[derive(Clone, Copy, Debug, PartialEq)]

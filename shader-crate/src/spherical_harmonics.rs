@@ -3,8 +3,8 @@
 use glam::Vec3;
 
 use crate::limits::MAX_SH_DEGREE;
-use organza_kernel::math::sqrt;
-use organza_kernel::prelude::*;
+use muslin::math::sqrt;
+use muslin::prelude::*;
 
 /// The most iterations of [`spherical_harmonics`]: its outer loop's and its inner one's.
 pub const ITERATIONS: u32 = MAX_SH_DEGREE + 1 + (MAX_SH_DEGREE + 1) * (MAX_SH_DEGREE + 2) / 2;

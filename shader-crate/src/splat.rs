@@ -3,10 +3,10 @@
 use glam::Vec4;
 
 use crate::limits::MAX_TILES;
-use organza_kernel::math::sigmoid;
-use organza_kernel::prelude::*;
+use muslin::math::sigmoid;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, VECTOR, Work};
+use muslin::work::{NUMBER, Shape, VECTOR, Work};
 
 /// `Vec4`s of a splat: `(mean2d, weight, extent x), (conic, extent y), (color, 0)`.
 pub const VECTORS: u32 = 3;

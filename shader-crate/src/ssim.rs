@@ -16,7 +16,7 @@
 
 use glam::Vec4;
 
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 
 /// Pixels of the window on either side of its center.
 pub const RADIUS: u32 = 5;

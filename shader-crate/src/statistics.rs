@@ -4,8 +4,8 @@ use glam::{Vec3, Vec4};
 
 use crate::limits::MAX_CAMERAS;
 use crate::splat::VECTORS;
-use organza_kernel::math::{length, max};
-use organza_kernel::prelude::*;
+use muslin::math::{length, max};
+use muslin::prelude::*;
 
 /// Parameters of [`statistics`].
 #[params]

@@ -6,8 +6,8 @@
 
 use glam::{Vec2, Vec4};
 
-use organza_kernel::math::clamp;
-use organza_kernel::prelude::*;
+use muslin::math::clamp;
+use muslin::prelude::*;
 
 /// A tile as kernels see it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

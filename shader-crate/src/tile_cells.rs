@@ -9,7 +9,7 @@ use crate::composite::{pixel_center, touches};
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::transmittance::owner;
-use organza_kernel::prelude::*;
+use muslin::prelude::*;
 
 /// Columns of cells.
 const COLUMNS: u32 = 4;

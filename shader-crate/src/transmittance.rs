@@ -11,10 +11,10 @@ use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
 use crate::segment::{contracted_place, read_contracted, read_segment};
 use crate::unit_cube::Split;
-use organza_kernel::math::{exp, log_sigmoid};
-use organza_kernel::prelude::*;
+use muslin::math::{exp, log_sigmoid};
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{NUMBER, Shape, Work, wide};
+use muslin::work::{NUMBER, Shape, Work, wide};
 
 /// Parameters of [`transmittance_inputs`].
 #[params]

@@ -7,10 +7,10 @@ use crate::dense::head_work;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
 use crate::splat::VECTORS;
 use crate::transmittance::{TransmittanceHeadParams, logit_and_factor};
-use organza_kernel::math::sigmoid;
-use organza_kernel::prelude::*;
+use muslin::math::sigmoid;
+use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use organza_kernel::work::{Shape, Work};
+use muslin::work::{Shape, Work};
 
 /// Parameters of [`segment_product_backward`].
 #[params]

@@ -7,8 +7,8 @@
 use glam::Vec3;
 
 use crate::camera::read3;
-use organza_kernel::math::truncate;
-use organza_kernel::prelude::*;
+use muslin::math::truncate;
+use muslin::prelude::*;
 
 /// Parts of the cube that a coarse coordinate counts: 12 bits.
 pub const PARTS: f32 = 4096.0;

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use muslin_manifest::{Interface, sha256, source_hash};
 use organza::MODULES;
-use organza_manifest::{Interface, sha256, source_hash};
 
 const REMEDY: &str = "run `cargo xtask kernels` and commit what it writes to host/render/kernels \
                       (docs/rebuilding-kernels.md tells how to get the compiler)";
@@ -23,7 +23,7 @@ fn kernels_are_compiled_from_these_sources() {
 
 #[test]
 fn every_kernel_is_compiled_as_it_is_declared() {
-    for kernel in organza_kernel::kernels() {
+    for kernel in muslin::kernels() {
         for point in kernel.entry_points() {
             let name = point.name;
             let Some(entry) = MODULES.manifest().find(name) else {
@@ -42,7 +42,7 @@ fn every_kernel_is_compiled_as_it_is_declared() {
 
 #[test]
 fn nothing_else_is_compiled() {
-    let declared: BTreeSet<_> = organza_kernel::kernels()
+    let declared: BTreeSet<_> = muslin::kernels()
         .flat_map(|kernel| kernel.entry_points())
         .map(|point| point.name)
         .collect();

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 use insta::{Settings, assert_snapshot};
-use organza_isa::{Error, FAMILIES, Report, answer, compile};
+use muslin_isa::{Error, FAMILIES, Report, answer, compile};
 use organza_tests::skip::skip;
 
 /// With this variable, it is a failure if RADV is missing or has another version.

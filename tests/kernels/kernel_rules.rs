@@ -7,8 +7,8 @@ use std::path::Path;
 use std::sync::Once;
 use std::thread;
 
+use muslin::{EntryPoint, KernelInfo, kernels as declared};
 use organza::MODULES;
-use organza_kernel::{EntryPoint, KernelInfo, kernels as declared};
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
 use organza_tests::devices;
 use organza_tests::skip::skip;

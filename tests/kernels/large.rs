@@ -1,7 +1,7 @@
 //! Sizes beyond one dispatch, one workgroup or one invocation.
 
 use glam::{Vec2, Vec4};
-use organza_check::inputs::Random;
+use muslin_check::inputs::Random;
 use organza_parity::exact::composite::Splat;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;

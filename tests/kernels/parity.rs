@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use muslin::kernels;
+use muslin_check::{Case, KernelRunner, Output, Parity, Rounding, Values, missing};
 use organza::{InstructionSet, Renderer, SpirvPath};
-use organza_check::{Case, KernelRunner, Output, Parity, Rounding, Values, missing};
-use organza_kernel::kernels;
 use organza_parity::project_backward::ProjectBackward;
 use organza_tests::{cases, devices};
 

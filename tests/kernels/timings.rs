@@ -1,7 +1,7 @@
 //! Times and work of kernels, on every device.
 
+use muslin_device::KernelTime;
 use organza::Device;
-use organza_device::KernelTime;
 use organza_shaders::peak::{PeakReadKernel, PeakReadParams};
 use organza_shaders::scan::{ScanAddKernel, ScanParams};
 use organza_tests::devices;

@@ -1,12 +1,12 @@
 //! The variants of kernels: their results compared with the plain entry points', and the devices that run them.
 
-use organza::{DeviceOptions, Renderer, SpirvPath};
-use organza_check::Rounding;
-use organza_kernel::KernelInfo;
-use organza_kernel::kernel::{
+use muslin::KernelInfo;
+use muslin::kernel::{
     Access, BindingInfo, MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS,
     workgroup_bytes,
 };
+use muslin_check::Rounding;
+use organza::{DeviceOptions, Renderer, SpirvPath};
 use organza_tests::compare::assert_close;
 use organza_tests::{cases, devices};
 
@@ -14,7 +14,7 @@ use organza_tests::{cases, devices};
 const TILES: f64 = 2e-4;
 
 fn kernel(name: &str) -> &'static KernelInfo {
-    organza_kernel::kernels().find(|kernel| kernel.name == name).expect("a kernel")
+    muslin::kernels().find(|kernel| kernel.name == name).expect("a kernel")
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn a_device_says_which_kernels_it_runs() {
     for (name, [plain, variants]) in devices::variants() {
         assert!(plain.choice().contains("plain kernels"), "{name}: {}", plain.choice());
         assert!(variants.choice().contains("variants with"), "{name}: {}", variants.choice());
-        for kernel in organza_kernel::kernels() {
+        for kernel in muslin::kernels() {
             assert_eq!(plain.entry_point(kernel).name, kernel.name, "{name}");
         }
         let Some(composite) = kernel("composite").variant else { panic!("it has a variant") };
@@ -96,7 +96,7 @@ fn kernels_use_what_every_gpu_has() {
         webgpu.max_compute_workgroup_size_y,
         webgpu.max_compute_workgroup_size_z,
     ];
-    for kernel in organza_kernel::kernels() {
+    for kernel in muslin::kernels() {
         let of = |uniform: bool| {
             let is_one =
                 move |binding: &&BindingInfo| (binding.access == Access::Uniform) == uniform;

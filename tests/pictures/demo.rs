@@ -1,8 +1,8 @@
 //! The built-in scene.
 
+use muslin_check::snapshot::picture::Montage;
 use organza::TileBatch;
 use organza::demo::{scene, turntable};
-use organza_check::snapshot::picture::Montage;
 
 use crate::snapshots::{RENDERERS, SNAPSHOTS};
 

@@ -1,8 +1,8 @@
 //! Compares the loss kernels with the loss's definition in f64.
 
+use muslin_check::inputs::Random;
 use organza::render::{Loss, LossInputs, TileLoss};
 use organza::{Device, Result, metrics};
-use organza_check::inputs::Random;
 use organza_tests::devices;
 
 use organza_parity::exact::batch::Batch;

@@ -1,8 +1,8 @@
 //! Properties for all inputs: the clip, tile membership, the composite.
 
 use glam::{Vec2, Vec3, Vec4};
+use muslin_device::Buffer;
 use organza::Device;
-use organza_device::Buffer;
 use organza_parity::exact::composite::Splat;
 use organza_parity::exact::project::cutoff;
 use organza_shaders::camera::Camera;

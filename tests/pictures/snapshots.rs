@@ -9,8 +9,8 @@ mod tiles;
 
 use std::sync::LazyLock;
 
+use muslin_check::snapshot::Snapshots;
 use organza::Renderer;
-use organza_check::snapshot::Snapshots;
 use organza_tests::devices;
 
 /// Largest size of a snapshot: people look at them, and they stay in the history.
@@ -24,7 +24,7 @@ pub static RENDERERS: LazyLock<Vec<(&str, Renderer)>> = LazyLock::new(|| {
 });
 
 /// The accepted files.
-pub const SNAPSHOTS: Snapshots = organza_check::snapshots!("snapshots");
+pub const SNAPSHOTS: Snapshots = muslin_check::snapshots!("snapshots");
 
 #[test]
 fn snapshots_stay_small() {

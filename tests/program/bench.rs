@@ -186,7 +186,7 @@ fn every_device_is_measured() {
     let backends: Vec<_> =
         all.iter().map(|one| one["device"].as_str().unwrap().split(':').next().unwrap()).collect();
     assert_eq!(backends[0], "cpu");
-    assert_eq!(backends.len(), 1 + organza_device::adapters().len(), "{backends:?}");
+    assert_eq!(backends.len(), 1 + muslin_device::adapters().len(), "{backends:?}");
     assert!(backends[1..].iter().all(|&backend| backend == "gpu"), "{backends:?}");
     for one in all {
         assert_peaks(one);

@@ -12,9 +12,9 @@ fn every_kernel_is_listed() {
     let listed: Value =
         serde_json::from_str(&sandbox.run("kernels --json").assert_ok().stdout).unwrap();
     let listed = listed.as_array().unwrap();
-    let points = organza_kernel::kernels().flat_map(|kernel| kernel.entry_points());
+    let points = muslin::kernels().flat_map(|kernel| kernel.entry_points());
     assert_eq!(listed.len(), points.count());
-    let all = organza_kernel::kernels();
+    let all = muslin::kernels();
     let all = all.flat_map(|kernel| kernel.entry_points().map(move |point| (kernel, point.name)));
     for (kernel, name) in all {
         assert!(text.lines().any(|line| line.starts_with(&format!("{name} "))), "{name}: {text}");

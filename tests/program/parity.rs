@@ -11,7 +11,7 @@ fn the_cpu_agrees_with_itself_to_the_bit() {
     let reports: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
     crate::flags::assert_documented("parity", std::slice::from_ref(&reports));
     let kernels = reports[0]["kernels"].as_array().expect("rows");
-    assert_eq!(kernels.len(), organza_kernel::kernels().count());
+    assert_eq!(kernels.len(), muslin::kernels().count());
     for kernel in kernels {
         assert_eq!(kernel["ok"], true, "{kernel}");
         assert_eq!(kernel["share"]["value"], 0.0, "{kernel}");
@@ -25,7 +25,7 @@ fn every_gpu_has_a_table() {
         return;
     }
     let outcome = Sandbox::new("tiny").run("parity").assert_ok();
-    for point in organza_kernel::kernels().flat_map(|kernel| kernel.entry_points()) {
+    for point in muslin::kernels().flat_map(|kernel| kernel.entry_points()) {
         let is_row = |line: &&str| line.split(' ').next() == Some(point.name);
         let rows: Vec<_> = outcome.stdout.lines().filter(is_row).collect();
         assert!(!rows.is_empty() && rows.iter().all(|row| row.ends_with("ok")), "{rows:?}");

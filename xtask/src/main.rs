@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use organza_build::{IsaOptions, Options, Project};
+use muslin_build::{IsaOptions, Options, Project};
 // linking with the kernels fills their registry
 use organza_shaders as _;
 
@@ -42,9 +42,9 @@ fn project() -> Project {
 }
 
 fn main() -> ExitCode {
-    organza_build::exit_code(match Cli::parse().task {
+    muslin_build::exit_code(match Cli::parse().task {
         Task::New { folder } => new::run(&project(), &folder),
-        Task::Kernels(options) => organza_build::run(&project(), options),
-        Task::Isa(options) => organza_build::isa(&project(), &options),
+        Task::Kernels(options) => muslin_build::run(&project(), options),
+        Task::Isa(options) => muslin_build::isa(&project(), &options),
     })
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use organza_build::Project;
+use muslin_build::Project;
 
 /// Path of the example in the workspace.
 const EXAMPLE: &str = "kit/examples/picture";

@@ -4,10 +4,10 @@ use bytemuck::Pod;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::Vec4;
+use muslin::kernel::Dispatch;
+use muslin_check::inputs::Random;
+use muslin_device::{Buffer, Host};
 use organza::{Device, DeviceOptions, InstructionSet};
-use organza_check::inputs::Random;
-use organza_device::{Buffer, Host};
-use organza_kernel::kernel::Dispatch;
 use organza_parity::composite::extent;
 use organza_shaders::tile::Tile;
 

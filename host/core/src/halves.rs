@@ -38,7 +38,7 @@ fn word(pair: &[f16]) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use organza_kernel::half::half_value;
+    use muslin::half::half_value;
 
     use super::*;
 

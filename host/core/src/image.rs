@@ -19,7 +19,7 @@ use crate::error::{Error, Result};
 use crate::rendered::RenderedTiles;
 use crate::tile::TileBatch;
 use crate::write_atomic;
-use organza_device::memory;
+use muslin_device::memory;
 
 /// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.
 pub const TILE_SIDE: u32 = 64;

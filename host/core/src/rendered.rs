@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use organza_device::memory;
+use muslin_device::memory;
 
 use crate::error::Result;
 use crate::tile::TileBatch;

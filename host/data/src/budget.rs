@@ -2,8 +2,8 @@
 
 use std::sync::{Condvar, Mutex, PoisonError};
 
+use muslin_device::memory;
 use organza_core::error::{DeviceError, Result};
-use organza_device::memory;
 
 /// Part of the free memory that decoding may take. Threads and the allocator need some, too.
 const PART: f64 = 0.75;

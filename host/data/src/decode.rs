@@ -8,9 +8,9 @@ use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limit
 
 use super::budget::{Budget, Share};
 use super::invalid;
+use muslin_device::memory;
 use organza_core::error::{Error, Result};
 use organza_core::input::{open_regular, read_file};
-use organza_device::memory;
 
 /// Bytes per pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and the 16-bit
 /// coefficients of a progressive JPEG's four components.

@@ -7,11 +7,11 @@ use super::budget::Budget;
 use super::fingerprint::Digest;
 use super::lens::{Lens, Undistortion};
 use super::{Alpha, DatasetOptions, Frame, Photograph, decode, invalid};
+use muslin_device::memory;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::image::to_8_bit;
 use organza_core::input::read_file;
-use organza_device::memory;
 
 /// An existing photograph, with its camera and lens.
 pub(super) struct Shot {

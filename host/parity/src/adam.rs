@@ -1,6 +1,6 @@
 //! The optimizer's step.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::adam::{AdamInputs, AdamParams};
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 

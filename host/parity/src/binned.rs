@@ -1,7 +1,7 @@
 //! The case of `binned_gradient`, and binned sums for other cases.
 
-use organza_check::prelude::*;
-use organza_kernel::binned::ROWS;
+use muslin::binned::ROWS;
+use muslin_check::prelude::*;
 use organza_shaders::binned::{BinnedGradientInputs, BinnedGradientParams};
 
 /// The unit of a row.

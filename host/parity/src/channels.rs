@@ -1,6 +1,6 @@
 //! The case of `pair_channels`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 

@@ -1,7 +1,7 @@
 //! Cases of `color_inputs` and `color_head`.
 
 use glam::Vec3;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::color::{
     ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,

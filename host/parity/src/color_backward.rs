@@ -1,7 +1,7 @@
 //! Cases of `color_head_backward` and `material_backward`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::color_backward::{
     ColorHeadBackwardInputs, ColorHeadBackwardParams, MaterialBackwardInputs,
     MaterialBackwardParams,

@@ -1,7 +1,7 @@
 //! The case of `composite`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::composite::{CompositeKernel, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::project::FALLOFF_CUTOFF;

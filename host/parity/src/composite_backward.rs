@@ -1,7 +1,7 @@
 //! The case of `composite_backward`.
 
 use glam::{DVec4, Vec4};
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };

@@ -1,7 +1,7 @@
 //! Cases of `record_total`, `clear_on_overflow` and `count_fill`.
 
-use organza_check::prelude::*;
-use organza_kernel::count::{CountFillInputs, OVERFLOW, PLACEMENT_VALUES};
+use muslin::count::{CountFillInputs, OVERFLOW, PLACEMENT_VALUES};
+use muslin_check::prelude::*;
 use organza_shaders::count::{
     COUNTS, ClearOnOverflowInputs, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalInputs,
     RecordTotalParams, SAMPLES,

@@ -1,7 +1,7 @@
 //! The case of `dense`, and the sum that both heads share with it.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
 
 use super::exact::dense::{affine, relu};

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,

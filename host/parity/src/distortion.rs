@@ -1,7 +1,7 @@
 //! Cases of `pair_inverse_distance` and `distortion_backward`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::distortion::{
     DistortionBackwardKernel, DistortionParams, LEAST_DISTANCE, PairInverseDistanceKernel,

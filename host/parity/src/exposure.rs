@@ -1,6 +1,6 @@
 //! Cases of `expose` and `expose_backward`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::exposure::{ExposeBackwardInputs, ExposeInputs, ExposureParams};
 
 use super::loss::{TILES, sets};

@@ -1,6 +1,6 @@
 //! The case of `hash_grid`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
 use organza_shaders::unit_cube::Split;
 

@@ -1,6 +1,6 @@
 //! The cases of `hash_grid_backward` and `hash_grid_gradient`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::hash_grid::Corners;
 use organza_shaders::hash_grid_backward::{
     HashGridBackwardKernel, HashGridGradientInputs, HashGridGradientParams, VALUES_PER_FLAG,

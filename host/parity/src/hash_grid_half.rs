@@ -1,7 +1,7 @@
 //! The case of `hash_grid_half`.
 
-use organza_check::prelude::*;
-use organza_kernel::half::half_value;
+use muslin::half::half_value;
+use muslin_check::prelude::*;
 use organza_shaders::hash_grid_half::{HashGridHalfKernel, MAX_HALF};
 
 use super::hash_grid::HashGrid;

@@ -1,7 +1,7 @@
 //! The cases of `hash_grid_peak`, `hash_grid_norm` and `hash_grid_scale`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::hash_grid_scale::{
     HashGridNormInputs, HashGridNormParams, HashGridPeakInputs, HashGridPeakParams,
     HashGridScaleInputs, HashGridScaleParams, SCALE_VALUES,

@@ -1,7 +1,7 @@
 //! The test case of every kernel: one file per stage, with the names of `shader-crate`.
 //!
-//! A case implements [`Parity`](organza_check::Parity): it dispatches its kernel with random inputs and with inputs that break careless
-//! code. [`Measure`](organza_check::Measure) says how far a device is from the CPU. [`cases`] lists all cases: a kernel without
+//! A case implements [`Parity`](muslin_check::Parity): it dispatches its kernel with random inputs and with inputs that break careless
+//! code. [`Measure`](muslin_check::Measure) says how far a device is from the CPU. [`cases`] lists all cases: a kernel without
 //! one fails a test.
 
 pub mod adam;
@@ -38,7 +38,7 @@ pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
 
-use organza_check::Case;
+use muslin_check::Case;
 
 /// The case of every kernel. Add a new kernel's here.
 pub fn cases() -> Vec<Case> {

@@ -1,7 +1,7 @@
 //! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::loss::{
     LossGradientInputs, LossGradientParams, LossParams, LossRowsInputs, LossTermsInputs,
 };

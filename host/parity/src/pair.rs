@@ -1,6 +1,6 @@
 //! Cases of `pair_mask`, `pair_fill` and `pair_sum`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::pair::{
     PairFillInputs, PairFillParams, PairMaskInputs, PairMaskParams, PairSumInputs, PairSumParams,
     SUMMED,

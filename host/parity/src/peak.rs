@@ -1,6 +1,6 @@
 //! The cases of `peak_multiply_add` and `peak_read`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::peak::{
     MULTIPLY_ADDS, PeakMultiplyAddInputs, PeakMultiplyAddParams, PeakReadInputs, PeakReadParams,
     READS,

@@ -1,7 +1,7 @@
 //! The case of `pose_backward`.
 
 use glam::DVec3;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::pose_backward::{BLOCK, PoseBackwardKernel, PoseBackwardParams, VALUES};
 

@@ -1,7 +1,7 @@
 //! The case of `project`, and cameras for the others.
 
 use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::lens::NEAR_PLANE;
 use organza_shaders::project::{

@@ -1,7 +1,7 @@
 //! The case of `project_backward`.
 
 use glam::{DVec3, Vec3, Vec4};
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::project::project_gaussian;
 use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardKernel, ProjectBackwardParams};

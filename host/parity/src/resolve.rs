@@ -1,7 +1,7 @@
 //! Cases of `resolve` and `resolve_backward`.
 
 use glam::{DVec4, Vec4};
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardInputs, ResolveInputs, ResolveParams};
 
 use super::composite::{SIDES, pixels, planes, tiles};

@@ -1,6 +1,6 @@
 //! Cases of `scan_block` and `scan_add`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::scan::{BLOCK, ScanAddInputs, ScanBlockInputs, ScanParams};
 
 use super::exact::listed;

@@ -1,7 +1,7 @@
 //! The case of `segment`.
 
 use glam::{DVec3, Vec3};
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::splat::{
     SplatBackwardInputs, SplatBackwardParams, SplatInputs, SplatParams, VECTORS,
 };

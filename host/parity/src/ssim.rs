@@ -1,7 +1,7 @@
 //! Cases of `ssim_rows`, `ssim_columns` and `ssim_rows_backward`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::ssim::{
     C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsInputs, SsimParams, SsimRowsBackwardInputs,
     SsimRowsInputs, WINDOW,

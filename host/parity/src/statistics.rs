@@ -1,7 +1,7 @@
 //! The case of `statistics`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::statistics::{StatisticsKernel, StatisticsParams};
 
 use super::project_backward::ProjectBackward;

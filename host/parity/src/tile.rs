@@ -1,7 +1,7 @@
 //! Cases of `tile_mask`, `tile_fill` and `tile_range`.
 
 use glam::Vec4;
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::project::{BEHIND, DEGENERATE};
 use organza_shaders::tile::{
     Tile, TileFillInputs, TileFillParams, TileMaskInputs, TileMaskParams, TileRangeInputs,

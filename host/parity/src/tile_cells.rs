@@ -1,6 +1,6 @@
 //! The case of `tile_cells`.
 
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::tile_cells::{TileCellsInputs, TileCellsParams};
 
 use super::composite::{Composite, SIDES, tiles};

@@ -1,7 +1,7 @@
 //! Cases of `transmittance_inputs`, `transmittance_head` and `segment_product`.
 
 use glam::{DVec3, Vec4};
-use organza_check::prelude::*;
+use muslin_check::prelude::*;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::segment::SEGMENT_VECTORS;
 use organza_shaders::transmittance::{

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use organza_core::{TileBatch, demo};
-//! use organza_device::DeviceOptions;
+//! use muslin_device::DeviceOptions;
 //! use organza_render::{Renderer, open_device};
 //!
 //! let renderer = Renderer::new(open_device(&DeviceOptions::default())?);
@@ -50,11 +50,11 @@ pub use scene::device_share::{DeviceShare, in_blocks, read_blocks};
 pub use scene::options::UploadOptions;
 pub use scene::packed::{pack, unpack, upload};
 
+use muslin_device::{Device, DeviceOptions, Modules};
 use organza_core::Result;
-use organza_device::{Device, DeviceOptions, Modules};
 
 /// The compiled kernels for GPUs, of which [`open_device`] makes a device.
-pub static MODULES: Modules = organza_device::modules!();
+pub static MODULES: Modules = muslin_device::modules!();
 
 /// Opens the device that `options` describe, with the kernels of this crate.
 ///

@@ -3,7 +3,7 @@
 //! ```
 //! use ndarray::Axis;
 //! use organza_core::{Tile, TileBatch, demo};
-//! use organza_device::DeviceOptions;
+//! use muslin_device::DeviceOptions;
 //! use organza_render::{Renderer, open_device};
 //!
 //! let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);

@@ -12,12 +12,12 @@ use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
 use crate::forward::part_counts::{Capacity, Needed};
 use crate::scene::device_scene::DeviceScene;
-use organza_check::devices;
+use muslin_check::devices;
+use muslin_device::{Buffer, Device};
 use organza_core::camera::Camera;
 use organza_core::demo;
 use organza_core::scene::Scene;
 use organza_core::tile::{Tile, TileBatch};
-use organza_device::{Buffer, Device};
 
 /// The CPU with two threads, and the GPU where there is one.
 fn all_devices() -> Vec<Device> {

@@ -17,7 +17,7 @@ use std::path::PathBuf;
 /// ```
 /// use std::sync::Arc;
 ///
-/// use organza_device::DeviceOptions;
+/// use muslin_device::DeviceOptions;
 /// use organza_render::Renderer;
 /// use organza_report::Reporter;
 /// use organza_train::{Outcome, RunFolder, Session, TrainConfig, built_in};

@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 
 use bytemuck::Zeroable;
 use glam::Vec3;
-use organza_device::memory;
-use organza_kernel::math::sigmoid;
+use muslin::math::sigmoid;
+use muslin_device::memory;
 use rayon::prelude::*;
 
 use super::between::between;

@@ -1,7 +1,7 @@
 //! The harmonics of 3D Gaussian Splatting: those of Eq. 1, up to degree 3.
 
 use glam::Vec3;
-use organza_kernel::prelude::Write;
+use muslin::prelude::Write;
 use organza_shaders::spherical_harmonics::{spherical_harmonics, width};
 
 /// Largest degree in files of other programs.

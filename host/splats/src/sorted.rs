@@ -1,7 +1,7 @@
 //! Renders like a viewer that sorts: Gaussians are blended from front to back, in order of depth.
 
 use glam::{Vec2, Vec3, Vec4};
-use organza_kernel::math::sigmoid;
+use muslin::math::sigmoid;
 use organza_shaders::camera::Camera as KernelCamera;
 use organza_shaders::project::{FALLOFF_CUTOFF, mahalanobis, project_gaussian};
 use rayon::prelude::*;

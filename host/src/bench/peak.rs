@@ -6,7 +6,7 @@ use organza_shaders::peak::{
 };
 
 use crate::error::Result;
-use organza_device::Device;
+use muslin_device::Device;
 
 /// The peak performance of a device, using all its threads.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,7 +8,7 @@ use crate::scene::{
     Contraction, Field, Gaussians, GridConfig, Layer, MlpConfig, Scene, SceneConfig,
 };
 use crate::tile::{Tile, TileBatch};
-use organza_check::inputs::Random;
+use muslin_check::inputs::Random;
 
 const GAUSSIANS: usize = 20_000;
 const VIEWS: usize = 16;

@@ -4,11 +4,11 @@ use std::time::Instant;
 
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
+use muslin_device::{AdapterInfo, adapters};
 use organza::{
     BackendChoice, DeviceOptions, DeviceScene, InstructionSet, Renderer, Result, Scene, SpirvPath,
     UploadOptions,
 };
-use organza_device::{AdapterInfo, adapters};
 
 use super::console::Console;
 use super::refuse;

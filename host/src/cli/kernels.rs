@@ -1,10 +1,10 @@
 //! `organza kernels`: lists the kernels that the program contains for GPUs.
 
+use muslin::kernel::workgroup_bytes;
+use muslin::{EntryPoint, KernelInfo};
+use muslin_device::CodeSize;
 use organza::error::format_bytes;
 use organza::{MODULES, Result};
-use organza_device::CodeSize;
-use organza_kernel::kernel::workgroup_bytes;
-use organza_kernel::{EntryPoint, KernelInfo};
 use organza_shaders::limits::MAX_ITERATIONS;
 use serde::Serialize;
 
@@ -57,7 +57,7 @@ struct Binding {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let mut declared: Vec<_> = organza_kernel::kernels().collect();
+    let mut declared: Vec<_> = muslin::kernels().collect();
     declared.sort_by_key(|kernel| kernel.name);
     let all =
         declared.iter().flat_map(|kernel| kernel.entry_points().map(|point| (*kernel, point)));

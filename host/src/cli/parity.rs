@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::ValueEnum;
+use muslin_check::{Report, Row, Worst};
+use muslin_device::{AdapterInfo, adapters};
 use organza::error::{DeviceError, chain};
 use organza::{DeviceOptions, Error, MODULES, Result, SpirvPath};
-use organza_check::{Report, Row, Worst};
-use organza_device::{AdapterInfo, adapters};
 use organza_parity::cases;
 
 use super::console::{Console, print, print_json};

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use muslin_device::memory;
 use organza::scene::{TensorRef, read_tensors, write_tensors};
 use organza::{Camera, Error, Gradient, RenderedTiles, Renderer, Result, TileBatch};
-use organza_device::memory;
 use serde::Serialize;
 
 use super::channels::ChannelArgs;

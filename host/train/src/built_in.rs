@@ -1,10 +1,10 @@
 //! Images of the built-in scene: training data without a download.
 
+use muslin_device::memory;
 use organza_core::camera::Camera;
 use organza_core::demo;
 use organza_core::error::Result;
 use organza_data::{Dataset, Frame, Photograph, Pose, is_held_out};
-use organza_device::memory;
 use organza_render::Renderer;
 
 /// `views` images of `side` x `side` pixels around the built-in scene. Every `hold_out_every`-th is held out.

@@ -38,7 +38,7 @@ pub(super) const PROGRESS: &str = "train";
 ///
 /// ```no_run
 /// # use organza_data::Dataset;
-/// # use organza_device::DeviceOptions;
+/// # use muslin_device::DeviceOptions;
 /// # use organza_render::Renderer;
 /// # use organza_train::{TrainConfig, Trainer};
 /// use organza_train::Checkpoint;

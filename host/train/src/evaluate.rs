@@ -14,6 +14,7 @@ mod tests;
 pub use beside::{Beside, beside};
 use serde::{Deserialize, Serialize};
 
+use muslin_device::memory;
 use organza_core::RenderedTiles;
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
@@ -23,7 +24,6 @@ use organza_core::metrics::{psnr, ssim};
 use organza_core::ranks::Ranks;
 use organza_core::tile::TileBatch;
 use organza_data::Frame;
-use organza_device::memory;
 use organza_render::{DeviceScene, DeviceShare, Renderer};
 
 /// The result of comparing an image with its photograph.
@@ -112,7 +112,7 @@ fn across(pixels: u32) -> usize {
 ///
 /// ```
 /// use organza_core::demo;
-/// use organza_device::DeviceOptions;
+/// use muslin_device::DeviceOptions;
 /// use organza_render::Renderer;
 /// use organza_train::{built_in, evaluate};
 ///

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
+use muslin_device::Device;
 use organza_core::error::Result;
-use organza_device::Device;
 use organza_render::{
     DeviceLossBatch, DeviceLossGradient, DeviceScene, LossBatch, LossGradient, OwnLoss,
     SceneGradient,
@@ -15,7 +15,7 @@ use organza_render::{
 /// This trains with the mean squared error, and keeps materials small:
 ///
 /// ```
-/// # use organza_device::DeviceOptions;
+/// # use muslin_device::DeviceOptions;
 /// # use organza_render::Renderer;
 /// # use organza_train::{TrainConfig, Trainer, built_in};
 /// use organza_render::LossGradient;

@@ -107,7 +107,7 @@ pub struct SessionInfo {
     pub version: String,
     /// The commit that organza was built from, if known: see [`crate::COMMIT`].
     pub commit: Option<String>,
-    /// The device, in the words of [`Device::choice`](organza_device::Device::choice).
+    /// The device, in the words of [`Device::choice`](muslin_device::Device::choice).
     pub device: String,
 }
 

@@ -3,9 +3,9 @@
 use organza_shaders::adam::{AdamKernel, AdamParams};
 
 use super::config::{EPSILON, OptimizerConfig};
+use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
 use organza_core::scene::{GaussianTensors, Gaussians, Scene, Tensors};
-use organza_device::{Buffer, Device};
 use organza_render::{
     DeviceShare, ShareGradient, TensorGradient, in_blocks, pack, read_blocks, unpack, upload,
 };
@@ -143,7 +143,7 @@ impl<'a> Adam<'a> {
         (value, gradient): (&Buffer<f32>, &TensorGradient),
         (rate, kept): (f64, f64),
         (first_moment, second_moment): (&Buffer<f32>, &Buffer<f32>),
-    ) -> organza_device::Result<()> {
+    ) -> muslin_device::Result<()> {
         let values = value.len() as u32;
         let kernel = AdamKernel {
             params: AdamParams {

@@ -1,9 +1,9 @@
 //! The least memory that a run needs, checked before it begins.
 
 use super::config::TrainConfig;
+use muslin_device::memory;
 use organza_core::error::{Result, format_bytes};
 use organza_core::tile::Tile;
-use organza_device::memory;
 
 /// Bytes per Gaussian, besides its tensors, while it gets its position: the position and its neighbors.
 const PLACE_BYTES: u64 = 80;

@@ -4,12 +4,12 @@ use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 
 use super::config::{LossConfig, RunConfig};
+use muslin_device::memory;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::random;
 use organza_core::tile::{Tile, TileBatch};
 use organza_data::{Frame, Photograph, mean};
-use organza_device::memory;
 use organza_render::LossTarget;
 
 const SHUFFLE: u64 = 1;

@@ -36,7 +36,7 @@ use state::State;
 /// ```
 /// use std::sync::Arc;
 ///
-/// use organza_device::DeviceOptions;
+/// use muslin_device::DeviceOptions;
 /// use organza_render::Renderer;
 /// use organza_train::{CHECKPOINT, Event, Outcome, RunFolder, Session, TrainConfig, built_in};
 ///

@@ -31,7 +31,7 @@ impl Trainer {
     ///
     /// use organza_core::demo;
     /// use organza_core::ranks::{Ranks, ThreadRanks};
-    /// use organza_device::DeviceOptions;
+    /// use muslin_device::DeviceOptions;
     /// use organza_render::Renderer;
     /// use organza_train::{Checkpoint, CheckpointShare, TrainConfig, Trainer, built_in};
     ///

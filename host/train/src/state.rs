@@ -5,8 +5,8 @@ use glam::Vec4;
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::optimizer::Optimizer;
+use muslin_device::Device;
 use organza_core::error::Result;
-use organza_device::Device;
 use organza_render::{DeviceShare, Renderer, SceneGradient, ShareGradient};
 
 /// What a step changes.

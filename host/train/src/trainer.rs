@@ -35,7 +35,7 @@ pub(super) const NO_HOOKS: &str =
 /// trainer, writes a log, checkpoints and a report, and stops when it is told to.
 ///
 /// ```
-/// use organza_device::DeviceOptions;
+/// use muslin_device::DeviceOptions;
 /// use organza_render::Renderer;
 /// use organza_train::{TrainConfig, Trainer, built_in};
 ///
@@ -238,7 +238,7 @@ impl Trainer {
     /// write down.
     ///
     /// # Errors
-    /// As [`Device::read`](organza_device::Device::read); [`Error::Diverged`] where a gradient was not finite.
+    /// As [`Device::read`](muslin_device::Device::read); [`Error::Diverged`] where a gradient was not finite.
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
         let (device, state) = (self.renderer.device(), &self.state);
         state.gradient.fields.check(device)?;

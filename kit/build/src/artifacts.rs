@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use organza_manifest::{FILE_NAME, Manifest};
+use muslin_manifest::{FILE_NAME, Manifest};
 
 /// The compiled kernels and their manifest, by file name.
 pub struct Artifacts {
@@ -166,7 +166,7 @@ fn parse(json: &[u8]) -> Option<Manifest> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use organza_manifest::Compiler;
+    use muslin_manifest::Compiler;
 
     fn artifacts(modules: &[(&str, &[u8])]) -> Artifacts {
         let manifest = Manifest::new(Vec::new(), "hash".into(), Compiler::default(), Vec::new());

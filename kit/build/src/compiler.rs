@@ -11,7 +11,7 @@ use cargo_gpu_install::install::Install;
 use spirv_builder::SpirvBuilder;
 
 /// Variable that names the compiler: a rustup toolchain, a sysroot, or [`PINNED`].
-const VARIABLE: &str = "ORGANZA_RUST_GPU";
+const VARIABLE: &str = "MUSLIN_RUST_GPU";
 
 /// The rustup toolchain that is used if it exists.
 const TOOLCHAIN: &str = "rust-gpu";

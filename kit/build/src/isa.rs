@@ -5,8 +5,8 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use clap::Args;
-use organza_isa::{FAMILIES, Report};
-use organza_manifest::FILE_NAME;
+use muslin_isa::{FAMILIES, Report};
+use muslin_manifest::FILE_NAME;
 
 use crate::Project;
 
@@ -27,7 +27,7 @@ pub struct IsaOptions {
 /// If there are no compiled kernels, if there is no RADV, if it does not compile a kernel, or if there is no such kernel.
 pub fn isa(project: &Project, options: &IsaOptions) -> Result<()> {
     let folder = project.root.join(&project.kernels);
-    if organza_isa::answer(&folder) {
+    if muslin_isa::answer(&folder) {
         return Ok(());
     }
     ensure!(
@@ -37,7 +37,7 @@ pub fn isa(project: &Project, options: &IsaOptions) -> Result<()> {
     );
     for family in &options.family {
         let mut child = Command::new(env::current_exe()?);
-        let report = organza_isa::compile(&folder, family, child.arg("isa"))?;
+        let report = muslin_isa::compile(&folder, family, child.arg("isa"))?;
         match &options.asm {
             None => println!("{report}"),
             Some(kernel) => print_loops(&report, kernel)?,

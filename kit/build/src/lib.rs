@@ -90,7 +90,7 @@ enum Task {
 /// The arguments are the crate of kernels and its folder in the workspace.
 ///
 /// ```ignore
-/// organza_build::xtask!(my_kernels in "kernels");
+/// muslin_build::xtask!(my_kernels in "kernels");
 /// ```
 #[macro_export]
 macro_rules! xtask {

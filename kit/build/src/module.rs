@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
-use organza_kernel::{EntryPoint, KernelInfo};
+use muslin::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
 
@@ -212,7 +212,7 @@ mod tests {
 
     /// What is wrong with a module.
     fn wrong(module: &[u8]) -> String {
-        let mut kernels = organza_kernel::kernels();
+        let mut kernels = muslin::kernels();
         let kernel = kernels.find(|kernel| kernel.name == "count_fill").expect("a kernel");
         check(kernel, &kernel.plain(), module).err().map_or_else(String::new, |e| e.to_string())
     }

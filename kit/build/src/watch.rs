@@ -5,7 +5,7 @@ use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
-use organza_manifest::source_hash;
+use muslin_manifest::source_hash;
 
 use crate::Project;
 

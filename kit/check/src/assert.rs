@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use organza_device::{Device, Modules};
-use organza_kernel::{KernelInfo, kernels};
+use muslin::{KernelInfo, kernels};
+use muslin_device::{Device, Modules};
 
 use super::case::{Case, Rounding};
 use super::{devices, measure::Measure};

@@ -3,8 +3,8 @@
 use super::hold::hold;
 use super::measure::{Bound, Measure, Output};
 use super::runner::KernelRunner;
-use organza_device::{Device, Result};
-use organza_kernel::KernelInfo;
+use muslin::KernelInfo;
+use muslin_device::{Device, Result};
 
 /// A set of a kernel's inputs, with everything that tests need to know about the kernel.
 pub trait Parity: Sized + 'static {
@@ -122,7 +122,7 @@ impl Case {
     /// The name of the entry point that a device runs.
     #[must_use]
     pub fn entry_point(&self, device: &Device) -> &'static str {
-        let kernel = organza_kernel::kernels().find(|kernel| kernel.name == self.kernel);
+        let kernel = muslin::kernels().find(|kernel| kernel.name == self.kernel);
         kernel.map_or(self.kernel, |kernel| device.entry_point(kernel).name)
     }
 
@@ -162,7 +162,7 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
 
 /// Lists what to do so that each of some kernels has a case, and each case a kernel. `folder` is the place for cases.
 ///
-/// A program passes its own kernels, [`kernels_of`](organza_kernel::kernels_of): kernels of its dependencies are
+/// A program passes its own kernels, [`kernels_of`](muslin::kernels_of): kernels of its dependencies are
 /// linked in, too.
 #[must_use]
 pub fn missing(

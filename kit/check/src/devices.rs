@@ -1,7 +1,7 @@
 //! The devices that tests run on.
 
 use crate::skip::skip;
-use organza_device::{Device, DeviceOptions, Error, InstructionSet, Modules, SpirvPath};
+use muslin_device::{Device, DeviceOptions, Error, InstructionSet, Modules, SpirvPath};
 
 /// The ways in which SPIR-V reaches a GPU, by name.
 const GPUS: [(&str, SpirvPath); 2] =
@@ -18,7 +18,7 @@ pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
 
 /// The GPU, passed through and through naga; empty without a GPU.
 ///
-/// Without a GPU the tests run only on the CPU, and say so. `ORGANZA_REQUIRE_GPU=1` makes that a failure.
+/// Without a GPU the tests run only on the CPU, and say so. `MUSLIN_REQUIRE_GPU=1` makes that a failure.
 ///
 /// # Panics
 /// If a GPU is required and there is none, or if there is one that cannot be used.
@@ -30,8 +30,8 @@ pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
             Ok(device) => devices.push((name, device)),
             Err(Error::NoGpu { reason }) => {
                 let required =
-                    std::env::var_os("ORGANZA_REQUIRE_GPU").is_some_and(|value| value != "0");
-                assert!(!required, "ORGANZA_REQUIRE_GPU is set, but {name}: {reason}");
+                    std::env::var_os("MUSLIN_REQUIRE_GPU").is_some_and(|value| value != "0");
+                assert!(!required, "MUSLIN_REQUIRE_GPU is set, but {name}: {reason}");
                 skip(name, &reason);
             }
             Err(error) => panic!("{name}: {error}"),
@@ -88,7 +88,7 @@ pub fn thorough(seed: u64) -> Device {
     Device::open(&DeviceOptions::thorough(seed), Modules::none()).expect("the CPU")
 }
 
-/// Like [`checked`], but with the [variants](organza_kernel::KernelInfo::variant) of kernels: so their copies to
+/// Like [`checked`], but with the [variants](muslin::KernelInfo::variant) of kernels: so their copies to
 /// workgroup memory run without a GPU.
 ///
 /// # Panics

@@ -1,9 +1,9 @@
 //! A kernel's buffers as a case gives them: in the host's memory.
 
-use organza_device::{Buffer, Host};
-use organza_kernel::KernelInfo;
-use organza_kernel::given::Given;
-use organza_kernel::kernel::{Access, BindingInfo, Dispatch, Storage};
+use muslin::KernelInfo;
+use muslin::given::Given;
+use muslin::kernel::{Access, BindingInfo, Dispatch, Storage};
+use muslin_device::{Buffer, Host};
 
 use super::measure::{Output, Values};
 use super::runner::Canary;

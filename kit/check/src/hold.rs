@@ -1,6 +1,6 @@
 //! Compares a device's outputs with the equations in f64.
 
-use organza_device::{Device, Result};
+use muslin_device::{Device, Result};
 
 use super::case::{Parity, Rounding};
 use super::measure::{Bound, Measure, Output, Values};

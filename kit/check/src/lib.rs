@@ -5,8 +5,8 @@
 //! A kernel's case has its inputs, its equation in f64, and the error allowed on a device. It implements [`Parity`]:
 //!
 //! ```
-//! use organza_check::prelude::*;
-//! use organza_kernel::prelude::*;
+//! use muslin_check::prelude::*;
+//! use muslin::prelude::*;
 //!
 //! #[params]
 //! pub struct SquareParams {
@@ -44,7 +44,7 @@
 //! }
 //!
 //! # fn main() {
-//! # use organza_check::{Case, devices};
+//! # use muslin_check::{Case, devices};
 //! # let measure = Case::of::<Square>().hold(&devices::checked(), Rounding::AsWritten).unwrap();
 //! # assert!(measure.is_ok() && measure.values > 0);
 //! # }
@@ -55,7 +55,7 @@
 //! ```ignore
 //! #[test]
 //! fn every_kernel_is_right_on_every_device() {
-//!     organza_check::assert_parity(&[Case::of::<Square>()], &MODULES);
+//!     muslin_check::assert_parity(&[Case::of::<Square>()], &MODULES);
 //! }
 //! ```
 //!
@@ -83,7 +83,7 @@ pub mod snapshot;
 pub use assert::assert_parity;
 pub use case::{Case, Parity, Rounding, missing};
 // the result type of cases
-pub use organza_device::Result;
+pub use muslin_device::Result;
 
 pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use report::{Report, Row};

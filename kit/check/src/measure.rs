@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use organza_kernel::math::TINY;
+use muslin::math::TINY;
 use serde::Serialize;
 
 /// One output of a kernel.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::case::{Case, Rounding};
 use super::measure::Measure;
-use organza_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath};
+use muslin_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath};
 
 /// The results of the cases on a device.
 #[derive(Clone, Debug, Serialize)]

@@ -2,12 +2,12 @@
 
 use bytemuck::Pod;
 use glam::Vec4;
-use organza_kernel::given::Given;
-use organza_kernel::kernel::{Access, BindingInfo, Dispatch};
+use muslin::given::Given;
+use muslin::kernel::{Access, BindingInfo, Dispatch};
 
 use super::given::{self, Uploaded};
 use super::measure::Output;
-use organza_device::{Buffer, Device, Error, Result};
+use muslin_device::{Buffer, Device, Error, Result};
 
 /// Number of elements after every output that no kernel may touch.
 const TAIL: usize = 8;

@@ -1,9 +1,9 @@
 //! The thorough device: what depends on the order of invocations is found, and what is declared to have none is not.
 
-use organza_check::devices;
-use organza_device::{Buffer, Device, Result};
-use organza_kernel::atomic;
-use organza_kernel::prelude::*;
+use muslin::atomic;
+use muslin::prelude::*;
+use muslin_check::devices;
+use muslin_device::{Buffer, Device, Result};
 
 /// Puts the even values into a list, and does not say that the list has no order.
 #[kernel(threads(64))]

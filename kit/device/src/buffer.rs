@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 
 use bytemuck::Pod;
-use organza_kernel::kernel::Storage;
+use muslin::kernel::Storage;
 
 use crate::count::Count;
 use crate::cpu_memory::CpuMemory;

@@ -4,8 +4,8 @@ use std::cell::Cell;
 use std::ops::Range;
 use std::time::Duration;
 
-use organza_kernel::KernelInfo;
-use organza_kernel::kernel::{EntryPoint, InstructionSet};
+use muslin::KernelInfo;
+use muslin::kernel::{EntryPoint, InstructionSet};
 use rayon::prelude::*;
 
 use crate::cpu_memory::{CpuMemory, MemoryPool};
@@ -65,7 +65,7 @@ impl Cpu {
         supervise::install();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or(0))
-            .thread_name(|index| format!("organza-{index}"))
+            .thread_name(|index| format!("muslin-{index}"))
             .build()
             .map_err(|error| Error::Argument {
                 reason: format!("cannot start threads: {error}"),

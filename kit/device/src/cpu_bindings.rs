@@ -1,7 +1,7 @@
 //! What the CPU backend binds to a kernel: memory, and monitors of its use.
 
-use organza_kernel::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
-use organza_kernel::memory::AccessMonitor;
+use muslin::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
+use muslin::memory::AccessMonitor;
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::races::{Elements, Races, Reads};

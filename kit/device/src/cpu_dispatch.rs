@@ -3,10 +3,10 @@
 use std::time::Duration;
 
 use glam::{UVec3, Vec3Swizzles};
-use organza_kernel::invocation::Invocation;
-use organza_kernel::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
-use organza_kernel::running::{RunningInvocation, begin, enter, unlinear};
-use organza_kernel::workgroup;
+use muslin::invocation::Invocation;
+use muslin::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
+use muslin::running::{RunningInvocation, begin, enter, unlinear};
+use muslin::workgroup;
 use rayon::prelude::*;
 
 use crate::buffer::RawBuffer;

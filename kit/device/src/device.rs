@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use organza_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInfo};
+use muslin::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInfo};
 
-use organza_kernel::work::Work;
+use muslin::work::Work;
 
 use crate::buffer::{Host, RawBuffer};
 use crate::count::Count;
@@ -21,12 +21,12 @@ use crate::{cpu, gpu, plan};
 /// A device that runs kernels.
 ///
 /// ```
-/// use organza_device::{Device, DeviceOptions, Modules};
+/// use muslin_device::{Device, DeviceOptions, Modules};
 ///
 /// let device = Device::open(&DeviceOptions::cpu(None), Modules::none())?;
 /// let buffer = device.upload("numbers", &[1.0_f32, 2.0])?;
 /// assert_eq!(device.read(&buffer)?, [1.0, 2.0]);
-/// # Ok::<(), organza_device::Error>(())
+/// # Ok::<(), muslin_device::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Device {

@@ -8,8 +8,8 @@
 //! Buffers live on the device. The host uploads inputs, runs kernels and reads what it needs; in between, nothing leaves the device.
 //!
 //! ```
-//! use organza_device::{Device, DeviceOptions, Modules};
-//! use organza_kernel::prelude::*;
+//! use muslin_device::{Device, DeviceOptions, Modules};
+//! use muslin::prelude::*;
 //!
 //! #[params]
 //! pub struct SquareParams {
@@ -23,7 +23,7 @@
 //!     }
 //! }
 //!
-//! fn main() -> organza_device::Result<()> {
+//! fn main() -> muslin_device::Result<()> {
 //!     let device = Device::open(&DeviceOptions::checked(), Modules::none())?;
 //!     let input = device.upload("input", &[1.0, 2.0, -3.0])?;
 //!     let output = device.unwritten("output", 3)?;
@@ -40,11 +40,11 @@
 //!
 //! # Kernels for GPUs
 //!
-//! `cargo xtask kernels`, which is `organza-build`, compiles kernels to SPIR-V modules. The program's build script finds them with
-//! `organza_manifest::embed_compiled`, and [`modules`] embeds them:
+//! `cargo xtask kernels`, which is `muslin-build`, compiles kernels to SPIR-V modules. The program's build script finds them with
+//! `muslin_manifest::embed_compiled`, and [`modules`] embeds them:
 //!
 //! ```ignore
-//! static MODULES: organza_device::Modules = organza_device::modules!();
+//! static MODULES: muslin_device::Modules = muslin_device::modules!();
 //! let device = Device::open(&DeviceOptions::default(), &MODULES)?;
 //! ```
 //!
@@ -93,7 +93,7 @@ pub use gpu::{AdapterInfo, adapters};
 #[doc(hidden)]
 pub use modules::Aligned;
 pub use modules::{CodeSize, CompiledKernel, Modules};
+pub use muslin::kernel::{InstructionSet, kernels_of};
 pub use open::{BackendChoice, DeviceOptions, SpirvPath};
-pub use organza_kernel::kernel::{InstructionSet, kernels_of};
 pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};
 pub use timings::KernelTime;

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use organza_kernel::{EntryPoint, KernelInfo};
-use organza_manifest::{Interface, KernelEntry, Manifest};
+use muslin::{EntryPoint, KernelInfo};
+use muslin_manifest::{Interface, KernelEntry, Manifest};
 
 use crate::error::{Error, Result};
 
@@ -25,10 +25,10 @@ pub struct Modules {
     manifest: OnceLock<Manifest>,
 }
 
-/// Embeds the modules that the build script has found: see `organza_manifest::embed`.
+/// Embeds the modules that the build script has found: see `muslin_manifest::embed`.
 ///
 /// ```ignore
-/// static MODULES: organza_device::Modules = organza_device::modules!();
+/// static MODULES: muslin_device::Modules = muslin_device::modules!();
 /// ```
 #[macro_export]
 macro_rules! modules {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use organza_kernel::kernel::InstructionSet;
+use muslin::kernel::InstructionSet;
 
 use crate::device::{Device, Kind};
 use crate::error::{Error, Result};
@@ -44,7 +44,7 @@ impl SpirvPath {
 /// Options of the device to open. The default is the best device of the machine.
 ///
 /// ```
-/// use organza_device::{DeviceOptions, SpirvPath};
+/// use muslin_device::{DeviceOptions, SpirvPath};
 ///
 /// let cpu = DeviceOptions::cpu(4);
 /// let gpu = DeviceOptions::gpu(SpirvPath::Naga).adapter("radeon".to_owned());
@@ -82,7 +82,7 @@ pub struct DeviceOptions {
     pub thorough: Option<u64>,
     /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,
-    /// Whether a GPU runs the [variant](organza_kernel::KernelInfo::variant) of a kernel that has one, or its plain
+    /// Whether a GPU runs the [variant](muslin::KernelInfo::variant) of a kernel that has one, or its plain
     /// entry point. By default, a hardware device runs variants. The CPU runs variants if this is set together with
     /// [`check_races`](Self::check_races).
     pub variants: Option<bool>,

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use organza_kernel::KernelInfo;
+use muslin::KernelInfo;
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::count::Count;
@@ -77,7 +77,7 @@ pub enum Step {
     PublishCounts,
 }
 
-/// A kernel parameter that `count_fill` writes: see [`organza_kernel::count`].
+/// A kernel parameter that `count_fill` writes: see [`muslin::count`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlannedCount {
     /// Offset in the parameters, in bytes.
@@ -212,7 +212,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use organza_kernel::count::CountFillKernel;
+    use muslin::count::CountFillKernel;
 
     #[test]
     fn what_was_asked_for_is_written_down() {

@@ -6,9 +6,9 @@ use std::ptr;
 use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
-use organza_kernel::memory::{AccessMonitor, Touch};
-use organza_kernel::running::{self, unlinear};
-use organza_kernel::{BindingInfo, KernelInfo};
+use muslin::memory::{AccessMonitor, Touch};
+use muslin::running::{self, unlinear};
+use muslin::{BindingInfo, KernelInfo};
 
 use crate::workgroups::Workgroups;
 use crate::written::Written;

@@ -1,7 +1,7 @@
 //! Runs each dispatch in several ways that must agree: devices differ in them.
 
-use organza_kernel::KernelInfo;
-use organza_kernel::kernel::{Access, BindingInfo, CpuBinding};
+use muslin::KernelInfo;
+use muslin::kernel::{Access, BindingInfo, CpuBinding};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;

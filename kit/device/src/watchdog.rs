@@ -38,7 +38,7 @@ fn watch() -> Arc<Watched> {
     static STARTED: Once = Once::new();
     STARTED.call_once(|| {
         imp::prepare();
-        let watchdog = thread::Builder::new().name("organza-watchdog".to_owned());
+        let watchdog = thread::Builder::new().name("muslin-watchdog".to_owned());
         // without it, a kernel that does not end runs on, as on other devices
         drop(watchdog.spawn(look));
     });
@@ -98,7 +98,7 @@ mod imp {
     use corosensei::stack::DefaultStack;
     use corosensei::trap::{CoroutineTrapHandler, TrapHandlerRegs};
     use corosensei::{Coroutine, CoroutineResult};
-    use organza_kernel::{running, workgroup};
+    use muslin::{running, workgroup};
 
     /// Programs ignore it, unless they have asked for it.
     const SIGNAL: libc::c_int = libc::SIGURG;

@@ -1,3 +1,3 @@
 fn main() {
-    organza_manifest::embed_compiled();
+    muslin_manifest::embed_compiled();
 }

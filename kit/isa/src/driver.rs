@@ -6,7 +6,7 @@ use std::path::Path;
 
 use ash::khr::pipeline_executable_properties;
 use ash::{Device, Entry, Instance, vk};
-use organza_manifest::{FILE_NAME, KernelEntry, Manifest};
+use muslin_manifest::{FILE_NAME, KernelEntry, Manifest};
 
 use crate::{Error, Kernel, Report, assembly};
 

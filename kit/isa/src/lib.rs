@@ -20,7 +20,7 @@ pub use assembly::Loop;
 pub const FAMILIES: [&str; 2] = ["polaris10", "navi21"];
 
 /// The place for the answer of a process that [`compile`] has started.
-const ANSWER: &str = "ORGANZA_ISA_ANSWER";
+const ANSWER: &str = "MUSLIN_ISA_ANSWER";
 
 /// Why there is no report.
 #[derive(Debug, thiserror::Error, Serialize, Deserialize)]

@@ -6,7 +6,7 @@
 //!
 //! [Fixed point](crate::fixed) takes a sixteenth of the memory, but needs a bound of what is added.
 
-use organza_macros::loops;
+use muslin_macros::loops;
 
 use crate::atomic;
 use crate::fixed;

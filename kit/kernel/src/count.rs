@@ -4,7 +4,7 @@
 //! buffer `counts` has the numbers. If one of them exceeds its capacity, [`OVERFLOW`] is raised and all of them count
 //! as 0.
 
-use organza_macros::kernel;
+use muslin_macros::kernel;
 
 use crate::invocation::Invocation;
 use crate::memory::{Read, Write};

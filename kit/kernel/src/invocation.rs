@@ -87,7 +87,7 @@ fn no_barrier(_: &'static Location<'static>) {
         Some(_) => panic!("a barrier in a kernel without workgroup memory"),
         None => panic!(
             "a barrier, and no other invocation runs: a test calls a kernel with barriers through \
-             `organza_kernel::workgroup::Workgroup`"
+             `muslin::workgroup::Workgroup`"
         ),
     }
 }

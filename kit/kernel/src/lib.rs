@@ -6,7 +6,8 @@
 //! The attribute [`kernel`](macro@prelude::kernel) declares it. Its parameters are its bindings:
 //!
 //! ```
-//! use organza_kernel::prelude::*;
+//! # extern crate muslin_kernel as muslin;
+//! use muslin::prelude::*;
 //!
 //! /// Parameters of [`square`].
 //! #[params]
@@ -33,9 +34,9 @@
 //!
 //! # How it runs
 //!
-//! On the CPU a kernel is compiled with the rest of the program. For GPUs, `organza-build` compiles it to SPIR-V with
+//! On the CPU a kernel is compiled with the rest of the program. For GPUs, `muslin-build` compiles it to SPIR-V with
 //! [Rust-GPU](https://rust-gpu.github.io). The attribute also writes a struct with a field for each binding, here `SquareKernel`. With
-//! `organza-device` the host fills it and runs it, on either:
+//! `muslin-device` the host fills it and runs it, on either:
 //!
 //! ```ignore
 //! let output = device.unwritten("output", input.len())?;
@@ -53,7 +54,8 @@
 //! with barriers, in a second:
 //!
 //! ```
-//! # use organza_kernel::prelude::*;
+//! # extern crate muslin_kernel as muslin;
+//! # use muslin::prelude::*;
 //! # #[params] pub struct SquareParams { pub count: u32 }
 //! # #[kernel(threads(64))]
 //! # pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
@@ -61,7 +63,7 @@
 //! #         output.write(id.index(), input.read(id.index()) * input.read(id.index()));
 //! #     }
 //! # }
-//! use organza_kernel::workgroup::Workgroup;
+//! use muslin::workgroup::Workgroup;
 //!
 //! # fn main() {
 //! let (params, mut output) = (SquareParams { count: 3 }, [0.0; 3]);
@@ -80,11 +82,11 @@
 //! in invocation [36, 0, 0] of workgroup [1, 0, 0], [100, 0, 0] in the dispatch
 //! ```
 //!
-//! `DeviceOptions::checked()` of `organza-device` is the device that finds most mistakes.
+//! `DeviceOptions::checked()` of `muslin-device` is the device that finds most mistakes.
 //!
 //! # How to compare devices
 //!
-//! `organza-check` runs a kernel with many inputs on the CPU and on a GPU, with both paths of SPIR-V to a driver. It
+//! `muslin-check` runs a kernel with many inputs on the CPU and on a GPU, with both paths of SPIR-V to a driver. It
 //! compares the results with each other and with the equations in f64. It also keeps snapshots of tensors and
 //! pictures.
 //!
@@ -119,8 +121,8 @@
 // the shader compiler cannot compile clippy's suggestions
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 
-// `#[kernel]` generates the path `::organza_kernel`, also in this crate
-extern crate self as organza_kernel;
+// `#[kernel]` generates the path `::muslin`, also in this crate
+extern crate self as muslin;
 
 pub mod atomic;
 pub mod binned;

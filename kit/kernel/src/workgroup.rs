@@ -3,8 +3,9 @@
 //! A device runs kernels with workgroup memory this way. A unit test beside a kernel does so with [`Workgroup`]:
 //!
 //! ```
-//! use organza_kernel::prelude::*;
-//! use organza_kernel::workgroup::{SharedMemory, Workgroup};
+//! # extern crate muslin_kernel as muslin;
+//! use muslin::prelude::*;
+//! use muslin::workgroup::{SharedMemory, Workgroup};
 //!
 //! /// Reverses the values of a workgroup.
 //! #[kernel(threads(64))]

@@ -67,7 +67,7 @@ impl Checks {
     fn count(&self, body: &mut Block, span: Span) {
         let count = parse_quote_spanned! { span =>
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            ::organza_kernel::kernel::iterate();
+            ::muslin::kernel::iterate();
         };
         body.stmts.insert(0, count);
         if self.notes_paths {
@@ -93,7 +93,7 @@ impl Checks {
         };
         let check: Stmt = parse_quote_spanned! { cast.as_token.span() =>
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            ::organza_kernel::kernel::check_cast::<#ty, _>(_value);
+            ::muslin::kernel::check_cast::<#ty, _>(_value);
         };
         cast.expr = parse_quote! {{ let _value = #value; #check _value }};
     }
@@ -102,7 +102,7 @@ impl Checks {
     fn branch(span: Span) -> Stmt {
         parse_quote_spanned! { span =>
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            let _branch = ::organza_kernel::kernel::Scope::new(_has_barriers);
+            let _branch = ::muslin::kernel::Scope::new(_has_barriers);
         }
     }
 }
@@ -134,7 +134,7 @@ impl VisitMut for Checks {
         if self.notes_paths {
             let scope: Stmt = parse_quote_spanned! { span =>
                 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-                let mut _scope = ::organza_kernel::kernel::Scope::new(_has_barriers);
+                let mut _scope = ::muslin::kernel::Scope::new(_has_barriers);
             };
             *expression = parse_quote! {{ #scope #expression }};
         }

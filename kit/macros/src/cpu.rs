@@ -19,14 +19,14 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     if kernel.has_shared() {
         return hygienic! {
             // SAFETY: called as `CpuRun` says
-            unsafe fn run_invocation(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+            unsafe fn run_invocation(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
                 #(
                     // SAFETY: the caller passes bindings of the declared types
                     #views
                 )*
                 self::#name(id, #(#names),*);
             }
-            const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Invocation(run_invocation) }
+            const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::Invocation(run_invocation) }
         };
     }
     if let Some(lanes) = &kernel.lanes {
@@ -40,7 +40,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     hygienic! {
         // SAFETY: called as `CpuRun` says
         unsafe fn run_workgroup #body
-        const fn run() -> ::organza_kernel::kernel::CpuRun { ::organza_kernel::kernel::CpuRun::Workgroup(run_workgroup) }
+        const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::Workgroup(run_workgroup) }
     }
 }
 
@@ -69,7 +69,7 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
 /// `const RUN_FUSED`: one invocation with fused arithmetic, in debug builds.
 pub fn run_fused(kernel: &Kernel) -> TokenStream {
     let ty = hygienic! {
-        ::core::option::Option<unsafe fn(&[::organza_kernel::kernel::CpuBinding], ::organza_kernel::invocation::Invocation)>
+        ::core::option::Option<unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)>
     };
     if kernel.fused {
         return hygienic!(const RUN_FUSED: #ty = ::core::option::Option::None;);
@@ -77,12 +77,11 @@ pub fn run_fused(kernel: &Kernel) -> TokenStream {
     let name = fused_name(kernel);
     let views = views(kernel);
     let names = kernel.parameters.iter().map(plain_argument);
-    let lane =
-        kernel.lanes.is_some().then(|| hygienic!(::<::organza_kernel::lane::Wide<1, false>>));
+    let lane = kernel.lanes.is_some().then(|| hygienic!(::<::muslin::lane::Wide<1, false>>));
     hygienic! {
         // SAFETY: called as `CpuRun` says
         #[cfg(debug_assertions)]
-        unsafe fn run_fused(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+        unsafe fn run_fused(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
             #(
                 // SAFETY: the caller passes bindings of the declared types
                 #views
@@ -128,14 +127,14 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
     let lane = kernel.lanes.is_some().then(|| hygienic!(::<f32>));
     hygienic! {{
         // SAFETY: called as `CpuRun` says
-        unsafe fn run_variant(bindings: &[::organza_kernel::kernel::CpuBinding], id: ::organza_kernel::invocation::Invocation) {
+        unsafe fn run_variant(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
             #(
                 // SAFETY: the caller passes bindings of the declared types
                 #views
             )*
             self::#name #lane (id, #(#names),*);
         }
-        ::core::option::Option::Some(run_variant as unsafe fn(&[::organza_kernel::kernel::CpuBinding], ::organza_kernel::invocation::Invocation))
+        ::core::option::Option::Some(run_variant as unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation))
     }}
 }
 
@@ -145,23 +144,23 @@ fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> Toke
     let [x, y, z] = kernel.threads;
     hygienic! {
         (
-            bindings: &[::organza_kernel::kernel::CpuBinding],
-            workgroup: ::organza_kernel::dependencies::glam::UVec3,
-            workgroups: ::organza_kernel::dependencies::glam::UVec3,
-            [part_begin, part_end]: [::organza_kernel::dependencies::glam::UVec3; 2],
+            bindings: &[::muslin::kernel::CpuBinding],
+            workgroup: ::muslin::dependencies::glam::UVec3,
+            workgroups: ::muslin::dependencies::glam::UVec3,
+            [part_begin, part_end]: [::muslin::dependencies::glam::UVec3; 2],
         ) {
             #(
                 // SAFETY: the caller passes bindings of the declared types
                 #views
             )*
-            let size = ::organza_kernel::dependencies::glam::UVec3::new(#x, #y, #z);
+            let size = ::muslin::dependencies::glam::UVec3::new(#x, #y, #z);
             for local_z in part_begin.z..part_end.z {
                 for local_y in part_begin.y..part_end.y {
                     let mut local_x = part_begin.x;
                     while local_x < part_end.x {
-                        let local = ::organza_kernel::dependencies::glam::UVec3::new(local_x, local_y, local_z);
-                        let id = ::organza_kernel::invocation::Invocation::new(local, workgroup, workgroups, size);
-                        ::organza_kernel::kernel::enter(local_x + #x * (local_y + #y * local_z));
+                        let local = ::muslin::dependencies::glam::UVec3::new(local_x, local_y, local_z);
+                        let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, size);
+                        ::muslin::kernel::enter(local_x + #x * (local_y + #y * local_z));
                         #step
                     }
                 }
@@ -200,7 +199,7 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
     let whole = match lanes {
         Lanes::Inside => hygienic!(),
         Lanes::Invocations(_) => hygienic! {
-            const _: () = ::core::assert!(#x % ::organza_kernel::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
+            const _: () = ::core::assert!(#x % ::muslin::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
     let body = workgroup(kernel, views, &step);
@@ -208,9 +207,9 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
         #whole
         // SAFETY: called as `CpuRun` says
         #[inline(always)]
-        unsafe fn run_lanes<L: ::organza_kernel::lane::Lane> #body
-        const fn run() -> ::organza_kernel::kernel::CpuRun {
-            ::organza_kernel::kernel::lane_runs!(run_lanes)
+        unsafe fn run_lanes<L: ::muslin::lane::Lane> #body
+        const fn run() -> ::muslin::kernel::CpuRun {
+            ::muslin::kernel::lane_runs!(run_lanes)
         }
     }
 }

@@ -43,7 +43,7 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
     });
     let witness = parse_quote! {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        let _witness = ::organza_kernel::kernel::PanicContext::new(#name, #id);
+        let _witness = ::muslin::kernel::PanicContext::new(#name, #id);
     };
     // a kernel that declares no iterations has none, in its helpers either
     let most = kernel.iterations.as_ref().map_or(quote!(0), |most| match kernel.lanes_type() {
@@ -53,7 +53,7 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
     });
     let most = parse_quote! {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        ::organza_kernel::kernel::allow_iterations(#most);
+        ::muslin::kernel::allow_iterations(#most);
     };
     checks::add(&mut function.block, has_barriers(kernel));
     let statements: Vec<syn::Stmt> = [witness, most].into_iter().chain(named).collect();
@@ -92,7 +92,7 @@ fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
     let tiles = kernel.parameters.iter().filter_map(|Parameter { name, role, element }| {
         let Role::SharedTile(len) = role else { return None };
         Some(quote! {
-            ::organza_kernel::shared_tile::SharedTile::<#element, {#len}>::is_shared(&*#name)
+            ::muslin::shared_tile::SharedTile::<#element, {#len}>::is_shared(&*#name)
         })
     });
     kernel.has_shared_tiles().then(|| parse_quote!(false #(|| #tiles)*))
@@ -149,21 +149,21 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
     });
     // an invocation of a GPU is a lane, or takes four samples
     let lane = kernel.lanes.is_some().then(|| match kernel.samples {
-        true => quote!(::<::organza_kernel::samples::Four>),
+        true => quote!(::<::muslin::samples::Four>),
         false => quote!(::<f32>),
     });
     let each = each(kernel);
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
-        #[::organza_kernel::dependencies::spirv_std::spirv(compute(threads(#x, #y, #z), entry_point_name = #entry_point_name))]
+        #[::muslin::dependencies::spirv_std::spirv(compute(threads(#x, #y, #z), entry_point_name = #entry_point_name))]
         pub fn #entry(
-            #[spirv(local_invocation_id)] local: ::organza_kernel::dependencies::glam::UVec3,
-            #[spirv(workgroup_id)] workgroup: ::organza_kernel::dependencies::glam::UVec3,
-            #[spirv(num_workgroups)] workgroups: ::organza_kernel::dependencies::glam::UVec3,
+            #[spirv(local_invocation_id)] local: ::muslin::dependencies::glam::UVec3,
+            #[spirv(workgroup_id)] workgroup: ::muslin::dependencies::glam::UVec3,
+            #[spirv(num_workgroups)] workgroups: ::muslin::dependencies::glam::UVec3,
             #(#parameters),*
         ) {
-            let id = ::organza_kernel::invocation::Invocation::new(local, workgroup, workgroups, ::organza_kernel::dependencies::glam::UVec3::new(#x, #y, #z)).of(#each);
+            let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).of(#each);
             self::#name #lane (id, #(#arguments),*);
         }
     }
@@ -173,7 +173,7 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
 fn each(kernel: &Kernel) -> TokenStream {
     match kernel.samples {
         true => {
-            quote!(<::organza_kernel::samples::Four as ::organza_kernel::samples::Samples>::WIDTH)
+            quote!(<::muslin::samples::Four as ::muslin::samples::Samples>::WIDTH)
         }
         false => quote!(1),
     }
@@ -183,7 +183,7 @@ fn each(kernel: &Kernel) -> TokenStream {
 pub fn plain_argument(parameter: &Parameter) -> TokenStream {
     let name = &parameter.name;
     match parameter.role {
-        Role::SharedTile(_) => quote!(&mut ::organza_kernel::shared_tile::Unshared),
+        Role::SharedTile(_) => quote!(&mut ::muslin::shared_tile::Unshared),
         _ => quote!(#name),
     }
 }
@@ -203,9 +203,9 @@ fn info(kernel: &Kernel) -> TokenStream {
             Role::Shared(_) | Role::SharedTile(_) => return None,
         };
         Some(quote! {
-            ::organza_kernel::kernel::BindingInfo {
+            ::muslin::kernel::BindingInfo {
                 name: #name,
-                access: ::organza_kernel::kernel::Access::#access,
+                access: ::muslin::kernel::Access::#access,
                 element: ::core::stringify!(#element),
                 element_bytes: ::core::mem::size_of::<#element>() as u32,
             }
@@ -229,12 +229,12 @@ fn info(kernel: &Kernel) -> TokenStream {
     let unordered = kernel.unordered.iter().map(ToString::to_string);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
-        #[::organza_kernel::dependencies::linkme::distributed_slice(::organza_kernel::kernel::KERNELS)]
-        #[linkme(crate = ::organza_kernel::dependencies::linkme)]
-        static #info_name: ::organza_kernel::kernel::KernelInfo = {
+        #[::muslin::dependencies::linkme::distributed_slice(::muslin::kernel::KERNELS)]
+        #[linkme(crate = ::muslin::dependencies::linkme)]
+        static #info_name: ::muslin::kernel::KernelInfo = {
             #run
             #run_fused
-            ::organza_kernel::kernel::KernelInfo {
+            ::muslin::kernel::KernelInfo {
                 name: #name_text,
                 package: ::core::env!("CARGO_PKG_NAME"),
                 file: ::core::file!(),
@@ -256,7 +256,7 @@ fn info(kernel: &Kernel) -> TokenStream {
         };
         #[cfg(not(target_arch = "spirv"))]
         const _: () = {
-            use ::organza_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
+            use ::muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
             #limit
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
@@ -272,7 +272,7 @@ fn limit(kernel: &Kernel) -> Option<TokenStream> {
         "the kernel `{name}` declares more than 60,000 iterations: llvmpipe ends an invocation silently after 65,536, so split the \
          work over dispatches"
     );
-    Some(quote!(::core::assert!((#iterations) <= ::organza_kernel::MAX_ITERATIONS, #message);))
+    Some(quote!(::core::assert!((#iterations) <= ::muslin::MAX_ITERATIONS, #message);))
 }
 
 /// What counts a dispatch: the declared function, of the parameters' bytes.
@@ -281,8 +281,8 @@ fn work(kernel: &Kernel) -> TokenStream {
         return quote!(::core::option::Option::None);
     };
     quote! {{
-        fn work(uniform: &[u8], shape: ::organza_kernel::work::Shape<'_>) -> ::organza_kernel::work::Work {
-            let params = ::organza_kernel::dependencies::bytemuck::pod_read_unaligned::<#element>(uniform);
+        fn work(uniform: &[u8], shape: ::muslin::work::Shape<'_>) -> ::muslin::work::Work {
+            let params = ::muslin::dependencies::bytemuck::pod_read_unaligned::<#element>(uniform);
             #count(&params, shape)
         }
         ::core::option::Option::Some(work)
@@ -299,7 +299,7 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
             _ => return None,
         };
         Some(quote! {
-            ::organza_kernel::kernel::SharedInfo {
+            ::muslin::kernel::SharedInfo {
                 name: #name,
                 element: ::core::stringify!(#element),
                 len: #len as u32,
@@ -317,7 +317,7 @@ fn variant(kernel: &Kernel) -> TokenStream {
     }
     let (name, shared) = (entry_name(kernel, true), shared(kernel, true));
     quote! {
-        ::core::option::Option::Some(::organza_kernel::kernel::EntryPoint { name: #name, shared: &#shared })
+        ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared })
     }
 }
 
@@ -335,7 +335,7 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
             Role::Uniform => {
                 fields.push(quote! { /// Uniform buffer.
                 #[allow(missing_docs)] pub #name: #element });
-                uniform = quote!(::organza_kernel::dependencies::bytemuck::bytes_of(&self.#name));
+                uniform = quote!(::muslin::dependencies::bytemuck::bytes_of(&self.#name));
             }
             Role::Read | Role::Write => {
                 let access = if matches!(parameter.role, Role::Read) {
@@ -355,11 +355,11 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
 
         #[cfg(not(target_arch = "spirv"))]
         #[doc = #doc]
-        pub struct #struct_name<'a, S: ::organza_kernel::kernel::Storage> { #(#fields),* }
+        pub struct #struct_name<'a, S: ::muslin::kernel::Storage> { #(#fields),* }
 
         #[cfg(not(target_arch = "spirv"))]
-        impl<'a, S: ::organza_kernel::kernel::Storage> ::organza_kernel::kernel::Dispatch<'a, S> for #struct_name<'a, S> {
-            fn info(&self) -> &'static ::organza_kernel::kernel::KernelInfo { &#info_name }
+        impl<'a, S: ::muslin::kernel::Storage> ::muslin::kernel::Dispatch<'a, S> for #struct_name<'a, S> {
+            fn info(&self) -> &'static ::muslin::kernel::KernelInfo { &#info_name }
             fn uniform(&self) -> &[u8] { #uniform }
             fn bind(&self, visit: &mut dyn FnMut(S::Binding<'a>)) { #(#binds)* }
         }
@@ -375,12 +375,12 @@ fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
     let (params, element, n) = (&uniform.name, &uniform.element, fields.len());
     quote! {
         #[cfg(not(target_arch = "spirv"))]
-        impl<'a, S: ::organza_kernel::kernel::Storage> #struct_name<'a, S> {
+        impl<'a, S: ::muslin::kernel::Storage> #struct_name<'a, S> {
             /// The same dispatch, with numbers that only the device may know.  They replace those of the parameters.
             #[must_use]
-            pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::organza_kernel::kernel::Counted<'a, S, Self, #n> {
+            pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::muslin::kernel::Counted<'a, S, Self, #n> {
                 #(self.#params.#fields = S::at_most(#fields);)*
-                ::organza_kernel::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
+                ::muslin::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
             }
         }
     }

@@ -40,7 +40,7 @@ fn fused(ExprBinary { left, op, right, .. }: &ExprBinary) -> Option<Expr> {
             let signs = if is_sum { quote::quote!([1.0, 1.0]) } else { quote::quote!([1.0, -1.0]) };
             quote_spanned! { names =>
                 match (#a, #b, #right) {
-                    (a, b, c) => ::organza_kernel::kernel::fused(a, b, c, a * b #plain c, #signs),
+                    (a, b, c) => ::muslin::kernel::fused(a, b, c, a * b #plain c, #signs),
                 }
             }
         }
@@ -49,7 +49,7 @@ fn fused(ExprBinary { left, op, right, .. }: &ExprBinary) -> Option<Expr> {
             let signs = if is_sum { quote::quote!([1.0, 1.0]) } else { quote::quote!([-1.0, 1.0]) };
             let value = quote_spanned! { names =>
                 match (#left, #a, #b) {
-                    (c, a, b) => ::organza_kernel::kernel::fused(a, b, c, c #plain a * b, #signs),
+                    (c, a, b) => ::muslin::kernel::fused(a, b, c, c #plain a * b, #signs),
                 }
             };
             if is_assignment { quote_spanned!(names => #left = #value) } else { value }

@@ -19,7 +19,7 @@ pub fn inputs(kernel: &Kernel, dispatch: &Ident) -> TokenStream {
         let (field, value) = match parameter.role {
             Role::Uniform => (quote!(#element), quote!(self.#name)),
             _ => (
-                quote!(<::organza_kernel::given::Given as ::organza_kernel::kernel::Storage>::Buffer<#element>),
+                quote!(<::muslin::given::Given as ::muslin::kernel::Storage>::Buffer<#element>),
                 quote!(&self.#name),
             ),
         };
@@ -37,7 +37,7 @@ pub fn inputs(kernel: &Kernel, dispatch: &Ident) -> TokenStream {
         #[allow(dead_code)]
         impl #inputs {
             /// The kernel with these buffers.
-            pub fn kernel(&self) -> #dispatch<'_, ::organza_kernel::given::Given> { #dispatch { #(#lent),* } }
+            pub fn kernel(&self) -> #dispatch<'_, ::muslin::given::Given> { #dispatch { #(#lent),* } }
         }
     }
 }

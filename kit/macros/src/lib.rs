@@ -82,10 +82,10 @@ pub fn params(_: TokenStream, item: TokenStream) -> TokenStream {
         #[repr(C)]
         #[derive(
             Clone, Copy, Debug,
-            ::organza_kernel::dependencies::bytemuck::Pod,
-            ::organza_kernel::dependencies::bytemuck::Zeroable,
+            ::muslin::dependencies::bytemuck::Pod,
+            ::muslin::dependencies::bytemuck::Zeroable,
         )]
-        #[bytemuck(crate = "::organza_kernel::dependencies::bytemuck")]
+        #[bytemuck(crate = "::muslin::dependencies::bytemuck")]
         #item
     }
     .into()

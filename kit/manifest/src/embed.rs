@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::{Manifest, source_hash};
 
 /// Makes the crate embed the modules of a folder and their manifest. The manifest's sources are relative to
-/// `workspace`. A build script calls this; `organza_device::modules!()` is the counterpart in the crate.
+/// `workspace`. A build script calls this; `muslin_device::modules!()` is the counterpart in the crate.
 ///
 /// Nothing here fails. If kernels are missing or older than their sources, the crate still compiles. Its program then
 /// says at run time which kernel it lacks, and how to compile it.

@@ -202,14 +202,14 @@ impl Manifest {
 #[cfg(feature = "kernels")]
 impl Interface {
     /// The interface that a kernel's source declares, for one of its entry points.
-    pub fn of(kernel: &organza_kernel::KernelInfo, point: &organza_kernel::EntryPoint) -> Self {
-        let binding = |binding: &organza_kernel::BindingInfo| Binding {
+    pub fn of(kernel: &muslin::KernelInfo, point: &muslin::EntryPoint) -> Self {
+        let binding = |binding: &muslin::BindingInfo| Binding {
             name: binding.name.to_owned(),
             access: binding.access.as_str().to_owned(),
             element: binding.element.to_owned(),
             element_bytes: binding.element_bytes,
         };
-        let shared = |shared: &organza_kernel::SharedInfo| Shared {
+        let shared = |shared: &muslin::SharedInfo| Shared {
             name: shared.name.to_owned(),
             element: shared.element.to_owned(),
             len: shared.len,

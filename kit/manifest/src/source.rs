@@ -13,8 +13,8 @@ const COMPILED_IN: [&str; 7] = [
     "glam",
     "libm",
     "num-traits",
-    "organza-kernel",
-    "organza-macros",
+    "muslin-kernel",
+    "muslin-macros",
     "spirv-std",
     "spirv-std-macros",
 ];

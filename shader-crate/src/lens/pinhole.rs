@@ -4,8 +4,8 @@ use glam::{Vec2, Vec3};
 
 use super::NEAR_PLANE;
 use crate::camera::Camera;
-use organza_kernel::math::{clamp, dot};
-use organza_kernel::prelude::*;
+use muslin::math::{clamp, dot};
+use muslin::prelude::*;
 
 /// A point projected by a pinhole camera: see [`lens`](crate::lens).
 #[derive(Clone, Copy, Debug)]

@@ -175,7 +175,7 @@ fn assert_controls(page: &mut Page) {
 
 /// Asserts that every kernel compiles on a device with the guaranteed limits.
 fn assert_all_compile(page: &mut Page) {
-    let kernel = |kernel: organza_device::CompiledKernel| {
+    let kernel = |kernel: muslin_device::CompiledKernel| {
         let access = kernel.entry().interface.bindings.iter().map(|binding| &*binding.access);
         let access: Vec<_> = access.collect();
         Some(json!({"name": kernel.entry().name, "access": access, "code": kernel.wgsl()?}))

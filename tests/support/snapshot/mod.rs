@@ -3,4 +3,4 @@
 pub mod exact;
 pub mod generator;
 
-pub use organza_check::snapshot::{compare, picture, tensors};
+pub use muslin_check::snapshot::{compare, picture, tensors};

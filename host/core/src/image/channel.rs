@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::rendered::{Channel, RenderedTiles};
 use crate::tile::TileBatch;
 use crate::write_atomic;
-use organza_device::memory;
+use muslin_device::memory;
 
 /// Default levels of a 16-bit PNG for one unit of depth. A level is a thousandth, as in the depth images that
 /// nerfstudio reads.

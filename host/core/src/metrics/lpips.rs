@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
 use crate::scene::{Tensor, read_metadata, read_tensors};
-use organza_device::memory;
+use muslin_device::memory;
 
 /// The value of `format` in a weights file's metadata.
 const FORMAT: &str = "organza.lpips";

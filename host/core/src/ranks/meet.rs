@@ -2,7 +2,7 @@
 
 use super::Ranks;
 use crate::error::{Error, Result};
-use organza_device::Device;
+use muslin_device::Device;
 
 /// Makes sure that all ranks compute the same bits from the same input: that they run the same version of the
 /// program, on devices that round alike. `commit` is the program's commit. `input` names each input that the ranks

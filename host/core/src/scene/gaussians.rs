@@ -3,7 +3,7 @@
 use super::config::SceneConfig;
 use super::spec::TensorSpec;
 use crate::error::Result;
-use organza_device::memory;
+use muslin_device::memory;
 
 /// Calls the macro `$with` with the table of per-Gaussian tensors: one line per tensor.
 ///

@@ -36,7 +36,7 @@ pub use tensor_file::{read_metadata, read_tensor, read_tensors_from, write_strea
 pub use tensors::{FieldTensors, Tensors};
 
 use crate::error::Result;
-use organza_device::memory;
+use muslin_device::memory;
 
 /// A scene: its configuration and all its tensors.
 ///

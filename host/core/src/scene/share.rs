@@ -11,7 +11,7 @@ use super::spec::TensorSpec;
 use super::tensor_file::Header;
 use crate::error::Result;
 use crate::input::open_regular;
-use organza_device::memory;
+use muslin_device::memory;
 
 /// Number of Gaussians in a slice. A scene is cut into slices by index, and each rank has whole slices. So rounding
 /// does not depend on the number of ranks.

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use crate::atomic_file::write_atomic;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
-use organza_device::memory;
+use muslin_device::memory;
 
 /// Largest header, in bytes. The few dozen tensors of a scene need far less; safetensors itself allows 100 MB.
 const MAX_HEADER_BYTES: u64 = 16 << 20;

@@ -1,4 +1,4 @@
-//! The equations in f64, one file per stage. [`Parity::exact`](organza_check::Parity::exact) of each case calls them, and so do the
+//! The equations in f64, one file per stage. [`Parity::exact`](muslin_check::Parity::exact) of each case calls them, and so do the
 //! tests of whole scenes.
 //!
 //! They are written from docs/pipeline.md and docs/conventions.md, over plain numbers. They share no code and no constant with

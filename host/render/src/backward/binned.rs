@@ -1,11 +1,11 @@
 //! Gradients that are summed exactly, so that no order of their terms matters.
 
-use organza_kernel::binned::ROWS;
+use muslin::binned::ROWS;
 use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
 
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
-/// A gradient, and the [binned](organza_kernel::binned) sums that become part of it.
+/// A gradient, and the [binned](muslin::binned) sums that become part of it.
 #[derive(Debug)]
 pub struct BinnedGradient {
     /// [`BinnedGradient::finish`] adds to it.

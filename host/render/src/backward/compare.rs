@@ -7,10 +7,10 @@ use super::part_backward::{LossTarget, of_tiles};
 use crate::batch::plan::PlannedTile;
 use crate::forward::part::Part;
 use crate::forward::part_counts::Needed;
+use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
 use organza_core::ranks::Ranks;
 use organza_core::tile::TileBatch;
-use organza_device::{Buffer, Device};
 
 /// What was found of tiles: their losses, and the gradients of their exposures if they are learned. In the order of the
 /// batch.

@@ -9,7 +9,7 @@ use crate::forward::bin::Bins;
 use crate::forward::composite::weighted_sum;
 use crate::scene::device_scene::DeviceScene;
 use glam::Vec4;
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 /// What the distortion of a part's pixels counts in the loss.
 #[derive(Debug)]

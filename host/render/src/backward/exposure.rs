@@ -3,8 +3,8 @@
 use organza_shaders::exposure::{ExposeBackwardKernel, ExposeKernel, ExposureParams};
 
 use crate::batch::plan::PlannedTile;
+use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_device::{Buffer, Device};
 
 /// Values of a tile's exposure: a gain and an offset for each channel.
 pub(crate) const VALUES: usize = 6;

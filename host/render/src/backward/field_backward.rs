@@ -14,7 +14,7 @@ use crate::forward::block::{BlockOf, Blocks, Chunk, Layout};
 use crate::forward::field::DeviceField;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::network::LayerPlace;
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 /// Where the samples of a part's cameras begin.
 #[derive(Debug)]

@@ -5,9 +5,9 @@ use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 use super::gradient::SceneGradient;
 use super::hash_grid::HashGridGradient;
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Count, Device};
 use organza_core::error::{Error, Result};
 use organza_core::ranks::Ranks;
-use organza_device::{Buffer, Count, Device};
 
 fn tables(gradient: &SceneGradient) -> [&HashGridGradient; 2] {
     [&gradient.color.table, &gradient.transmittance.table]

@@ -12,9 +12,9 @@ use crate::forward::field::DeviceField;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::device_share::DeviceShare;
 use crate::scene::packed::unpack;
+use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
-use organza_device::{Buffer, Device};
 
 /// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
 pub const GEOMETRY: [&str; 4] =

@@ -12,8 +12,8 @@ use organza_shaders::hash_grid_scale::{
 use organza_shaders::limits::MAX_LAYERS;
 
 use crate::forward::field::DeviceField;
+use muslin_device::{Buffer, Count, Device, Error, Result};
 use organza_core::scene::MAX_HIDDEN_LAYERS;
-use organza_device::{Buffer, Count, Device, Error, Result};
 
 const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 
@@ -170,8 +170,8 @@ mod tests {
     use super::*;
     use crate::scene::options::UploadOptions;
     use crate::scene::packed::pack_field;
+    use muslin_device::DeviceOptions;
     use organza_core::scene::{Field, GridConfig, Layer, Network};
-    use organza_device::DeviceOptions;
 
     /// A grid with a network of two inputs, one hidden layer and one output.
     fn field(device: &Device) -> DeviceField {

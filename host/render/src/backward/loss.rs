@@ -11,10 +11,10 @@ use organza_shaders::ssim::{
 
 use crate::forward::part::Part;
 use crate::forward::part_counts::Needed;
+use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::metrics;
 use organza_core::tile::MAX_TILE_SIDE;
-use organza_device::{Buffer, Device};
 
 const _: () = assert!(limits::MAX_TILE_SIDE == MAX_TILE_SIDE, "the longest row of `loss_rows`");
 

@@ -10,11 +10,11 @@ use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
 use crate::forward::part_counts::{Capacity, Needed};
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Device};
 use organza_core::RenderedTiles;
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::tile::TileBatch;
-use organza_device::{Buffer, Device};
 
 /// The tiles of a step, and what they should look like: the argument of a loss on the host.
 #[derive(Clone, Copy, Debug)]

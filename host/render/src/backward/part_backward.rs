@@ -16,11 +16,11 @@ use crate::forward::pair::PairVectors;
 use crate::forward::part::Part;
 use crate::forward::part_counts::Capacity;
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Device};
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::scene::Gradient;
 use organza_core::tile::TileBatch;
-use organza_device::{Buffer, Device};
 
 impl Part {
     /// Adds the gradients of all tensors to `gradient`, of `image_gradient [tiles, 3, S, S]`, dLoss/dY of this part's
@@ -201,7 +201,7 @@ impl Renderer {
     ///
     /// ```
     /// use organza_core::{Tile, TileBatch, demo};
-    /// use organza_device::DeviceOptions;
+    /// use muslin_device::DeviceOptions;
     /// use organza_render::{Renderer, open_device};
     ///
     /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);

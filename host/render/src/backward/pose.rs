@@ -7,7 +7,7 @@ use super::binned::BinnedGradient;
 use crate::batch::plan::words;
 use crate::forward::bin::Bins;
 use crate::scene::device_scene::DeviceScene;
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
 pub const POSE: usize = VALUES as usize;

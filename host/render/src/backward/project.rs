@@ -10,7 +10,7 @@ use super::gradient::SceneGradient;
 use crate::batch::plan::words;
 use crate::forward::bin::Bins;
 use crate::scene::device_scene::DeviceScene;
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 /// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the pairs to
 /// its statistics: those of some of the part's cameras.

@@ -11,9 +11,9 @@ use crate::batch::share::PLANES;
 use crate::forward::part::Part;
 use crate::forward::part_counts::Capacity;
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::Buffer;
 use organza_core::error::Result;
 use organza_core::ranks::Grid;
-use organza_device::Buffer;
 
 impl KeptPart {
     /// Whether the last camera continues in another part.

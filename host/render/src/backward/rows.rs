@@ -6,9 +6,9 @@ use std::ops::Range;
 use glam::Vec4;
 
 use super::gradient::{SceneGradient, TensorGradient};
+use muslin_device::Device;
 use organza_core::error::Result;
 use organza_core::ranks::Ranks;
-use organza_device::Device;
 
 /// The gradients of Gaussians, and the statistics of growth, as rows: what a unit has made of each Gaussian.
 pub struct Rows<'a> {

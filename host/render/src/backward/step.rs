@@ -6,7 +6,7 @@
 //!
 //! - **hash grids** are summed as 64-bit integers, which are exact in any order. All view batches share one scale: its
 //!   bound is the largest of all bounds.
-//! - **networks and poses** are summed as [binned](organza_kernel::binned) sums, which are exact, too.
+//! - **networks and poses** are summed as [binned](muslin::binned) sums, which are exact, too.
 //! - **Gaussians** are summed camera by camera; between ranks as [`Rows`].
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,12 +25,12 @@ use crate::forward::part::Part;
 use crate::forward::part_counts::{Capacity, Needed};
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::device_share::DeviceShare;
+use muslin_device::{Buffer, Device};
 use organza_core::RenderedTiles;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::ranks::{Grid, Ranks};
 use organza_core::tile::TileBatch;
-use organza_device::{Buffer, Device};
 
 /// The most samples of parts that are kept between both passes: about 2 GiB of tables. Other parts are rendered twice.
 const KEPT_SAMPLES: u64 = 1 << 24;

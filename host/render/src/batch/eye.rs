@@ -18,10 +18,10 @@ use crate::forward::composite::Composite;
 use crate::forward::part::{RenderedPart, read_tiles};
 use crate::forward::transmittance::Transmittance;
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Count, Device, memory};
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::tile::TileBatch;
-use organza_device::{Buffer, Count, Device, memory};
 
 /// Pairs that are evaluated at once, so that a frame nobody waits for any more ends soon: on a CPU about a tenth of a second.
 const CPU_PAIRS: usize = 1 << 12;
@@ -167,7 +167,7 @@ impl EyeCache {
 }
 
 /// Pairs of some Gaussians and the camera of `bins`.
-fn pairs_of(device: &Device, bins: &Bins, gaussians: &[u32]) -> organza_device::Result<Pairs> {
+fn pairs_of(device: &Device, bins: &Bins, gaussians: &[u32]) -> muslin_device::Result<Pairs> {
     Ok(Pairs {
         count: Count::known(gaussians.len() as u32),
         pair: device.upload("pairs", gaussians)?,

@@ -24,12 +24,12 @@ pub struct FrameShape {
     pub capacity: Capacity,
 }
 
-/// A frame that a [planner](organza_device::Device::planner) has written down, and the numbers of the buffers that whoever runs
+/// A frame that a [planner](muslin_device::Device::planner) has written down, and the numbers of the buffers that whoever runs
 /// it writes and reads.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Its buffers and steps.
-    pub plan: organza_device::Plan,
+    pub plan: muslin_device::Plan,
     /// `[18]`: the camera, as [`organza_shaders::camera::Camera`] packs it.
     pub camera: u32,
     /// `[tiles, 4]`: as [`organza_shaders::tile::Tile`] packs them.

@@ -5,8 +5,8 @@ use organza_shaders::project::WINDOW;
 use organza_shaders::tile::Tile as KernelTile;
 
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Device, Error, Result};
 use organza_core::tile::{Tile, TileBatch};
-use organza_device::{Device, Error, Result};
 
 /// What one part's tables may take, unless told otherwise.  Parts of this size keep every device busy.
 pub const PART_BYTES: u64 = 512 << 20;

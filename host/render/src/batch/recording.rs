@@ -32,7 +32,7 @@ const KEPT_PARTS: usize = 4;
 ///
 /// ```
 /// use organza_core::{Tile, TileBatch, demo};
-/// use organza_device::DeviceOptions;
+/// use muslin_device::DeviceOptions;
 /// use organza_render::{Renderer, open_device};
 ///
 /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);

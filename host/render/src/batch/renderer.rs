@@ -10,17 +10,17 @@ use super::results::place;
 use crate::forward::part::{self, Part, RenderedPart};
 use crate::forward::part_counts::{Capacity, Needed};
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::Device;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::image::{self, Image};
 use organza_core::tile::TileBatch;
-use organza_device::Device;
 
 /// Renders scenes on a device.
 ///
 /// ```
 /// use organza_core::{Tile, TileBatch, demo};
-/// use organza_device::DeviceOptions;
+/// use muslin_device::DeviceOptions;
 /// use organza_render::{Renderer, open_device};
 ///
 /// // DeviceOptions::default() takes a GPU if there is one

@@ -14,13 +14,13 @@ use crate::forward::part::Part;
 use crate::forward::part_counts::Capacity;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::device_share::DeviceShare;
+use muslin_device::memory;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::ranks::Ranks;
 use organza_core::scene::SLICE;
 use organza_core::tile::TileBatch;
 use organza_core::{RenderReport, RenderedTiles};
-use organza_device::memory;
 
 /// Planes of a tile's sums: C and S.
 pub(crate) const PLANES: usize = 4;

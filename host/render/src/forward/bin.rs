@@ -13,8 +13,8 @@ use super::mask::Mask;
 use super::part_counts::{Capacity, PartCounts};
 use crate::batch::plan::{Plan, words};
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Count, Device, Result};
 use organza_core::camera::Camera;
-use organza_device::{Buffer, Count, Device, Result};
 
 /// The (Gaussian, camera) pairs to evaluate.
 #[derive(Debug)]

@@ -11,7 +11,7 @@ use std::ops::Range;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::limits::MAX_SLICE;
 
-use organza_device::{Buffer, Count, Device, Result, TAIL_ALIGNMENT};
+use muslin_device::{Buffer, Count, Device, Result, TAIL_ALIGNMENT};
 
 /// Samples of a block, in whole chunks.
 const BLOCK: u32 = 1 << 17;
@@ -304,7 +304,7 @@ impl<'a> BlockOf<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use organza_device::DeviceOptions;
+    use muslin_device::DeviceOptions;
 
     #[test]
     fn chunks_end_where_cameras_do() {

@@ -7,8 +7,8 @@ use organza_shaders::composite::SUM_PLANES;
 use super::bin::Bins;
 use super::composite::{Composite, weighted_sum};
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Device, Result};
 use organza_core::Channel;
-use organza_device::{Buffer, Device, Result};
 
 /// The sums that a channel is made of.
 #[derive(Clone, Copy, PartialEq)]

@@ -18,7 +18,7 @@ use super::pair::PairVectors;
 use crate::backward::field_backward::{CameraSamples, ChunkScratch, GroupScratch};
 use crate::backward::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 /// Color of every pair.
 #[derive(Debug)]

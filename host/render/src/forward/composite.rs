@@ -17,7 +17,7 @@ use super::bin::Bins;
 use crate::backward::distortion::Distortion;
 use crate::batch::plan::words;
 use crate::scene::device_scene::DeviceScene;
-use organza_device::{Buffer, Device, Error, Result};
+use muslin_device::{Buffer, Device, Error, Result};
 
 /// The composited tiles of a part.
 #[derive(Debug)]

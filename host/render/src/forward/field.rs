@@ -8,9 +8,9 @@ use organza_shaders::hash_grid_half::HashGridHalfKernel;
 use super::block::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
 use crate::scene::network::LayerPlace;
 use crate::scene::options::UploadOptions;
+use muslin_device::{Buffer, Device, Result};
 use organza_core::halves::pack_halves;
 use organza_core::scene::{Field, FieldTensors, GridConfig};
-use organza_device::{Buffer, Device, Result};
 
 /// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! A bit for each Gaussian.
 
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 use super::scan::exclusive_scan;
 

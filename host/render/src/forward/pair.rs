@@ -7,7 +7,7 @@ use organza_shaders::pair::{PairSumKernel, PairSumParams, SUMMED};
 use super::mask::Mask;
 use crate::batch::plan::words;
 use crate::scene::device_scene::DeviceScene;
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 /// A vector for each pair.
 #[derive(Debug)]

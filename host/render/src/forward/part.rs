@@ -9,9 +9,9 @@ use super::transmittance::Transmittance;
 use crate::batch::plan::Plan;
 use crate::batch::results::report_of_part;
 use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Device, Result};
 use organza_core::camera::Camera;
 use organza_core::{Channel, RenderReport};
-use organza_device::{Buffer, Device, Result};
 
 /// Everything that the stages have written on the device.
 #[derive(Debug)]

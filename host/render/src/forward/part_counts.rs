@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use organza_kernel::count::OVERFLOW;
+use muslin::count::OVERFLOW;
 use organza_shaders::count::{
     COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalKernel,
     RecordTotalParams, SAMPLES,
 };
 
 use super::mask::Mask;
-use organza_device::{Buffer, Count, Device, Result};
+use muslin_device::{Buffer, Count, Device, Result};
 
 /// How many items the tables of a part have room for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
-use organza_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, Result};
 
 /// The exclusive sums of the first `count` values, and the total behind them: `[count + 1]`.
 pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Result<Buffer<u32>> {
@@ -29,7 +29,7 @@ pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Resul
 #[cfg(test)]
 mod tests {
     use super::*;
-    use organza_device::DeviceOptions;
+    use muslin_device::DeviceOptions;
 
     #[test]
     fn sums_of_every_size_around_the_blocks() {

@@ -23,7 +23,7 @@ use super::scan::exclusive_scan;
 use crate::backward::field_backward::{CameraSamples, ChunkScratch, GroupScratch};
 use crate::backward::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
-use organza_device::{Buffer, Count, Device, Error, Result};
+use muslin_device::{Buffer, Count, Device, Error, Result};
 
 /// Transmittance of every pair.
 #[derive(Debug)]

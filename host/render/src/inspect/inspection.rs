@@ -15,10 +15,10 @@ use crate::forward::part::Part;
 use crate::forward::transmittance::{Ray, Transmittance};
 use crate::scene::device_scene::DeviceScene;
 
+use muslin_device::Count;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::tile::{Tile, TileBatch};
-use organza_device::Count;
 
 /// What each stage gives for every Gaussian in one camera, N Gaussians.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -245,7 +245,7 @@ impl Renderer {
                 gaussian,
                 distance: d.length(),
                 falloff: falloff(q),
-                opacity: organza_kernel::math::sigmoid(opacity[gaussian]),
+                opacity: muslin::math::sigmoid(opacity[gaussian]),
                 samples: first[index + 1] - first[index],
                 transmittance: transmittance[index],
                 alpha,

@@ -151,7 +151,7 @@ fn depths(position: &[f32], camera: &Camera) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use organza_check::devices;
+    use muslin_check::devices;
 
     use super::*;
     use organza_core::scene::Scene;

@@ -7,9 +7,9 @@ use organza_shaders::hash_grid::GridLevel;
 
 use super::packed::{pack, unpack};
 use crate::forward::field::DeviceField;
+use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Scene, SceneConfig, Tensors};
-use organza_device::{Buffer, Device};
 
 /// A scene whose tensors lie on a device.
 #[derive(Debug)]

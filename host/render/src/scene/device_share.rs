@@ -6,9 +6,9 @@ use std::sync::Arc;
 use super::device_scene::DeviceScene;
 use super::options::UploadOptions;
 use crate::batch::renderer::Renderer;
+use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig, SceneShare};
-use organza_device::{Buffer, Device};
 
 /// A scene on a device as training has it: the fields, and the Gaussians in blocks. A whole scene is one block. A
 /// [share](SceneShare) of one has a block for each [slice](organza_core::scene::SLICE).

@@ -4,7 +4,7 @@
 ///
 /// ```
 /// use organza_core::demo;
-/// use organza_device::DeviceOptions;
+/// use muslin_device::DeviceOptions;
 /// use organza_render::{DeviceScene, Renderer, UploadOptions, open_device};
 ///
 /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);

@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 
 use super::network::{pack_network, packed_len, unpack_network};
+use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
 use organza_core::scene::{Field, FieldTensors, Network, Scene, SceneConfig, Tensors};
-use organza_device::{Buffer, Device};
 
 /// A scene's tensors as kernels read them.
 pub fn pack(scene: &Scene) -> Tensors<Cow<'_, [f32]>> {
@@ -31,7 +31,7 @@ pub fn pack_field(field: &Field) -> FieldTensors<Cow<'_, [f32]>> {
 pub fn upload(
     device: &Device,
     tensors: Tensors<Cow<'_, [f32]>>,
-) -> organza_device::Result<Tensors<Buffer<f32>>> {
+) -> muslin_device::Result<Tensors<Buffer<f32>>> {
     tensors.try_map(|name, values| device.upload(name, &values))
 }
 
@@ -56,7 +56,7 @@ pub fn unpack<T>(
     config: &SceneConfig,
     gaussians: usize,
     tensors: Tensors<T>,
-    read: impl Fn(T, &mut [f32]) -> organza_device::Result<()>,
+    read: impl Fn(T, &mut [f32]) -> muslin_device::Result<()>,
 ) -> Result<Scene> {
     let mut scene = Scene::zeros(config.clone(), gaussians)?;
     let targets = Tensors {

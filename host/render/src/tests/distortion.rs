@@ -135,7 +135,7 @@ fn the_gradient_is_that_of_differences_with_distances_held_constant() {
 fn the_gradient_is_the_same_in_one_part_for_each_tile() {
     let scene = every(24);
     let of = |bytes| {
-        let renderer = Renderer::new(organza_check::devices::cpu(Some(2)));
+        let renderer = Renderer::new(muslin_check::devices::cpu(Some(2)));
         gradients(&renderer.with_part_bytes(bytes), &scene, WEIGHT)
     };
     for (whole, parts) in of(512 << 20).iter().zip(of(1)) {

@@ -2,7 +2,7 @@
 
 use super::{some, tiles};
 use crate::{LossTarget, Renderer, SceneGradient, TileLoss};
-use organza_check::devices;
+use muslin_check::devices;
 use organza_core::demo;
 use organza_core::scene::Scene;
 

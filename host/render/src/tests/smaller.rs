@@ -1,7 +1,7 @@
 //! What training sees in smaller images, held to the footprint of a Gaussian in closed form.
 
 use crate::Renderer;
-use organza_check::devices;
+use muslin_check::devices;
 use organza_core::camera::Camera;
 use organza_core::demo;
 use organza_core::scene::{Scene, SceneConfig};

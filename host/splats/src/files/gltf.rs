@@ -4,7 +4,7 @@
 use std::io::{self, Write};
 
 use glam::{Quat, Vec3};
-use organza_kernel::math::sigmoid;
+use muslin::math::sigmoid;
 use serde_json::{Map, Value, json};
 
 use super::{Splat, base_color, byte, turned};

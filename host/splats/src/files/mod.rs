@@ -8,7 +8,7 @@ use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 
 use glam::DVec3;
-use organza_kernel::math::sigmoid;
+use muslin::math::sigmoid;
 
 use super::harmonics::{FIRST, MIDDLE};
 use super::{Splat, VALUES};

@@ -7,8 +7,8 @@ use std::path::Path;
 use flate2::Compression;
 use flate2::read::GzDecoder;
 use flate2::write::GzEncoder;
-use organza_device::memory;
-use organza_kernel::math::sigmoid;
+use muslin::math::sigmoid;
+use muslin_device::memory;
 
 use super::{Splat, byte, invalid, turned};
 use crate::harmonics::{DEGREE, HARMONICS};

@@ -1,7 +1,7 @@
 use super::*;
+use muslin_device::DeviceOptions;
 use organza_core::demo;
 use organza_data::Photograph;
-use organza_device::DeviceOptions;
 
 /// Two views of the built-in scene, with a size that no tile divides, and a renderer.
 fn setup() -> (Renderer, DeviceScene, Vec<Frame>) {

@@ -7,10 +7,10 @@ mod plans;
 use serde::Serialize;
 
 use crate::message::CameraMessage;
+use muslin_device::Device;
 use organza_core::camera::{Camera, Orbit};
 use organza_core::error::Result;
 use organza_core::scene::Scene;
-use organza_device::Device;
 use organza_render::{Renderer, UploadOptions};
 
 /// Options of a page.

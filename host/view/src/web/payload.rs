@@ -10,7 +10,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-use organza_device::PlannedBuffer;
+use muslin_device::PlannedBuffer;
 use serde::Serialize;
 
 use super::About;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use organza_device::{Part, Step};
-use organza_kernel::KernelInfo;
+use muslin::KernelInfo;
+use muslin_device::{Part, Step};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -172,11 +172,11 @@ pub fn kernels(frames: &[PlannedFrame]) -> Result<Vec<Kernel>> {
         let compiled = MODULES.of(info, &info.plain())?;
         let Some(code) = compiled.wgsl() else {
             let reason = format!("`{}` is not there in WGSL", info.name);
-            return Err(organza_device::Error::StaleKernels { reason }.into());
+            return Err(muslin_device::Error::StaleKernels { reason }.into());
         };
         let access = info.bindings.iter().map(|binding| binding.access.as_str()).collect();
         Ok(Kernel { name: info.name, access, code })
     };
-    let used = organza_kernel::kernels().filter(|info| names.contains(info.name));
+    let used = muslin::kernels().filter(|info| names.contains(info.name));
     used.map(kernel).collect()
 }

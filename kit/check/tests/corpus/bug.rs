@@ -3,12 +3,12 @@
 use std::fmt::Debug;
 use std::time::Duration;
 
-pub use organza_check::Canary;
-use organza_check::KernelRunner;
-use organza_device::{Buffer, Device, DeviceOptions, Error, Host, Modules};
-pub use organza_kernel::atomic;
-use organza_kernel::kernel::{Dispatch, InstructionSet};
-pub use organza_kernel::prelude::*;
+pub use muslin::atomic;
+use muslin::kernel::{Dispatch, InstructionSet};
+pub use muslin::prelude::*;
+pub use muslin_check::Canary;
+use muslin_check::KernelRunner;
+use muslin_device::{Buffer, Device, DeviceOptions, Error, Host, Modules};
 
 /// A number of items.
 #[repr(C)]

@@ -226,13 +226,13 @@ fn the_page_is_what_is_found() {
     let page = fs::read_to_string(&path).unwrap();
     let (begin, rest) = page.split_once(BEGIN).expect("the page's beginning");
     let table = table(&findings);
-    if std::env::var_os("ORGANZA_WRITE_CORPUS").is_some() {
+    if std::env::var_os("MUSLIN_WRITE_CORPUS").is_some() {
         fs::write(&path, [begin, BEGIN, &table].concat()).unwrap();
     } else {
         let differs = rest.lines().zip(table.lines()).find(|(page, found)| page != found);
         assert!(
             rest == table,
-            "docs/corpus.md differs from what is found: {differs:?}; ORGANZA_WRITE_CORPUS=1 writes it"
+            "docs/corpus.md differs from what is found: {differs:?}; MUSLIN_WRITE_CORPUS=1 writes it"
         );
     }
     let found = findings.iter().filter(|finding| finding.check != Check::Nothing).count();

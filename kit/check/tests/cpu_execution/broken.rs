@@ -1,7 +1,7 @@
 //! Kernels that break the rules for kernels.
 
-use organza_kernel::atomic;
-use organza_kernel::prelude::*;
+use muslin::atomic;
+use muslin::prelude::*;
 
 /// Uses indices past the end of either buffer.
 #[kernel(threads(64))]

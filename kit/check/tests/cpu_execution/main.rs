@@ -7,20 +7,20 @@ mod broken;
 
 use std::process::Command;
 
-use organza_check::{KernelRunner, devices, unwritten};
-use organza_device::{Device, DeviceOptions, Error, Modules};
-use organza_kernel::glam::UVec3;
-use organza_kernel::invocation::Invocation;
-use organza_kernel::kernel::Dispatch;
-use organza_kernel::memory::{Read, Write};
-use organza_kernel::workgroup::{SharedMemory, Workgroup};
+use muslin::glam::UVec3;
+use muslin::invocation::Invocation;
+use muslin::kernel::Dispatch;
+use muslin::memory::{Read, Write};
+use muslin::workgroup::{SharedMemory, Workgroup};
+use muslin_check::{KernelRunner, devices, unwritten};
+use muslin_device::{Device, DeviceOptions, Error, Modules};
 
 use broken::*;
 
 /// The error message of a kernel that must fail.
 fn failure<'a>(
     device: &Device,
-    kernel: &impl Dispatch<'a, organza_device::Host>,
+    kernel: &impl Dispatch<'a, muslin_device::Host>,
     items: u32,
 ) -> String {
     match device.run(kernel, items, 1) {

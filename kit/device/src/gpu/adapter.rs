@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::open::{DeviceOptions, SpirvPath};
-use organza_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
+use muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
 
 fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
@@ -149,7 +149,7 @@ pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Devic
     // for users who measure kernels
     let optional = wgpu::Features::TIMESTAMP_QUERY;
     let device = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
-        label: Some("organza"),
+        label: Some("muslin"),
         required_features: required_features | (adapter.features() & optional),
         required_limits: adapter.limits(),
         experimental_features,

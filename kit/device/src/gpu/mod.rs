@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use organza_kernel::{EntryPoint, KernelInfo};
+use muslin::{EntryPoint, KernelInfo};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::count::Count;

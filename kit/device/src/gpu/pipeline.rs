@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use organza_kernel::{Access, EntryPoint, KernelInfo};
+use muslin::{Access, EntryPoint, KernelInfo};
 
 use super::variants::Variants;
 use crate::error::{Error, Result};

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use organza_kernel::{Access, KernelInfo};
+use muslin::{Access, KernelInfo};
 
 use super::fill::Fills;
 use super::pipeline::Pipeline;

@@ -1,6 +1,6 @@
 //! Chooses between a kernel's plain entry point and its variant, on a GPU.
 
-use organza_kernel::kernel::{EntryPoint, KernelInfo};
+use muslin::kernel::{EntryPoint, KernelInfo};
 
 /// Whether a device runs the variants of kernels.
 #[derive(Clone, Copy, Debug)]

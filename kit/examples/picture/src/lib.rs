@@ -1,10 +1,10 @@
 //! The kernels' host: what it takes to run them on a device.
 
-use organza_device::{Device, Modules, Result};
+use muslin::device::{Device, Modules, Result};
 use picture_kernels::{BINS, HistogramKernel, Picture, RipplesKernel, TintKernel};
 
 /// The compiled kernels, for [`Device::open`].
-pub static MODULES: Modules = organza_device::modules!();
+pub static MODULES: Modules = muslin::device::modules!();
 
 /// A picture `[1, 3, side, side]`, and its histogram.
 pub fn picture(device: &Device, side: u32) -> Result<(Vec<f32>, Vec<u32>)> {

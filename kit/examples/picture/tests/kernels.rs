@@ -1,11 +1,11 @@
 //! The kernels on the CPU and, two ways, on a GPU: beside each other, beside the equations in f64, and as a picture.
 
-use organza_check::snapshot::{Snapshots, picture::Montage};
-use organza_check::{Case, assert_parity, devices, prelude::*};
+use muslin::check::snapshot::{Snapshots, picture::Montage};
+use muslin::check::{Case, assert_parity, devices, prelude::*};
 use picture::{MODULES, picture};
 use picture_kernels::*;
 
-const SNAPSHOTS: Snapshots = organza_check::snapshots!("tests/snapshots");
+const SNAPSHOTS: Snapshots = muslin::check::snapshots!("tests/snapshots");
 
 case!(Ripples(RipplesInputs));
 

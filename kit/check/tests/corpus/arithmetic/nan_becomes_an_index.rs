@@ -1,7 +1,7 @@
 //! The bin of a mean without members is that of 0 / 0: NaN ends in an integer, and no output shows it.
 
 use crate::bug::*;
-use organza_kernel::math;
+use muslin::math;
 
 #[kernel(threads(64))]
 pub fn nan_becomes_an_index(

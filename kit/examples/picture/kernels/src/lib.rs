@@ -1,7 +1,7 @@
 //! Three kernels. Each is an ordinary function: the CPU runs it, and `cargo xtask kernels` compiles it for every GPU.
 #![no_std]
 
-use organza_kernel::{math, prelude::*};
+use muslin::{math, prelude::*};
 
 /// Parameters of all kernels: `pixels` is `side * side`.
 #[params]

@@ -20,7 +20,7 @@ const TOOLCHAIN: &str = "rust-gpu";
 const PINNED: &str = "pinned";
 
 /// Advice if there is no compiler.
-const ADVICE: &str = "docs/rebuilding-kernels.md tells how to get the compiler";
+const ADVICE: &str = "the README of muslin-build says how to get it";
 
 /// Variables that would change the compiler's options, besides all `CARGO_PROFILE_*`. The modules must depend only on the
 /// sources and the compiler.

@@ -22,7 +22,7 @@ pub fn check(shader_crate: &Path) -> Result<()> {
     check_folder(&shader_crate.join("src"), &mut broken)?;
     match broken.is_empty() {
         true => Ok(()),
-        false => bail!("the kernels break rules of docs/kernels.md:\n  {}", broken.join("\n  ")),
+        false => bail!("kernels break rules of the language:\n  {}", broken.join("\n  ")),
     }
 }
 

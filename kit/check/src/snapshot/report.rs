@@ -65,7 +65,7 @@ pub fn message(name: &str, backend: &str, mismatch: &Mismatch, picture: &Path) -
     let amplification = mismatch.panels.amplification;
     format!(
         "snapshot `{name}` on {backend}: {what}\n  expected | actual | difference x {amplification}: {path}\n  \
-         `cargo insta review` accepts it, docs/snapshots.md says how"
+         `cargo insta review` or INSTA_UPDATE=always accepts it"
     )
 }
 

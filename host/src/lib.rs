@@ -61,7 +61,7 @@ pub use organza_render::{
 pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
 pub use organza_view::{self as view, film, web};
 
-/// Gaussians for viewers that sort: their files, the fit of a scene's Gaussians, and scenes made of such files.
+/// Gaussians for 3D Gaussian Splatting viewers: their files, the fit of a scene's Gaussians, and scenes made of such files.
 pub mod splats {
     pub use organza_splats::*;
     pub use organza_train::evaluate::{Beside, beside};

@@ -1,4 +1,4 @@
-"""Files for viewers that sort, and scenes of their files."""
+"""Files for 3D Gaussian Splatting viewers, and scenes of their files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ._renderer import Renderer
 
 @dataclass(frozen=True)
 class Exported:
-    """The content of a file for viewers that sort, and its PSNR compared with the scene."""
+    """The content of a file for 3D Gaussian Splatting viewers, and its PSNR compared with the scene."""
 
     gaussians: int
     """The Gaussians of the file. Those that are nearly transparent are left out."""
@@ -38,7 +38,7 @@ def export(
     side: int = 480,
     renderer: Renderer | None = None,
 ) -> Exported:
-    """Writes a scene as Gaussians for viewers that sort. They know no networks: harmonics are fitted to the colors, and opacities to
+    """Writes a scene as Gaussians for 3D Gaussian Splatting viewers. They know no networks: harmonics are fitted to the colors, and opacities to
     the visibility.
 
         organza.export(scene, "scene.ply", dataset)

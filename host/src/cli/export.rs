@@ -1,4 +1,4 @@
-//! `organza export`: writes a scene as a file for viewers that sort.
+//! `organza export`: writes a scene as a file for 3D Gaussian Splatting viewers.
 
 use std::path::PathBuf;
 
@@ -29,7 +29,7 @@ opacities to the visibility. Then it renders as those viewers do, from the camer
 compares with the scene's own images, and corrects all values of the Gaussians, step by step. It prints how close it came, \
 in views that the fit has not seen.";
 
-/// Write a scene as Gaussians for viewers that sort: .ply, .spz, .glb or .splat
+/// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .spz, .glb or .splat
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

@@ -23,7 +23,7 @@ Examples:
   organza export-web run -o page                     page/index.html and two files beside it, for any web server
   organza export-web run --single-file -o page.html  one file, to open or to send
   organza export-web scene.safetensors transforms.json -o page
-  organza export-web run -o page --size 1920x1080    up to so many pixels
+  organza export-web run -o page --size 1920x1080    images of at most this size
 
 The page renders with the visitor's GPU. It needs a browser with WebGPU, and no program and no server: it also opens from \
 a folder. It begins at the first camera and turns around what the cameras look at; without cameras, around the scene's box.";

@@ -10,6 +10,12 @@
 there `FileNotFoundError`, too little memory `MemoryError`, and all else that stops organza `organza.Error`.
 """
 
+import os
+
+# Without a desktop, Mesa's layer that chooses among its devices writes a complaint for each device that is opened.
+if not os.environ.get("XDG_RUNTIME_DIR"):
+    os.environ.setdefault("NODEVICE_SELECT", "1")
+
 from ._organza import DeviceScene, Error, Recording, Scene, __version__
 from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset

@@ -24,12 +24,13 @@ pub struct Scene(pub Arc<organza::Scene>);
 
 #[pymethods]
 impl Scene {
-    /// Reads a scene file (safetensors).
+    /// Reads a scene file (safetensors), or the scene in the folder of a training run.
     ///
     /// Raises `FileNotFoundError`, `ValueError` for a file that is damaged or no scene, and `MemoryError`.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        job::run(py, move || organza::Scene::load(path)).map(Self::new)
+        let file = if path.is_dir() { path.join(organza::train::CHECKPOINT) } else { path };
+        job::run(py, move || organza::Scene::load(file)).map(Self::new)
     }
 
     /// The built-in scene, which needs no file.

@@ -1,6 +1,7 @@
 """Scenes, cameras, pictures and gradients, with numpy alone."""
 
 import json
+import os
 import struct
 import subprocess
 import sys
@@ -276,3 +277,10 @@ def test_the_stubs_are_those_of_the_module():
             if callable(found):
                 names = [argument for argument in inspect.signature(found).parameters]
                 assert names == arguments(methods[method]), f"{name}.{method}"
+
+
+def test_drivers_say_nothing_on_a_machine_without_a_desktop():
+    environment = {name: value for name, value in os.environ.items() if name not in ("XDG_RUNTIME_DIR", "NODEVICE_SELECT")}
+    command = [sys.executable, "-c", "import organza; organza.Renderer()"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout == done.stderr == ""

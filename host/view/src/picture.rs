@@ -84,8 +84,8 @@ pub fn of_channel(
     }
     let range = match mode {
         Mode::Depth => depths(scene, camera),
-        // Eq. 13 divides above 1
-        Mode::Weight => Range { low: 0.0, high: 2.0 },
+        // Eq. 13 divides above 1, so this end is always there
+        Mode::Weight => Range { low: 0.0, high: round_up(highest(values).max(2.0)) },
         _ => Range { low: 0.0, high: 1.0 },
     };
     let values = values.iter().map(|&value| f64::from(value));
@@ -95,14 +95,23 @@ pub fn of_channel(
 /// The image of the number of Gaussians in each pixel's sum.
 pub fn of_members(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
     let most = count.iter().copied().max().unwrap_or(0).max(8);
-    // in steps of 1, 2 or 5 times a power of ten, so that the scale rarely changes
-    let mut power = 1;
-    while 10 * power < most {
-        power *= 10;
-    }
-    let high = [1, 2, 5, 10].map(|times| times * power).into_iter().find(|high| *high >= most);
-    let range = Range { low: 0.0, high: f64::from(high.unwrap_or(most)) };
+    let range = Range { low: 0.0, high: round_up(f64::from(most)) };
     (scaled(Mode::Members, size, count.iter().map(|&n| f64::from(n)), range), Some(range))
+}
+
+/// The largest finite value.
+fn highest(values: &[f32]) -> f64 {
+    values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f32::max).into()
+}
+
+/// The next 1, 2 or 5 times a power of ten: the end of a scale that rarely changes.
+fn round_up(value: f64) -> f64 {
+    let power = 10.0_f64.powf(value.log10().floor());
+    [1.0, 2.0, 5.0, 10.0]
+        .map(|times| times * power)
+        .into_iter()
+        .find(|end| *end >= value)
+        .unwrap_or(value)
 }
 
 /// The image of the difference from a photograph: the mean over the channels, from 0 to 1 / [`ERROR_FACTOR`].
@@ -157,5 +166,18 @@ pub fn encode_jpeg(image: &Image) -> Result<Vec<u8>> {
     match encoded {
         Ok(()) => Ok(bytes),
         Err(error) => super::message::refuse(format!("the image cannot be encoded: {error}")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::round_up;
+
+    #[test]
+    fn scales_end_at_1_2_or_5_times_a_power_of_ten() {
+        for (value, end) in [(2.0, 2.0), (2.1, 5.0), (8.0, 10.0), (14.2, 20.0), (1000.0, 1000.0)] {
+            assert_eq!(round_up(value), end, "{value}");
+        }
+        assert_eq!(round_up(0.03), 0.05);
     }
 }

@@ -92,7 +92,28 @@ fn a_scene_in_a_browser() {
     let rows = page.eval("document.querySelectorAll('#rows tr').length").as_u64().unwrap();
     assert!(count > 0 && rows as usize == count.min(61), "{rows} of {count}");
 
+    let bar = "document.querySelector('#rows .share').getBoundingClientRect()";
+    assert_eq!(page.eval(&format!("{bar}.height")), 9);
     page.screenshot("viewer-explain");
+
+    // keys work after a click on a box, and the pointer shows the depth
+    page.eval("document.getElementById('show-cameras').focus()");
+    page.key("4");
+    page.wait(REST);
+    page.mouse("mouseMoved", [x + 1.0, y]);
+    page.wait("organza.view.depth");
+    let depth = page.eval("organza.view.depth").as_f64().unwrap();
+    let range = page.eval("organza.view.shown.about.range");
+    let range: [f64; 2] = serde_json::from_value(range).expect("a scale");
+    assert!(range[0] < depth && depth < range[1], "{depth} in {range:?}");
+    page.screenshot("viewer-depth");
+    page.key("5");
+    page.wait(REST);
+    assert!(
+        page.eval("document.getElementById('scale').innerText").as_str().unwrap().contains("red")
+    );
+    page.key("1");
+    page.wait(REST);
 
     // keyframes survive saving and loading
     page.eval("document.getElementById('add-keyframe').click()");
@@ -160,6 +181,7 @@ fn a_training_in_a_browser() {
     let first = mean(&psnr[..10]);
     let last = mean(&psnr[psnr.len() - 10..]);
     assert!(last > first + 1.0, "PSNR rises: {first} {last}");
+    page.wait("document.getElementById('progress').textContent.includes('left')");
     page.screenshot("viewer-training");
     page.eval("document.getElementById('pause').click()");
     page.wait("organza.training.state.paused");

@@ -47,7 +47,7 @@ export class Controls {
 
   move(event) {
     const before = this.pointers.get(event.pointerId);
-    if (!before) return;
+    if (!before) return this.view.hover?.(this.pixel(event));
     const after = [event.clientX, event.clientY];
     const [dx, dy] = sub(after, before);
     this.travelled += Math.hypot(dx, dy);
@@ -132,7 +132,9 @@ export class Controls {
   }
 
   key(event) {
-    if (event.target.matches?.("input, select, textarea") || event.ctrlKey || event.metaKey || event.altKey) return;
+    // a box or a slider takes no letters
+    const types = "select, textarea, input:not([type=checkbox], [type=range], [type=color])";
+    if (event.target.matches?.(types) || event.ctrlKey || event.metaKey || event.altKey) return;
     if (FLY[event.code] && !this.view.isHelp()) {
       event.preventDefault();
       if (this.keys.size === 0) {

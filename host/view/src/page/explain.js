@@ -35,6 +35,14 @@ export class Explain {
     return answer?.gaussians[0]?.depth ?? null;
   }
 
+  // The mean depth of a pixel by the weights, in world units; null where there is nothing.
+  async meanDepth(pixel) {
+    const answer = await this.fetch(pixel);
+    if (!answer?.gaussians.length) return null;
+    const sum = (value) => answer.gaussians.reduce((total, one) => total + value(one), 0);
+    return sum((one) => one.alpha * one.depth) / sum((one) => one.alpha);
+  }
+
   async ask(pixel) {
     const camera = this.view.camera;
     const answer = await this.fetch(pixel);
@@ -72,7 +80,7 @@ export class Explain {
       const made = element(
         "tr", { tabIndex: 0 },
         element("td", {}, String(one.gaussian)), element("td", {}, swatch),
-        number(one.falloff, 3), number(one.transmittance, 3), number(one.alpha, 4), element("td", { className: "bar" }, bar),
+        number(one.falloff, 3), number(one.transmittance, 3), number(one.alpha, 4), element("td", { className: "amount" }, bar),
       );
       made.onpointerenter = made.onfocus = () => this.choose(one);
       return made;

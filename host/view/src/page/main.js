@@ -14,9 +14,11 @@ const MODES = {
   depth: ["Depth", "in world units"], normal: ["Normals", "shortest axes, in world space"],
   members: ["Members", "Gaussians of a pixel"], error: ["Error", "difference from the photograph"],
 };
+const HOVER = 150; // milliseconds that the pointer rests
 const SIZES = [[640, 480], [960, 720], [1280, 720], [1920, 1080]];
 
 const scene = await (await fetch("scene.json")).json();
+let hovering = 0;
 const number = new Intl.NumberFormat("en");
 
 // Everything that the image depends on.
@@ -38,6 +40,7 @@ const view = {
     view.changed();
   },
   changed() {
+    view.depth = null;
     frames.change();
     overlay.draw();
     say();
@@ -56,6 +59,16 @@ const view = {
     const depth = await explain.depth(pixel.map(Math.floor));
     if (depth) view.center = unproject(view.camera, pixel, depth);
     overlay.ping(view.center);
+  },
+  // In the mode of depth, the depth where the pointer rests.
+  hover(pixel) {
+    clearTimeout(hovering);
+    view.depth = null;
+    if (view.mode !== "depth") return;
+    hovering = setTimeout(async () => {
+      view.depth = await explain.meanDepth(pixel.map(Math.floor));
+      say();
+    }, HOVER);
   },
   isHelp: () => $("help").open,
   key,
@@ -111,18 +124,25 @@ function say() {
   const [w, h] = about.size, rate = frames.rate;
   const isBusy = frames.wanted || frames.busy;
   // a scene that is trained changes before it could be refined
-  const name = about.quality === "moving" ? "moving" : !frames.refines ? "live" : isBusy || about.quality === "still" ? "refining" : "exact";
+  const name = training?.state?.ended ? "ended" : about.quality === "moving" ? "moving" : !frames.refines ? "live" : isBusy || about.quality === "still" ? "refining" : "exact";
   $("quality").textContent = name;
   $("quality").dataset.is = $("quality").textContent;
-  const facts = [`${w} × ${h}`, `${about.milliseconds.toFixed(0)} ms`];
+  // the page draws a small image larger than it is
+  const larger = $("image").clientWidth / w;
+  const facts = [`${w} × ${h}${larger > 1.5 ? `, enlarged ${larger.toFixed(1)} times` : ""}`, `${about.milliseconds.toFixed(0)} ms`];
+  if (view.depth) facts.unshift(`depth ${view.depth.toPrecision(4)}`);
   if (rate) facts.unshift(`${rate.toFixed(0)} frames/s`);
   facts.push(`${number.format(about.pairs)} Gaussians in view`);
   facts.push(about.samples ? `${number.format(about.samples)} samples${about.steps > 1 ? `, steps × ${about.steps}` : ""}` : "T and colors kept");
   $("numbers").textContent = facts.join(" · ");
   $("facts").textContent = `${number.format(about.gaussians)} Gaussians · ${scene.device}`;
   const range = about.range;
-  $("scale").hidden = !range;
-  if (range) {
+  $("scale").hidden = !range && about.mode !== "normal";
+  $("ramp").hidden = !range;
+  if (!range) {
+    $("low").textContent = "normals: x is red, y green, z blue";
+    $("high").textContent = "-1 is dark, 1 bright";
+  } else {
     const digits = (value) => (value >= 100 || Number.isInteger(value) ? value.toFixed(0) : value.toPrecision(2));
     $("low").textContent = digits(range[0]);
     $("high").textContent = digits(range[1]);

@@ -7,7 +7,7 @@ const EVERY = 1000; // milliseconds
 
 export class Training {
   constructor(frames) {
-    Object.assign(this, { frames, state: null, charts: [] });
+    Object.assign(this, { frames, state: null, charts: [], recent: [] });
     $("training").hidden = false;
     const send = (command) => async () => {
       await post("/training", JSON.stringify(command)).catch(() => {});
@@ -17,6 +17,15 @@ export class Training {
     $("step").onclick = send("step");
     $("stop").onclick = send("stop");
     this.load();
+  }
+
+  // Seconds that are left, by the steps of the last minute; null before there are some, and while nothing goes on.
+  left({ step, steps, seconds, paused }) {
+    const [first] = this.recent;
+    this.recent.push([step, seconds]);
+    if (this.recent.length > 60) this.recent.shift();
+    if (!first || paused || step <= first[0]) return null;
+    return ((steps - step) * (seconds - first[1])) / (step - first[0]);
   }
 
   async load() {
@@ -47,12 +56,16 @@ export class Training {
 
   show() {
     const { step, steps, paused, stopping, ended, seconds, share, curve, evaluations } = this.state;
-    const time = seconds < 90 ? `${(seconds ?? 0).toFixed(0)} s` : `${Math.floor(seconds / 60)} min ${Math.round(seconds % 60)} s`;
-    $("progress").textContent = ended ?? `step ${step} of ${steps} · ${time}${share > 0.005 ? ` · images take ${(100 * share).toFixed(0)} %` : ""}`;
+    const time = (value) => (value < 90 ? `${value.toFixed(0)} s` : `${Math.floor(value / 60)} min ${Math.floor(value % 60)} s`);
+    const left = ended ? null : this.left(this.state);
+    const facts = [`step ${step} of ${steps}`, time(seconds ?? 0)];
+    if (left != null) facts.push(`${time(left)} left`);
+    if (share > 0.005) facts.push(`images take ${(100 * share).toFixed(0)} %`);
+    $("progress").textContent = ended ?? facts.join(" · ");
     $("bar").firstElementChild.style.width = `${(100 * step) / Math.max(1, steps)}%`;
     $("pause").textContent = paused ? "Go on" : "Pause";
     for (const id of ["pause", "step", "stop"]) $(id).disabled = Boolean(ended) || stopping;
-    if (stopping) $("stop").textContent = "Stopping…";
+    if (stopping) $("stop").textContent = ended ? "Stopped" : "Stopping…";
     if (!curve || !window.uPlot) return;
     this.chart(0, "Loss", [curve.step, curve.loss], null, true);
     this.chart(1, "PSNR, dB", [curve.step, curve.psnr], [evaluations.step, evaluations.psnr]);

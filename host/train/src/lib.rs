@@ -28,7 +28,6 @@ mod resume;
 mod sampler;
 mod session;
 mod share;
-mod share_checkpoint;
 mod share_growth;
 mod space;
 mod start;
@@ -48,7 +47,6 @@ pub use import::{Import, Imported, import};
 pub use per_photograph::PerPhotograph;
 pub use ranks::{Split, follow};
 pub use session::{Event, Outcome, Session, Watch};
-pub use share_checkpoint::CheckpointShare;
 pub use step_report::StepReport;
 pub use trainer::Trainer;
 

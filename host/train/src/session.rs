@@ -17,7 +17,6 @@ use super::plan::Planner;
 use super::ranks::{self, Split};
 use super::resume::OpenLog;
 use super::share::check_shares;
-use super::share_checkpoint::CheckpointShare;
 use super::start::first_scene;
 use super::step_report::StepReport;
 use super::trainer::Trainer;
@@ -26,6 +25,7 @@ use crate::evaluate::csv::save_csv;
 use organza_core::Image;
 use organza_core::error::{self, Result};
 use organza_core::ranks::{Grid, Ranks};
+use organza_core::scene::SceneShare;
 use organza_data::{Dataset, Frame};
 use organza_render::{DeviceScene, Renderer};
 use state::State;
@@ -277,10 +277,7 @@ impl<'a> Session<'a> {
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
         let begin = Instant::now();
-        let (trainer, progress, changes) = match (&self.ranks, self.split) {
-            (Some(ranks), Split::Gaussians) => self.begin_shares(ranks, resume, watch)?,
-            _ => self.begin_whole(resume, watch)?,
-        };
+        let (trainer, progress, changes) = self.begin(resume, watch)?;
         // a run that cannot begin writes nothing
         watch(Event::Begin(progress.step))?;
         let now = |change: &&Change| change.step == u64::from(progress.step);
@@ -309,38 +306,15 @@ impl<'a> Session<'a> {
         .run()
     }
 
-    /// Begins with the whole scene: the trainer, the progress of its run, and the settings that have changed.
-    fn begin_whole(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
-        let path = self.folder.path().join(CHECKPOINT);
-        let config = self.config.clone();
-        let dataset = Arc::clone(self.dataset);
-        let mut changes = Vec::new();
-        let (trainer, progress) = if resume && path.exists() {
-            let checkpoint = Checkpoint::load(&path)?;
-            let gaussians = checkpoint.scene.gaussians.len();
-            let progress = checkpoint.progress;
-            changes = self.check_binding(&path, (gaussians, progress.step), watch)?;
-            let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
-            (trainer, progress)
-        } else {
-            (Trainer::start(self.renderer, config, dataset)?, Progress::default())
+    /// The trainer, the progress of its run, and the settings that have changed.
+    fn begin(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
+        let shares = match (&self.ranks, self.split) {
+            (Some(ranks), Split::Gaussians) => {
+                check_shares(self.config)?;
+                Some(Grid::new(&**ranks, self.shares.unwrap_or(ranks.size()))?.shares)
+            }
+            _ => None,
         };
-        let trainer = match &self.ranks {
-            Some(ranks) => ranks::lead(ranks, self.renderer, trainer, self.mixed)?,
-            None => trainer,
-        };
-        Ok((trainer, progress, changes))
-    }
-
-    /// Like [`Session::begin_whole`], if each rank has a share of the Gaussians.
-    fn begin_shares(
-        &self,
-        ranks: &Arc<dyn Ranks>,
-        resume: bool,
-        watch: &mut Watch<'_>,
-    ) -> Result<Begun> {
-        check_shares(self.config)?;
-        let shares = Grid::new(&**ranks, self.shares.unwrap_or(ranks.size()))?.shares;
         let path = self.folder.path().join(CHECKPOINT);
         let resumes = resume && path.exists();
         let scene = match resumes {
@@ -348,18 +322,29 @@ impl<'a> Session<'a> {
             false => Some(first_scene(self.config, self.dataset)?),
         };
         let share = |index: usize| match &scene {
-            Some(scene) => CheckpointShare::begin(scene, self.config, index, shares),
-            None => CheckpointShare::load(&path, index, shares),
+            Some(scene) => {
+                let share = SceneShare::of(scene, index, shares.unwrap_or(1));
+                Checkpoint::begin_share(share, self.config)
+            }
+            None => Checkpoint::load_share(&path, index, shares.unwrap_or(1)),
         };
-        let mine = share(0)?;
-        let progress = mine.state.progress;
+        let mut mine = share(0)?;
+        let progress = mine.progress;
         let mut changes = Vec::new();
         if resumes {
             changes = self.check_binding(&path, (mine.gaussians, progress.step), watch)?;
         }
-        let of = (ranks, shares);
-        let run = (self.config, self.dataset);
-        let trainer = ranks::lead_shares(of, self.renderer, run, &mine, share, self.mixed)?;
+        let config = self.config.clone();
+        let dataset = Arc::clone(self.dataset);
+        let Some(ranks) = &self.ranks else {
+            drop(scene);
+            let trainer = Trainer::resume(self.renderer, config, dataset, &mine)?;
+            return Ok((trainer, progress, changes));
+        };
+        let run = (self.config, &**self.dataset);
+        ranks::lead((&**ranks, shares), self.renderer, run, &mut mine, share, self.mixed)?;
+        drop(scene);
+        let trainer = ranks::trainer((ranks, shares), self.renderer, config, dataset, &mine)?;
         Ok((trainer, progress, changes))
     }
 

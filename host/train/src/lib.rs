@@ -39,7 +39,7 @@ pub use binding::{Binding, CHANGEABLE, Change, changed_settings_of, settings_of}
 pub use checkpoint::{BEST, CHECKPOINT, Checkpoint, Progress};
 pub use config::{ConfigBuilder, Preset, TrainConfig};
 pub use evaluate::{Evaluation, evaluate};
-pub use folder::{CAMERAS, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT, TENSORBOARD};
+pub use folder::{CAMERAS, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT};
 pub use folder::{RunFolder, is_run_file};
 pub use growth::Grown;
 pub use hooks::{GradientHook, StepGradient, StepHooks};

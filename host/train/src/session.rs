@@ -136,8 +136,6 @@ pub enum Event<'a> {
         frame: &'a Frame,
         /// The rendered image, of the photograph's size.
         image: &'a Image,
-        /// Whether every evaluation of the run measures this view.
-        always: bool,
     },
     /// The held-out views were measured.
     Evaluated(&'a Evaluation),

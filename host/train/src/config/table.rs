@@ -208,10 +208,6 @@ macro_rules! define {
                 checkpoint_every: u32 = 250, in 1..;
                 /// Steps between `step` records of the log.
                 log_every: u32 = 10, in 1..;
-                /// Also write the log as a TensorBoard event file, in the folder RUN/tensorboard.
-                #[option("--tensorboard")]
-                #[see("#tensorboard")]
-                tensorboard: bool = false;
             }
 
             /// The loss `(1 - w) L1 + w (1 - SSIM)`, and its additional terms.

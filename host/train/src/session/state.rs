@@ -1,7 +1,6 @@
 //! The loop of a run: its steps, and the logging, saving and measuring between them.
 
 use std::collections::BTreeMap;
-use std::ptr;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
@@ -237,7 +236,6 @@ impl State<'_, '_, '_> {
         let dataset = self.session.dataset;
         let count = dataset.held_out.len();
         let frames = held_out::frames(dataset, views, all);
-        let always = held_out::frames(dataset, views, false);
         if frames.is_empty() {
             return self.complete().map(|()| true);
         }
@@ -253,8 +251,7 @@ impl State<'_, '_, '_> {
             let found = self.trainer.measure(&frames, first)?;
             for (index, (part, image)) in (first..).zip(found) {
                 let frame = frames[index];
-                let always = always.iter().any(|always| ptr::eq(*always, frame));
-                (self.watch)(Event::View { index, step, frame, image: &image, always })?;
+                (self.watch)(Event::View { index, step, frame, image: &image })?;
                 parts.push(part);
             }
         }

@@ -218,7 +218,7 @@ impl Recording<'_> {
     pub fn backward_with_poses(&self, grad_output: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
         self.check(grad_output)?;
         let device = self.renderer.device();
-        let gradient = SceneGradient::new(device, &self.fields)?;
+        let gradient = SceneGradient::new(self.renderer.device(), &self.fields)?;
         let gradient = gradient.with_poses(device, self.cameras.len())?;
         let found = self.download(&gradient, grad_output)?;
         Ok((found, gradient.read_poses(device)?))

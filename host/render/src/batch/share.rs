@@ -108,7 +108,7 @@ impl Renderer {
             // plans are last first
             for plan in plans.iter().rev() {
                 let render = |capacity: Option<Capacity>| {
-                    let part = Part::evaluate(device, slice, cameras, plan, keep, capacity)?;
+                    let part = Part::evaluate(slice, cameras, plan, keep, capacity)?;
                     let buffers = vec![part.composite.sum.view(), part.bins.degenerate.view()];
                     let (values, needed) = part.read(device, buffers)?;
                     Ok(((part, values, needed), needed))

@@ -34,7 +34,6 @@ pub struct Composite {
 
 impl Composite {
     pub fn new(
-        device: &Device,
         scene: &DeviceScene,
         background: [f64; 3],
         side: u32,
@@ -42,7 +41,8 @@ impl Composite {
         transmittance: &Buffer<f32>,
         color: &Buffer<f32>,
     ) -> Result<Self> {
-        let (sum, splat) = weighted_sum(device, scene, side, bins, transmittance, color)?;
+        let device = scene.device();
+        let (sum, splat) = weighted_sum(scene, side, bins, transmittance, color)?;
         let image = resolve(device, background, scene.divide_above, side, &bins.tile, &sum)?;
         Ok(Self { sum, image, splat, distortion: None })
     }
@@ -51,13 +51,13 @@ impl Composite {
     /// `image_gradient [tiles, 3, S, S]`, dL/dI.
     pub fn backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         side: u32,
         bins: &Bins,
         transmittance: &Buffer<f32>,
         image_gradient: &Buffer<f32>,
     ) -> Result<Buffer<Vec4>> {
+        let device = scene.device();
         let tiles = bins.tiles;
         let sum_gradient = device.unwritten("gradient of the sums", self.sum.len())?;
         let kernel = ResolveBackwardKernel {
@@ -71,8 +71,7 @@ impl Composite {
         let member_gradient = members_gradient(device, bins)?;
         add_members(device, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
         if let Some(distortion) = &self.distortion {
-            let (sum_gradient, splat) =
-                distortion.backward(device, scene, side, bins, transmittance)?;
+            let (sum_gradient, splat) = distortion.backward(scene, side, bins, transmittance)?;
             add_members(device, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
         }
 
@@ -149,13 +148,13 @@ fn add_members(
 /// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they
 /// are the sums of.
 pub fn weighted_sum(
-    device: &Device,
     scene: &DeviceScene,
     side: u32,
     bins: &Bins,
     transmittance: &Buffer<f32>,
     color: &Buffer<f32>,
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    let device = scene.device();
     let pairs = &bins.pairs;
     let capacity = pairs.count.at_most();
     let splat = device.unwritten("splats", (capacity * VECTORS) as usize)?;

@@ -45,6 +45,7 @@ impl Renderer {
         let is_contracted = !config.contraction.is_none();
         let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
         Ok(DeviceScene {
+            device: Arc::clone(&self.device),
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
             ray_steps: 1,

@@ -7,20 +7,14 @@ use std::io::{BufReader, Cursor, Read, Seek};
 use std::ops::Range;
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
-
 use super::binding::{BINDING, Binding};
 use super::config::TrainConfig;
+use super::folder::CHECKPOINT;
 use super::per_photograph::{PerPhotograph, VALUES_PREFIX, names};
+use super::progress::{PROGRESS, Progress};
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
-use organza_core::scene::{Scene, SceneShare, Tensor, TensorSpec, read_metadata, read_tensor};
-
-/// The file's name in a run's folder.
-pub const CHECKPOINT: &str = "checkpoint.safetensors";
-
-/// The file of the checkpoint whose held-out views were rendered best.
-pub const BEST: &str = "checkpoint.best.safetensors";
+use organza_core::scene::{Scene, SceneShare, Tensor, TensorSpec, read_tensor};
 
 /// Prefixes of the names of Adam's moments.
 const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
@@ -30,9 +24,6 @@ const STATISTICS: &str = "train.statistics";
 const EXPOSURE: &str = "exposure";
 /// Those of poses.
 const POSE: &str = "pose";
-/// The key of [`Progress`] in the metadata.
-const PROGRESS: &str = "train";
-
 /// Where training stands, to the bit. Of a scene whose Gaussians are dealt to [ranks](organza_core::ranks), each rank has
 /// its [share](SceneShare), and all fields.
 ///
@@ -73,39 +64,6 @@ pub struct Checkpoint {
     pub poses: Option<PerPhotograph>,
     /// How far it has come.
     pub progress: Progress,
-}
-
-/// How far training has come.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Progress {
-    /// Steps that are done.
-    pub step: u32,
-    /// Seconds of training.
-    pub seconds: f64,
-}
-
-impl Progress {
-    /// Reads that of a checkpoint, and nothing else of it.
-    ///
-    /// # Errors
-    /// As [`Checkpoint::load`], for the header.
-    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
-        let (mut file, length) = open_regular(path)?;
-        Self::read(&mut file, length, path)
-    }
-
-    fn read(reader: &mut impl Read, length: u64, path: &Path) -> Result<Self> {
-        let progress = read_metadata(reader, length, path, PROGRESS)?;
-        let progress = progress.and_then(|text| serde_json::from_str(&text).ok());
-        progress.ok_or_else(|| lacks(path, "`train` metadata"))
-    }
-}
-
-/// What is a scene, but no checkpoint.
-fn lacks(path: &Path, what: &str) -> Error {
-    let reason = format!("it lacks {what}: it is a scene, but not a checkpoint to resume from");
-    Error::Invalid { origin: path.to_owned(), reason }
 }
 
 impl Checkpoint {

@@ -3,10 +3,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::checkpoint::{BEST, CHECKPOINT};
 use organza_core::error::{Error, Result};
 use organza_core::{FolderLock, remove_leftovers};
 
+/// `checkpoint.safetensors`: the checkpoint.
+pub const CHECKPOINT: &str = "checkpoint.safetensors";
+/// `checkpoint.best.safetensors`: the checkpoint whose held-out views were rendered best.
+pub const BEST: &str = "checkpoint.best.safetensors";
 /// `config.toml`: all settings.
 pub const CONFIG: &str = "config.toml";
 /// `metrics.jsonl`: one record per line.

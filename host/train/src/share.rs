@@ -7,7 +7,7 @@ use super::binding::Binding;
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::ranks::{self, Order};
-use super::trainer::Trainer;
+use super::trainer::{Trainer, grid_of};
 use crate::evaluate::{Evaluation, evaluate_share};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
@@ -131,12 +131,6 @@ impl Trainer {
         let checkpoint = self.checkpoint(seconds)?;
         self.with_group(|ranks| checkpoint.save_shares(path, Some(binding), ranks))
     }
-}
-
-/// See [`Trainer::grid`].
-pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shares: Option<usize>) -> Option<Grid<'_>> {
-    let (all, shares) = (ranks.as_deref()?, shares?);
-    Some(Grid { all, shares })
 }
 
 /// Ranks that share the Gaussians do not know the distortion, which is no sum over them.

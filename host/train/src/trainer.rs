@@ -1,26 +1,26 @@
 //! One step after the other: draw tiles, render, compare, go back, move, grow.
 
-use std::path::Path;
 use std::sync::Arc;
 
-use super::checkpoint::{Checkpoint, Progress};
+use super::checkpoint::Checkpoint;
 use super::coarse::{Batches, Drawn};
 use super::config::TrainConfig;
 use super::exposure::Exposures;
 use super::growth::Grown;
 use super::hooks::{StepGradient, StepHooks};
 use super::pose::PoseSet;
+use super::progress::Progress;
+use super::requirements::check;
 use super::sampler::Target;
-use super::share::grid_of;
 use super::share_growth::grow;
 use super::start;
 use super::state::State;
 use super::step_report::StepReport;
 use crate::evaluate::{Evaluation, evaluate};
 use organza_core::camera::Camera;
-use organza_core::error::{Error, IN_MEMORY, Result};
+use organza_core::error::{Error, Result};
 use organza_core::metrics;
-use organza_core::ranks::Ranks;
+use organza_core::ranks::{Grid, Ranks};
 use organza_core::scene::range_of;
 use organza_data::Dataset;
 use organza_render::{DeviceScene, DeviceShare, ExposureGradient, Loss, Renderer, UploadOptions};
@@ -373,13 +373,8 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
     step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
 }
 
-/// Settings that were made in code are held to what files are held to.
-pub(super) fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
-    let invalid = |reason| Error::Invalid { origin: Path::new(IN_MEMORY).to_owned(), reason };
-    config.check().map_err(invalid)?;
-    if dataset.train.is_empty() {
-        let reason = "the data set has no frame to train on".to_owned();
-        return Err(Error::Invalid { origin: dataset.path.clone(), reason });
-    }
-    Ok(())
+/// See [`Trainer::grid`].
+pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shares: Option<usize>) -> Option<Grid<'_>> {
+    let (all, shares) = (ranks.as_deref()?, shares?);
+    Some(Grid { all, shares })
 }

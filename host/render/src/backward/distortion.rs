@@ -6,7 +6,7 @@ use organza_shaders::distortion::{
 };
 
 use crate::forward::bin::Bins;
-use crate::forward::composite::weighted_sum;
+use crate::forward::weighted_sum::weighted_sum;
 use crate::scene::device_scene::DeviceScene;
 use glam::Vec4;
 use organza_device::{Buffer, Result};

@@ -5,7 +5,8 @@ use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 use organza_shaders::composite::SUM_PLANES;
 
 use super::bin::Bins;
-use super::composite::{Composite, weighted_sum};
+use super::composite::Composite;
+use super::weighted_sum::weighted_sum;
 use crate::scene::device_scene::DeviceScene;
 use organza_core::Channel;
 use organza_device::{Buffer, Result};

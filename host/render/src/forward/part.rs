@@ -7,7 +7,6 @@ use super::composite::Composite;
 use super::part_counts::{Capacity, Needed};
 use super::transmittance::Transmittance;
 use crate::batch::plan::Plan;
-use crate::batch::results::report_of_part;
 use crate::scene::device_scene::DeviceScene;
 use organza_core::camera::Camera;
 use organza_core::{Channel, RenderReport};
@@ -94,6 +93,16 @@ pub fn render(
     let (mut rendered, degenerate, needed) = read_tiles(scene, plan, channels, seen, read)?;
     rendered.report = report_of_part(degenerate, needed);
     Ok(((part, rendered), needed))
+}
+
+/// The report of a part, from the capacity that it needed.
+pub fn report_of_part(degenerate: u32, needed: Needed) -> RenderReport {
+    let mut report =
+        RenderReport { parts: 1, degenerate: u64::from(degenerate), ..RenderReport::default() };
+    if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
+        [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
+    }
+    report
 }
 
 /// Reads the tiles of a part and their channels, and how many Gaussians could not be projected. The report is still empty.

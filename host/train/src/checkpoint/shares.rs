@@ -5,9 +5,10 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Checkpoint, MOMENTS, Progress, STATISTICS};
+use super::{Checkpoint, MOMENTS, STATISTICS};
 use crate::binding::Binding;
 use crate::per_photograph::PerPhotograph;
+use crate::progress::Progress;
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::ranks::{Grid, Ranks, ThreadRanks};
 use organza_core::scene::{Scene, SceneConfig, SceneShare, Tensor, TensorSpec, range_of};

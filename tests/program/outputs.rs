@@ -14,7 +14,7 @@ fn sandbox() -> Sandbox {
     let sandbox = runs::sandbox();
     fs::rename(sandbox.path("views"), sandbox.path("data")).unwrap();
     let train = TINY.replace("views", "data");
-    sandbox.run(&format!("{train} run --steps 2 --tensorboard")).assert_ok();
+    sandbox.run(&format!("{train} run --steps 2")).assert_ok();
     sandbox.run(&format!("{train} other --steps 2 --seed 1")).assert_ok();
     let words = "export run -o splats.ply --steps 0 --side 16 --backend cpu";
     sandbox.run(words).assert_ok();
@@ -40,7 +40,7 @@ fn no_file_of_a_run_or_a_data_set_is_replaced() {
         ("export run data -o data/points.ply --steps 0 --side 16", data),
         ("export run -o data/points.ply --steps 0 --side 16", data),
         ("film run data -o data/mask.png --frames 2", data),
-        ("film run -o run/tensorboard/events.out.tfevents.organza.png --frames 2", run),
+        ("film run -o run/pictures/mine.png --frames 2", run),
         ("export-web run --single-file -o data/transforms.json", data),
         ("export-web run data --single-file -o run/report.html", run),
     ] {
@@ -119,9 +119,9 @@ fn training_writes_no_picture_through_a_link_and_does_not_wait_for_a_pipe() {
     assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
     assert!(outcome.stderr.contains("it is a link, a folder, a pipe"), "{outcome:?}");
 
-    fs::remove_dir_all(sandbox.path("run/tensorboard")).unwrap();
-    symlink(sandbox.path("data"), sandbox.path("run/tensorboard")).unwrap();
-    sandbox.run(resume).assert_refused(&["tensorboard is a file, a link"]);
+    fs::remove_dir_all(sandbox.path("run/pictures")).unwrap();
+    symlink(sandbox.path("data"), sandbox.path("run/pictures")).unwrap();
+    sandbox.run(resume).assert_refused(&["pictures is a file, a link"]);
 }
 
 /// Two commands that write into one folder would mix their images.

@@ -13,28 +13,20 @@ mod lattice;
 mod light;
 mod network;
 mod pieces;
+mod shape;
 mod transmittance;
 mod volume;
 
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
-use glam::Vec3;
-
 use crate::camera::Camera;
 use crate::scene::{Contraction, Gaussians, GridConfig, MlpConfig, Scene, SceneConfig};
 use lattice::Splats;
 use light::Surroundings;
 pub use light::key as key_light;
-
-/// Half the side of the scene's box, which is a cube around the origin.
-const HALF_BOX: f32 = 1.2;
-/// Radius of the pearl.
-pub const PEARL: f32 = 0.42;
-/// Height of the floor. Only its shadows are visible.
-const FLOOR: f32 = -0.78;
-/// Warm paper.
-pub const BACKGROUND: [f64; 3] = [0.965, 0.955, 0.94];
+use shape::HALF_BOX;
+pub use shape::{BACKGROUND, PEARL};
 
 /// Point that the turntable's cameras look at.
 const TARGET: [f64; 3] = [0.0, 0.0, -0.11];
@@ -101,7 +93,7 @@ pub fn config() -> SceneConfig {
     };
     SceneConfig {
         sh_degree: 1,
-        material: color::MATERIAL as u32,
+        material: shape::MATERIAL as u32,
         extra: transmittance::EXTRA as u32,
         color_grid: grid(color::FEATURES as u32, 17, 50.0),
         transmittance_grid: grid(transmittance::FEATURES as u32, 21, 128.0),
@@ -113,15 +105,4 @@ pub fn config() -> SceneConfig {
         aabb: [[-half; 3], [half; 3]],
         contraction: Contraction::None,
     }
-}
-
-/// Signed distance from the pearl, negative inside.
-fn pearl_distance(position: Vec3) -> f32 {
-    position.length() - PEARL
-}
-
-/// Smooth step: 0 below 0, 1 above 1, `x^2 (3 - 2x)` between.
-fn smoothstep(x: f32) -> f32 {
-    let x = x.clamp(0.0, 1.0);
-    x * x * (3.0 - 2.0 * x)
 }

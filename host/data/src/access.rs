@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::invalid;
 use organza_core::error::{Error, Result};
 
 /// The allowed places of a data set's files, and the files that were outside its folder.
@@ -49,4 +48,9 @@ impl Access {
         self.outside.push(file.to_owned());
         Ok(())
     }
+}
+
+/// An error of a data set's file.
+pub(super) fn invalid<T>(origin: &Path, reason: String) -> Result<T> {
+    Err(Error::Invalid { origin: origin.to_owned(), reason })
 }

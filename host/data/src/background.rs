@@ -5,9 +5,6 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::{DatasetKind, DatasetOptions, Listing, decode};
-use organza_core::error::Result;
-
 /// The meaning of an alpha channel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -53,21 +50,6 @@ impl Background {
             Self::Auto => [0.0; 3],
             Self::Color(color) => color,
         }
-    }
-}
-
-impl DatasetOptions {
-    /// The background color of the photographs.
-    pub(super) fn decide_background(&self, listing: &Listing) -> Result<[f32; 3]> {
-        let may_be_white = self.background == Background::Auto
-            && self.alpha == Alpha::Background
-            && listing.kind == DatasetKind::Blender;
-        for shot in listing.shots.iter().take_while(|_| may_be_white) {
-            if decode::has_alpha(&shot.path)? {
-                return Ok([1.0; 3]);
-            }
-        }
-        Ok(self.background.color())
     }
 }
 

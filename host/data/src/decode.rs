@@ -6,8 +6,8 @@ use std::path::Path;
 use image::error::{ImageFormatHint, UnsupportedError, UnsupportedErrorKind};
 use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
+use super::access::invalid;
 use super::budget::{Budget, Share};
-use super::invalid;
 use muslin_device::memory;
 use organza_core::error::{Error, Result};
 use organza_core::input::{open_regular, read_file};

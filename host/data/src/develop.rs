@@ -3,10 +3,11 @@
 
 use std::path::{Path, PathBuf};
 
+use super::access::invalid;
 use super::budget::Budget;
 use super::fingerprint::Digest;
 use super::lens::{Lens, Undistortion};
-use super::{Alpha, DatasetOptions, Frame, Photograph, decode, invalid};
+use super::{Alpha, DatasetOptions, Frame, Photograph, decode};
 use muslin_device::memory;
 use organza_core::camera::Camera;
 use organza_core::error::Result;

@@ -11,6 +11,7 @@ mod decode;
 mod develop;
 mod find;
 mod fingerprint;
+mod frame;
 pub mod fuzz;
 mod keep;
 mod lens;
@@ -23,72 +24,28 @@ pub mod sweep;
 mod tests;
 mod transforms;
 
-use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use access::Access;
+use access::{Access, invalid};
 pub use background::{Alpha, Background};
 use budget::Budget;
 use develop::Shot;
 pub use develop::mean;
 use find::Found;
 pub use fingerprint::Fingerprint;
+pub use frame::{DatasetKind, Frame, Point};
 pub use keep::Keep;
 use lens::Lens;
 pub use options::DatasetOptions;
 use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
+use organza_core::error::Result;
 use organza_core::input::has_extension;
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
-
-/// The format of a data set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DatasetKind {
-    /// nerfstudio's `transforms.json`.
-    Nerfstudio,
-    /// `transforms_train.json` and `transforms_test.json`, like NeRF's synthetic scenes.
-    Blender,
-    /// A sparse model of COLMAP.
-    Colmap,
-    /// Frames that the caller made.
-    Generated,
-}
-
-impl fmt::Display for DatasetKind {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::Nerfstudio => "nerfstudio",
-            Self::Blender => "Blender",
-            Self::Colmap => "COLMAP",
-            Self::Generated => "generated",
-        })
-    }
-}
-
-/// A photograph and its camera.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Frame {
-    /// Path of the photograph, as the data set writes it.
-    pub name: String,
-    /// The pinhole camera of `image`: undistorted, and of its size.
-    pub camera: Camera,
-    /// The photograph, undistorted and downscaled.
-    pub image: Photograph,
-}
-
-/// A point from which training may start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// Position in world units, finite in f32.
-    pub position: [f64; 3],
-    /// Red, green and blue as sRGB values, if the data set has them.
-    pub color: Option<[u8; 3]>,
-}
 
 /// Photographs with poses.
 ///
@@ -413,6 +370,17 @@ fn pixels(shot: &Shot) -> u64 {
     side(shot.camera.width) * side(shot.camera.height)
 }
 
-fn invalid<T>(origin: &Path, reason: String) -> Result<T> {
-    Err(Error::Invalid { origin: origin.to_owned(), reason })
+impl DatasetOptions {
+    /// The background color of the photographs.
+    fn decide_background(&self, listing: &Listing) -> Result<[f32; 3]> {
+        let may_be_white = self.background == Background::Auto
+            && self.alpha == Alpha::Background
+            && listing.kind == DatasetKind::Blender;
+        for shot in listing.shots.iter().take_while(|_| may_be_white) {
+            if decode::has_alpha(&shot.path)? {
+                return Ok([1.0; 3]);
+            }
+        }
+        Ok(self.background.color())
+    }
 }

@@ -8,8 +8,7 @@ use organza_shaders::loss::{
 use organza_shaders::ssim::SLOPES;
 
 use super::exact::loss::{sign, sums};
-use super::exact::ssim::weighted_sum;
-use super::ssim::{tap_sum, window};
+use super::exact::ssim::{tap_sum, weighted_sum, window};
 
 /// Sides around the workgroup's, and around the window's.
 pub const SIDES: [u32; 7] = [1, 7, 8, 9, 11, 12, 17];

@@ -3,27 +3,13 @@
 use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::ssim::{
-    C1, C2, MOMENTS, RADIUS, SLOPES, SsimColumnsInputs, SsimParams, SsimRowsBackwardInputs,
-    SsimRowsInputs, WINDOW,
+    C1, C2, MOMENTS, SLOPES, SsimColumnsInputs, SsimParams, SsimRowsBackwardInputs, SsimRowsInputs,
+    WINDOW,
 };
 
 use super::exact::numeric::{Dual, gradient};
-use super::exact::ssim::{dissimilarity, weighted_sum};
+use super::exact::ssim::{dissimilarity, tap_sum, weighted_sum, window};
 use super::loss::{TILES, Terms, sets};
-use organza_core::metrics;
-
-/// The window's weights, as kernels have them.
-pub fn window() -> [f32; WINDOW as usize] {
-    metrics::window().map(|weight| weight as f32)
-}
-
-/// The weighted sum of values around place `at` of `side`.
-pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
-    let radius = RADIUS as usize;
-    let weights = window();
-    let taps = at.saturating_sub(radius)..(at + radius + 1).min(side);
-    taps.map(|tap| f64::from(weights[tap + radius - at]) * value(tap)).sum()
-}
 
 /// Tile's first pixel, row and column of a pixel.
 fn place(pixel: usize, side: usize) -> [usize; 3] {

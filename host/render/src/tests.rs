@@ -57,16 +57,16 @@ fn bits<T: bytemuck::Pod>(device: &Device, buffer: &Buffer<T>) -> Vec<u32> {
 
 /// The image, and all gradients of its pixels taken as their own gradient.
 fn evaluate(
-    device: &Device,
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
     capacity: Option<Capacity>,
 ) -> (Vec<Vec<u32>>, Needed) {
-    let part = Part::evaluate(device, scene, cameras, plan, true, capacity).expect("a part");
-    let gradient = SceneGradient::new(device, scene).expect("memory");
+    let device = scene.device();
+    let part = Part::evaluate(scene, cameras, plan, true, capacity).expect("a part");
+    let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;
-    part.backward(device, scene, plan.side, image, &gradient).expect("a gradient");
+    part.backward(scene, plan.side, image, &gradient).expect("a gradient");
     let (_, needed) = part.read(device, Vec::new()).expect("counts");
     let mut values = vec![bits(device, image), bits(device, &gradient.statistics)];
     for (_, tensor) in gradient.tensors().iter() {
@@ -83,9 +83,9 @@ fn what_is_not_waited_for_has_the_same_bits() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
         let scene = renderer.upload(&scene).expect("a scene");
-        let plans = Plan::split(device, &scene, &tiles(), PART_BYTES).expect("a plan");
+        let plans = Plan::split(&scene, &tiles(), PART_BYTES).expect("a plan");
         assert_eq!(plans.len(), 1);
-        let (expected, needed) = evaluate(device, &scene, &cameras, &plans[0], None);
+        let (expected, needed) = evaluate(&scene, &cameras, &plans[0], None);
         let Needed::Capacity(capacity) = needed else { panic!("there is capacity for all") };
         let Capacity { pairs, members, samples } = capacity;
         assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{capacity:?}");
@@ -93,7 +93,7 @@ fn what_is_not_waited_for_has_the_same_bits() {
         // enough
         let more = Capacity { pairs: pairs * 2, members: members + 100, samples: samples * 3 };
         for capacity in [capacity, more] {
-            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(capacity));
+            let (found, told) = evaluate(&scene, &cameras, &plans[0], Some(capacity));
             assert_eq!(told, needed, "{}", device.choice());
             for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
                 assert!(found == expected, "{}: value {index}, {capacity:?}", device.choice());
@@ -105,7 +105,7 @@ fn what_is_not_waited_for_has_the_same_bits() {
         for capacity in
             [Capacity { pairs, ..more }, Capacity { members, ..more }, Capacity { samples, ..more }]
         {
-            let (found, told) = evaluate(device, &scene, &cameras, &plans[0], Some(capacity));
+            let (found, told) = evaluate(&scene, &cameras, &plans[0], Some(capacity));
             assert_eq!(told, Needed::Overflow, "{}: {capacity:?}", device.choice());
             let planes = found[0].chunks(16 * 16).zip(background.into_iter().cycle());
             for (plane, value) in planes {

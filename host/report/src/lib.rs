@@ -11,7 +11,6 @@ mod pictures;
 mod reporter;
 mod run;
 mod single;
-mod tensorboard;
 #[cfg(test)]
 mod tests;
 

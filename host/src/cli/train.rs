@@ -39,7 +39,6 @@ Examples:
   organza train data/fox -o quick --preset fast
   organza train data/fox -o other --config run/config.toml --seed 1
   organza train data/fox -o small --set scene.color_mlp.hidden=16,16 --set growth.end=0
-  organza train -o run --tensorboard                   then: tensorboard --logdir run
   organza train data/fox -o run --refine-poses         poses of a phone, off by some pixels
   organza train data/fox -o run --view                 look at it while it trains
   organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
@@ -361,7 +360,7 @@ impl Job<'_> {
             TrainingView::new(server, &renderer, &dataset, stop, share, title)
         });
         let mut progress = TrainingProgress::new(console, config.run.steps, self.time_limit);
-        let mut reporter = Reporter::new(&folder, &config);
+        let mut reporter = Reporter::new(&folder);
         let mut see = |event: Event<'_>| {
             if matches!(event, Event::Begin(_)) {
                 signals.keeps_results();

@@ -6,9 +6,9 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::checkpoint::{CHECKPOINT, Progress};
 use super::config::TrainConfig;
-use super::folder::CONFIG;
+use super::folder::{CHECKPOINT, CONFIG};
+use super::progress::Progress;
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
 use organza_core::scene::read_metadata;
@@ -26,14 +26,13 @@ const NOT_SET: &str = "not set";
 
 /// Settings that may change when a run is resumed: its length, its largest number of Gaussians, and how often it
 /// writes something.
-pub const CHANGEABLE: [&str; 7] = [
+pub const CHANGEABLE: [&str; 6] = [
     "run.steps",
     "run.plan",
     "growth.max_gaussians",
     "run.evaluate_every",
     "run.checkpoint_every",
     "run.log_every",
-    "run.tensorboard",
 ];
 
 /// A setting that changed when a run was resumed.
@@ -101,7 +100,9 @@ impl Binding {
         folder: &Path,
     ) -> Result<Vec<Change>> {
         let invalid = |reason| Err(Error::Invalid { origin: folder.join(CONFIG), reason });
-        let then = TrainConfig::parse(&self.settings, &folder.join(CHECKPOINT))?;
+        // a setting of earlier versions, which no scene depends on
+        let settings = self.settings.replace("tensorboard = true\n", "");
+        let then = TrainConfig::parse(&settings, &folder.join(CHECKPOINT))?;
         if config.run.steps != then.run.steps && config.run.steps <= step {
             let steps = config.run.steps;
             return invalid(format!(

@@ -1,38 +1,31 @@
 //! `checkpoint.safetensors`: a scene file that also holds what training needs to go on.
 
+mod shares;
+
 use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read, Seek};
+use std::ops::Range;
 use std::path::Path;
-
-use serde::{Deserialize, Serialize};
 
 use super::binding::{BINDING, Binding};
 use super::config::TrainConfig;
+use super::folder::CHECKPOINT;
 use super::per_photograph::{PerPhotograph, VALUES_PREFIX, names};
-use organza_core::error::{Error, IN_MEMORY, Result};
+use super::progress::{PROGRESS, Progress};
+use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
-use organza_core::scene::{
-    Scene, Tensor, TensorRef, TensorSpec, read_metadata, read_scene, read_tensor, read_tensors_from,
-};
-
-/// The file's name in a run's folder.
-pub const CHECKPOINT: &str = "checkpoint.safetensors";
-
-/// The file of the checkpoint whose held-out views were rendered best.
-pub const BEST: &str = "checkpoint.best.safetensors";
+use organza_core::scene::{Scene, SceneShare, Tensor, TensorSpec, read_tensor};
 
 /// Prefixes of the names of Adam's moments.
-pub(super) const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
+const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
 /// `[N, 4]`: what growth goes by, gathered since the last time.
-pub(super) const STATISTICS: &str = "train.statistics";
+const STATISTICS: &str = "train.statistics";
 /// What the tensors of exposures are called, after their prefixes.
 const EXPOSURE: &str = "exposure";
 /// Those of poses.
 const POSE: &str = "pose";
-/// The key of [`Progress`] in the metadata.
-pub(super) const PROGRESS: &str = "train";
-
-/// Where training stands, to the bit.
+/// Where training stands, to the bit. Of a scene whose Gaussians are dealt to [ranks](organza_core::ranks), each rank has
+/// its [share](SceneShare), and all fields.
 ///
 /// This continues a run's training from code:
 ///
@@ -60,6 +53,10 @@ pub struct Checkpoint {
     pub moments: [Scene; 2],
     /// `[N]`: see [`SceneGradient::statistics`](organza_render::SceneGradient).
     pub statistics: Vec<[f32; 4]>,
+    /// The Gaussians that are here, among those of the whole scene.
+    pub range: Range<usize>,
+    /// Gaussians of the whole scene.
+    pub gaussians: usize,
     /// The exposures of the photographs, where the run learns them; none is as before the first step.
     pub exposures: Option<PerPhotograph>,
     /// How the cameras of the photographs have moved, where the run refines poses: rotation vectors and shifts, as
@@ -69,99 +66,52 @@ pub struct Checkpoint {
     pub progress: Progress,
 }
 
-/// How far training has come.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Progress {
-    /// Steps that are done.
-    pub step: u32,
-    /// Seconds of training.
-    pub seconds: f64,
-}
-
-impl Progress {
-    /// Reads that of a checkpoint, and nothing else of it.
-    ///
-    /// # Errors
-    /// As [`Checkpoint::load`], for the header.
-    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
-        let (mut file, length) = open_regular(path)?;
-        Self::read(&mut file, length, path)
-    }
-
-    fn read(reader: &mut impl Read, length: u64, path: &Path) -> Result<Self> {
-        let progress = read_metadata(reader, length, path, PROGRESS)?;
-        let progress = progress.and_then(|text| serde_json::from_str(&text).ok());
-        progress.ok_or_else(|| lacks(path, "`train` metadata"))
-    }
-}
-
-/// What is a scene, but no checkpoint.
-fn lacks(path: &Path, what: &str) -> Error {
-    let reason = format!("it lacks {what}: it is a scene, but not a checkpoint to resume from");
-    Error::Invalid { origin: path.to_owned(), reason }
-}
-
 impl Checkpoint {
     /// The state before the first step of training `scene`.
     ///
     /// # Errors
     /// As [`Scene::zeros`].
-    pub fn begin(mut scene: Scene, config: &TrainConfig) -> Result<Self> {
+    pub fn begin(scene: Scene, config: &TrainConfig) -> Result<Self> {
+        let gaussians = scene.gaussians.len();
+        Self::begin_share(SceneShare { scene, range: 0..gaussians, gaussians }, config)
+    }
+
+    /// [`Self::begin`] for a share.
+    pub(super) fn begin_share(mut share: SceneShare, config: &TrainConfig) -> Result<Self> {
         if !config.ablation.learn_transmittance {
-            let last = scene.transmittance.network.layers.last_mut().expect("a head");
-            last.weight.fill(0.0);
+            let head = share.scene.transmittance.network.layers.last_mut().expect("a head");
+            head.weight.fill(0.0);
             // log sigmoid(100) is 0 in f32
-            last.bias.fill(100.0);
+            head.bias.fill(100.0);
         }
-        let zeros = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
-        let statistics = vec![[0.0; 4]; scene.gaussians.len()];
-        Ok(Self::of_scene(scene, [zeros.clone(), zeros], statistics, Progress::default()))
+        Self::of_share(share, Progress::default())
     }
 
-    /// Nothing is learned of the photographs.
-    pub(super) fn of_scene(
-        scene: Scene,
-        moments: [Scene; 2],
-        statistics: Vec<[f32; 4]>,
-        progress: Progress,
-    ) -> Self {
-        Self { scene, moments, statistics, exposures: None, poses: None, progress }
+    /// A share without moments and statistics so far, where nothing is learned of the photographs.
+    fn of_share(share: SceneShare, progress: Progress) -> Result<Self> {
+        let SceneShare { scene, range, gaussians } = share;
+        let zeros = Scene::zeros(scene.config.clone(), range.len())?;
+        let moments = [zeros.clone(), zeros];
+        let statistics = vec![[0.0; 4]; range.len()];
+        let (exposures, poses) = (None, None);
+        Ok(Self { scene, moments, statistics, range, gaussians, exposures, poses, progress })
     }
 
-    /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
-    ///
-    /// # Errors
-    /// As [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
-    pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
-        self.encoded(binding, |tensors, metadata| self.scene.save_with(path, tensors, metadata))
-    }
-
-    /// [`Self::save`] to memory, bound to nothing.
-    ///
-    /// # Errors
-    /// As [`Self::save`].
-    pub fn to_bytes(&self) -> Result<Vec<u8>> {
-        self.encoded(None, |tensors, metadata| self.scene.to_bytes_with(tensors, metadata))
-    }
-
-    /// Calls `write` with what a checkpoint has beside the scene.
-    fn encoded<R>(
-        &self,
-        binding: Option<&Binding>,
-        write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<R>,
-    ) -> Result<R> {
-        self.check(Path::new(IN_MEMORY))?;
-        let photographs = self.of_photographs();
-        let tensors = self.beside_scene(&photographs);
-        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
-        let metadata = self.metadata(binding)?;
-        let metadata: Vec<_> = metadata.iter().map(|(key, text)| (*key, &**text)).collect();
-        write(&tensors, &metadata)
+    /// The share of a rank.
+    #[must_use]
+    pub fn share(&self, rank: usize, ranks: usize) -> Self {
+        let SceneShare { scene, range, gaussians } = SceneShare::of(&self.scene, rank, ranks);
+        let moments =
+            self.moments.each_ref().map(|moment| SceneShare::of(moment, rank, ranks).scene);
+        let statistics = self.statistics[range.clone()].to_vec();
+        let exposures = self.exposures.clone();
+        let poses = self.poses.clone();
+        let progress = self.progress;
+        Self { scene, moments, statistics, range, gaussians, exposures, poses, progress }
     }
 
     /// The tensors of a file beside those of the scene; `photographs` are those of [`Checkpoint::of_photographs`].
-    pub(super) fn beside_scene<'a>(
+    fn beside_scene<'a>(
         &'a self,
         photographs: &'a [(String, Tensor)],
     ) -> Vec<(TensorSpec, &'a [f32])> {
@@ -178,10 +128,7 @@ impl Checkpoint {
     }
 
     /// What a file tells beside the scene's configuration.
-    pub(super) fn metadata(
-        &self,
-        binding: Option<&Binding>,
-    ) -> Result<Vec<(&'static str, String)>> {
+    fn metadata(&self, binding: Option<&Binding>) -> Result<Vec<(&'static str, String)>> {
         let no_json = |error: serde_json::Error| Error::Argument { reason: error.to_string() };
         let mut metadata =
             vec![(PROGRESS, serde_json::to_string(&self.progress).map_err(no_json)?)];
@@ -196,9 +143,17 @@ impl Checkpoint {
     /// # Errors
     /// As [`Scene::load`]; [`Error::Invalid`] for a scene that no training can go on from.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        Self::load_share(path, 0, 1)
+    }
+
+    /// Reads the share of a rank from a checkpoint of any run, and no more of it.
+    ///
+    /// # Errors
+    /// As [`Checkpoint::load`].
+    pub fn load_share(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
-        Self::read(&mut BufReader::new(file), length, path)
+        Self::read(&mut BufReader::new(file), (length, path), (rank, ranks))
     }
 
     /// [`Self::load`] from memory; `origin` is the name errors give to the bytes.
@@ -206,63 +161,38 @@ impl Checkpoint {
     /// # Errors
     /// As [`Self::load`].
     pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
-        Self::read(&mut Cursor::new(bytes), bytes.len() as u64, origin.as_ref())
+        Self::read(&mut Cursor::new(bytes), (bytes.len() as u64, origin.as_ref()), (0, 1))
     }
 
-    fn read(reader: &mut (impl Read + Seek), length: u64, path: &Path) -> Result<Self> {
-        let lacks = |what: &str| lacks(path, what);
+    fn read(
+        reader: &mut (impl Read + Seek),
+        (length, path): (u64, &Path),
+        share: (usize, usize),
+    ) -> Result<Self> {
         let no_file = |source| Error::read(path, source);
         let progress = Progress::read(reader, length, path)?;
         reader.rewind().map_err(no_file)?;
-        let scene = read_scene(reader, length, path)?;
-        reader.rewind().map_err(no_file)?;
-        let mut tensors: BTreeMap<String, Tensor> = read_tensors_from(reader, length, path)?;
-        let mut moment = |prefix: &str| -> Result<Scene> {
-            let mut moment = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
-            for (spec, values) in moment.tensors_mut() {
-                let name = format!("{prefix}{}", spec.name);
-                let found = tensors.remove(&name).filter(|found| found.data.len() == values.len());
-                let found = found.ok_or_else(|| lacks(&format!("tensor `{name}`")))?;
-                values.copy_from_slice(&found.data);
+        let other = Some((STATISTICS, 4));
+        let (SceneShare { scene, range, gaussians }, moments, statistics) =
+            SceneShare::read_with(reader, (length, path), share, MOMENTS, other)?;
+        let mut tensors = BTreeMap::new();
+        for name in [EXPOSURE, POSE].into_iter().flat_map(names) {
+            reader.rewind().map_err(no_file)?;
+            if let Some(tensor) = read_tensor(reader, (length, path), &name)? {
+                tensors.insert(name, tensor);
             }
-            Ok(moment)
-        };
-        let moments = [moment(MOMENTS[0])?, moment(MOMENTS[1])?];
-        let statistics = tensors.remove(STATISTICS).ok_or_else(|| lacks(STATISTICS))?.data;
-        let (statistics, rest) = statistics.as_chunks::<4>();
-        if statistics.len() != scene.gaussians.len() || !rest.is_empty() {
-            return Err(lacks(STATISTICS));
         }
-        let statistics = statistics.to_vec();
-        let mut checkpoint = Self::of_scene(scene, moments, statistics, progress);
-        checkpoint.set_photographs(&mut tensors, path)?;
+        let statistics = statistics.as_chunks().0.to_vec();
+        let exposures = PerPhotograph::of_tensors(EXPOSURE, &mut tensors, path)?;
+        let poses = PerPhotograph::of_tensors(POSE, &mut tensors, path)?;
+        let checkpoint =
+            Self { scene, moments, statistics, range, gaussians, exposures, poses, progress };
         checkpoint.check(path)?;
         Ok(checkpoint)
     }
 
-    /// Reads what is learned of each photograph, and nothing else of a file.
-    pub(super) fn read_photographs(&mut self, path: &Path) -> Result<()> {
-        let mut tensors = BTreeMap::new();
-        for name in [EXPOSURE, POSE].into_iter().flat_map(names) {
-            if let Some(tensor) = read_tensor(path, &name)? {
-                tensors.insert(name, tensor);
-            }
-        }
-        self.set_photographs(&mut tensors, path)
-    }
-
-    fn set_photographs(
-        &mut self,
-        tensors: &mut BTreeMap<String, Tensor>,
-        path: &Path,
-    ) -> Result<()> {
-        self.exposures = PerPhotograph::of_tensors(EXPOSURE, tensors, path)?;
-        self.poses = PerPhotograph::of_tensors(POSE, tensors, path)?;
-        Ok(())
-    }
-
     /// What is learned of each photograph, by the names of the tensors.
-    pub(super) fn of_photographs(&self) -> Vec<(String, Tensor)> {
+    fn of_photographs(&self) -> Vec<(String, Tensor)> {
         let exposures = self.exposures.iter().flat_map(|found| found.tensors(EXPOSURE, &[3, 2]));
         exposures.chain(self.poses.iter().flat_map(|found| found.tensors(POSE, &[6]))).collect()
     }
@@ -275,7 +205,9 @@ impl Checkpoint {
     pub fn load_poses(path: impl AsRef<Path>) -> Result<Vec<[f64; 6]>> {
         let path = path.as_ref();
         let name = format!("{VALUES_PREFIX}{POSE}");
-        let Some(Tensor { shape, data }) = read_tensor(path, &name)? else {
+        let (file, length) = open_regular(path)?;
+        let found = read_tensor(&mut BufReader::new(file), (length, path), &name)?;
+        let Some(Tensor { shape, data }) = found else {
             return Ok(Vec::new());
         };
         let (rows, _) = data.as_chunks::<6>();
@@ -306,7 +238,7 @@ impl Checkpoint {
     }
 
     /// Everything beside the scene is what training can have come to.
-    pub(super) fn check(&self, origin: &Path) -> Result<()> {
+    fn check(&self, origin: &Path) -> Result<()> {
         for (spec, values) in self.beside_scene(&self.of_photographs()) {
             let tensor = spec.name;
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {

@@ -15,11 +15,10 @@ use std::path::Path;
 pub use assignment::defaults;
 pub use builder::ConfigBuilder;
 pub(super) use optimizer::EPSILON;
-pub use optimizer::Rate;
 pub use preset::Preset;
 pub use table::{
     AblationConfig, DataConfig, ExposureConfig, GrowthConfig, LossConfig, OptimizerConfig,
-    PosesConfig, RunConfig, SETTINGS, Setting, ShapeConfig, StartConfig, TrainConfig,
+    PosesConfig, Rate, RunConfig, SETTINGS, Setting, ShapeConfig, StartConfig, TrainConfig,
 };
 
 use organza_core::error::{Error, Result};
@@ -78,7 +77,7 @@ impl TrainConfig {
     pub fn list(&self) -> Vec<(String, String)> {
         // through the text: there an `f32` of 0.2 is 0.2, and not the f64 nearest to it
         let table: toml::Table = toml::from_str(&self.to_toml()).unwrap_or_default();
-        let leaves = builder::leaves(&table, |_| false);
+        let leaves = assignment::leaves(&table, |_| false);
         leaves.into_iter().map(|(name, value)| (name, value.to_string())).collect()
     }
 

@@ -3,10 +3,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::checkpoint::{BEST, CHECKPOINT};
 use organza_core::error::{Error, Result};
 use organza_core::{FolderLock, remove_leftovers};
 
+/// `checkpoint.safetensors`: the checkpoint.
+pub const CHECKPOINT: &str = "checkpoint.safetensors";
+/// `checkpoint.best.safetensors`: the checkpoint whose held-out views were rendered best.
+pub const BEST: &str = "checkpoint.best.safetensors";
 /// `config.toml`: all settings.
 pub const CONFIG: &str = "config.toml";
 /// `metrics.jsonl`: one record per line.
@@ -17,8 +20,6 @@ pub const CAMERAS: &str = "cameras.json";
 pub const REPORT: &str = "report.html";
 /// `pictures`: the folder of small pictures of held-out views, for the report.
 pub const PICTURES: &str = "pictures";
-/// `tensorboard`: the folder of TensorBoard's event file.
-pub const TENSORBOARD: &str = "tensorboard";
 /// `evaluations.csv`: the scores of each held-out view in each evaluation.
 pub const EVALUATIONS: &str = "evaluations.csv";
 
@@ -28,9 +29,7 @@ const FILES: [&str; 7] = [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EV
 /// Whether a path in a run's folder is that of a file that the run writes.
 #[must_use]
 pub fn is_run_file(path: &Path) -> bool {
-    path.starts_with(PICTURES)
-        || path.starts_with(TENSORBOARD)
-        || FILES.iter().any(|name| path == Path::new(name))
+    path.starts_with(PICTURES) || FILES.iter().any(|name| path == Path::new(name))
 }
 
 /// A locked run folder. While this value lives, no other training writes to the folder.
@@ -76,13 +75,11 @@ impl RunFolder {
                 ));
             }
         }
-        for name in [PICTURES, TENSORBOARD] {
-            if fs::symlink_metadata(path.join(name)).is_ok_and(|found| !found.is_dir()) {
-                return invalid(format!(
-                    "{name} is a file, a link, a device or a pipe, expected a folder: remove it, or \
-                     name another folder"
-                ));
-            }
+        if fs::symlink_metadata(path.join(PICTURES)).is_ok_and(|found| !found.is_dir()) {
+            return invalid(format!(
+                "{PICTURES} is a file, a link, a device or a pipe, expected a folder: remove it, or \
+                 name another folder"
+            ));
         }
         Ok(folder)
     }

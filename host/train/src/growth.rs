@@ -3,7 +3,7 @@
 use glam::{Quat, Vec3};
 
 use super::config::GrowthConfig;
-use organza_core::scene::{Gaussians, Scene, logit};
+use organza_core::scene::{Gaussians, logit};
 
 /// A split Gaussian's halves lie so many standard deviations from it, along its longest axis;
 const SPLIT_OFFSET: f32 = 0.6;
@@ -91,21 +91,6 @@ impl Plan {
     }
 }
 
-/// Changes a scene and both of Adam's moments; `statistics [N]` is that of the steps since the last time.
-pub fn grow(
-    config: &GrowthConfig,
-    scene: &mut Scene,
-    [first, second]: [&mut Scene; 2],
-    statistics: &[[f32; 4]],
-) -> Grown {
-    let strength: Vec<_> = statistics.iter().copied().map(strength).collect();
-    let plan = Plan::new(config, &scene.gaussians.opacity, &strength);
-    let children: Vec<_> = plan.children().collect();
-    let moments = [&mut first.gaussians, &mut second.gaussians];
-    apply(&children, &mut scene.gaussians, moments);
-    plan.grown
-}
-
 /// Puts children in the place of their parents; `moments` are Adam's.
 pub fn apply(children: &[Child], gaussians: &mut Gaussians, moments: [&mut Gaussians; 2]) {
     let parents: Vec<_> = children.iter().map(|child| child.parent).collect();
@@ -166,6 +151,11 @@ fn clear(gaussians: &mut Gaussians, is_new: &[bool]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Checkpoint;
+    use crate::config::TrainConfig;
+    use crate::share_growth::grow;
+    use organza_core::ranks::ThreadRanks;
+    use organza_core::scene::Scene;
 
     fn scene() -> Scene {
         let config = organza_core::demo::config();
@@ -185,23 +175,29 @@ mod tests {
         GrowthConfig { rate: 0.3, max_gaussians: 10, ..GrowthConfig::default() }
     }
 
-    fn grown() -> (Scene, Scene, Grown) {
-        let (mut grown_scene, mut first, mut second) = (scene(), scene(), scene());
-        let statistics =
-            [[1.0, 2.0, 5.0, 0.0], [9.0, 1.0, 5.0, 0.0], [1.0, 1.0, 5.0, 0.0], [0.0; 4]];
-        let moments = [&mut first, &mut second];
-        let counts = grow(&config(), &mut grown_scene, moments, &statistics);
-        assert_eq!(first.gaussians, second.gaussians);
-        (grown_scene, first, counts)
+    fn grown(
+        config: &GrowthConfig,
+        scene: Scene,
+        statistics: [[f32; 4]; 4],
+    ) -> (Checkpoint, Grown) {
+        let mut checkpoint = Checkpoint::begin(scene.clone(), &TrainConfig::default()).unwrap();
+        checkpoint.moments = [scene.clone(), scene];
+        checkpoint.statistics = statistics.to_vec();
+        let counts = grow(config, &mut checkpoint, &ThreadRanks::alone()).unwrap();
+        checkpoint.scene.validate().unwrap();
+        (checkpoint, counts)
     }
 
     #[test]
     fn the_strongest_are_split_and_transparent_ones_go() {
-        let (scene, moments, counts) = grown();
+        let statistics =
+            [[1.0, 2.0, 5.0, 0.0], [9.0, 1.0, 5.0, 0.0], [1.0, 1.0, 5.0, 0.0], [0.0; 4]];
+        let (Checkpoint { scene, moments: [moments, second], .. }, counts) =
+            grown(&config(), scene(), statistics);
+        assert_eq!(moments.gaussians, second.gaussians);
         assert_eq!(counts, Grown { split: 1, pruned: 1 });
         // 0, both halves of 2, 3
         assert_eq!(scene.gaussians.len(), 4);
-        scene.validate().unwrap();
         let [a, b] = [1, 2].map(|i| Vec3::from(scene.gaussians.position[i]));
         assert!((a + b).abs_diff_eq(2.0 * Vec3::new(2.0, 0.0, 1.0), 1e-5));
         // along the longest axis, the second, 0.6 standard deviations each
@@ -215,16 +211,13 @@ mod tests {
     /// In f32 the sigmoid of a logit below -104 is 0.
     #[test]
     fn gaussians_that_have_all_vanished_stay_as_they_are() {
-        let (mut grown_scene, mut first, mut second) = (scene(), scene(), scene());
-        grown_scene.gaussians.opacity.fill(-200.0);
-        grown_scene.gaussians.log_scale[0] = [100.0; 3];
-        grown_scene.gaussians.rotation[1] = [0.0; 4];
+        let mut scene = scene();
+        scene.gaussians.opacity.fill(-200.0);
+        scene.gaussians.log_scale[0] = [100.0; 3];
+        scene.gaussians.rotation[1] = [0.0; 4];
         let config = GrowthConfig { min_opacity: 0.0, rate: 1.0, ..config() };
-        let moments = [&mut first, &mut second];
-        let statistics = [[1.0, 1.0, 5.0, 0.0]; 4];
-        grow(&config, &mut grown_scene, moments, &statistics);
-        grown_scene.validate().unwrap();
-        assert!(grown_scene.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
+        let (checkpoint, _) = grown(&config, scene, [[1.0, 1.0, 5.0, 0.0]; 4]);
+        assert!(checkpoint.scene.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
     }
 
     #[test]

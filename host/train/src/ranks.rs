@@ -5,7 +5,6 @@ use std::sync::Arc;
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::held_out;
-use super::share_checkpoint::CheckpointShare;
 use super::trainer::Trainer;
 use crate::evaluate::{Evaluation, Event, Score, ViewScore, evaluate_with};
 use organza_core::error::{IN_MEMORY, Result};
@@ -80,38 +79,36 @@ fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) 
     )
 }
 
-/// Tells the other ranks what rank 0 begins with.
+/// Tells the other ranks how to train, and what with: each has one of so many shares, or the whole scene. `mine` is that of
+/// rank 0, and `share` makes or reads any.
 pub(super) fn lead(
-    ranks: &Arc<dyn Ranks>,
+    (ranks, shares): (&dyn Ranks, Option<usize>),
     renderer: &Renderer,
-    trainer: Trainer,
+    (config, dataset): (&TrainConfig, &Dataset),
+    mine: &mut Checkpoint,
+    share: impl Fn(usize) -> Result<Checkpoint>,
     mixed: bool,
-) -> Result<Trainer> {
-    meet(&**ranks, renderer, trainer.dataset(), mixed)?;
-    tell(&**ranks, [Split::Views as u64, 0], trainer.config())?;
-    ranks.broadcast(trainer.checkpoint(0.0)?.to_bytes()?)?;
-    Ok(trainer.with_ranks(ranks.clone()))
+) -> Result<()> {
+    meet(ranks, renderer, dataset, mixed)?;
+    let words = [shares.unwrap_or_default() as u64];
+    ranks.broadcast(bytemuck::cast_slice(&words).to_vec())?;
+    ranks.broadcast(config.to_toml().into_bytes())?;
+    mine.deal(Grid::new(ranks, shares.unwrap_or(1))?, share)
 }
 
-/// As [`lead`], where each rank has one of so many shares: `mine` is that of rank 0, and `share` makes or reads any.
-pub(super) fn lead_shares(
-    (ranks, shares): (&Arc<dyn Ranks>, usize),
+/// The trainer of a rank that has one of so many shares, or the whole scene.
+pub(super) fn trainer(
+    (ranks, shares): (&Arc<dyn Ranks>, Option<usize>),
     renderer: &Renderer,
-    (config, dataset): (&TrainConfig, &Arc<Dataset>),
-    mine: &CheckpointShare,
-    share: impl Fn(usize) -> Result<CheckpointShare>,
-    mixed: bool,
+    config: TrainConfig,
+    dataset: Arc<Dataset>,
+    checkpoint: &Checkpoint,
 ) -> Result<Trainer> {
-    meet(&**ranks, renderer, dataset, mixed)?;
-    tell(&**ranks, [Split::Gaussians as u64, shares as u64], config)?;
-    mine.deal(Grid::new(&**ranks, shares)?, share)?;
-    Trainer::resume_share(renderer, config.clone(), dataset.clone(), mine, ranks.clone(), shares)
-}
-
-/// Tells the other ranks how to train: what they share, and in how many shares.
-fn tell(ranks: &dyn Ranks, split: [u64; 2], config: &TrainConfig) -> Result<()> {
-    ranks.broadcast(bytemuck::cast_slice(&split).to_vec())?;
-    ranks.broadcast(config.to_toml().into_bytes()).map(drop)
+    let ranks = ranks.clone();
+    match shares {
+        Some(shares) => Trainer::resume_share(renderer, config, dataset, checkpoint, ranks, shares),
+        None => Ok(Trainer::resume(renderer, config, dataset, checkpoint)?.with_ranks(ranks)),
+    }
 }
 
 /// Takes part in the run of a [`Session`](super::Session) of rank 0 that has these ranks, to its end. The photographs
@@ -127,20 +124,13 @@ pub fn follow(
     mixed: bool,
 ) -> Result<()> {
     meet(&**ranks, renderer, dataset, mixed)?;
-    let split: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
+    let words: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
+    let shares = (words[0] > 0).then_some(words[0] as usize);
     let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
-    let data = dataset.clone();
-    let mut trainer = if let [kind, shares] = split[..]
-        && kind == Split::Gaussians as u64
-    {
-        let shares = shares as usize;
-        let share = CheckpointShare::receive(Grid::new(&**ranks, shares)?)?;
-        Trainer::resume_share(renderer, config, data, &share, ranks.clone(), shares)?
-    } else {
-        let checkpoint = Checkpoint::from_bytes(&ranks.broadcast(Vec::new())?, IN_MEMORY)?;
-        Trainer::resume(renderer, config, data, &checkpoint)?.with_ranks(ranks.clone())
-    };
+    let checkpoint = Checkpoint::receive(Grid::new(&**ranks, shares.unwrap_or(1))?)?;
+    let mut trainer = trainer((ranks, shares), renderer, config, dataset.clone(), &checkpoint)?;
+    drop(checkpoint);
     loop {
         match Order::receive(&**ranks)? {
             Order::Step(steps) => {
@@ -154,9 +144,8 @@ pub fn follow(
                 trainer.measure(&frames, first)?;
             }
             Order::Save => {
-                if let Some(grid) = trainer.grid() {
-                    trainer.checkpoint_share(0.0)?.hand_over(&grid.row())?;
-                }
+                let checkpoint = trainer.checkpoint(0.0)?;
+                trainer.with_group(|ranks| checkpoint.hand_over(ranks))?;
             }
             Order::End => return Ok(()),
         }

@@ -1,9 +1,12 @@
-//! The least memory that a run needs, checked before it begins.
+//! What a run needs, checked before it begins: settings in range, frames, and the least memory.
+
+use std::path::Path;
 
 use super::config::TrainConfig;
 use muslin_device::memory;
-use organza_core::error::{Result, format_bytes};
+use organza_core::error::{Error, IN_MEMORY, Result, format_bytes};
 use organza_core::tile::Tile;
+use organza_data::Dataset;
 
 /// Bytes per Gaussian, besides its tensors, while it gets its position: the position and its neighbors.
 const PLACE_BYTES: u64 = 80;
@@ -56,4 +59,15 @@ fn scene_bytes(config: &TrainConfig, gaussians: u64) -> u64 {
 
 fn built_in_bytes(config: &TrainConfig) -> u64 {
     3 * u64::from(config.data.built_in_views) * u64::from(config.data.built_in_side).pow(2)
+}
+
+/// Settings that were made in code are held to what files are held to.
+pub(super) fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
+    let invalid = |reason| Error::Invalid { origin: Path::new(IN_MEMORY).to_owned(), reason };
+    config.check().map_err(invalid)?;
+    if dataset.train.is_empty() {
+        let reason = "the data set has no frame to train on".to_owned();
+        return Err(Error::Invalid { origin: dataset.path.clone(), reason });
+    }
+    Ok(())
 }

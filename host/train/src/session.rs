@@ -1,34 +1,23 @@
 //! A run from its first step, or from a checkpoint, to its end: its settings, log, checkpoints and scores in its folder.
 
+mod run;
 mod state;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 use super::binding::Change;
-use super::checkpoint::{CHECKPOINT, Checkpoint, Progress};
 use super::config::TrainConfig;
-use super::folder::{EVALUATIONS, RunFolder};
-use super::hooks::StepHooks;
+use super::folder::RunFolder;
 use super::metrics::Record;
-use super::plan::Planner;
-use super::ranks::{self, Split};
-use super::resume::OpenLog;
-use super::share::check_shares;
-use super::share_checkpoint::CheckpointShare;
-use super::start::first_scene;
+use super::ranks::Split;
 use super::step_report::StepReport;
-use super::trainer::Trainer;
 use crate::evaluate::Evaluation;
-use crate::evaluate::csv::save_csv;
 use organza_core::Image;
-use organza_core::error::{self, Result};
-use organza_core::ranks::{Grid, Ranks};
+use organza_core::error::Result;
+use organza_core::ranks::Ranks;
 use organza_data::{Dataset, Frame};
 use organza_render::{DeviceScene, Renderer};
-use state::State;
 
 /// A training run in a folder: a [`Trainer`] with a log, checkpoints and evaluations. Whoever watches it makes more of
 /// its [events](Event), such as a report.
@@ -136,8 +125,6 @@ pub enum Event<'a> {
         frame: &'a Frame,
         /// The rendered image, of the photograph's size.
         image: &'a Image,
-        /// Whether every evaluation of the run measures this view.
-        always: bool,
     },
     /// The held-out views were measured.
     Evaluated(&'a Evaluation),
@@ -159,9 +146,6 @@ pub enum Outcome {
 
 /// A listener to a session. Its error ends the run.
 pub type Watch<'w> = dyn FnMut(Event<'_>) -> Result<()> + 'w;
-
-/// A trainer, the progress of its run, and the settings that have changed.
-type Begun = (Trainer, Progress, Vec<Change>);
 
 /// A stop flag that is never set.
 static NEVER: AtomicBool = AtomicBool::new(false);
@@ -242,137 +226,5 @@ impl<'a> Session<'a> {
     pub fn with_shares(mut self, shares: Option<usize>) -> Self {
         self.shares = shares;
         self
-    }
-
-    /// Trains to the end, and calls `watch` with what happens. With `resume`, it continues from the folder's checkpoint,
-    /// or starts at the first step if there is none.
-    ///
-    /// # Errors
-    /// Any error of a step, of the files, of the device or of `watch`. What was saved stays.
-    pub fn run(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Outcome> {
-        self.run_with(resume, watch, &mut StepHooks::new())
-    }
-
-    /// Like [`Session::run`], but every step calls `hooks`: see [`Trainer::step_with`].
-    ///
-    /// # Errors
-    /// The same errors as [`Session::run`], and those of the hooks.
-    pub fn run_with(
-        &self,
-        resume: bool,
-        watch: &mut Watch<'_>,
-        hooks: &mut StepHooks<'_>,
-    ) -> Result<Outcome> {
-        let outcome = self.run_alone_or_first(resume, watch, hooks);
-        if let (Some(ranks), Err(error)) = (&self.ranks, &outcome) {
-            ranks.fail(&error::chain(error));
-        }
-        outcome
-    }
-
-    fn run_alone_or_first(
-        &self,
-        resume: bool,
-        watch: &mut Watch<'_>,
-        hooks: &mut StepHooks<'_>,
-    ) -> Result<Outcome> {
-        let begin = Instant::now();
-        let (trainer, progress, changes) = match (&self.ranks, self.split) {
-            (Some(ranks), Split::Gaussians) => self.begin_shares(ranks, resume, watch)?,
-            _ => self.begin_whole(resume, watch)?,
-        };
-        // a run that cannot begin writes nothing
-        watch(Event::Begin(progress.step))?;
-        let now = |change: &&Change| change.step == u64::from(progress.step);
-        let changed: Vec<_> = changes.iter().filter(now).collect();
-        changed.iter().try_for_each(|change| watch(Event::Changed(change)))?;
-        let step = u64::from(progress.step);
-        let OpenLog { log, evaluated, best } = self.open_log(resume, step, &changed)?;
-        watch(Event::Opened { step, resume })?;
-        let _ = self.renderer.device().take_timings();
-        State {
-            session: self,
-            trainer,
-            log,
-            changes,
-            has_begun: false,
-            evaluated,
-            seconds: progress.seconds,
-            begin,
-            planner: self.planned.map(|seconds| Planner::new(seconds, self.dataset.held_out.len())),
-            best,
-            stages: BTreeMap::new(),
-            since: (0, progress.seconds),
-            watch,
-            hooks,
-        }
-        .run()
-    }
-
-    /// Begins with the whole scene: the trainer, the progress of its run, and the settings that have changed.
-    fn begin_whole(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
-        let path = self.folder.path().join(CHECKPOINT);
-        let config = self.config.clone();
-        let dataset = Arc::clone(self.dataset);
-        let mut changes = Vec::new();
-        let (trainer, progress) = if resume && path.exists() {
-            let checkpoint = Checkpoint::load(&path)?;
-            let gaussians = checkpoint.scene.gaussians.len();
-            let progress = checkpoint.progress;
-            changes = self.check_binding(&path, (gaussians, progress.step), watch)?;
-            let trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
-            (trainer, progress)
-        } else {
-            (Trainer::start(self.renderer, config, dataset)?, Progress::default())
-        };
-        let trainer = match &self.ranks {
-            Some(ranks) => ranks::lead(ranks, self.renderer, trainer, self.mixed)?,
-            None => trainer,
-        };
-        Ok((trainer, progress, changes))
-    }
-
-    /// Like [`Session::begin_whole`], if each rank has a share of the Gaussians.
-    fn begin_shares(
-        &self,
-        ranks: &Arc<dyn Ranks>,
-        resume: bool,
-        watch: &mut Watch<'_>,
-    ) -> Result<Begun> {
-        check_shares(self.config)?;
-        let shares = Grid::new(&**ranks, self.shares.unwrap_or(ranks.size()))?.shares;
-        let path = self.folder.path().join(CHECKPOINT);
-        let resumes = resume && path.exists();
-        let scene = match resumes {
-            true => None,
-            false => Some(first_scene(self.config, self.dataset)?),
-        };
-        let share = |index: usize| match &scene {
-            Some(scene) => CheckpointShare::begin(scene, self.config, index, shares),
-            None => CheckpointShare::load(&path, index, shares),
-        };
-        let mine = share(0)?;
-        let progress = mine.state.progress;
-        let mut changes = Vec::new();
-        if resumes {
-            changes = self.check_binding(&path, (mine.gaussians, progress.step), watch)?;
-        }
-        let of = (ranks, shares);
-        let run = (self.config, self.dataset);
-        let trainer = ranks::lead_shares(of, self.renderer, run, &mine, share, self.mixed)?;
-        Ok((trainer, progress, changes))
-    }
-
-    /// Writes the scores of all evaluations as a table. Without evaluations, it only overwrites an existing table.
-    pub(super) fn save_scores(&self, records: &[Record]) -> Result<()> {
-        let path = self.folder.path().join(EVALUATIONS);
-        let rows = records.iter().flat_map(|record| match record {
-            Record::Evaluation { step, views, .. } => {
-                views.iter().map(|view| (Some(*step), view)).collect()
-            }
-            _ => Vec::new(),
-        });
-        let rows: Vec<_> = rows.collect();
-        if rows.is_empty() && !path.exists() { Ok(()) } else { save_csv(path, &rows) }
     }
 }

@@ -4,18 +4,17 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::binding::Binding;
+use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::ranks::{self, Order};
-use super::share_checkpoint::CheckpointShare;
-use super::state::State;
-use super::trainer::Trainer;
+use super::trainer::{Trainer, grid_of};
 use crate::evaluate::{Evaluation, evaluate_share};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::image::Image;
-use organza_core::ranks::{Grid, Ranks};
+use organza_core::ranks::{Grid, Ranks, ThreadRanks};
 use organza_data::{Dataset, Frame};
-use organza_render::{DeviceShare, Renderer, UploadOptions};
+use organza_render::Renderer;
 
 /// Training with Gaussians that are dealt to ranks.
 impl Trainer {
@@ -33,7 +32,7 @@ impl Trainer {
     /// use organza_core::ranks::{Ranks, ThreadRanks};
     /// use muslin_device::DeviceOptions;
     /// use organza_render::Renderer;
-    /// use organza_train::{Checkpoint, CheckpointShare, TrainConfig, Trainer, built_in};
+    /// use organza_train::{Checkpoint, TrainConfig, Trainer, built_in};
     ///
     /// let threads = ThreadRanks::new(2).into_iter().map(|ranks| {
     ///     std::thread::spawn(move || {
@@ -42,7 +41,7 @@ impl Trainer {
     ///         let mut config = TrainConfig::default();
     ///         (config.run.tiles_per_step, config.run.tile_size) = (1, 16);
     ///         let begin = Checkpoint::begin(demo::scene(), &config)?;
-    ///         let share = CheckpointShare::of(&begin, ranks.rank(), ranks.size());
+    ///         let share = begin.share(ranks.rank(), ranks.size());
     ///         let mut trainer =
     ///             Trainer::resume_share(&renderer, config, dataset, &share, Arc::new(ranks), 2)?;
     ///         Ok::<_, organza_core::Error>(trainer.step()?.loss)
@@ -61,32 +60,14 @@ impl Trainer {
         renderer: &Renderer,
         config: TrainConfig,
         dataset: impl Into<Arc<Dataset>>,
-        checkpoint: &CheckpointShare,
+        checkpoint: &Checkpoint,
         ranks: Arc<dyn Ranks>,
         shares: usize,
     ) -> Result<Self> {
         check_shares(&config)?;
         let shares = Grid::new(&*ranks, shares)?.shares;
-        let CheckpointShare { state, gaussians, .. } = checkpoint;
-        let upload = |config: &TrainConfig, photographs: usize| {
-            let options = UploadOptions::default();
-            let share = DeviceShare::upload(renderer, &state.scene, options)?;
-            State::new(renderer, config, share, (state, *gaussians), photographs)
-        };
-        let mut trainer = Self::with_state(renderer, config, dataset.into(), state, upload)?;
-        trainer.ranks = Some(ranks);
-        trainer.shares = Some(shares);
-        Ok(trainer)
-    }
-
-    /// This rank's part of everything that training needs to go on. `seconds` is the time of training to write down.
-    ///
-    /// # Errors
-    /// As [`Trainer::checkpoint`].
-    pub fn checkpoint_share(&self, seconds: f64) -> Result<CheckpointShare> {
-        let (share, shares) = self.grid().map_or((0, 1), |grid| (grid.share(), grid.shares));
-        let state = self.checkpoint(seconds)?;
-        Ok(CheckpointShare::of_state(state, self.gaussians(), share, shares))
+        let dataset = dataset.into();
+        Self::with_ranks_of(renderer, config, dataset, checkpoint, Some((ranks, shares)))
     }
 
     /// The ranks that hold the whole scene together with this one, if it has a share.
@@ -134,20 +115,22 @@ impl Trainer {
         Ok(vec![ranks::measure_one(&self.renderer, &self.share().blocks()[0], frame)?])
     }
 
+    /// Calls `f` with the ranks that hold the whole scene together: this one alone, if it has no share.
+    pub(super) fn with_group<R>(&self, f: impl FnOnce(&dyn Ranks) -> R) -> R {
+        match self.grid() {
+            Some(grid) => f(&grid.row()),
+            None => f(&ThreadRanks::alone()),
+        }
+    }
+
     /// Writes a checkpoint, as rank 0.
     pub(super) fn save(&self, path: &Path, seconds: f64, binding: &Binding) -> Result<()> {
-        let Some(grid) = self.grid() else {
-            return self.checkpoint(seconds)?.save(path, Some(binding));
-        };
-        Order::Save.give(grid.all)?;
-        self.checkpoint_share(seconds)?.save(path, Some(binding), &grid.row())
+        if let Some(grid) = self.grid() {
+            Order::Save.give(grid.all)?;
+        }
+        let checkpoint = self.checkpoint(seconds)?;
+        self.with_group(|ranks| checkpoint.save_shares(path, Some(binding), ranks))
     }
-}
-
-/// See [`Trainer::grid`].
-pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shares: Option<usize>) -> Option<Grid<'_>> {
-    let (all, shares) = (ranks.as_deref()?, shares?);
-    Some(Grid { all, shares })
 }
 
 /// Ranks that share the Gaussians do not know the distortion, which is no sum over them.

@@ -1,29 +1,25 @@
-//! Growth with Gaussians that are dealt to ranks.
+//! Growth. The Gaussians may be dealt to ranks.
 //!
 //! Every rank gets two numbers of each Gaussian of the scene, and finds the same [plan](Plan). Then the rows of the Gaussians
 //! go to the ranks that have their children: slices are cut anew.
 
+use super::checkpoint::Checkpoint;
 use super::config::GrowthConfig;
 use super::growth::{Child, Grown, Plan, apply, strength};
-use super::share_checkpoint::CheckpointShare;
 use organza_core::error::Result;
 use organza_core::ranks::Ranks;
 use organza_core::scene::{Gaussians, Scene, range_of};
 
 /// Changes the scene of all ranks, to the same bits for any number of them.
-pub fn grow(
-    config: &GrowthConfig,
-    share: &mut CheckpointShare,
-    ranks: &dyn Ranks,
-) -> Result<Grown> {
+pub fn grow(config: &GrowthConfig, share: &mut Checkpoint, ranks: &dyn Ranks) -> Result<Grown> {
     let plan = plan(config, share, ranks)?;
     let Moves { wanted, children, parents } = Moves::of(&plan, share, ranks);
-    let scene_config = share.state.scene.config.clone();
+    let scene_config = share.scene.config.clone();
     let rows = wanted.iter().map(|indices| encode(share, indices)).collect();
     drop(wanted);
     // not twice in memory
-    let [first, second] = &mut share.state.moments;
-    for scene in [&mut share.state.scene, first, second] {
+    let [first, second] = &mut share.moments;
+    for scene in [&mut share.scene, first, second] {
         scene.gaussians = Gaussians::default();
     }
     let received = ranks.exchange(rows)?;
@@ -33,17 +29,17 @@ pub fn grow(
     apply(&children, &mut gaussians, [&mut first, &mut second]);
     share.range = range_of(plan.len(), ranks.rank(), ranks.size());
     share.gaussians = plan.len();
-    share.state.scene.gaussians = gaussians;
-    let [of_first, of_second] = &mut share.state.moments;
+    share.scene.gaussians = gaussians;
+    let [of_first, of_second] = &mut share.moments;
     (of_first.gaussians, of_second.gaussians) = (first, second);
-    share.state.statistics = vec![[0.0; 4]; share.range.len()];
+    share.statistics = vec![[0.0; 4]; share.range.len()];
     Ok(plan.grown)
 }
 
 /// The plan of the whole scene.
-fn plan(config: &GrowthConfig, share: &CheckpointShare, ranks: &dyn Ranks) -> Result<Plan> {
-    let opacity = &share.state.scene.gaussians.opacity;
-    let strengths = share.state.statistics.iter().copied().map(strength);
+fn plan(config: &GrowthConfig, share: &Checkpoint, ranks: &dyn Ranks) -> Result<Plan> {
+    let opacity = &share.scene.gaussians.opacity;
+    let strengths = share.statistics.iter().copied().map(strength);
     let mine: Vec<f32> = opacity.iter().copied().chain(strengths).collect();
     let (mut opacity, mut strength) =
         (Vec::with_capacity(share.gaussians), Vec::with_capacity(share.gaussians));
@@ -67,7 +63,7 @@ struct Moves {
 }
 
 impl Moves {
-    fn of(plan: &Plan, share: &CheckpointShare, ranks: &dyn Ranks) -> Self {
+    fn of(plan: &Plan, share: &Checkpoint, ranks: &dyn Ranks) -> Self {
         let (rank, size, len) = (ranks.rank(), ranks.size(), plan.len());
         let mut moves = Self { wanted: vec![Vec::new(); size], children: Vec::new(), parents: 0 };
         let (mut owner, mut last) = (0, None);
@@ -93,9 +89,9 @@ impl Moves {
 }
 
 /// Rows of a share's Gaussians and of both moments, tensor after tensor.
-fn encode(share: &CheckpointShare, indices: &[usize]) -> Vec<u8> {
-    let ([first, second], len) = (&share.state.moments, share.range.len().max(1));
-    let scenes: [&Scene; 3] = [&share.state.scene, first, second];
+fn encode(share: &Checkpoint, indices: &[usize]) -> Vec<u8> {
+    let ([first, second], len) = (&share.moments, share.range.len().max(1));
+    let scenes: [&Scene; 3] = [&share.scene, first, second];
     let tensors = || scenes.into_iter().flat_map(|scene| scene.gaussians.tensors().into_vec());
     let width: usize = tensors().map(|values| values.len() / len).sum();
     let mut bytes = Vec::with_capacity(indices.len() * width * size_of::<f32>());
@@ -138,9 +134,7 @@ mod tests {
     use rand_pcg::Pcg64;
 
     use super::*;
-    use crate::Checkpoint;
     use crate::config::TrainConfig;
-    use crate::growth;
     use organza_core::ranks::ThreadRanks;
     use organza_core::scene::SLICE;
 
@@ -170,10 +164,8 @@ mod tests {
         let begun = state();
         let config = GrowthConfig { rate: 0.3, max_gaussians: u32::MAX, ..GrowthConfig::default() };
         let mut whole = begun.clone();
-        let Checkpoint { scene, moments: [first, second], statistics, .. } = &mut whole;
-        let counts = growth::grow(&config, scene, [first, second], statistics);
+        let counts = grow(&config, &mut whole, &ThreadRanks::alone()).expect("it grows");
         assert!(counts.pruned > 1000 && counts.split > 3000, "{counts:?}");
-        whole.statistics = vec![[0.0; 4]; whole.scene.gaussians.len()];
         // the first of three has nothing
         for size in [2, 3] {
             std::thread::scope(|scope| {
@@ -181,9 +173,9 @@ mod tests {
                     let (begun, whole, config) = (&begun, &whole, &config);
                     scope.spawn(move || {
                         let rank = ranks.rank();
-                        let mut share = CheckpointShare::of(begun, rank, size);
+                        let mut share = begun.share(rank, size);
                         let found = grow(config, &mut share, &ranks).expect("it grows");
-                        let expected = CheckpointShare::of(whole, rank, size);
+                        let expected = whole.share(rank, size);
                         assert!(share == expected, "rank {rank} of {size}");
                         assert_eq!(found, counts);
                     });

@@ -14,7 +14,6 @@ use rayon::prelude::*;
 use super::config::TrainConfig;
 use super::requirements;
 use super::space::scene_box;
-use super::trainer::check;
 use organza_core::camera::{Camera, Target};
 use organza_core::error::{Error, Result};
 use organza_core::random;
@@ -35,7 +34,7 @@ const TRANSMITTANCE_BIAS: f32 = 5.0;
 /// # Errors
 /// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
 pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
-    check(config, dataset)?;
+    requirements::check(config, dataset)?;
     let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
     let background = dataset.background;
     if let Some(path) = &config.start.path {

@@ -21,12 +21,12 @@ pub(super) struct State {
 }
 
 impl State {
-    /// That of a checkpoint of `share`, of so many Gaussians of the whole scene and of so many photographs.
+    /// That of the checkpoint of `share`, and of so many photographs.
     pub fn new(
         renderer: &Renderer,
         config: &TrainConfig,
         mut share: DeviceShare,
-        (checkpoint, gaussians): (&Checkpoint, usize),
+        checkpoint: &Checkpoint,
         photographs: usize,
     ) -> Result<Self> {
         let device = renderer.device();
@@ -40,18 +40,14 @@ impl State {
             fields = fields.with_poses(device, photographs)?;
         }
         let gradient = ShareGradient::new(device, &share, fields)?;
-        let state = Self { share, optimizer, gradient, gaussians };
+        let state = Self { share, optimizer, gradient, gaussians: checkpoint.gaussians };
         state.write_statistics(device, &checkpoint.statistics)?;
         Ok(state)
     }
 
-    /// The Gaussians are those of a checkpoint from now on, of so many of the whole scene; the fields stay.
-    pub fn replace_gaussians(
-        &mut self,
-        device: &Device,
-        (checkpoint, gaussians): (&Checkpoint, usize),
-    ) -> Result<()> {
-        self.gaussians = gaussians;
+    /// The Gaussians are those of a checkpoint from now on; the fields stay.
+    pub fn replace_gaussians(&mut self, device: &Device, checkpoint: &Checkpoint) -> Result<()> {
+        self.gaussians = checkpoint.gaussians;
         self.share.replace_gaussians(device, &checkpoint.scene.gaussians)?;
         self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
         self.gradient.replace_gaussians(device, &self.share)?;

@@ -1,29 +1,29 @@
 //! One step after the other: draw tiles, render, compare, go back, move, grow.
 
-use std::path::Path;
 use std::sync::Arc;
 
-use super::checkpoint::{Checkpoint, Progress};
+use super::checkpoint::Checkpoint;
 use super::coarse::{Batches, Drawn};
 use super::config::TrainConfig;
 use super::exposure::Exposures;
-use super::growth::{Grown, grow};
+use super::growth::Grown;
 use super::hooks::{StepGradient, StepHooks};
 use super::pose::PoseSet;
+use super::progress::Progress;
+use super::requirements::check;
 use super::sampler::Target;
-use super::share::grid_of;
-use super::share_checkpoint::CheckpointShare;
-use super::share_growth;
+use super::share_growth::grow;
 use super::start;
 use super::state::State;
 use super::step_report::StepReport;
 use crate::evaluate::{Evaluation, evaluate};
 use organza_core::camera::Camera;
-use organza_core::error::{Error, IN_MEMORY, Result};
+use organza_core::error::{Error, Result};
 use organza_core::metrics;
-use organza_core::ranks::Ranks;
+use organza_core::ranks::{Grid, Ranks};
+use organza_core::scene::range_of;
 use organza_data::Dataset;
-use organza_render::{DeviceScene, DeviceShare, ExposureGradient, Loss, Renderer};
+use organza_render::{DeviceScene, DeviceShare, ExposureGradient, Loss, Renderer, UploadOptions};
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -108,23 +108,16 @@ impl Trainer {
         dataset: impl Into<Arc<Dataset>>,
         checkpoint: &Checkpoint,
     ) -> Result<Self> {
-        let dataset = dataset.into();
-        let gaussians = checkpoint.scene.gaussians.len();
-        let state = |config: &TrainConfig, photographs: usize| {
-            let scene = renderer.upload(&checkpoint.scene)?;
-            let share = DeviceShare::of_whole(renderer.device(), scene)?;
-            State::new(renderer, config, share, (checkpoint, gaussians), photographs)
-        };
-        Self::with_state(renderer, config, dataset, checkpoint, state)
+        Self::with_ranks_of(renderer, config, dataset.into(), checkpoint, None)
     }
 
-    /// Continues from a checkpoint whose scene `state` brings to the device, for so many photographs.
-    pub(super) fn with_state(
+    /// Continues from a checkpoint: of the whole scene, or of one of so many shares of it.
+    pub(super) fn with_ranks_of(
         renderer: &Renderer,
         config: TrainConfig,
         dataset: Arc<Dataset>,
         checkpoint: &Checkpoint,
-        state: impl FnOnce(&TrainConfig, usize) -> Result<State>,
+        shared: Option<(Arc<dyn Ranks>, usize)>,
     ) -> Result<Self> {
         check(&config, &dataset)?;
         let mut cameras: Vec<_> =
@@ -141,7 +134,12 @@ impl Trainer {
         if let Some(poses) = &poses {
             cameras = poses.cameras();
         }
-        let state = state(&config, cameras.len())?;
+        let share = match shared {
+            Some(_) => DeviceShare::upload(renderer, &checkpoint.scene, UploadOptions::default())?,
+            None => DeviceShare::of_whole(renderer.device(), renderer.upload(&checkpoint.scene)?)?,
+        };
+        let state = State::new(renderer, &config, share, checkpoint, cameras.len())?;
+        let (ranks, shares) = shared.unzip();
         let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
         Ok(Self {
             renderer,
@@ -154,8 +152,8 @@ impl Trainer {
             poses,
             state,
             step,
-            ranks: None,
-            shares: None,
+            ranks,
+            shares,
         })
     }
 
@@ -242,10 +240,13 @@ impl Trainer {
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
         let (device, state) = (self.renderer.device(), &self.state);
         state.gradient.fields.check(device)?;
+        let (share, shares) = self.grid().map_or((0, 1), |grid| (grid.share(), grid.shares));
         Ok(Checkpoint {
             scene: state.share.download(device)?,
             moments: state.optimizer.moments(device, &state.share)?,
             statistics: state.statistics(device)?,
+            range: range_of(state.gaussians, share, shares),
+            gaussians: state.gaussians,
             exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
             poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
             progress: Progress { step: self.step, seconds },
@@ -359,21 +360,9 @@ impl Trainer {
 
     /// On the host: once in many steps.
     fn grow(&mut self) -> Result<Grown> {
-        let mut checkpoint = self.checkpoint_share(0.0)?;
-        let growth = &self.config.growth;
-        let grown = match self.grid() {
-            Some(grid) => share_growth::grow(growth, &mut checkpoint, &grid.row())?,
-            None => {
-                let CheckpointShare { state, gaussians, .. } = &mut checkpoint;
-                let Checkpoint { scene, moments: [first, second], statistics, .. } = state;
-                let grown = grow(growth, scene, [first, second], statistics);
-                *gaussians = scene.gaussians.len();
-                *statistics = vec![[0.0; 4]; *gaussians];
-                grown
-            }
-        };
-        let CheckpointShare { state, gaussians, .. } = &checkpoint;
-        self.state.replace_gaussians(self.renderer.device(), (state, *gaussians))?;
+        let mut checkpoint = self.checkpoint(0.0)?;
+        let grown = self.with_group(|ranks| grow(&self.config.growth, &mut checkpoint, ranks))?;
+        self.state.replace_gaussians(self.renderer.device(), &checkpoint)?;
         Ok(grown)
     }
 }
@@ -384,13 +373,8 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
     step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
 }
 
-/// Settings that were made in code are held to what files are held to.
-pub(super) fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
-    let invalid = |reason| Error::Invalid { origin: Path::new(IN_MEMORY).to_owned(), reason };
-    config.check().map_err(invalid)?;
-    if dataset.train.is_empty() {
-        let reason = "the data set has no frame to train on".to_owned();
-        return Err(Error::Invalid { origin: dataset.path.clone(), reason });
-    }
-    Ok(())
+/// See [`Trainer::grid`].
+pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shares: Option<usize>) -> Option<Grid<'_>> {
+    let (all, shares) = (ranks.as_deref()?, shares?);
+    Some(Grid { all, shares })
 }

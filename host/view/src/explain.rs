@@ -2,12 +2,11 @@
 
 use serde::Serialize;
 
-use super::frame_renderer::Stage;
 use super::message::refuse;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::image::to_8_bit;
-use organza_render::{Contribution, Inspection, Trace};
+use organza_render::{Contribution, DeviceScene, Inspection, Renderer, Trace};
 
 /// Most Gaussians in an answer: those with the largest alpha.
 const MAX_GAUSSIANS: usize = 200;
@@ -56,14 +55,19 @@ impl Row {
 }
 
 /// Breaks a pixel down.
-pub fn explain(stage: Stage<'_>, camera: &Camera, pixel: [i32; 2]) -> Result<Vec<u8>> {
+pub fn explain(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    camera: &Camera,
+    pixel: [i32; 2],
+) -> Result<Vec<u8>> {
     let size = [camera.width, camera.height].map(i64::from);
     if !pixel.iter().zip(size).all(|(&at, size)| (0..size).contains(&i64::from(at))) {
         let [x, y] = pixel;
         return refuse(format!("pixel {x},{y} is outside the image"));
     }
     let cameras = std::slice::from_ref(camera);
-    let (inspection, traces) = stage.renderer.inspect_traced(stage.scene, cameras, 0, pixel)?;
+    let (inspection, traces) = renderer.inspect_traced(scene, cameras, 0, pixel)?;
     let divided = inspection.is_divided();
     let Inspection { contributions, color_sum, alpha_sum, background, pixel: color } = inspection;
     let mut rows: Vec<_> = contributions.into_iter().zip(traces).collect();
@@ -71,7 +75,7 @@ pub fn explain(stage: Stage<'_>, camera: &Camera, pixel: [i32; 2]) -> Result<Vec
     rows.sort_by(|(a, _), (b, _)| b.alpha.total_cmp(&a.alpha));
     let all = rows.len();
     rows.truncate(MAX_GAUSSIANS);
-    let position = stage.renderer.device().read(&stage.scene.tensors().gaussians.position)?;
+    let position = renderer.device().read(&scene.tensors().gaussians.position)?;
     let (position, _) = position.as_chunks::<3>();
     let row = |(contribution, trace): (Contribution, Trace)| {
         let depth = camera.depth(position[contribution.gaussian].map(f64::from));

@@ -181,7 +181,7 @@ impl FrameRenderer {
                 Ok(rendered_as("image/jpeg", bytes, &json!({ "size": size })))
             }
             Question::Pixel(pixel, camera) => {
-                let bytes = explain(stage, camera, *pixel)?;
+                let bytes = explain(stage.renderer, stage.scene, camera, *pixel)?;
                 Ok(rendered_as("application/json", bytes, &json!({})))
             }
         }

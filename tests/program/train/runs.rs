@@ -117,7 +117,7 @@ pub fn stopped(sandbox: &Sandbox, run: &str, settings_of: &str, steps: u32) {
     let dataset = dataset(sandbox, &config);
     let stop = AtomicBool::new(false);
     let session = Session::new(&renderer, &config, &dataset, &folder).with_stop(&stop);
-    let mut reporter = Reporter::new(&folder, &config);
+    let mut reporter = Reporter::new(&folder);
     let outcome = session.run(false, &mut |event| {
         reporter.see(&event)?;
         if matches!(event, Event::Step { step, .. } if step == steps) {

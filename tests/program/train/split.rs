@@ -7,7 +7,7 @@ use organza::data::Dataset;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::SLICE;
 use organza::train::metrics::Record;
-use organza::train::{Checkpoint, CheckpointShare, TrainConfig, Trainer};
+use organza::train::{Checkpoint, TrainConfig, Trainer};
 use organza::{Error, Renderer};
 use organza_tests::devices;
 
@@ -70,7 +70,7 @@ fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> T
         "a part a tile" => renderer.with_part_bytes(15_000),
         _ => renderer,
     };
-    let share = CheckpointShare::of(checkpoint, ranks.rank() % shares, shares);
+    let share = checkpoint.share(ranks.rank() % shares, shares);
     let config = config.clone();
     let dataset = dataset.clone();
     let trainer = Trainer::resume_share(&renderer, config, dataset, &share, ranks, shares);
@@ -91,10 +91,10 @@ fn train(
         for _ in 0..steps {
             trainer.step().expect("a step");
         }
-        let share = trainer.checkpoint_share(0.0).expect("a state");
+        let share = trainer.checkpoint(0.0).expect("a state");
         match file {
             Some(path) if ranks.rank() == 0 => {
-                share.save(path, None, &trainer.group().expect("a group")).expect("a file");
+                share.save_shares(path, None, &trainer.group().expect("a group")).expect("a file");
             }
             Some(_) => share.hand_over(&trainer.group().expect("a group")).expect("a file"),
             None => {}
@@ -107,20 +107,20 @@ fn train(
     join(all)
 }
 
-fn join(shares: Vec<CheckpointShare>) -> Checkpoint {
-    let all = shares[0].gaussians;
+fn join(shares: Vec<Checkpoint>) -> Checkpoint {
     let mut rest = shares.into_iter();
-    let mut whole = rest.next().expect("a rank").state;
-    for CheckpointShare { state, range, gaussians } in rest {
-        assert_eq!((whole.scene.gaussians.len(), gaussians), (range.start, all));
+    let mut whole = rest.next().expect("a rank");
+    for share in rest {
+        assert_eq!((whole.range.end, whole.gaussians), (share.range.start, share.gaussians));
+        whole.range.end = share.range.end;
         let mine = [&mut whole.scene].into_iter().chain(&mut whole.moments);
-        for (mine, other) in mine.zip([&state.scene].into_iter().chain(&state.moments)) {
+        for (mine, other) in mine.zip([&share.scene].into_iter().chain(&share.moments)) {
             assert!(mine.color == other.color && mine.transmittance == other.transmittance);
             mine.gaussians.append(&other.gaussians);
         }
-        whole.statistics.extend(state.statistics);
+        whole.statistics.extend(share.statistics);
     }
-    assert_eq!(whole.scene.gaussians.len(), all);
+    assert_eq!((whole.scene.gaussians.len(), whole.range.end), (whole.gaussians, whole.gaussians));
     whole
 }
 
@@ -180,17 +180,17 @@ fn ranks_write_one_checkpoint_and_read_their_shares() {
     assert!(std::fs::read(&path).unwrap() == std::fs::read(&again).unwrap());
     for size in [1, 2, 4] {
         for rank in 0..size {
-            let share = CheckpointShare::load(&path, rank, size).expect("a share");
-            assert!(share == CheckpointShare::of(&joined, rank, size), "rank {rank} of {size}");
+            let share = Checkpoint::load_share(&path, rank, size).expect("a share");
+            assert!(share == joined.share(rank, size), "rank {rank} of {size}");
         }
     }
     // a state that one rank has lost is not written
     let failed = on_ranks(2, |ranks| {
-        let mut share = CheckpointShare::of(&joined, ranks.rank(), 2);
+        let mut share = joined.share(ranks.rank(), 2);
         if ranks.rank() == 0 {
-            return share.save(&path, None, &*ranks);
+            return share.save_shares(&path, None, &*ranks);
         }
-        share.state.moments[0].gaussians.opacity[3] = f32::NAN;
+        share.moments[0].gaussians.opacity[3] = f32::NAN;
         share.hand_over(&*ranks).inspect_err(|error| ranks.fail(&error.to_string()))
     });
     let [Err(Error::Rank { rank: 1, .. }), Err(Error::NotFinite { .. })] = &failed[..] else {

@@ -6,7 +6,7 @@ use organza::Renderer;
 use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::MlpConfig;
-use organza::train::{CheckpointShare, TrainConfig, Trainer};
+use organza::train::{TrainConfig, Trainer};
 use organza_tests::devices;
 
 use super::runs::begun;
@@ -87,7 +87,7 @@ fn sent_by_shares(size: usize) -> String {
     config.run.steps = 40;
     checkpoint.progress.step = 9;
     sent(size, |renderer, ranks| {
-        let share = CheckpointShare::of(&checkpoint, ranks.rank() % 2, 2);
+        let share = checkpoint.share(ranks.rank() % 2, 2);
         let (config, dataset) = (config.clone(), dataset.clone());
         let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, 2);
         let report = trainer.expect("a trainer").step().expect("a step");

@@ -19,15 +19,12 @@
 
 use glam::Vec3;
 
-use super::lattice::logit;
 use super::light::{self, Surroundings};
 use super::network::{Form, Units};
-use super::pearl_distance;
+use super::shape::pearl_distance;
 use super::volume::Volume;
 use crate::scene::Scene;
 
-/// Values of a material: three logits, the normal, whether it is cloth, whether it is the pearl.
-pub const MATERIAL: usize = 8;
 /// Features of the grid: three logits to subtract, and the pearl's shadow.
 pub const FEATURES: usize = 4;
 
@@ -46,32 +43,6 @@ const LEAST_LOGIT: f32 = -8.0;
 /// Knots of a square on each side of 0, and their distance: the spline is off by 1/512 at most.
 const SQUARE_KNOTS: usize = 16;
 const SQUARE_STEP: f32 = 2.0 / SQUARE_KNOTS as f32;
-
-/// The kind of surface that a Gaussian belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Cloth,
-    Pearl,
-    Floor,
-}
-
-/// The appearance of a Gaussian.
-#[derive(Clone, Copy, Debug)]
-pub struct Material {
-    pub color: Vec3,
-    pub normal: Vec3,
-    pub kind: Kind,
-}
-
-impl Material {
-    /// The Gaussian's material vector.
-    pub fn values(&self) -> [f32; MATERIAL] {
-        let [r, g, b] = self.color.to_array().map(logit);
-        let Vec3 { x, y, z } = self.normal;
-        let is = |kind| f32::from(u8::from(self.kind == kind));
-        [r, g, b, x, y, z, is(Kind::Cloth), is(Kind::Pearl)]
-    }
-}
 
 /// Fills the color field in.
 pub fn fill(scene: &mut Scene, surroundings: &Surroundings) {

@@ -4,7 +4,7 @@ use std::f32::consts::{PI, TAU};
 
 use glam::{Mat3, Vec3};
 
-use super::smoothstep;
+use super::shape::smoothstep;
 
 /// Alpha of one layer of cloth, seen head-on.
 const COVERAGE: f32 = 0.45;

@@ -9,7 +9,7 @@ use std::f32::consts::TAU;
 
 use glam::{Mat3, Quat, Vec3};
 
-use super::color::Material;
+use super::shape::{Material, logit};
 use crate::scene::Gaussians;
 
 /// k: standard deviation of a Gaussian in units of its cell. It ripples by 0.04 percent.
@@ -100,12 +100,6 @@ impl From<Splats> for Gaussians {
     fn from(splats: Splats) -> Self {
         splats.0
     }
-}
-
-/// The inverse of the sigmoid; probabilities are clamped away from 0 and 1.
-pub fn logit(probability: f32) -> f32 {
-    let probability = probability.clamp(0.003, 0.997);
-    (probability / (1.0 - probability)).ln()
 }
 
 /// Eigenvectors of `a a^T + b b^T` in the tangent plane, and the square roots of their eigenvalues.

@@ -4,8 +4,8 @@ use glam::Vec3;
 
 use super::drapery::SHEETS;
 use super::lattice::cells;
+use super::shape::{HALF_BOX, pearl_distance, smoothstep};
 use super::volume::Volume;
-use super::{HALF_BOX, pearl_distance};
 use crate::scene::SceneConfig;
 
 /// Standard deviation of a sheet's density along its normal: as small as the grid can represent.
@@ -80,6 +80,6 @@ impl Surroundings {
                 depth += sheet.absorption * (volume.sample(point) * STEP);
             }
         }
-        Arrival { through_cloth: (-depth).exp(), past_pearl: super::smoothstep(past_pearl) }
+        Arrival { through_cloth: (-depth).exp(), past_pearl: smoothstep(past_pearl) }
     }
 }

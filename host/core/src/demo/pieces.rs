@@ -4,11 +4,10 @@ use std::f32::consts::PI;
 
 use glam::Vec3;
 
-use super::color::{Kind, Material};
 use super::drapery::{SHEETS, Sheet};
 use super::lattice::{Cell, Look, Splats, cells};
 use super::light::{self, Surroundings};
-use super::{BACKGROUND, FLOOR, HALF_BOX, PEARL};
+use super::shape::{BACKGROUND, FLOOR, HALF_BOX, Kind, Material, PEARL};
 
 /// Number of Gaussians of the pearl.
 const PEARL_POINTS: usize = 6400;

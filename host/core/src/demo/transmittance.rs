@@ -10,11 +10,10 @@
 
 use std::f32::consts::TAU;
 
-use super::color::Kind;
 use super::drapery;
 use super::light::{SHEET_THICKNESS, Surroundings};
 use super::network::{Form, Units};
-use super::pearl_distance;
+use super::shape::{Kind, pearl_distance};
 use super::volume::{Volume, WORLD_PER_UNIT};
 use crate::scene::Scene;
 

@@ -4,7 +4,7 @@ use std::f32::consts::TAU;
 
 use glam::{UVec3, Vec3};
 
-use super::HALF_BOX;
+use super::shape::HALF_BOX;
 use crate::scene::{GridConfig, GridLevelGeometry};
 
 /// World units per unit of the unit cube, in which the scene's box spans 0.05 to 0.95.

@@ -66,6 +66,12 @@ impl ThreadRanks {
         (0..size).map(rank).collect()
     }
 
+    /// A rank without others.
+    #[must_use]
+    pub fn alone() -> Self {
+        Self::new(1).swap_remove(0)
+    }
+
     fn lock(&self) -> MutexGuard<'_, State> {
         self.shared.state.lock().unwrap_or_else(PoisonError::into_inner)
     }

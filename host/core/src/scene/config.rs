@@ -5,7 +5,7 @@ use std::path::Path;
 pub use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, MAX_VECTOR};
 use serde::{Deserialize, Serialize};
 
-use super::grid::GridConfig;
+use super::grid::{GridConfig, Problem};
 use crate::error::{Error, IN_MEMORY, Result};
 
 /// Largest number of hidden layers in a network.
@@ -79,25 +79,6 @@ impl Contraction {
 pub struct MlpConfig {
     /// Widths of the hidden layers: 1 to [`MAX_HIDDEN_LAYERS`] of 1 to [`MAX_HIDDEN_WIDTH`].
     pub hidden: Vec<u32>,
-}
-
-/// A field that is out of range, before its file is known.
-#[derive(Debug)]
-pub(super) struct Problem {
-    /// Path of the field in the JSON.
-    pub field: String,
-    /// The value found and the values allowed.
-    pub reason: String,
-}
-
-impl Problem {
-    fn new(field: &str, reason: impl Into<String>) -> Self {
-        Self { field: field.to_owned(), reason: reason.into() }
-    }
-
-    fn at(self, origin: &Path) -> Error {
-        Error::BadConfig { origin: origin.to_owned(), field: self.field, reason: self.reason }
-    }
 }
 
 impl SceneConfig {

@@ -47,31 +47,6 @@ impl Scene {
         self.with_encoding(|tensors, metadata| write_tensors(path, tensors, metadata))
     }
 
-    /// [`Self::save`] with additional tensors and metadata, which [`Self::load`] ignores.
-    pub fn save_with(
-        &self,
-        path: impl AsRef<Path>,
-        more: &[TensorRef<'_>],
-        more_metadata: &[(&str, &str)],
-    ) -> Result<()> {
-        self.with_encoding(|tensors, metadata| {
-            let tensors: Vec<_> = tensors.iter().chain(more).copied().collect();
-            write_tensors(path, &tensors, &[metadata, more_metadata].concat())
-        })
-    }
-
-    /// [`Self::save_with`] to memory.
-    pub fn to_bytes_with(
-        &self,
-        more: &[TensorRef<'_>],
-        more_metadata: &[(&str, &str)],
-    ) -> Result<Vec<u8>> {
-        self.with_encoding(|tensors, metadata| {
-            let tensors: Vec<_> = tensors.iter().chain(more).copied().collect();
-            encode(&tensors, &[metadata, more_metadata].concat())
-        })
-    }
-
     /// [`Self::save`] to memory.
     ///
     /// # Errors
@@ -114,7 +89,7 @@ pub fn scene_metadata(config: &str) -> [(&'static str, &str); 3] {
 }
 
 /// [`Scene::load`] from a reader of `length` bytes. Errors name `origin`.
-pub fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Scene> {
+fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Scene> {
     let header = Header::read(reader, length, origin)?;
     let config = read_config(&header, origin)?;
     let gaussians = count_gaussians(&header, &config, origin)?;

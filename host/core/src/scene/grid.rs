@@ -1,11 +1,13 @@
 //! The multiresolution hash grids: their configuration and the geometry of their levels.
 
+use std::path::Path;
+
 use organza_shaders::hash_grid::GridLevel;
 use organza_shaders::limits::MAX_FEATURES;
 pub use organza_shaders::limits::MAX_LEVELS;
 use serde::{Deserialize, Serialize};
 
-use super::config::Problem;
+use crate::error::Error;
 
 /// Finest resolution of a level: beyond it, an f32 position has no useful fraction left.
 pub const MAX_RESOLUTION: u32 = 1 << 20;
@@ -15,6 +17,25 @@ pub const MAX_LOG2_TABLE: u32 = 24;
 pub const FEATURE_WIDTHS: [u32; 4] = [1, 2, 4, MAX_FEATURES];
 /// Below this the first level's scale is less than -0.5 and a position could land in cell -1.
 const MIN_BASE_RESOLUTION: f64 = 0.5;
+
+/// A field that is out of range, before its file is known.
+#[derive(Debug)]
+pub(super) struct Problem {
+    /// Path of the field in the JSON.
+    pub field: String,
+    /// The value found and the values allowed.
+    pub reason: String,
+}
+
+impl Problem {
+    pub fn new(field: &str, reason: impl Into<String>) -> Self {
+        Self { field: field.to_owned(), reason: reason.into() }
+    }
+
+    pub fn at(self, origin: &Path) -> Error {
+        Error::BadConfig { origin: origin.to_owned(), field: self.field, reason: self.reason }
+    }
+}
 
 /// The configuration of one hash grid, as in a scene's `color_grid` and `transmittance_grid`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

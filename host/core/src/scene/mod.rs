@@ -20,7 +20,7 @@ pub use config::{
     COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
     MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
-pub use file::{read_scene, scene_metadata};
+pub use file::scene_metadata;
 pub use gaussians::logit;
 pub use gaussians::{GaussianTensors, Gaussians};
 pub use gradient::Gradient;

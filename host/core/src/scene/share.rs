@@ -1,7 +1,7 @@
 //! A share of a scene: some of its Gaussians, and all of its fields.
 
 use std::collections::HashMap;
-use std::io::BufReader;
+use std::io::{BufReader, Read, Seek};
 use std::ops::Range;
 use std::path::Path;
 
@@ -9,6 +9,7 @@ use super::Scene;
 use super::file::{check_declared, count_gaussians, read_config};
 use super::spec::TensorSpec;
 use super::tensor_file::Header;
+use super::validate::check_sizes;
 use crate::error::Result;
 use crate::input::open_regular;
 use muslin_device::memory;
@@ -61,50 +62,60 @@ impl SceneShare {
     /// # Errors
     /// The same errors as [`Scene::load`], for the share.
     pub fn load(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
-        Self::load_more(path, rank, ranks, [], None).map(|(share, ..)| share)
-    }
-
-    /// Like [`SceneShare::load`], but also reads other data of the same Gaussians: scenes of the same shape, whose
-    /// tensors' names have these prefixes, and the rows of another tensor, given its name and width.
-    pub fn load_more<const P: usize>(
-        path: impl AsRef<Path>,
-        rank: usize,
-        ranks: usize,
-        prefixes: [&str; P],
-        other: Option<(&str, usize)>,
-    ) -> Result<(Self, [Scene; P], Vec<f32>)> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
         let mut reader = BufReader::new(file);
-        let header = Header::read(&mut reader, length, path)?;
-        let config = read_config(&header, path)?;
-        let gaussians = count_gaussians(&header, &config, path)?;
-        let range = range_of(gaussians, rank, ranks);
-        let mut scene = Scene::zeros(config, range.len())?;
-        let mut more = prefixes.map(|_| scene.clone());
-        let width = other.map_or(0, |(_, width)| width);
-        let mut rows = memory::zeros(range.len() * width, "rows of a share")?;
-        let mut targets = HashMap::new();
-        let scenes = std::iter::once(("", &mut scene)).chain(prefixes.into_iter().zip(&mut more));
-        for (prefix, scene) in scenes {
-            let specs = scene.config.tensors(gaussians);
-            for (whole, (spec, values)) in specs.into_iter().zip(scene.tensors_mut()) {
-                let is_row = spec.name.starts_with("gaussians.");
-                let row = if is_row { values.len() / range.len().max(1) } else { 0 };
-                let name = format!("{prefix}{}", spec.name);
-                check_declared(&header, &TensorSpec { name: name.clone(), ..whole }, path)?;
-                targets.insert(name, (row * range.start, values));
+        Self::read_with(&mut reader, (length, path), (rank, ranks), [], None)
+            .map(|(share, ..)| share)
+    }
+
+    /// Like [`SceneShare::load`], from a reader of `length` bytes that errors name `origin`. Also reads other data of the
+    /// same Gaussians: scenes of the same shape, whose tensors' names have these prefixes, and the rows of another tensor,
+    /// given its name and width.
+    pub fn read_with<const P: usize>(
+        reader: &mut (impl Read + Seek),
+        (length, origin): (u64, &Path),
+        (rank, ranks): (usize, usize),
+        prefixes: [&str; P],
+        other: Option<(&str, usize)>,
+    ) -> Result<(Self, [Scene; P], Vec<f32>)> {
+        let header = Header::read(reader, length, origin)?;
+        let config = read_config(&header, origin)?;
+        let gaussians = count_gaussians(&header, &config, origin)?;
+        for prefix in [""].iter().chain(&prefixes) {
+            for mut spec in config.tensors(gaussians) {
+                spec.name.insert_str(0, prefix);
+                check_declared(&header, &spec, origin)?;
             }
         }
         if let Some((name, width)) = other {
             let shape = vec![gaussians, width];
             let why = "a row for each Gaussian";
-            check_declared(&header, &TensorSpec { name: name.to_owned(), shape, why }, path)?;
+            check_declared(&header, &TensorSpec { name: name.to_owned(), shape, why }, origin)?;
+        }
+        let range = range_of(gaussians, rank, ranks);
+        check_sizes(config.tensors(range.len()).iter(), origin)?;
+        // every tensor allocated here is declared in the file, so no header can request more memory than the file is long
+        let mut scene = Scene::zeros(config, range.len())?;
+        let mut more = prefixes.map(|_| scene.clone());
+        let width = other.map_or(0, |(_, width)| width);
+        let mut rows = memory::zeros(range.len() * width, "rows of a share")?;
+        let mut targets = HashMap::new();
+        for (prefix, scene) in
+            [("", &mut scene)].into_iter().chain(prefixes.into_iter().zip(&mut more))
+        {
+            for (spec, values) in scene.tensors_mut() {
+                let is_row = spec.name.starts_with("gaussians.");
+                let row = if is_row { values.len() / range.len().max(1) } else { 0 };
+                targets.insert(format!("{prefix}{}", spec.name), (row * range.start, values));
+            }
+        }
+        if let Some((name, width)) = other {
             targets.insert(name.to_owned(), (width * range.start, &mut rows));
         }
-        header.read_ranges(&mut reader, targets, path)?;
+        header.read_ranges(reader, targets, origin)?;
         if !range.is_empty() {
-            scene.validate_at(path)?;
+            scene.validate_at(origin)?;
         }
         Ok((Self { scene, range, gaussians }, more, rows))
     }

@@ -67,19 +67,22 @@ pub fn read_tensors_from(
     Ok(tensors)
 }
 
-/// Reads a single tensor of a safetensors file; `None` if the file has no tensor of that name.
+/// Reads a single tensor of a safetensors file of `length` bytes; `None` if the file has no tensor of that name. Errors
+/// name `origin`.
 ///
 /// # Errors
 /// The same errors as [`read_tensors`].
-pub fn read_tensor(path: &Path, name: &str) -> Result<Option<Tensor>> {
-    let (file, length) = open_regular(path)?;
-    let mut reader = BufReader::new(file);
-    let header = Header::read(&mut reader, length, path)?;
-    header.require_f32(name, path)?;
+pub fn read_tensor(
+    reader: &mut (impl Read + Seek),
+    (length, origin): (u64, &Path),
+    name: &str,
+) -> Result<Option<Tensor>> {
+    let header = Header::read(reader, length, origin)?;
+    header.require_f32(name, origin)?;
     let Some(shape) = header.shape(name).map(<[usize]>::to_vec) else { return Ok(None) };
     let mut data = memory::zeros(shape.iter().product(), name)?;
     let wanted = HashMap::from([(name.to_owned(), (0, &mut data[..]))]);
-    header.read_ranges(&mut reader, wanted, path)?;
+    header.read_ranges(reader, wanted, origin)?;
     Ok(Some(Tensor { shape, data }))
 }
 

@@ -10,23 +10,12 @@ use std::path::{Path, PathBuf};
 use super::access::Access;
 use super::find;
 use super::{DatasetKind, DatasetOptions, Listing, Point, invalid, is_held_out};
-use model::Intrinsics;
-use organza_core::camera::Camera;
+use model::{Image, Intrinsics};
 use organza_core::error::Result;
 use organza_core::input::open_regular;
 
 /// Folders in a data set that may hold a model, by priority.
 const FOLDERS: [&str; 4] = ["sparse/0", "sparse", "colmap/sparse/0", ""];
-
-/// A photograph in COLMAP's form.
-struct Image {
-    /// Rotation from world to camera: a quaternion, w first.
-    rotation: [f64; 4],
-    /// Translation from world to camera, applied after the rotation.
-    translation: [f64; 3],
-    camera: u32,
-    name: String,
-}
 
 type Cameras = HashMap<u32, Intrinsics>;
 /// Points by their ids.

@@ -2,10 +2,19 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::{Camera, Image};
 use crate::lens::Lens;
 use Parameter::{CenterX, CenterY, D, Focal, FocalX, FocalY, K, P};
-use organza_core::camera::MAX_IMAGE_SIDE;
+use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
+
+/// A photograph in COLMAP's form.
+pub struct Image {
+    /// Rotation from world to camera: a quaternion, w first.
+    pub rotation: [f64; 4],
+    /// Translation from world to camera, applied after the rotation.
+    pub translation: [f64; 3],
+    pub camera: u32,
+    pub name: String,
+}
 
 /// COLMAP's camera models; a model's id is its index here. Supported ones have their list of parameters, in COLMAP's
 /// order.

@@ -4,6 +4,7 @@ use std::fs;
 
 use super::colmap_files::{self, sample};
 use super::*;
+use organza_core::error::Error;
 
 #[test]
 fn kinds_are_told_apart_in_order() {

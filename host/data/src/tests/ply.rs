@@ -2,6 +2,7 @@ use std::fs;
 
 use super::super::ply::read;
 use super::*;
+use organza_core::error::Error;
 
 const HEADER: &str = "comment made by hand\nelement camera 1\nproperty list uchar int views\n\
                       element vertex 2\nproperty double x\nproperty float y\nproperty short z\n\

@@ -1,6 +1,9 @@
 //! The structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004, Eq. 13) of windows under a mask.
 
+use organza_shaders::ssim::{RADIUS, WINDOW};
+
 use super::numeric::Number;
+use organza_core::metrics;
 
 /// The Gaussian weights of a window along one axis, by the distance from its center in pixels: sigma is 1.5, and the
 /// eleven weights add up to 1.
@@ -46,4 +49,17 @@ pub fn dissimilarity<N: Number>([d, s, dd, ss, weight]: [N; 5]) -> N {
     let (of_d, of_s) = (dd - d * d, ss - s * s);
     let means = [(s + one + d) / two, (s + one - d) / two];
     one - similarity(means, (of_s + of_d) / two, (of_s - of_d) / four)
+}
+
+/// The window's weights, as kernels have them.
+pub fn window() -> [f32; WINDOW as usize] {
+    metrics::window().map(|weight| weight as f32)
+}
+
+/// The weighted sum of values around place `at` of `side`.
+pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
+    let radius = RADIUS as usize;
+    let weights = window();
+    let taps = at.saturating_sub(radius)..(at + radius + 1).min(side);
+    taps.map(|tap| f64::from(weights[tap + radius - at]) * value(tap)).sum()
 }

@@ -6,10 +6,10 @@ use organza_shaders::distortion::{
 };
 
 use crate::forward::bin::Bins;
-use crate::forward::composite::weighted_sum;
+use crate::forward::weighted_sum::weighted_sum;
 use crate::scene::device_scene::DeviceScene;
 use glam::Vec4;
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Result};
 
 /// What the distortion of a part's pixels counts in the loss.
 #[derive(Debug)]
@@ -24,13 +24,13 @@ impl Distortion {
     /// The derivative: `sum_gradient [tiles, 4, S, S]`, and the splats of the [`sums`] that it belongs to.
     pub fn backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         side: u32,
         bins: &Bins,
         transmittance: &Buffer<f32>,
     ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
-        let (sum, splat) = sums(device, scene, side, bins, transmittance)?;
+        let device = scene.device();
+        let (sum, splat) = sums(scene, side, bins, transmittance)?;
         let sum_gradient = device.unwritten("gradient of the distortion's sums", sum.len())?;
         let kernel = DistortionBackwardKernel {
             params: DistortionParams { side, scale: self.scale },
@@ -47,12 +47,12 @@ impl Distortion {
 /// M_1, M_2, 0 and S of each pixel, `[tiles, 4, S, S]`; and the splats `[pairs, 3]` that they are the sums of, with u, u^2 and 0
 /// in the place of a color.
 pub fn sums(
-    device: &Device,
     scene: &DeviceScene,
     side: u32,
     bins: &Bins,
     transmittance: &Buffer<f32>,
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    let device = scene.device();
     let pairs = &bins.pairs;
     let capacity = pairs.count.at_most();
     let power = device.unwritten("powers of inverse distances", 3 * capacity as usize)?;
@@ -64,5 +64,5 @@ pub fn sums(
         power: &power,
     };
     device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-    weighted_sum(device, scene, side, bins, transmittance, &power)
+    weighted_sum(scene, side, bins, transmittance, &power)
 }

@@ -137,7 +137,7 @@ impl Renderer {
         let image = of_tiles(target.image, &plan.tiles, 3 * area);
         let valid = of_tiles(target.valid, &plan.tiles, area);
         let work = |capacity: Option<Capacity>| {
-            let evaluate = || Part::evaluate(device, scene, cameras, plan, true, capacity);
+            let evaluate = || Part::evaluate(scene, cameras, plan, true, capacity);
             let part = device.run_in_pool(evaluate)?;
             let (values, needed) = part.read(device, vec![part.composite.image.view()])?;
             if needed == Needed::Overflow {
@@ -157,7 +157,7 @@ impl Renderer {
             let DeviceLossGradient { loss, grad_image } =
                 own(&DeviceLossBatch { device, side, inputs })?;
             check_len(grad_image.len(), pixels.len())?;
-            device.run_in_pool(|| part.backward(device, scene, side, &grad_image, gradient))?;
+            device.run_in_pool(|| part.backward(scene, side, &grad_image, gradient))?;
             Ok(((loss, squared), needed))
         };
         self.with_predicted_capacity(scene, plan, work)

@@ -27,13 +27,13 @@ impl Part {
     /// tiles.
     pub fn backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         side: u32,
         image_gradient: &Buffer<f32>,
         gradient: &SceneGradient,
     ) -> Result<()> {
-        let pair_gradient = self.pair_gradient(device, scene, side, image_gradient)?;
+        let device = scene.device();
+        let pair_gradient = self.pair_gradient(scene, side, image_gradient)?;
         self.raise_bounds(device, &pair_gradient, gradient)?;
         let (pairs, samples) = (&self.bins.pairs.count, &self.transmittance.samples);
         if pairs.at_most() > 0 {
@@ -42,27 +42,19 @@ impl Part {
         if gradient.has_transmittance && samples.at_most() > 0 {
             gradient.transmittance.table.set_scale(device, &scene.transmittance, samples)?;
         }
-        self.add_pairs(device, scene, &pair_gradient, gradient, None, false)?;
+        self.add_pairs(scene, &pair_gradient, gradient, None, false)?;
         gradient.finish(device)
     }
 
     /// The first stages: `[pairs, 3]`, see [`splat_backward`](organza_shaders::splat).
     pub fn pair_gradient(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         side: u32,
         image_gradient: &Buffer<f32>,
     ) -> Result<Buffer<Vec4>> {
         let transmittance = &self.transmittance.transmittance;
-        Ok(self.composite.backward(
-            device,
-            scene,
-            side,
-            &self.bins,
-            transmittance,
-            image_gradient,
-        )?)
+        Ok(self.composite.backward(scene, side, &self.bins, transmittance, image_gradient)?)
     }
 
     /// Raises the bounds of both hash grids' sums.
@@ -89,16 +81,15 @@ impl Part {
     /// has of the Gaussians. The last camera of a part may continue in the next one.
     pub fn add_pairs(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
         rows: Option<(&mut Rows<'_>, usize)>,
         continues: bool,
     ) -> Result<()> {
-        let vectors = self.backward_fields(device, scene, pair_gradient, gradient)?;
+        let vectors = self.backward_fields(scene, pair_gradient, gradient)?;
         let add = |cameras: Range<u32>| {
-            self.add_gaussians(device, scene, pair_gradient, &vectors, cameras, gradient)
+            self.add_gaussians(scene, pair_gradient, &vectors, cameras, gradient)
         };
         let cameras = self.bins.cameras.len() as u32;
         let Some((rows, block)) = rows else { return add(0..cameras) };
@@ -115,18 +106,17 @@ impl Part {
     /// returns those of the pairs' vectors.
     fn backward_fields(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<FieldVectors> {
         let bins = &self.bins;
         if let Some(poses) = &gradient.poses {
-            pose_backward(device, scene, bins, pair_gradient, poses)?;
+            pose_backward(scene, bins, pair_gradient, poses)?;
         }
-        let color = self.color.backward(device, scene, bins, pair_gradient, gradient)?;
+        let color = self.color.backward(scene, bins, pair_gradient, gradient)?;
         let transmittance = match gradient.has_transmittance {
-            true => self.transmittance.backward(device, scene, bins, pair_gradient, gradient)?,
+            true => self.transmittance.backward(scene, bins, pair_gradient, gradient)?,
             false => None,
         };
         Ok(FieldVectors { color, transmittance })
@@ -135,7 +125,6 @@ impl Part {
     /// Adds what some cameras have of the Gaussians, and of their statistics.
     fn add_gaussians(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
         vectors: &FieldVectors,
@@ -143,12 +132,12 @@ impl Part {
         gradient: &SceneGradient,
     ) -> Result<()> {
         let bins = &self.bins;
-        project_backward(device, scene, bins, pair_gradient, gradient, &cameras)?;
+        project_backward(scene, bins, pair_gradient, gradient, &cameras)?;
         let tensors = &gradient.tensors().gaussians;
         let fields =
             [(&vectors.color, &tensors.material), (&vectors.transmittance, &tensors.extra)];
         fields.into_iter().try_for_each(|(found, tensor)| match found {
-            Some(found) => found.sum(device, scene, &bins.pair_mask, &cameras, &tensor.buffer),
+            Some(found) => found.sum(scene, &bins.pair_mask, &cameras, &tensor.buffer),
             None => Ok(()),
         })?;
         Ok(())
@@ -282,10 +271,10 @@ impl Renderer {
     ) -> Result<()> {
         let device = self.device();
         let add = |plan: &Plan, capacity: Option<Capacity>| {
-            let part = Part::evaluate(device, scene, cameras, plan, true, capacity)?;
+            let part = Part::evaluate(scene, cameras, plan, true, capacity)?;
             let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
             let pixels = device.upload("gradient of the tiles", &pixels)?;
-            part.backward(device, scene, plan.side, &pixels, gradient)?;
+            part.backward(scene, plan.side, &pixels, gradient)?;
             Ok(part.read(device, Vec::new())?)
         };
         device.run_in_pool(|| {

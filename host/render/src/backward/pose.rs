@@ -7,7 +7,7 @@ use super::binned::BinnedGradient;
 use crate::batch::plan::words;
 use crate::forward::bin::Bins;
 use crate::scene::device_scene::DeviceScene;
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Result};
 
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
 pub const POSE: usize = VALUES as usize;
@@ -15,7 +15,6 @@ pub const POSE: usize = VALUES as usize;
 /// Adds what `pair_gradient [pairs, 3]` makes of the poses of a part's cameras to the sums of `gradient [cameras, 6]`, of all
 /// cameras that a batch may show.
 pub fn pose_backward(
-    device: &Device,
     scene: &DeviceScene,
     bins: &Bins,
     pair_gradient: &Buffer<Vec4>,
@@ -44,6 +43,6 @@ pub fn pose_backward(
             pair_gradient,
             sum: &gradient.sum,
         };
-        device.run(&kernel, blocks, 1)
+        scene.device().run(&kernel, blocks, 1)
     })
 }

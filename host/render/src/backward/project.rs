@@ -10,18 +10,18 @@ use super::gradient::SceneGradient;
 use crate::batch::plan::words;
 use crate::forward::bin::Bins;
 use crate::scene::device_scene::DeviceScene;
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Result};
 
 /// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the pairs to
 /// its statistics: those of some of the part's cameras.
 pub fn project_backward(
-    device: &Device,
     scene: &DeviceScene,
     bins: &Bins,
     pair_gradient: &Buffer<Vec4>,
     gradient: &SceneGradient,
     cameras: &Range<u32>,
 ) -> Result<()> {
+    let device = scene.device();
     let (pairs, tensors) = (&bins.pairs, &scene.tensors.gaussians);
     let (pair_mask, first_pair) = (&bins.pair_mask.bits, &bins.pair_mask.first);
     let (gaussians, words) = (scene.gaussians, words(scene.gaussians));

@@ -6,8 +6,8 @@ use super::field_sums::{finish, set_scales};
 use super::gradient::SceneGradient;
 use super::part_backward::of_tiles;
 use super::rows::Rows;
-use crate::batch::recording::{KeptPart, Recording};
-use crate::batch::share::PLANES;
+use crate::batch::recording::Recording;
+use crate::batch::share::{KeptPart, PLANES};
 use crate::forward::part::Part;
 use crate::forward::part_counts::Capacity;
 use crate::scene::device_scene::DeviceScene;
@@ -59,11 +59,10 @@ impl Recording<'_> {
 
     /// Part by part.
     fn add_alone(&self, grad_output: &[f32], gradient: &SceneGradient) -> Result<()> {
-        let device = self.renderer.device();
         self.parts.iter().flatten().try_for_each(|kept| {
             self.with_part(&self.fields, kept, |part| {
                 let pixels = self.pixels(kept, grad_output)?;
-                part.backward(device, &self.fields, kept.plan.side, &pixels, gradient)
+                part.backward(&self.fields, kept.plan.side, &pixels, gradient)
             })
         })
     }
@@ -92,7 +91,7 @@ impl Recording<'_> {
                         Some(pairs) => pairs,
                         None => self.pair_gradient(block, kept, part, grad_output)?,
                     };
-                    part.add_pairs(device, block, &pairs, gradient, rows, continues)
+                    part.add_pairs(block, &pairs, gradient, rows, continues)
                 })?;
             }
         }
@@ -135,7 +134,7 @@ impl Recording<'_> {
     ) -> Result<R> {
         let (renderer, device) = (&self.renderer, self.renderer.device());
         let render = |capacity: Option<Capacity>| {
-            let part = Part::evaluate(device, block, &self.cameras, &kept.plan, true, capacity)?;
+            let part = Part::evaluate(block, &self.cameras, &kept.plan, true, capacity)?;
             let (_, needed) = part.read(device, Vec::new())?;
             Ok((part, needed))
         };
@@ -164,6 +163,6 @@ impl Recording<'_> {
         let area = (plan.side * plan.side) as usize;
         let sums = of_tiles(&self.sums, &plan.tiles, PLANES * area);
         device.write(&part.composite.sum, 0, &sums)?;
-        part.pair_gradient(device, block, plan.side, &self.pixels(kept, grad_output)?)
+        part.pair_gradient(block, plan.side, &self.pixels(kept, grad_output)?)
     }
 }

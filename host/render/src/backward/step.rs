@@ -169,7 +169,7 @@ impl Step<'_> {
         let loss = Loss::of_tiles(loss, device, plan.side, plan.tiles.len())?;
         let work = |capacity: Option<Capacity>| {
             let (part, compared) = self.render(plan, loss, capacity)?;
-            part.backward(device, scene, plan.side, &compared.output.grad_image, self.gradient)?;
+            part.backward(scene, plan.side, &compared.output.grad_image, self.gradient)?;
             compared.read(device, &part, (&plan.tiles, plan.side))
         };
         device.run_in_pool(|| self.renderer.with_predicted_capacity(scene, plan, work))
@@ -194,7 +194,7 @@ impl Step<'_> {
                 None => Parts::render_one(self, plan, loss)?.0,
             };
             let rows = rows.as_mut().map(|rows| (rows, 0));
-            let add = || part.add_pairs(device, scene, &pair_gradient, gradient, rows, false);
+            let add = || part.add_pairs(scene, &pair_gradient, gradient, rows, false);
             device.run_in_pool(add)?;
         }
         if let (Some(rows), Some((_, views))) = (rows, shared) {
@@ -212,7 +212,7 @@ impl Step<'_> {
         capacity: Option<Capacity>,
     ) -> Result<(Part, Comparison)> {
         let device = self.device();
-        let mut part = Part::evaluate(device, self.scene, self.cameras, plan, true, capacity)?;
+        let mut part = Part::evaluate(self.scene, self.cameras, plan, true, capacity)?;
         let tiles = (&plan.tiles[..], plan.side);
         let image = &part.composite.image;
         let mut compared = Comparison::new(device, loss, self.target, tiles, image)?;
@@ -269,8 +269,7 @@ impl Parts {
         let work = |capacity: Option<Capacity>| {
             let (part, compared) = step.render(plan, loss, capacity)?;
             let image_gradient = &compared.output.grad_image;
-            let pair_gradient =
-                part.pair_gradient(device, step.scene, plan.side, image_gradient)?;
+            let pair_gradient = part.pair_gradient(step.scene, plan.side, image_gradient)?;
             let (found, needed) = compared.read(device, &part, (&plan.tiles, plan.side))?;
             Ok((((part, pair_gradient), found, needed), needed))
         };

@@ -79,12 +79,12 @@ impl EyeCache {
     /// Evaluates what is not known of some Gaussians. Returns the number of samples, or nothing where it was cancelled.
     fn complete(
         &mut self,
-        device: &Device,
         scene: &DeviceScene,
         bins: &Bins,
         gaussians: &[u32],
         options: &EyeOptions<'_>,
     ) -> Result<Option<u64>> {
+        let device = scene.device();
         let steps = options.steps;
         let scene = &scene.with_ray_steps(steps.into());
         let is_missing = |&gaussian: &u32| {
@@ -98,7 +98,7 @@ impl EyeCache {
                 return Ok(None);
             }
             let pairs = pairs_of(device, bins, some)?;
-            let evaluated = Transmittance::evaluate(device, scene, &pairs, false, |first| {
+            let evaluated = Transmittance::evaluate(scene, &pairs, false, |first| {
                 pairs.read_samples(device, first)
             })?;
             samples += u64::from(evaluated.samples.at_most());
@@ -108,7 +108,7 @@ impl EyeCache {
                 [] => Vec::new(),
                 some => {
                     let pairs = pairs_of(device, bins, some)?;
-                    device.read(&Color::evaluate(device, scene, &pairs, false)?.color)?
+                    device.read(&Color::evaluate(scene, &pairs, false)?.color)?
                 }
             };
             for (&at, t) in some.iter().zip(device.read(&evaluated.transmittance)?) {
@@ -133,28 +133,26 @@ impl EyeCache {
 
     fn render(
         &mut self,
-        device: &Device,
         scene: &DeviceScene,
         camera: &Camera,
         plan: &Plan,
         options: &EyeOptions<'_>,
     ) -> Result<Option<RenderedPart>> {
-        let bins = Bins::new(device, scene, std::slice::from_ref(camera), plan, None)?;
+        let device = scene.device();
+        let bins = Bins::new(scene, std::slice::from_ref(camera), plan, None)?;
         // of one camera, a pair is its Gaussian
         let gaussians = device.read(&bins.pairs.pair)?;
         let begin = Instant::now();
-        let samples = self.complete(device, scene, &bins, &gaussians, options)?;
+        let samples = self.complete(scene, &bins, &gaussians, options)?;
         self.seconds += begin.elapsed().as_secs_f64();
         let Some(samples) = samples else { return Ok(None) };
         let (transmittance, color) = self.gather(device, &gaussians)?;
         let background = options.background.unwrap_or(scene.config.background);
         let (side, transmittance) = (plan.side, &transmittance);
-        let composite =
-            &Composite::new(device, scene, background, side, &bins, transmittance, &color)?;
+        let composite = &Composite::new(scene, background, side, &bins, transmittance, &color)?;
         let seen = Seen { bins: &bins, transmittance, composite };
         let read = |buffers: Vec<_>| Ok((device.read_all(&buffers)?, ()));
-        let (mut rendered, degenerate, ()) =
-            read_tiles(device, scene, plan, options.channels, seen, read)?;
+        let (mut rendered, degenerate, ()) = read_tiles(scene, plan, options.channels, seen, read)?;
         rendered.report = RenderReport {
             parts: 1,
             pairs: gaussians.len() as u64,
@@ -195,7 +193,7 @@ impl Renderer {
         cache.look_from(camera.for_kernels().eye.to_array(), scene.len())?;
         let (device, channels) = (self.device(), options.channels);
         self.render_parts(scene, batch, channels, &mut |_, _| {}, &mut |plan| {
-            device.run_in_pool(|| cache.render(device, scene, camera, plan, options))
+            device.run_in_pool(|| cache.render(scene, camera, plan, options))
         })
     }
 

@@ -54,11 +54,11 @@ impl Renderer {
         for plan in self.plans(scene, &batch)? {
             let device = self.device();
             let camera = std::slice::from_ref(camera);
-            let bins = Bins::new(device, scene, camera, &plan, None)?;
+            let bins = Bins::new(scene, camera, &plan, None)?;
             let (pairs, members) = (bins.pairs.count.at_most(), bins.members.at_most());
             for (&steps, needed) in steps.iter().zip(&mut needed) {
                 let scene = &scene.with_ray_steps(steps.into());
-                let (_, first_sample) = segments(device, scene, &bins.pairs)?;
+                let (_, first_sample) = segments(scene, &bins.pairs)?;
                 let samples = bins.pairs.read_samples(device, &first_sample)?.at_most();
                 *needed = Capacity {
                     // what parts have in common is counted once for each: that is room to spare
@@ -87,7 +87,7 @@ impl Renderer {
         let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;
         let camera = std::slice::from_ref(&camera);
         let scene = &scene.with_ray_steps(shape.steps.into());
-        let part = Part::evaluate(device, scene, camera, &plan, false, Some(shape.capacity))?;
+        let part = Part::evaluate(scene, camera, &plan, false, Some(shape.capacity))?;
         let bins = &part.bins;
         let counts = bins.tally.as_ref().expect("there is a capacity").counts().planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");

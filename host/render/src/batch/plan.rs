@@ -5,7 +5,7 @@ use organza_shaders::project::WINDOW;
 use organza_shaders::tile::Tile as KernelTile;
 
 use crate::scene::device_scene::DeviceScene;
-use muslin_device::{Device, Error, Result};
+use muslin_device::{Error, Result};
 use organza_core::tile::{Tile, TileBatch};
 
 /// What one part's tables may take, unless told otherwise.  Parts of this size keep every device busy.
@@ -27,13 +27,8 @@ pub struct PlannedTile {
 
 impl Plan {
     /// The parts of a batch, last first.
-    pub fn split(
-        device: &Device,
-        scene: &DeviceScene,
-        batch: &TileBatch,
-        part_bytes: u64,
-    ) -> Result<Vec<Self>> {
-        let limits = Limits::of(device, scene, batch.side, part_bytes)?;
+    pub fn split(scene: &DeviceScene, batch: &TileBatch, part_bytes: u64) -> Result<Vec<Self>> {
+        let limits = Limits::of(scene, batch.side, part_bytes)?;
         let mut parts = limits.join(&limits.units(batch));
         parts.reverse();
         Ok(parts)
@@ -41,12 +36,11 @@ impl Plan {
 
     /// The units of a batch: its tiles by camera, and those of a camera cut where they are too many for a part.
     pub fn units(
-        device: &Device,
         scene: &DeviceScene,
         batch: &TileBatch,
         part_bytes: u64,
     ) -> Result<(Vec<Self>, Limits)> {
-        let limits = Limits::of(device, scene, batch.side, part_bytes)?;
+        let limits = Limits::of(scene, batch.side, part_bytes)?;
         Ok((limits.units(batch), limits))
     }
 
@@ -110,8 +104,8 @@ pub struct Limits {
 }
 
 impl Limits {
-    fn of(device: &Device, scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
-        let buffer = device.max_buffer_bytes();
+    fn of(scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
+        let buffer = scene.device().max_buffer_bytes();
         let gaussians = u64::from(scene.gaussians);
         // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
         let camera_bytes = gaussians * 32;

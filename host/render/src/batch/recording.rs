@@ -9,13 +9,11 @@
 use std::slice::from_ref;
 use std::sync::atomic::Ordering;
 
-use super::plan::Plan;
 use super::renderer::Renderer;
 use super::results::place;
-use super::share::ShareForward;
+use super::share::{KeptPart, ShareForward};
 use crate::backward::gradient::SceneGradient;
 use crate::backward::pose::POSE;
-use crate::forward::part::Part;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::device_share::DeviceShare;
 use organza_core::camera::Camera;
@@ -65,16 +63,6 @@ pub struct Recording<'a> {
     pub(crate) sums: Vec<f32>,
     /// Of each block.
     pub(crate) parts: Vec<Vec<KeptPart>>,
-}
-
-/// A part of a batch, of one block.
-#[derive(Debug)]
-pub(crate) struct KeptPart {
-    pub plan: Plan,
-    /// Those of the color and of the transmittance field.
-    pub samples: [u64; 2],
-    /// None where it is rendered again.
-    pub part: Option<Part>,
 }
 
 /// [`DeviceScene::write`]s of all blocks.
@@ -218,7 +206,7 @@ impl Recording<'_> {
     pub fn backward_with_poses(&self, grad_output: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
         self.check(grad_output)?;
         let device = self.renderer.device();
-        let gradient = SceneGradient::new(device, &self.fields)?;
+        let gradient = SceneGradient::new(self.renderer.device(), &self.fields)?;
         let gradient = gradient.with_poses(device, self.cameras.len())?;
         let found = self.download(&gradient, grad_output)?;
         Ok((found, gradient.read_poses(device)?))

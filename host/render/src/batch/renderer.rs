@@ -43,7 +43,7 @@ use organza_core::tile::TileBatch;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Renderer {
-    device: Arc<Device>,
+    pub(crate) device: Arc<Device>,
     pub(crate) part_bytes: Arc<AtomicU64>,
     predictor: Arc<Mutex<CapacityPredictor>>,
 }
@@ -164,8 +164,7 @@ impl Renderer {
         keep: bool,
     ) -> Result<(Part, RenderedPart)> {
         let device = self.device();
-        let render =
-            |capacity| Ok(part::render(device, scene, cameras, plan, channels, keep, capacity)?);
+        let render = |capacity| Ok(part::render(scene, cameras, plan, channels, keep, capacity)?);
         device.run_in_pool(|| self.with_predicted_capacity(scene, plan, render))
     }
 }
@@ -187,7 +186,7 @@ impl Renderer {
 
     /// The parts of a batch, last first.
     pub(crate) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
-        Ok(Plan::split(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+        Ok(Plan::split(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
     /// The units of a batch, and what joins them to parts.
@@ -196,7 +195,7 @@ impl Renderer {
         scene: &DeviceScene,
         batch: &TileBatch,
     ) -> Result<(Vec<Plan>, Limits)> {
-        Ok(Plan::units(&self.device, scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+        Ok(Plan::units(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
     /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the capacity

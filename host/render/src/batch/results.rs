@@ -2,7 +2,6 @@
 
 use super::plan::Plan;
 use crate::forward::part::RenderedPart;
-use crate::forward::part_counts::{Capacity, Needed};
 use organza_core::{Channel, RenderReport, RenderedTiles};
 
 /// Puts the tiles of a part in their places; `channels` are those of the part.
@@ -19,16 +18,6 @@ pub fn place(tiles: &mut RenderedTiles, plan: &Plan, part: &RenderedPart, channe
         place(values, channel.planes() * area, all);
     }
     tiles.report.add(&part.report);
-}
-
-/// The report of a part, from the capacity that it needed.
-pub fn report_of_part(degenerate: u32, needed: Needed) -> RenderReport {
-    let mut report =
-        RenderReport { parts: 1, degenerate: u64::from(degenerate), ..RenderReport::default() };
-    if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
-        [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
-    }
-    report
 }
 
 /// How many numbers a report has.

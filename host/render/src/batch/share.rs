@@ -6,11 +6,10 @@
 //! rounded to multiples of 2^-32 and added as 64-bit integers, which is exact in any order.
 
 use super::plan::{Plan, PlannedTile};
-use super::recording::KeptPart;
 use super::renderer::Renderer;
-use super::results::{REPORT_NUMBERS, report_from_numbers, report_of_part, report_to_numbers};
+use super::results::{REPORT_NUMBERS, report_from_numbers, report_to_numbers};
 use crate::forward::composite::resolve;
-use crate::forward::part::Part;
+use crate::forward::part::{Part, report_of_part};
 use crate::forward::part_counts::Capacity;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::device_share::DeviceShare;
@@ -108,7 +107,7 @@ impl Renderer {
             // plans are last first
             for plan in plans.iter().rev() {
                 let render = |capacity: Option<Capacity>| {
-                    let part = Part::evaluate(device, slice, cameras, plan, keep, capacity)?;
+                    let part = Part::evaluate(slice, cameras, plan, keep, capacity)?;
                     let buffers = vec![part.composite.sum.view(), part.bins.degenerate.view()];
                     let (values, needed) = part.read(device, buffers)?;
                     Ok(((part, values, needed), needed))
@@ -153,6 +152,16 @@ impl Renderer {
         }
         Ok(image)
     }
+}
+
+/// A part of a batch, of one block.
+#[derive(Debug)]
+pub(crate) struct KeptPart {
+    pub plan: Plan,
+    /// Those of the color and of the transmittance field.
+    pub samples: [u64; 2],
+    /// None where it is rendered again.
+    pub part: Option<Part>,
 }
 
 /// A batch that ranks have rendered.

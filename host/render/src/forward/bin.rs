@@ -187,12 +187,12 @@ impl Numbers {
 impl Bins {
     /// With a `capacity`, nothing waits. Without one, waits for the counts and has room for everything.
     pub fn new(
-        device: &Device,
         scene: &DeviceScene,
         cameras: &[Camera],
         plan: &Plan,
         capacity: Option<Capacity>,
     ) -> Result<Self> {
+        let device = scene.device();
         let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
         let (camera, projection, degenerate) = project(device, scene, &used, &plan.windows())?;
         let (packed, first_tile) = plan.pack();

@@ -5,9 +5,10 @@ use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 use organza_shaders::composite::SUM_PLANES;
 
 use super::bin::Bins;
-use super::composite::{Composite, weighted_sum};
+use super::composite::Composite;
+use super::weighted_sum::weighted_sum;
 use crate::scene::device_scene::DeviceScene;
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Result};
 use organza_core::Channel;
 
 /// The sums that a channel is made of.
@@ -74,12 +75,12 @@ pub struct ChannelSums(Vec<(Source, Buffer<u32>)>);
 
 impl ChannelSums {
     pub fn new(
-        device: &Device,
         scene: &DeviceScene,
         side: u32,
         Seen { bins, transmittance, composite }: Seen<'_>,
         channels: &[Channel],
     ) -> Result<Self> {
+        let device = scene.device();
         let is_needed = |wanted: &Source| channels.iter().any(|c| source(*c) == *wanted);
         let mut sums = Vec::new();
         if is_needed(&Source::Color) {
@@ -107,7 +108,7 @@ impl ChannelSums {
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         let sources = [(Source::Measure, &measure), (Source::Normals, &normals)];
         for (source, values) in sources.into_iter().filter(|(source, _)| is_needed(source)) {
-            let (sum, _) = weighted_sum(device, scene, side, bins, transmittance, values)?;
+            let (sum, _) = weighted_sum(scene, side, bins, transmittance, values)?;
             sums.push((source, sum.view()));
         }
         Ok(Self(sums))

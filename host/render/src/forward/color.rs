@@ -31,23 +31,18 @@ pub struct Color {
 
 impl Color {
     /// `keep` says whether [`Color::backward`] will be called: its inputs are kept then, as far as they fit.
-    pub fn evaluate(
-        device: &Device,
-        scene: &DeviceScene,
-        pairs: &Pairs,
-        keep: bool,
-    ) -> Result<Self> {
-        Self::evaluate_with(device, scene, pairs, keep, &mut |_| Ok(()))
+    pub fn evaluate(scene: &DeviceScene, pairs: &Pairs, keep: bool) -> Result<Self> {
+        Self::evaluate_with(scene, pairs, keep, &mut |_| Ok(()))
     }
 
     /// As [`Color::evaluate`]; shows `visit` each chunk with the network's input.
     pub fn evaluate_with(
-        device: &Device,
         scene: &DeviceScene,
         pairs: &Pairs,
         keep: bool,
         visit: &mut dyn FnMut(&Chunk) -> Result<()>,
     ) -> Result<Self> {
+        let device = scene.device();
         let (config, field) = (&scene.config, &scene.color);
         let color = device.unwritten("color", pairs.count.at_most() as usize * 3)?;
         let ends = pairs.chunk_ends(keep);
@@ -55,7 +50,7 @@ impl Color {
         let scratches = Mutex::default();
         let head = field.head();
         for block in blocks.iter() {
-            encode(device, scene, pairs, &block)?;
+            encode(scene, pairs, &block)?;
             block.chunks().try_for_each(|chunk| visit(&chunk))?;
             let new = || Scratch::new(device, field, blocks.layout());
             device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
@@ -80,13 +75,13 @@ impl Color {
 }
 
 /// The network's input, for a block of pairs.
-fn encode(device: &Device, scene: &DeviceScene, pairs: &Pairs, block: &BlockOf<'_>) -> Result<()> {
-    device.parallel_for(block.chunks(), |chunk| inputs(device, scene, pairs, &chunk))?;
-    scene.color.encode(device, block, scene.config.sh_width() as u32)
+fn encode(scene: &DeviceScene, pairs: &Pairs, block: &BlockOf<'_>) -> Result<()> {
+    scene.device().parallel_for(block.chunks(), |chunk| inputs(scene, pairs, &chunk))?;
+    scene.color.encode(scene.device(), block, scene.config.sh_width() as u32)
 }
 
 /// What does not come from the hash grid, for a chunk of pairs: `point [6, stride]`, `input [rows, stride]`.
-fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) -> Result<()> {
+fn inputs(scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) -> Result<()> {
     let config = &scene.config;
     let kernel = ColorInputsKernel {
         params: ColorInputsParams {
@@ -107,7 +102,7 @@ fn inputs(device: &Device, scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) ->
         point: &chunk.point,
         input: &chunk.input,
     };
-    device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
+    scene.device().run(&kernel.counted(&chunk.count), chunk.samples, 1)
 }
 
 impl Color {
@@ -115,12 +110,12 @@ impl Color {
     /// [`splat_backward`](organza_shaders::splat)); returns those of the pairs' materials, unless there are no pairs.
     pub fn backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         bins: &Bins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<Option<PairVectors>> {
+        let device = scene.device();
         let pairs = &bins.pairs;
         let capacity = pairs.count.at_most();
         if capacity == 0 {
@@ -137,7 +132,7 @@ impl Color {
             device.unwritten("gradient of the pairs' material", (capacity * material) as usize)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
-                encode(device, scene, pairs, &block)?;
+                encode(scene, pairs, &block)?;
             }
             for group in block.groups() {
                 let new = || ChunkScratch::new(device, field, layout);
@@ -146,7 +141,7 @@ impl Color {
                     self.head_backward(device, scratch, &chunk, pair_gradient)?;
                     field.backward(device, &group_scratch, scratch, &chunk, grid_row, of_field)?;
                     let inputs = group_scratch.input_gradient(field, &chunk);
-                    material_backward(device, scene, &inputs, &chunk, &pair_material)
+                    material_backward(scene, &inputs, &chunk, &pair_material)
                 })?;
                 field.grid_backward(device, &group_scratch, &group, grid_row, of_field)?;
             }
@@ -178,7 +173,6 @@ impl Color {
 
 /// The gradients of the pairs' materials, for a chunk of pairs.
 fn material_backward(
-    device: &Device,
     scene: &DeviceScene,
     input_gradient: &Buffer<f32>,
     chunk: &Chunk,
@@ -199,5 +193,5 @@ fn material_backward(
         input_gradient,
         pair_material,
     };
-    device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
+    scene.device().run(&kernel.counted(&chunk.count), chunk.samples, 1)
 }

@@ -1,19 +1,15 @@
 //! B3 and C: the weighted sums of all tiles, and the image.
 
 use glam::Vec4;
-use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
 use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
-use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
-use organza_shaders::splat::{
-    SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
-};
+use organza_shaders::splat::{SplatBackwardKernel, SplatBackwardParams, VECTORS};
 use organza_shaders::tile::Tile;
-use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::bin::Bins;
+use super::weighted_sum::weighted_sum;
 use crate::backward::distortion::Distortion;
 use crate::batch::plan::words;
 use crate::scene::device_scene::DeviceScene;
@@ -34,7 +30,6 @@ pub struct Composite {
 
 impl Composite {
     pub fn new(
-        device: &Device,
         scene: &DeviceScene,
         background: [f64; 3],
         side: u32,
@@ -42,7 +37,8 @@ impl Composite {
         transmittance: &Buffer<f32>,
         color: &Buffer<f32>,
     ) -> Result<Self> {
-        let (sum, splat) = weighted_sum(device, scene, side, bins, transmittance, color)?;
+        let device = scene.device();
+        let (sum, splat) = weighted_sum(scene, side, bins, transmittance, color)?;
         let image = resolve(device, background, scene.divide_above, side, &bins.tile, &sum)?;
         Ok(Self { sum, image, splat, distortion: None })
     }
@@ -51,13 +47,13 @@ impl Composite {
     /// `image_gradient [tiles, 3, S, S]`, dL/dI.
     pub fn backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         side: u32,
         bins: &Bins,
         transmittance: &Buffer<f32>,
         image_gradient: &Buffer<f32>,
     ) -> Result<Buffer<Vec4>> {
+        let device = scene.device();
         let tiles = bins.tiles;
         let sum_gradient = device.unwritten("gradient of the sums", self.sum.len())?;
         let kernel = ResolveBackwardKernel {
@@ -71,8 +67,7 @@ impl Composite {
         let member_gradient = members_gradient(device, bins)?;
         add_members(device, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
         if let Some(distortion) = &self.distortion {
-            let (sum_gradient, splat) =
-                distortion.backward(device, scene, side, bins, transmittance)?;
+            let (sum_gradient, splat) = distortion.backward(scene, side, bins, transmittance)?;
             add_members(device, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
         }
 
@@ -144,59 +139,6 @@ fn add_members(
         device.run(&kernel.counted(&bins.members), members, 1)?;
     }
     Ok(())
-}
-
-/// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they
-/// are the sums of.
-pub fn weighted_sum(
-    device: &Device,
-    scene: &DeviceScene,
-    side: u32,
-    bins: &Bins,
-    transmittance: &Buffer<f32>,
-    color: &Buffer<f32>,
-) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
-    let pairs = &bins.pairs;
-    let capacity = pairs.count.at_most();
-    let splat = device.unwritten("splats", (capacity * VECTORS) as usize)?;
-    let kernel = SplatKernel {
-        params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
-        pair: &pairs.pair,
-        projection: &pairs.projection,
-        opacity: &scene.tensors.gaussians.opacity,
-        transmittance,
-        color,
-        splat: &splat,
-    };
-    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-
-    let (tiles, members) = (bins.tiles, bins.members.at_most());
-    let cells = device.unwritten("cells", members as usize)?;
-    let kernel = TileCellsKernel {
-        params: TileCellsParams { members, tiles, side },
-        tile: &bins.tile,
-        tile_first: &bins.tile_first,
-        member: &bins.member,
-        splat: &splat,
-        cells: &cells,
-    };
-    device.run(&kernel.counted(&bins.members), members, 1)?;
-
-    let pixels = tiles as usize * (side * side) as usize;
-    let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
-    for pass in 0..bins.largest.div_ceil(MAX_MEMBERS) {
-        let kernel = CompositeKernel {
-            params: CompositeParams { side, skip: pass * MAX_MEMBERS },
-            tile: &bins.tile,
-            tile_first: &bins.tile_first,
-            member: &bins.member,
-            cells: &cells,
-            splat: &splat,
-            sum: &sum,
-        };
-        device.run_over(&kernel, [side, side, tiles])?;
-    }
-    Ok((sum, splat))
 }
 
 /// Eq. 13: `[tiles, 3, S, S]` of the sums of some tiles.

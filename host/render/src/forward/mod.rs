@@ -13,3 +13,4 @@ pub mod part;
 pub mod part_counts;
 pub mod scan;
 pub mod transmittance;
+pub mod weighted_sum;

@@ -7,7 +7,7 @@ use organza_shaders::pair::{PairSumKernel, PairSumParams, SUMMED};
 use super::mask::Mask;
 use crate::batch::plan::words;
 use crate::scene::device_scene::DeviceScene;
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Result};
 
 /// A vector for each pair.
 #[derive(Debug)]
@@ -22,7 +22,6 @@ impl PairVectors {
     /// Adds the vectors of every Gaussian's pairs in some of a part's cameras to `vector [gaussians, width]`.
     pub fn sum(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         mask: &Mask,
         cameras: &Range<u32>,
@@ -41,6 +40,6 @@ impl PairVectors {
             pair_vector: &self.values,
             vector,
         };
-        device.run(&kernel, scene.gaussians * self.width.div_ceil(SUMMED), 1)
+        scene.device().run(&kernel, scene.gaussians * self.width.div_ceil(SUMMED), 1)
     }
 }

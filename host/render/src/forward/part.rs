@@ -7,7 +7,6 @@ use super::composite::Composite;
 use super::part_counts::{Capacity, Needed};
 use super::transmittance::Transmittance;
 use crate::batch::plan::Plan;
-use crate::batch::results::report_of_part;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device, Result};
 use organza_core::camera::Camera;
@@ -26,20 +25,17 @@ impl Part {
     /// `keep` says whether [`Part::backward`] will be called. With a `capacity`, nothing waits for the device; if it is too
     /// small, the part is empty. Without one, the host waits for the counts, and there is room for everything.
     pub fn evaluate(
-        device: &Device,
         scene: &DeviceScene,
         cameras: &[Camera],
         plan: &Plan,
         keep: bool,
         capacity: Option<Capacity>,
     ) -> Result<Self> {
-        let bins = Bins::new(device, scene, cameras, plan, capacity)?;
-        let count_samples = |first: &_| bins.count_samples(device, first);
-        let transmittance =
-            Transmittance::evaluate(device, scene, &bins.pairs, keep, count_samples)?;
-        let color = Color::evaluate(device, scene, &bins.pairs, keep)?;
+        let bins = Bins::new(scene, cameras, plan, capacity)?;
+        let count_samples = |first: &_| bins.count_samples(scene.device(), first);
+        let transmittance = Transmittance::evaluate(scene, &bins.pairs, keep, count_samples)?;
+        let color = Color::evaluate(scene, &bins.pairs, keep)?;
         let composite = Composite::new(
-            device,
             scene,
             scene.config.background,
             plan.side,
@@ -83,7 +79,6 @@ pub struct RenderedPart {
 
 /// Renders a part, and finds the capacity that it needed. `keep` and `capacity` are as for [`Part::evaluate`].
 pub fn render(
-    device: &Device,
     scene: &DeviceScene,
     cameras: &[Camera],
     plan: &Plan,
@@ -91,18 +86,27 @@ pub fn render(
     keep: bool,
     capacity: Option<Capacity>,
 ) -> Result<((Part, RenderedPart), Needed)> {
-    let part = Part::evaluate(device, scene, cameras, plan, keep, capacity)?;
+    let part = Part::evaluate(scene, cameras, plan, keep, capacity)?;
     let transmittance = &part.transmittance.transmittance;
     let seen = Seen { bins: &part.bins, transmittance, composite: &part.composite };
-    let read = |buffers| part.read(device, buffers);
-    let (mut rendered, degenerate, needed) = read_tiles(device, scene, plan, channels, seen, read)?;
+    let read = |buffers| part.read(scene.device(), buffers);
+    let (mut rendered, degenerate, needed) = read_tiles(scene, plan, channels, seen, read)?;
     rendered.report = report_of_part(degenerate, needed);
     Ok(((part, rendered), needed))
 }
 
+/// The report of a part, from the capacity that it needed.
+pub fn report_of_part(degenerate: u32, needed: Needed) -> RenderReport {
+    let mut report =
+        RenderReport { parts: 1, degenerate: u64::from(degenerate), ..RenderReport::default() };
+    if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
+        [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
+    }
+    report
+}
+
 /// Reads the tiles of a part and their channels, and how many Gaussians could not be projected. The report is still empty.
 pub fn read_tiles<R>(
-    device: &Device,
     scene: &DeviceScene,
     plan: &Plan,
     channels: &[Channel],
@@ -110,7 +114,7 @@ pub fn read_tiles<R>(
     read: impl FnOnce(Vec<Buffer<u32>>) -> Result<(Vec<Vec<u32>>, R)>,
 ) -> Result<(RenderedPart, u32, R)> {
     let mut buffers = vec![seen.composite.image.view(), seen.bins.degenerate.view()];
-    let sums = ChannelSums::new(device, scene, plan.side, seen, channels)?;
+    let sums = ChannelSums::new(scene, plan.side, seen, channels)?;
     buffers.extend(sums.buffers());
     let (mut values, more) = read(buffers)?;
     let channels = sums.resolve(&values.split_off(2), plan.side, channels);

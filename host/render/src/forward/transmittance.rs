@@ -46,21 +46,21 @@ impl Transmittance {
     /// `keep` says whether [`Transmittance::backward`] will be called: its inputs are kept then, as far as they fit.
     /// `count_samples` says how many samples there are, of the exclusive sums `[pairs + 1]`.
     pub fn evaluate(
-        device: &Device,
         scene: &DeviceScene,
         pairs: &Pairs,
         keep: bool,
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
+        let device = scene.device();
         let capacity = pairs.count.at_most();
-        let (segment, first_sample) = segments(device, scene, pairs)?;
+        let (segment, first_sample) = segments(scene, pairs)?;
         let samples = count_samples(&first_sample)?;
 
         let inputs = scene.config.transmittance_inputs();
         let end = |&pair: &u32| Ok(device.read_range(&first_sample, pair as usize, 1)?[0]);
         let ends: Vec<_> = pairs.chunk_ends(keep).iter().map(end).collect::<Result<_>>()?;
         let blocks = Blocks::new(device, inputs, samples.clone(), keep, &ends)?;
-        let log_rho = log_rho(device, scene, pairs, &segment, &first_sample, &blocks)?;
+        let log_rho = log_rho(scene, pairs, &segment, &first_sample, &blocks)?;
         let transmittance = device.unwritten("transmittance", capacity as usize)?;
         let power = scene.ray_steps as f32;
         let kernel = SegmentProductKernel {
@@ -86,9 +86,10 @@ pub struct Ray {
 
 impl Transmittance {
     /// The rays of all pairs; evaluates the samples once more.
-    pub fn rays(&self, device: &Device, scene: &DeviceScene, pairs: &Pairs) -> Result<Vec<Ray>> {
+    pub fn rays(&self, scene: &DeviceScene, pairs: &Pairs) -> Result<Vec<Ray>> {
+        let device = scene.device();
         let (segment, first) = (&self.segment, &self.first_sample);
-        let log_rho = log_rho(device, scene, pairs, segment, first, &self.blocks)?;
+        let log_rho = log_rho(scene, pairs, segment, first, &self.blocks)?;
         let (segment, first) = (device.read(segment)?, device.read(first)?);
         let log_rho = device.read(&log_rho)?;
         let is_contracted = !scene.config.contraction.is_none();
@@ -112,11 +113,8 @@ impl Transmittance {
 }
 
 /// The segments `[pairs, 4]` (Eq. 4-8), and where the samples of each begin, `[pairs + 1]`.
-pub fn segments(
-    device: &Device,
-    scene: &DeviceScene,
-    pairs: &Pairs,
-) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
+pub fn segments(scene: &DeviceScene, pairs: &Pairs) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
+    let device = scene.device();
     check_samples(scene, pairs)?;
     let capacity = pairs.count.at_most();
     let segment = device.unwritten("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
@@ -154,18 +152,18 @@ fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
 
 /// The logarithm of Eq. 11's factor for every sample.
 fn log_rho(
-    device: &Device,
     scene: &DeviceScene,
     pairs: &Pairs,
     segment: &Buffer<Vec4>,
     first_sample: &Buffer<u32>,
     blocks: &Blocks,
 ) -> Result<Buffer<f32>> {
+    let device = scene.device();
     let field = &scene.transmittance;
     let log_rho = device.unwritten("log rho", blocks.samples() as usize)?;
     let scratches = Mutex::default();
     for block in blocks.iter() {
-        encode(device, scene, pairs, segment, first_sample, &block)?;
+        encode(scene, pairs, segment, first_sample, &block)?;
         let new = || Scratch::new(device, field, blocks.layout());
         device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
@@ -196,22 +194,20 @@ fn head_params(field: &DeviceField, chunk: &Chunk) -> TransmittanceHeadParams {
 
 /// The network's input, for a block of samples.
 fn encode(
-    device: &Device,
     scene: &DeviceScene,
     pairs: &Pairs,
     segment: &Buffer<Vec4>,
     first_sample: &Buffer<u32>,
     block: &BlockOf<'_>,
 ) -> Result<()> {
-    device.parallel_for(block.chunks(), |chunk| {
-        inputs(device, scene, pairs, segment, first_sample, &chunk)
+    scene.device().parallel_for(block.chunks(), |chunk| {
+        inputs(scene, pairs, segment, first_sample, &chunk)
     })?;
-    scene.transmittance.encode(device, block, 0)
+    scene.transmittance.encode(scene.device(), block, 0)
 }
 
 /// What does not come from the hash grid, for a chunk of samples.
 fn inputs(
-    device: &Device,
     scene: &DeviceScene,
     pairs: &Pairs,
     segment: &Buffer<Vec4>,
@@ -237,7 +233,7 @@ fn inputs(
         point: &chunk.point,
         input: &chunk.input,
     };
-    device.run(&kernel.counted(&chunk.count, &pairs.count), chunk.samples, 1)
+    scene.device().run(&kernel.counted(&chunk.count, &pairs.count), chunk.samples, 1)
 }
 
 impl Transmittance {
@@ -245,12 +241,12 @@ impl Transmittance {
     /// [`splat_backward`](organza_shaders::splat)); returns those of the pairs' extra vectors, unless there are no samples.
     pub fn backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         bins: &Bins,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
     ) -> Result<Option<PairVectors>> {
+        let device = scene.device();
         if self.samples.at_most() == 0 {
             return Ok(None);
         }
@@ -266,21 +262,21 @@ impl Transmittance {
         let owners = AllOwners::of(device, bins, &self.first_sample)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
-                encode(device, scene, pairs, &self.segment, &self.first_sample, &block)?;
+                encode(scene, pairs, &self.segment, &self.first_sample, &block)?;
             }
             for group in block.groups() {
                 let new = || TransmittanceScratch::new(device, field, layout);
                 device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, &scratch.network, &chunk)?;
                     let owners = owners.of_chunk(&chunk);
-                    self.head_backward(device, scene, scratch, &chunk, &owners, pair_gradient)?;
+                    self.head_backward(scene, scratch, &chunk, &owners, pair_gradient)?;
                     field.backward(device, &group_scratch, &scratch.network, &chunk, 0, of_field)
                 })?;
                 // in their order: a pair may have samples of two
                 for chunk in group.chunks() {
                     let owners = owners.of_chunk(&chunk);
                     let inputs = group_scratch.input_gradient(field, &chunk);
-                    self.extra_backward(device, scene, &inputs, &chunk, &owners, &pair_extra)?;
+                    self.extra_backward(scene, &inputs, &chunk, &owners, &pair_extra)?;
                 }
                 field.grid_backward(device, &group_scratch, &group, 0, of_field)?;
             }
@@ -291,13 +287,13 @@ impl Transmittance {
     /// The gradient of the network's output for a chunk of samples.
     fn head_backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         scratch: &TransmittanceScratch,
         chunk: &Chunk,
         owners: &Owners,
         pair_gradient: &Buffer<Vec4>,
     ) -> Result<()> {
+        let device = scene.device();
         let log_rho_gradient = &scratch.log_rho_gradient;
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
@@ -328,7 +324,6 @@ impl Transmittance {
     /// Adds the gradients of the pairs' extra vectors that come from a chunk of samples.
     fn extra_backward(
         &self,
-        device: &Device,
         scene: &DeviceScene,
         input_gradient: &Buffer<f32>,
         chunk: &Chunk,
@@ -349,7 +344,7 @@ impl Transmittance {
             input_gradient,
             pair_extra,
         };
-        device.run(
+        scene.device().run(
             &kernel.counted(&owners.pairs, &chunk.count),
             owners.pairs.at_most(),
             scene.config.extra,

@@ -112,7 +112,7 @@ impl Renderer {
 
         let (sh_width, grid_width) = (scene.config.sh_width(), scene.config.color_grid.width());
         let (mut sh, mut color_encoding) = (Vec::new(), Vec::new());
-        let color = Color::evaluate_with(device, scene, &pairs, false, &mut |chunk| {
+        let color = Color::evaluate_with(scene, &pairs, false, &mut |chunk| {
             let rows = device.read(&chunk.input)?;
             for sample in 0..chunk.samples as usize {
                 let column = |row: usize| rows[row * chunk.stride as usize + sample];
@@ -144,7 +144,7 @@ impl Renderer {
     ) -> Result<(Vec<[f32; 3]>, Vec<f32>)> {
         let device = self.device();
         let (pairs, transmittance) = self.every_pair(scene, camera)?;
-        let color = device.read(&Color::evaluate(device, scene, &pairs, false)?.color)?;
+        let color = device.read(&Color::evaluate(scene, &pairs, false)?.color)?;
         let color = color.as_chunks::<3>().0.to_vec();
         Ok((color, device.read(&transmittance.transmittance)?))
     }
@@ -160,7 +160,7 @@ impl Renderer {
             projection,
             unit_ends: Vec::new(),
         };
-        let transmittance = Transmittance::evaluate(device, scene, &pairs, false, |first| {
+        let transmittance = Transmittance::evaluate(scene, &pairs, false, |first| {
             pairs.read_samples(device, first)
         })?;
         Ok((pairs, transmittance))
@@ -190,7 +190,7 @@ impl Renderer {
     ) -> Result<(Inspection, Vec<Trace>)> {
         let (inspection, part) = self.inspect_part(scene, cameras, camera, pixel)?;
         let device = self.device();
-        let rays = part.transmittance.rays(device, scene, &part.bins.pairs)?;
+        let rays = part.transmittance.rays(scene, &part.bins.pairs)?;
         let splat = device.read(&part.composite.splat)?;
         let trace = |member: u32| {
             let index = member as usize;
@@ -215,8 +215,8 @@ impl Renderer {
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
-        let plans = Plan::split(device, scene, &batch, PART_BYTES)?;
-        let part = Part::evaluate(device, scene, cameras, &plans[0], false, None)?;
+        let plans = Plan::split(scene, &batch, PART_BYTES)?;
+        let part = Part::evaluate(scene, cameras, &plans[0], false, None)?;
 
         let pair = device.read(&part.bins.pairs.pair)?;
         let first = device.read(&part.transmittance.first_sample)?;

@@ -97,8 +97,8 @@ impl Renderer {
         let batch = spaced(cameras, camera, most)?;
         let depths = depths(&device.read(&scene.tensors.gaussians.position)?, &cameras[camera]);
         let mut found = Vec::with_capacity(batch.tiles.len());
-        for plan in Plan::split(device, scene, &batch, PART_BYTES)? {
-            let part = Part::evaluate(device, scene, cameras, &plan, false, None)?;
+        for plan in Plan::split(scene, &batch, PART_BYTES)? {
+            let part = Part::evaluate(scene, cameras, &plan, false, None)?;
             let pair = device.read(&part.bins.pairs.pair)?;
             let first = device.read(&part.bins.tile_first)?;
             let member = device.read(&part.bins.member)?;

@@ -14,6 +14,7 @@ use organza_core::scene::{Scene, SceneConfig, Tensors};
 /// A scene whose tensors lie on a device.
 #[derive(Debug)]
 pub struct DeviceScene {
+    pub(super) device: Arc<Device>,
     pub(crate) config: SceneConfig,
     pub(crate) gaussians: u32,
     /// Eq. 13's, but in comparisons.
@@ -29,6 +30,12 @@ pub struct DeviceScene {
 }
 
 impl DeviceScene {
+    /// Where the scene lies.
+    #[must_use]
+    pub fn device(&self) -> &Device {
+        &self.device
+    }
+
     /// The scene's configuration.
     #[must_use]
     pub fn config(&self) -> &SceneConfig {
@@ -147,6 +154,7 @@ impl DeviceScene {
     /// The same scene, on the same memory.
     pub(crate) fn view(&self) -> Self {
         Self {
+            device: Arc::clone(&self.device),
             config: self.config.clone(),
             gaussians: self.gaussians,
             divide_above: self.divide_above,

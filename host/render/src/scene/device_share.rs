@@ -4,11 +4,9 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::device_scene::DeviceScene;
-use super::options::UploadOptions;
-use crate::batch::renderer::Renderer;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
-use organza_core::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig, SceneShare};
+use organza_core::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig};
 
 /// A scene on a device as training has it: the fields, and the Gaussians in blocks. A whole scene is one block. A
 /// [share](SceneShare) of one has a block for each [slice](organza_core::scene::SLICE).
@@ -17,28 +15,11 @@ pub struct DeviceShare {
     /// The fields, with a Gaussian that is never rendered: a share may have none.
     pub(crate) fields: DeviceScene,
     /// Scenes with the same fields, on the same memory.
-    blocks: Vec<DeviceScene>,
-    is_whole: bool,
+    pub(super) blocks: Vec<DeviceScene>,
+    pub(super) is_whole: bool,
 }
 
 impl DeviceShare {
-    /// The Gaussians of `scene`, which are a share, and its fields.
-    ///
-    /// # Errors
-    /// As [`Renderer::upload_with`].
-    pub fn upload(renderer: &Renderer, scene: &Scene, options: UploadOptions) -> Result<Self> {
-        let Scene { config, gaussians, color, transmittance } = scene;
-        if !gaussians.is_empty() {
-            scene.validate()?;
-        }
-        let mut fields = Scene::zeros(config.clone(), 1)?;
-        (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
-        let fields = renderer.upload_with(&fields, options)?;
-        let mut uploaded = Self { fields, blocks: Vec::new(), is_whole: false };
-        uploaded.replace_gaussians(renderer.device(), gaussians)?;
-        Ok(uploaded)
-    }
-
     /// A whole scene.
     pub fn of_whole(device: &Device, scene: DeviceScene) -> Result<Self> {
         let fields = scene.with_gaussians(device, &Gaussians::zeros(scene.config(), 1)?)?;
@@ -159,15 +140,5 @@ impl DeviceScene {
         scene.tensors.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;
         scene.version = Arc::default();
         Ok(scene)
-    }
-}
-
-impl Renderer {
-    /// Copies a share to the device.
-    ///
-    /// # Errors
-    /// As [`Renderer::upload_with`].
-    pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
-        DeviceShare::upload(self, &share.scene, options)
     }
 }

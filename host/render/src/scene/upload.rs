@@ -7,12 +7,13 @@ use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
 use super::device_scene::DeviceScene;
+use super::device_share::DeviceShare;
 use super::options::UploadOptions;
 use super::packed::{pack, upload};
 use crate::batch::renderer::Renderer;
 use crate::forward::field::DeviceField;
 use organza_core::error::{Error, Result};
-use organza_core::scene::Scene;
+use organza_core::scene::{Scene, SceneShare};
 
 impl Renderer {
     /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
@@ -45,6 +46,7 @@ impl Renderer {
         let is_contracted = !config.contraction.is_none();
         let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
         Ok(DeviceScene {
+            device: Arc::clone(&self.device),
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
             ray_steps: 1,
@@ -73,5 +75,34 @@ impl DeviceScene {
                 Err(Error::Argument { reason: reason.into() })
             }
         }
+    }
+}
+
+impl DeviceShare {
+    /// The Gaussians of `scene`, which are a share, and its fields.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload_with`].
+    pub fn upload(renderer: &Renderer, scene: &Scene, options: UploadOptions) -> Result<Self> {
+        let Scene { config, gaussians, color, transmittance } = scene;
+        if !gaussians.is_empty() {
+            scene.validate()?;
+        }
+        let mut fields = Scene::zeros(config.clone(), 1)?;
+        (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
+        let fields = renderer.upload_with(&fields, options)?;
+        let mut uploaded = Self { fields, blocks: Vec::new(), is_whole: false };
+        uploaded.replace_gaussians(renderer.device(), gaussians)?;
+        Ok(uploaded)
+    }
+}
+
+impl Renderer {
+    /// Copies a share to the device.
+    ///
+    /// # Errors
+    /// As [`Renderer::upload_with`].
+    pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
+        DeviceShare::upload(self, &share.scene, options)
     }
 }

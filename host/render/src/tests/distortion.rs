@@ -23,12 +23,12 @@ fn valid() -> Vec<f32> {
 fn distortion(renderer: &Renderer, scene: &Scene) -> f64 {
     let device = renderer.device();
     let scene = renderer.upload(scene).expect("a scene");
-    let plans = Plan::split(device, &scene, &tiles(), PART_BYTES).expect("a plan");
+    let plans = Plan::split(&scene, &tiles(), PART_BYTES).expect("a plan");
     let [plan] = &plans[..] else { panic!("one part") };
     let cameras = demo::turntable(2, 64);
-    let part = Part::evaluate(device, &scene, &cameras, plan, false, None).expect("a part");
+    let part = Part::evaluate(&scene, &cameras, plan, false, None).expect("a part");
     let transmittance = &part.transmittance.transmittance;
-    let (sum, _) = sums(device, &scene, plan.side, &part.bins, transmittance).expect("sums");
+    let (sum, _) = sums(&scene, plan.side, &part.bins, transmittance).expect("sums");
     let sum: Vec<f32> = device.read(&sum).expect("numbers");
     let valid = valid();
     let mut total = 0.0;

@@ -23,7 +23,7 @@ fn bits(gradient: &Gradient) -> Vec<Vec<u32>> {
 /// The gradient of a batch whose parts are thrown away after they have added to it.
 fn rendered_again(renderer: &Renderer, scene: &DeviceScene, slopes: &[f32]) -> Gradient {
     let device = renderer.device();
-    let gradient = SceneGradient::new(device, scene).expect("memory");
+    let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let (cameras, batch) = (demo::turntable(2, 64), batch());
     renderer.add_gradient(scene, &cameras, &batch, slopes, &gradient).expect("a gradient");
     gradient.download(device, scene.config(), scene.len()).expect("a gradient")
@@ -61,7 +61,7 @@ fn a_recording_has_the_bits_of_rendering_and_of_rendering_again() {
 
             let slopes = slopes(expected.data.len());
             let expected = bits(&rendered_again(&renderer, &scene, &slopes));
-            let kept = SceneGradient::new(renderer.device(), &scene).expect("memory");
+            let kept = SceneGradient::new(scene.device(), &scene).expect("memory");
             let mut recording = recording;
             let found = recording.backward(&slopes).expect("a gradient");
             assert!(bits(&found) == expected, "{what}");

@@ -5,8 +5,7 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 use toml::{Table, Value};
 
-use super::TrainConfig;
-use super::builder::{leaves, merge};
+use super::{Setting, TrainConfig};
 
 /// Similarity of two names, 0 to 1, from which one is suggested for the other.
 const ALIKE: f64 = 0.8;
@@ -25,6 +24,16 @@ static TEMPLATE: LazyLock<Table> = LazyLock::new(|| {
     table
 });
 
+impl Setting {
+    /// Fails for a value that is not of the setting's type, as `--set` writes it.
+    ///
+    /// # Errors
+    /// A sentence that says what is expected.
+    pub fn check(&self, value: &str) -> Result<(), String> {
+        parse(&format!("{}={value}", self.name)).map(|_| ())
+    }
+}
+
 /// Every setting as `table.name`, and its default. A learning rate is one setting.
 #[must_use]
 pub fn defaults() -> Vec<(String, String)> {
@@ -40,6 +49,31 @@ pub fn defaults() -> Vec<(String, String)> {
 /// Checks that every name in a file's table is that of a setting.
 pub fn check_names(table: &Table) -> Result<(), String> {
     leaves(table, |_| false).into_iter().try_for_each(|(name, _)| find(&name).map(drop))
+}
+
+/// Every value of a table with its name, such as `run.steps`. A table is a value of its own if `is_leaf` says so.
+pub fn leaves(table: &Table, is_leaf: fn(&Value) -> bool) -> Vec<(String, &Value)> {
+    let mut found = Vec::new();
+    for (key, value) in table {
+        match value {
+            Value::Table(inner) if !is_leaf(value) => {
+                let below = leaves(inner, is_leaf).into_iter();
+                found.extend(below.map(|(name, value)| (format!("{key}.{name}"), value)));
+            }
+            value => found.push((key.clone(), value)),
+        }
+    }
+    found
+}
+
+/// Overwrites values of the table `under` with those of `over`.
+pub fn merge(under: &mut Table, over: Table) {
+    for (key, value) in over {
+        match (under.get_mut(&key), value) {
+            (Some(Value::Table(under)), Value::Table(over)) => merge(under, over),
+            (_, value) => drop(under.insert(key, value)),
+        }
+    }
 }
 
 /// Parses an assignment into a table with one setting.

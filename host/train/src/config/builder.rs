@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use serde::Deserialize;
-use toml::{Table, Value};
+use toml::Table;
 
-use super::assignment;
+use super::assignment::{self, merge};
 use super::preset::Preset;
 use super::retired;
 use super::{MAX_BYTES, TrainConfig};
@@ -121,29 +121,4 @@ impl ConfigBuilder {
 /// An error about settings that are in no file.
 fn invalid(reason: String) -> Error {
     Error::Invalid { origin: Path::new("").to_owned(), reason }
-}
-
-/// Every value of a table with its name, such as `run.steps`. A table is a value of its own if `is_leaf` says so.
-pub(super) fn leaves(table: &Table, is_leaf: fn(&Value) -> bool) -> Vec<(String, &Value)> {
-    let mut found = Vec::new();
-    for (key, value) in table {
-        match value {
-            Value::Table(inner) if !is_leaf(value) => {
-                let below = leaves(inner, is_leaf).into_iter();
-                found.extend(below.map(|(name, value)| (format!("{key}.{name}"), value)));
-            }
-            value => found.push((key.clone(), value)),
-        }
-    }
-    found
-}
-
-/// Overwrites values of the table `under` with those of `over`.
-pub(super) fn merge(under: &mut Table, over: Table) {
-    for (key, value) in over {
-        match (under.get_mut(&key), value) {
-            (Some(Value::Table(under)), Value::Table(over)) => merge(under, over),
-            (_, value) => drop(under.insert(key, value)),
-        }
-    }
 }

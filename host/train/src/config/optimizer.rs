@@ -2,10 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use serde::{Deserialize, Serialize};
-
-use super::OptimizerConfig;
 use super::table::within;
+use super::{OptimizerConfig, Rate};
 use organza_core::gaussian_tensors;
 
 use organza_core::scene::{FieldTensors, GaussianTensors, Tensors};
@@ -17,17 +15,6 @@ const COOLED: f64 = 0.02;
 
 /// The values that a learning rate can have.
 const RATES: RangeInclusive<f64> = 1e-12..=1.0;
-
-/// A learning rate that falls from the first step to the last by a constant factor per step. See also
-/// [`OptimizerConfig::cooldown`].
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Rate {
-    /// Rate at the first step.
-    pub first: f64,
-    /// Rate at the last step, without the cooldown.
-    pub last: f64,
-}
 
 macro_rules! define {
     ($($(#[$doc:meta])* $name:ident: $row:tt, $why:literal, $rate:tt;)+) => {

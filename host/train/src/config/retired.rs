@@ -4,7 +4,7 @@ use toml::Table;
 
 /// Group, name and TOML value of a retired setting, and its replacement today. The replacement is empty if the
 /// program no longer has a choice.
-const RETIRED: [[&str; 4]; 8] = [
+const RETIRED: [[&str; 4]; 9] = [
     ["exposure", "method", "'none'", "learn = false"],
     ["exposure", "method", "'affine'", "learn = true"],
     ["poses", "method", "'none'", "refine = false"],
@@ -13,7 +13,11 @@ const RETIRED: [[&str; 4]; 8] = [
     ["growth", "method", "'none'", "end = 0.0"],
     ["start", "transmittance_bias", "5.0", ""],
     ["optimizer", "epsilon", "1e-12", ""],
+    ["run", "tensorboard", "false", ""],
 ];
+/// Who asked for TensorBoard's file may have it from elsewhere.
+const TENSORBOARD: &str =
+    ". `python scripts/tensorboard.py RUN` writes TensorBoard's file of a run";
 
 /// Replaces retired settings by those of today.
 ///
@@ -32,8 +36,9 @@ pub(super) fn replace(settings: &mut Table) -> Result<(), String> {
     }
     for [group, name, ..] in RETIRED {
         if settings.get(group).and_then(|group| group.get(name)).is_some() {
+            let hint = if name == "tensorboard" { TENSORBOARD } else { "" };
             return Err(format!(
-                "`{group}.{name}` is no setting any more, and this value of it means nothing today: remove it"
+                "`{group}.{name}` is no setting any more, and this value of it means nothing today: remove it{hint}"
             ));
         }
     }
@@ -47,7 +52,7 @@ mod tests {
     #[test]
     fn files_of_earlier_versions_mean_what_they_meant() {
         let text = "[exposure]\nmethod = 'affine'\n[poses]\nmethod = 'refine'\n[growth]\nmethod = 'none'\n\
-                    [start]\ntransmittance_bias = 5.0\n[optimizer]\nepsilon = 1e-12\n";
+                    [start]\ntransmittance_bias = 5.0\n[optimizer]\nepsilon = 1e-12\n[run]\ntensorboard = false\n";
         let config = TrainConfig::parse(text, "config.toml".as_ref()).unwrap();
         assert!(config.exposure.learn && config.poses.refine);
         assert_eq!(config.growth.end, 0.0);
@@ -62,6 +67,7 @@ mod tests {
         for (text, setting) in [
             ("[growth]\nmethod = 'relocate'", "growth.method"),
             ("[optimizer]\nepsilon = 1e-9", "optimizer.epsilon"),
+            ("[run]\ntensorboard = true", "scripts/tensorboard.py"),
             ("[start]\ntransmittance_bias = 4.0", "start.transmittance_bias"),
         ] {
             let error = TrainConfig::parse(text, "config.toml".as_ref()).unwrap_err().to_string();

@@ -10,9 +10,19 @@ use std::path::PathBuf;
 use organza_core::gaussian_tensors;
 use serde::{Deserialize, Serialize};
 
-use super::{Rate, assignment};
 use organza_core::scene::{Contraction, GridConfig, MlpConfig};
 use organza_data::{Alpha, Background, Keep};
+
+/// A learning rate that falls from the first step to the last by a constant factor per step. See also
+/// [`OptimizerConfig::cooldown`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rate {
+    /// Rate at the first step.
+    pub first: f64,
+    /// Rate at the last step, without the cooldown.
+    pub last: f64,
+}
 
 /// A setting, for people to read.
 #[derive(Clone, Copy, Debug)]
@@ -34,14 +44,6 @@ impl Setting {
     pub fn text(&self) -> &'static str {
         let text = self.doc.trim();
         text.strip_suffix('.').unwrap_or(text)
-    }
-
-    /// Fails for a value that is not of the setting's type, as `--set` writes it.
-    ///
-    /// # Errors
-    /// A sentence that says what is expected.
-    pub fn check(&self, value: &str) -> Result<(), String> {
-        assignment::parse(&format!("{}={value}", self.name)).map(|_| ())
     }
 
     /// Whether it is for experiments alone: help and tables leave it out.
@@ -208,10 +210,6 @@ macro_rules! define {
                 checkpoint_every: u32 = 250, in 1..;
                 /// Steps between `step` records of the log.
                 log_every: u32 = 10, in 1..;
-                /// Also write the log as a TensorBoard event file, in the folder RUN/tensorboard.
-                #[option("--tensorboard")]
-                #[see("#tensorboard")]
-                tensorboard: bool = false;
             }
 
             /// The loss `(1 - w) L1 + w (1 - SSIM)`, and its additional terms.

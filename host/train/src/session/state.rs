@@ -1,15 +1,13 @@
 //! The loop of a run: its steps, and the logging, saving and measuring between them.
 
 use std::collections::BTreeMap;
-use std::ptr;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use super::{Event, Outcome, Session, Watch};
 use crate::binding::{Binding, Change};
-use crate::checkpoint::{BEST, CHECKPOINT};
 use crate::evaluate::Evaluation;
-use crate::folder::{CAMERAS, CONFIG, METRICS};
+use crate::folder::{BEST, CAMERAS, CHECKPOINT, CONFIG, METRICS};
 use crate::held_out;
 use crate::hooks::StepHooks;
 use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
@@ -237,7 +235,6 @@ impl State<'_, '_, '_> {
         let dataset = self.session.dataset;
         let count = dataset.held_out.len();
         let frames = held_out::frames(dataset, views, all);
-        let always = held_out::frames(dataset, views, false);
         if frames.is_empty() {
             return self.complete().map(|()| true);
         }
@@ -253,8 +250,7 @@ impl State<'_, '_, '_> {
             let found = self.trainer.measure(&frames, first)?;
             for (index, (part, image)) in (first..).zip(found) {
                 let frame = frames[index];
-                let always = always.iter().any(|always| ptr::eq(*always, frame));
-                (self.watch)(Event::View { index, step, frame, image: &image, always })?;
+                (self.watch)(Event::View { index, step, frame, image: &image })?;
                 parts.push(part);
             }
         }

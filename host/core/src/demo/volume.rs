@@ -106,19 +106,20 @@ impl Volume {
         }
     }
 
-    /// The interpolated value at a place; 0 outside.
-    pub fn sample(&self, position: Vec3) -> f32 {
+    /// The cell of a position, and its place in there; `None` outside of the grid.
+    pub fn place(&self, position: Vec3) -> Option<(UVec3, Vec3)> {
         let place = self.cell_of(position);
         let inside =
             place.min_element() >= 0.0 && place.max_element() < (self.resolution - 1) as f32;
-        if !inside {
-            return 0.0;
-        }
         let cell = place.as_uvec3();
+        inside.then(|| (cell, place - cell.as_vec3()))
+    }
+
+    /// The interpolated value at a [place](Self::place) of this grid.
+    pub fn sample(&self, (cell, t): (UVec3, Vec3)) -> f32 {
         if !self.filled[self.block(cell / BLOCK)] {
             return 0.0;
         }
-        let t = place - cell.as_vec3();
         let side = self.resolution as usize;
         let first = self.index(cell);
         let row = |at: usize| self.values[at] + (self.values[at + 1] - self.values[at]) * t.x;

@@ -1,5 +1,7 @@
 //! `organza bench`.
 
+use std::sync::LazyLock;
+
 use organza_tests::devices;
 use serde_json::Value;
 
@@ -92,15 +94,9 @@ fn a_batch_is_measured() {
     for (name, expected) in [("project", 1), ("composite", 1), ("project_backward", 1)] {
         assert_eq!(dispatches(&found["kernels"], name), Some(expected), "{name}");
     }
-}
-
-/// The counts must be those of `organza tiles`.
-#[test]
-fn what_is_measured_is_the_batch() {
-    let sandbox = Sandbox::new("crowded");
+    // the counts are those of `organza tiles`
     let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu";
     let said = sandbox.run(words).assert_ok().stderr.replace(',', "");
-    let found = json(sandbox.run(&format!("{BENCH} --forward --backend cpu --json")));
     for (key, thing) in
         [("tiles", "tiles of"), ("pairs", "pairs"), ("members", "members"), ("samples", "samples")]
     {
@@ -118,23 +114,11 @@ fn forward_alone() {
     assert_eq!(dispatches(&found["kernels"], "project_backward"), None);
 }
 
-#[test]
-fn tables_are_for_people() {
-    let outcome = Sandbox::new("tiny").run(&format!("{BENCH} --backend cpu")).assert_ok();
-    let lines: Vec<_> = outcome.stdout.lines().collect();
-    assert!(lines[0].starts_with("cpu: "), "{outcome:?}");
-    for start in ["forward and backward  0.", "composite_backward  ", "forward  ", "peaks: "] {
-        assert!(lines.iter().any(|line| line.starts_with(start)), "{start}: {outcome:?}");
-    }
-}
-
 /// A multiply-add is two operations: hidden layers of 16 and 16, of 4 inputs for each pair and of 3 for each sample.
 #[test]
 fn operations_are_counted() {
-    let sandbox = Sandbox::new("tiny");
-    let backends = if devices::has_gpu() { &["cpu", "gpu"][..] } else { &["cpu"] };
-    for backend in backends {
-        let found = json(sandbox.run(&format!("{BENCH} --backend {backend} --json")));
+    for found in every_device() {
+        let backend = &found["device"];
         let count = |key: &str| found[key].as_f64().unwrap();
         let forward =
             2.0 * 16.0 * (count("pairs") * (4.0 + 16.0) + count("samples") * (3.0 + 16.0));
@@ -155,9 +139,7 @@ fn kernels_of_a_gpu_have_times() {
     if !devices::has_gpu() {
         return;
     }
-    let sandbox = Sandbox::new("tiny");
-    let gpu = json(sandbox.run(&format!("{BENCH} --backend gpu --json")));
-    let cpu = json(sandbox.run(&format!("{BENCH} --backend cpu --json")));
+    let [cpu, gpu, ..] = every_device() else { panic!("a GPU is missing") };
     assert!(gpu["device"].as_str().unwrap().starts_with("gpu: "), "{gpu}");
     assert_shares(&gpu["forward_kernels"]);
     assert_shares(&gpu["kernels"]);
@@ -178,11 +160,16 @@ fn without_files_the_workload_is_synthetic() {
     assert!(found["samples"].as_u64() > Some(500_000), "{found}");
 }
 
+/// The measurements of all devices, the CPU first. Peaks take half a second each, so tests share them.
+fn every_device() -> &'static [Value] {
+    static FOUND: LazyLock<Value> =
+        LazyLock::new(|| json(Sandbox::new("tiny").run(&format!("{BENCH} --every-device --json"))));
+    FOUND.as_array().expect("a list")
+}
+
 #[test]
 fn every_device_is_measured() {
-    let sandbox = Sandbox::new("tiny");
-    let found = json(sandbox.run(&format!("{BENCH} --every-device --json")));
-    let all = found.as_array().expect("a list");
+    let all = every_device();
     let backends: Vec<_> =
         all.iter().map(|one| one["device"].as_str().unwrap().split(':').next().unwrap()).collect();
     assert_eq!(backends[0], "cpu");
@@ -192,8 +179,18 @@ fn every_device_is_measured() {
         assert_peaks(one);
         assert_eq!(one["samples"], all[0]["samples"]);
     }
-    let text = sandbox.run(&format!("{BENCH} --forward --every-device")).assert_ok().stdout;
-    assert_eq!(text.matches("\nforward\n").count(), all.len(), "{text}");
+}
+
+#[test]
+fn tables_are_for_people() {
+    let sandbox = Sandbox::new("tiny");
+    let text = sandbox.run(&format!("{BENCH} --every-device")).assert_ok().stdout;
+    let lines: Vec<_> = text.lines().collect();
+    assert!(lines[0].starts_with("cpu: "), "{text}");
+    for start in ["forward and backward  0.", "composite_backward  ", "forward  ", "peaks: "] {
+        let found = lines.iter().filter(|line| line.starts_with(start)).count();
+        assert_eq!(found, every_device().len(), "{start}: {text}");
+    }
 }
 
 #[test]

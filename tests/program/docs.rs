@@ -40,6 +40,9 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza eval run --lpips", "it needs the weights"),
 ];
 
+/// Pages whose trainings show the built-in scene, as they say.
+const BUILT_IN: [&str; 2] = ["README.md", "docs/splats.md"];
+
 /// The program, with options that make it quick.
 const ORGANZA: &str = r#"#!/bin/sh
 has() { case " $words " in *" $1 "*) true ;; *) false ;; esac; }
@@ -59,6 +62,10 @@ case "$1" in
           data.built_in_views=2 data.built_in_side=16 start.gaussians=100 growth.max_gaussians=200; do
         set -- "$@" --set "$setting"
       done
+      # the built-in scene takes longer than the run
+      case "$2" in
+        -*) [ ! -d photographs ] || has --config || set -- "$@" --set data.path=photographs ;;
+      esac
     fi ;;
   demo) set -- "$@" --views 2 --size 32 ;;
   film) set -- "$@" --frames 2 ;;
@@ -119,7 +126,8 @@ fn commands(text: &str) -> Vec<String> {
     joined.lines().map(without_comment).filter(|line| !line.is_empty()).collect()
 }
 
-/// A folder for a page: a scene, its cameras, tiles, the data sets that the page names, and programs in `bin`.
+/// A folder for a page: a scene, its cameras, tiles, the data sets that the page names, and programs in `bin`. Only
+/// [`BUILT_IN`] train on the built-in scene, other pages on photographs.
 fn prepare(page: &str, blocks: &[Block]) -> Sandbox {
     let sandbox = Sandbox::new("tiny");
     let bin = sandbox.path("bin");
@@ -135,7 +143,9 @@ fn prepare(page: &str, blocks: &[Block]) -> Sandbox {
     }
     let texts = blocks.iter().filter(|block| block.page == page).map(|block| &block.text);
     let words = texts.flat_map(|text| text.split_whitespace());
-    let data: BTreeSet<_> = words.filter(|word| word.starts_with("data/")).collect();
+    let named = words.filter(|word| word.starts_with("data/"));
+    let own = (!BUILT_IN.contains(&page)).then_some("photographs");
+    let data: BTreeSet<_> = named.chain(own).collect();
     for folder in data {
         let words =
             format!("render scene.safetensors cameras.json -o {folder}/images --backend cpu");

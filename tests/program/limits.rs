@@ -27,10 +27,11 @@ mod memory {
     #[test]
     fn json_is_held_to_it_before_it_is_parsed() {
         let sandbox = Sandbox::new("tiny");
-        let text = format!("{{\"frames\": [{}0]}}", "{\"\":0},".repeat(2_000_000));
+        let text = format!("{{\"frames\": [{}0]}}", "{\"\":0},".repeat(400_000));
         fs::write(sandbox.path("cameras.json"), text).unwrap();
         let facts = ["out of memory: parsing cameras.json needs", "are available"];
-        assert_refused(&sandbox, "info cameras.json", &facts);
+        let outcome = sandbox.shell("ulimit -v 200000; \"$ORGANZA\" info cameras.json");
+        outcome.assert_refused(&facts);
         sandbox.assert_refuses("info cameras.json", &["frame 0", "`transform_matrix` is missing"]);
     }
 

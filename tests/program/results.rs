@@ -52,21 +52,6 @@ fn half_grids_are_close_and_have_no_gradients() {
 }
 
 #[test]
-fn images_do_not_depend_on_the_tile_size() {
-    let sandbox = Sandbox::new("crowded");
-    for side in [16, 32, 50, 64] {
-        sandbox.run(&format!("{RENDER} -o {side} --tile-size {side}")).assert_ok();
-        for name in ["0000.png", "0001.png"] {
-            let image = fs::read(sandbox.path(&format!("{side}/{name}"))).unwrap();
-            let first = fs::read(sandbox.path(&format!("16/{name}"))).unwrap();
-            assert!(image == first, "{name} differs with tiles of {side}");
-        }
-    }
-    let image = image::open(sandbox.path("16/0001.png")).unwrap();
-    assert_eq!((image.width(), image.height()), (96, 80));
-}
-
-#[test]
 fn a_pixel_is_explained_as_it_is_rendered() {
     for name in names() {
         let sandbox = Sandbox::new(&name);

@@ -52,9 +52,9 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut folder = Folder::make(&args.output)?;
     folder.lock(false)?;
-    let scene = console.during("building the scene", demo::scene);
     let cameras = demo::turntable(usize::from(args.views), args.size);
-    refuse_foreign(&folder, &scene, &cameras, &args.output)?;
+    refuse_foreign(&folder, &cameras, &args.output)?;
+    let scene = console.during("building the scene", demo::scene);
     let renderer = args.device.open(console)?;
     for name in FILES {
         folder.file(name)?;
@@ -96,17 +96,17 @@ struct Made {
 }
 
 /// Refuses a folder that holds other files with the names of ours.
-fn refuse_foreign(folder: &Folder, scene: &Scene, cameras: &[Camera], path: &Path) -> Result<()> {
-    // A file that was written and read again has the same values: f32 are exact in a file.
-    let own = Scene::load(folder.join("scene.safetensors")).is_ok_and(|found| found == *scene);
+fn refuse_foreign(folder: &Folder, cameras: &[Camera], path: &Path) -> Result<()> {
     let views = names(cameras).into_iter().map(|name| format!("{name}.png"));
     let mut files = FILES.map(str::to_owned).into_iter().chain(views);
-    match files.find(|name| folder.join(name).exists()) {
-        Some(name) if !own => refuse(format!(
+    let Some(name) = files.find(|name| folder.join(name).exists()) else { return Ok(()) };
+    // A file that was written and read again has the same values: f32 are exact in a file.
+    match Scene::load(folder.join("scene.safetensors")) {
+        Ok(found) if found == demo::scene() => Ok(()),
+        _ => refuse(format!(
             "{} holds a {name} that the demo did not write; choose another folder",
             path.display()
         )),
-        _ => Ok(()),
     }
 }
 

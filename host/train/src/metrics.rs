@@ -260,22 +260,22 @@ fn read(path: &Path) -> Result<Vec<u8>> {
 /// # Errors
 /// [`Error::Invalid`] for a line that is no record, unless it is the last: a run that is killed leaves half a line.
 pub fn parse<'a>(path: &Path, text: &'a [u8]) -> Result<Vec<(&'a [u8], Record)>> {
-    let lines = text.split(|&byte| byte == b'\n').enumerate();
-    let filled = lines.filter(|(_, line)| !line.trim_ascii().is_empty());
-    let last = filled.clone().last().map(|(number, _)| number);
     let mut records = Vec::new();
-    for (number, line) in filled {
+    let mut bad = None;
+    for (number, line) in (1..).zip(text.split(|&byte| byte == b'\n')) {
+        if line.trim_ascii().is_empty() {
+            continue;
+        }
+        if let Some((number, error)) = bad {
+            let reason = format!(
+                "line {number} is no record of a training run: {error}; remove the line, or \
+                 choose another folder"
+            );
+            return Err(Error::Invalid { origin: path.to_owned(), reason });
+        }
         match serde_json::from_slice(line) {
             Ok(record) => records.push((line, record)),
-            Err(_) if Some(number) == last => {}
-            Err(error) => {
-                let line = number + 1;
-                let reason = format!(
-                    "line {line} is no record of a training run: {error}; remove the line, or \
-                     choose another folder"
-                );
-                return Err(Error::Invalid { origin: path.to_owned(), reason });
-            }
+            Err(error) => bad = Some((number, error)),
         }
     }
     Ok(records)

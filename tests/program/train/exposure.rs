@@ -3,12 +3,15 @@
 use std::sync::Arc;
 
 use organza::data::Photograph;
+use organza::train::Trainer;
 use organza::train::config::Rate;
-use organza::train::{Trainer, built_in};
 use organza::{Dataset, Renderer};
 use organza_tests::devices;
 
-use super::runs::{TINY, assert_same, begun, bits, records, sandbox, stopped, without_times};
+use super::runs::{
+    TINY, assert_same, begun, bits, built_in, photographed, records, sandbox, stopped,
+    without_times,
+};
 
 /// Gains of the photograph at `index` among those to train on. The geometric mean of three successive ones is 1.
 fn gains(index: usize) -> [f64; 3] {
@@ -32,7 +35,7 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
     config.run.tiles_per_step = 8;
     config.optimizer.exposure = Rate { first: 0.03, last: 0.003 };
     let renderer = Renderer::new(devices::cpu(None));
-    let mut dataset = built_in::dataset(&renderer, 13, 32, 4).expect("views");
+    let mut dataset = photographed(&renderer, &built_in(), 13, 4);
     let train = dataset.train.clone();
     let held_out = dataset.held_out.clone();
     let shown = train.iter().enumerate().map(|(index, &frame)| (frame, gains(index)));

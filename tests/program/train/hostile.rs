@@ -107,17 +107,15 @@ fn decoding_has_a_budget() {
 
 /// A zlib stream of `length` zeros, 158 times smaller: copies of 258 bytes, in 13 bits each.
 fn zeros(length: usize) -> Vec<u8> {
-    // a last block with fixed codes, a zero, the copies, and the end
-    let copies = (0..length / 258).flat_map(|_| *b"1100010100000");
-    let bits = b"110".iter().chain(b"00110000").copied().chain(copies).chain(*b"0000000");
-    let mut stream = vec![0x78, 1];
-    for (index, bit) in bits.enumerate() {
-        if index % 8 == 0 {
-            stream.push(0);
-        }
-        *stream.last_mut().expect("a byte") |= (bit - b'0') << (index % 8);
+    // a last block with fixed codes, a zero, 16 copies, and the end
+    let bits = ["110", "00110000", &"1100010100000".repeat(16), "0000000"].concat();
+    let mut bytes = vec![0; bits.len().div_ceil(8)];
+    for (index, bit) in bits.bytes().enumerate() {
+        bytes[index / 8] |= (bit - b'0') << (index % 8);
     }
-    stream
+    // eight copies are 13 bytes
+    let more = bytes[2..15].repeat(length / 258 / 8);
+    [&[0x78, 1], &bytes[..2], &more, &bytes[2..]].concat()
 }
 
 /// Color profiles are not needed here, and may be shorter than they say.

@@ -1,13 +1,14 @@
 //! Cameras with wrong poses.
 
-use organza::data::{Dataset, Frame, Photograph};
 use organza::train::config::Rate;
 use organza::train::{Checkpoint, Trainer, built_in};
-use organza::{Camera, Renderer, Scene, demo};
+use organza::{Camera, Renderer};
 use organza_tests::{cases, devices};
 use serde_json::Value;
 
-use super::runs::{TINY, assert_same, begun, bits, records, sandbox, stopped, without_times};
+use super::runs::{
+    TINY, assert_same, begun, bits, photographed, records, sandbox, stopped, without_times,
+};
 
 /// The error of a photograph's camera, by its index among those to train on: a degree, and 2% of the distance.
 fn off(index: usize) -> [f64; 6] {
@@ -36,19 +37,6 @@ fn distance(a: &Camera, b: &Camera) -> f64 {
     distances.sum::<f64>() / 8.0
 }
 
-/// Five photographs around a scene; the first is held out.
-fn dataset_of(renderer: &Renderer, scene: &Scene) -> Dataset {
-    let uploaded = renderer.upload(scene).expect("memory");
-    let frame = |(index, camera): (usize, Camera)| {
-        let image = renderer.render_view(&uploaded, &camera).expect("an image");
-        Frame { name: format!("{index}"), camera, image: Photograph::from(&image) }
-    };
-    let frames = demo::turntable(5, 32).into_iter().enumerate().map(frame).collect();
-    let mut dataset = Dataset::from_frames(frames, 5);
-    dataset.background = scene.config.background;
-    dataset
-}
-
 /// Training starts with the scene in the photographs, which hardly changes.
 #[test]
 fn cameras_come_back_to_where_they_were() {
@@ -74,7 +62,7 @@ fn cameras_come_back_to_where_they_were() {
     optimizer.pose = Rate { first: 5e-3, last: 2e-4 };
     let renderer = Renderer::new(devices::cpu(None));
     let scene = cases::thinned(40, 1.2);
-    let mut dataset = dataset_of(&renderer, &scene);
+    let mut dataset = photographed(&renderer, &scene, 5, 5);
     let true_cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
     for (index, frame) in dataset.train.clone().into_iter().enumerate() {
         let camera = &mut dataset.frames[frame].camera;

@@ -7,15 +7,15 @@ use std::sync::{Arc, OnceLock};
 use std::{fs, io};
 
 use image::RgbImage;
-use organza::data::Dataset;
+use organza::data::{Dataset, Frame, Photograph};
 use organza::scene::read_tensors;
+use organza::train::built_in::cameras;
 use organza::train::metrics::{MetricsLog, Record};
 use organza::train::report::Reporter;
 use organza::train::{
     CHECKPOINT, CONFIG, Checkpoint, Event, METRICS, Outcome, RunFolder, Session, TrainConfig,
-    built_in,
 };
-use organza::{Camera, Renderer};
+use organza::{Camera, Renderer, Scene, demo};
 use organza_tests::devices;
 use serde_json::Value;
 
@@ -49,10 +49,9 @@ fn views() -> &'static [(String, Vec<u8>)] {
     static FILES: OnceLock<Vec<(String, Vec<u8>)>> = OnceLock::new();
     FILES.get_or_init(|| {
         let renderer = Renderer::new(devices::cpu(None));
-        let dataset = built_in::dataset(&renderer, VIEWS, SIDE, 0).expect("views");
+        let dataset = photographed(&renderer, &built_in(), VIEWS as usize, 0);
         let folder = tempfile::tempdir().expect("a folder");
-        let cameras: Vec<_> =
-            built_in::cameras(VIEWS, SIDE, 0).into_iter().map(|pose| pose.camera).collect();
+        let cameras: Vec<_> = cameras(VIEWS, SIDE, 0).into_iter().map(|pose| pose.camera).collect();
         Camera::save_all(folder.path().join("transforms.json"), &cameras).expect("cameras");
         for frame in &dataset.frames {
             let pixels = frame.image.pixels().as_flattened().to_vec();
@@ -89,6 +88,31 @@ pub fn add_views(sandbox: &Sandbox, count: u32) {
 pub fn dataset(sandbox: &Sandbox, config: &TrainConfig) -> Arc<Dataset> {
     let options = config.data.options();
     Arc::new(Dataset::load(sandbox.path("views"), &options).expect("photographs"))
+}
+
+/// The built-in scene with longer steps: most of the time would go into samples.
+pub fn built_in() -> Scene {
+    let mut scene = demo::scene();
+    scene.config.step *= 8.0;
+    scene
+}
+
+/// Photographs of a scene from around it. Every `hold_out_every`-th is held out.
+pub fn photographed(
+    renderer: &Renderer,
+    scene: &Scene,
+    views: usize,
+    hold_out_every: usize,
+) -> Dataset {
+    let uploaded = renderer.upload(scene).expect("memory");
+    let frame = |(index, camera): (usize, Camera)| {
+        let image = renderer.render_view(&uploaded, &camera).expect("an image");
+        Frame { name: format!("view-{index:03}"), camera, image: Photograph::from(&image) }
+    };
+    let frames = demo::turntable(views, SIDE).into_iter().enumerate().map(frame).collect();
+    let mut dataset = Dataset::from_frames(frames, hold_out_every);
+    dataset.background = scene.config.background;
+    dataset
 }
 
 /// A run after five steps: its settings, its state, and its data.

@@ -22,8 +22,8 @@ fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
 fn the_bits_do_not_depend_on_who_watches() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} alone")).assert_ok();
-    let mut viewer =
-        Viewer::start(&sandbox, &format!("{TINY} watched --view --port 0 --view-share 90"));
+    let words = format!("{TINY} watched --view --port 0 --view-share 75");
+    let mut viewer = Viewer::start(&sandbox, &words);
     let board = |viewer: &Viewer| viewer.get("/training.json").json();
     let command = |viewer: &Viewer, name: &str| viewer.post("/training", &json!(name)).ok();
     command(&viewer, "pause");

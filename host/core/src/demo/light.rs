@@ -76,8 +76,10 @@ impl Surroundings {
                 break;
             }
             past_pearl = past_pearl.min(0.5 + SHARPNESS * pearl_distance(point) / t);
+            // both volumes have the same grid
+            let Some(place) = self.sheets[0].place(point) else { continue };
             for (sheet, volume) in SHEETS.iter().zip(&self.sheets) {
-                depth += sheet.absorption * (volume.sample(point) * STEP);
+                depth += sheet.absorption * (volume.sample(place) * STEP);
             }
         }
         Arrival { through_cloth: (-depth).exp(), past_pearl: smoothstep(past_pearl) }

@@ -17,7 +17,12 @@ pub struct Volume {
     resolution: u32,
     /// Cells per world unit.
     density: f32,
+    /// Whether a block of cells may have a vertex that is not zero. Most have none, and need no interpolation.
+    filled: Vec<bool>,
 }
+
+/// Cells along a side of a block.
+const BLOCK: u32 = 8;
 
 impl Volume {
     /// Zeros at all vertices of a grid with one level.
@@ -25,7 +30,8 @@ impl Volume {
         let GridLevelGeometry { scale, resolution, count, hashed, .. } = grid.levels_geometry()[0];
         assert!(!hashed, "a hashed level has no vertices of its own");
         let density = scale as f32 / WORLD_PER_UNIT;
-        Self { values: vec![0.0; count as usize], resolution, density }
+        let blocks = resolution.div_ceil(BLOCK).pow(3) as usize;
+        Self { values: vec![0.0; count as usize], resolution, density, filled: vec![false; blocks] }
     }
 
     /// Side of a cell in world units.
@@ -45,6 +51,12 @@ impl Volume {
 
     fn index(&self, cell: UVec3) -> usize {
         (cell.x + (cell.y + cell.z * self.resolution) * self.resolution) as usize
+    }
+
+    /// Index of a block.
+    fn block(&self, block: UVec3) -> usize {
+        let blocks = self.resolution.div_ceil(BLOCK);
+        (block.x + (block.y + block.z * blocks) * blocks) as usize
     }
 
     /// Every vertex: its index and position.
@@ -79,18 +91,35 @@ impl Volume {
                 }
             }
         }
+        // A vertex is a corner of the cell before it, too.
+        let blocks = |weights: &[(u32, f32)]| {
+            let first = weights.first().map_or(0, |(first, _)| first.saturating_sub(1) / BLOCK);
+            first..weights.last().map_or(0, |(last, _)| last / BLOCK + 1)
+        };
+        for z in blocks(&zs) {
+            for y in blocks(&ys) {
+                for x in blocks(&xs) {
+                    let block = self.block(UVec3::new(x, y, z));
+                    self.filled[block] = true;
+                }
+            }
+        }
     }
 
-    /// The interpolated value at a place; 0 outside.
-    pub fn sample(&self, position: Vec3) -> f32 {
+    /// The cell of a position, and its place in there; `None` outside of the grid.
+    pub fn place(&self, position: Vec3) -> Option<(UVec3, Vec3)> {
         let place = self.cell_of(position);
         let inside =
             place.min_element() >= 0.0 && place.max_element() < (self.resolution - 1) as f32;
-        if !inside {
+        let cell = place.as_uvec3();
+        inside.then(|| (cell, place - cell.as_vec3()))
+    }
+
+    /// The interpolated value at a [place](Self::place) of this grid.
+    pub fn sample(&self, (cell, t): (UVec3, Vec3)) -> f32 {
+        if !self.filled[self.block(cell / BLOCK)] {
             return 0.0;
         }
-        let cell = place.as_uvec3();
-        let t = place - place.floor();
         let side = self.resolution as usize;
         let first = self.index(cell);
         let row = |at: usize| self.values[at] + (self.values[at + 1] - self.values[at]) * t.x;

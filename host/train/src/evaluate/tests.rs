@@ -7,7 +7,10 @@ use organza_data::Photograph;
 fn setup() -> (Renderer, DeviceScene, Vec<Frame>) {
     let renderer =
         Renderer::new(organza_render::open_device(&DeviceOptions::cpu(Some(1))).unwrap());
-    let scene = renderer.upload(&demo::scene()).unwrap();
+    let mut scene = demo::scene();
+    // Most of the time would go into samples.
+    scene.config.step *= 8.0;
+    let scene = renderer.upload(&scene).unwrap();
     let frame = |(index, camera): (usize, organza_core::Camera)| {
         let mut image = Image::new(camera.width, camera.height).unwrap();
         for batch in bands(0, image.size(), 17) {

@@ -57,8 +57,8 @@ struct Finding {
     message: String,
     /// The line that the message names.
     line: Option<usize>,
-    /// Whether it names an invocation.
-    has_invocation: bool,
+    /// Whether it names the kernel and an invocation.
+    has_place: bool,
 }
 
 /// Tests a bug on the ordinary CPU, and on both CPUs for tests.
@@ -98,8 +98,9 @@ fn finding(bug: &'static Bug, check: Check, text: &str) -> Finding {
     if is_of_time(text) && line.is_some_and(|line| marked.contains(&line)) {
         line = marked.first().copied();
     }
-    let has_invocation = text.contains("invocation [");
-    Finding { bug, check, message, line, has_invocation }
+    let place = ["kernel `", "invocation ["];
+    let has_place = place.iter().all(|part| text.contains(part));
+    Finding { bug, check, message, line, has_place }
 }
 
 /// Whether a message is about a workgroup that does not end.
@@ -193,12 +194,12 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A message, if the error names a line that is not marked, or no invocation.
+/// A message, if the error names a line that is not marked, or not both kernel and invocation.
 fn elsewhere(finding: &Finding) -> Option<String> {
-    let Finding { bug, check, message, line, has_invocation } = finding;
+    let Finding { bug, check, message, line, has_place } = finding;
     let marked = marked(bug);
     let is_there = match line {
-        Some(line) => marked.contains(line) && *has_invocation,
+        Some(line) => marked.contains(line) && *has_place,
         // for wrong values, nothing says where they come from
         None => marked.is_empty() || matches!(check, Check::Values | Check::Nothing),
     };

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use organza::data::{Background, Dataset};
-use organza::edit::{Region, largest_cluster, spacing};
+use organza::edit::{Region, largest_cluster};
 use organza::evaluate::Measures;
 use organza::render::Contributions;
 use organza::{Camera, Renderer, Result, Scene};
@@ -14,7 +14,7 @@ use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::check_file;
 use super::summary::{count, grouped};
-use super::table::{Table, number};
+use super::table::Table;
 use super::{eval, numbers, refuse};
 
 const USAGE: &str = "organza edit SCENE DATA -o SCENE";
@@ -62,10 +62,11 @@ pub struct Args {
     /// tenth of the views, but 3 at least]
     #[arg(long, value_name = "VIEWS", value_parser = parse_views, num_args = 0..=1, require_equals = true)]
     haze: Option<Option<f64>>,
-    /// Keep only the largest cluster. Gaussians hang together if they are in cubes of this side that touch [default:
-    /// four times the median length of Gaussians]
-    #[arg(long, value_name = "SIDE", value_parser = parse_side, num_args = 0..=1, require_equals = true)]
-    keep_largest: Option<Option<f64>>,
+    /// Keep only the largest cluster. Gaussians hang together if a cube around the larger one, of so many of its standard
+    /// deviations, reaches the other, or a cube beside it does
+    #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "2")]
+    keep_largest: Option<f64>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -104,9 +105,9 @@ fn parse_views(text: &str) -> Result<f64, String> {
     views.map(|[views]| views).ok_or_else(|| "expected a number of views, 1 or more".to_owned())
 }
 
-fn parse_side(text: &str) -> Result<f64, String> {
-    let side = numbers(text).filter(|[side]| *side as f32 > 0.0);
-    side.map(|[side]| side).ok_or_else(|| "expected a length above 0".to_owned())
+fn parse_reach(text: &str) -> Result<f64, String> {
+    let reach = numbers(text).filter(|[reach]| (1e-3..=1e3).contains(reach));
+    reach.map(|[reach]| reach).ok_or_else(|| "expected a number from 0.001 to 1000".to_owned())
 }
 
 /// What a rule has removed.
@@ -196,10 +197,9 @@ impl Args {
         if !cameras.is_empty() {
             self.by_contribution(scene, cameras, renderer, &mut removed, console)?;
         }
-        if let Some(side) = self.keep_largest {
-            let side = side.map_or_else(|| spacing(&scene.gaussians), |side| side as f32);
-            let is_in_largest = largest_cluster(&scene.gaussians.position, side);
-            let rule = format!("outside the largest cluster, in cubes of {}", number(side.into()));
+        if let Some(reach) = self.keep_largest {
+            let is_in_largest = largest_cluster(&scene.gaussians, reach as f32);
+            let rule = "outside the largest cluster".to_owned();
             removed.push(keep(scene, rule, |i, _| is_in_largest[i])?);
         }
         Ok(removed)
@@ -230,15 +230,15 @@ impl Args {
             let is_removed = |i: usize| found.pixels(i) <= least;
             let rule = match least {
                 0.0 => "in no view".to_owned(),
-                least => format!("{} pixels or less in all views", number(least)),
+                least => format!("{least} pixels or less in all views"),
             };
             removed.push(keep(scene, rule, |i, _| !is_removed(i))?);
             left.retain(|&i| !is_removed(i));
         }
         if let Some(most) = self.haze {
-            let most = most.unwrap_or_else(|| (0.1 * cameras.len() as f64).max(3.0));
+            let most = most.unwrap_or_else(|| (0.1 * cameras.len() as f64).round().max(3.0));
             let is_haze = |i: usize| found.in_front(i) >= HAZE && found.views(i) <= most;
-            let rule = format!("haze, seen by {} views or fewer", number(most));
+            let rule = format!("haze, seen by {most} views or fewer");
             removed.push(keep(scene, rule, |i, _| !is_haze(left[i]))?);
         }
         Ok(())

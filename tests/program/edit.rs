@@ -135,7 +135,7 @@ fn a_run_is_edited_and_every_command_takes_the_result() {
     sandbox.run(&format!("{TINY} run --hold-out-every 3")).assert_ok();
     let words = "run --least-contribution --haze --keep-largest";
     let (report, _) = edit(&sandbox, words);
-    crate::flags::assert_documented("edit", &[report.clone()]);
+    crate::flags::assert_documented("edit", std::slice::from_ref(&report));
     let eval = |scene: &str| -> f64 {
         let words = format!("eval {scene} --hold-out-every 3 --backend cpu --json");
         let json: Value = serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap();

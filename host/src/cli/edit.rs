@@ -20,7 +20,7 @@ use super::{eval, numbers, refuse};
 const USAGE: &str = "organza edit SCENE DATA -o SCENE";
 
 /// A Gaussian is haze if at least this share of its contribution is in front of surfaces.
-const HAZE: f64 = 0.5;
+const HAZE: f64 = 0.9;
 
 const EXAMPLES: &str = "\
 Examples:

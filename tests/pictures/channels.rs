@@ -15,14 +15,22 @@ use crate::snapshot::exact;
 const TOLERANCE: f64 = 2e-4;
 
 /// A Gaussian's contribution to each pixel of a camera.
-struct Member {
-    splat: Splat<f64>,
+pub struct Member {
+    pub gaussian: usize,
+    pub splat: Splat<f64>,
     depth: f64,
     transmittance: f64,
     normal: [f64; 3],
 }
 
-fn members(case: &Case, camera: usize) -> Vec<Member> {
+impl Member {
+    /// Whether it ends so close to a place that rounding decides whether it counts.
+    pub fn is_at_its_end(&self, place: [f64; 2]) -> bool {
+        (self.splat.q(place) - project::cutoff()).abs() < 1e-3
+    }
+}
+
+pub fn members(case: &Case, camera: usize) -> Vec<Member> {
     let scene = &case.scene;
     let view = exact::view(&case.cameras[camera]);
     let transmittance = case.expected(&format!("stage.{camera}.transmittance"));
@@ -34,6 +42,7 @@ fn members(case: &Case, camera: usize) -> Vec<Member> {
         assert!(cosine > 1e-5, "rounding decides on the side of Gaussian {index}");
         let logit = f64::from(scene.gaussians.opacity[index]);
         Some(Member {
+            gaussian: index,
             splat: Splat {
                 mean: projected.mean,
                 weight: composite::weight(logit, transmittance),
@@ -53,7 +62,7 @@ fn members(case: &Case, camera: usize) -> Vec<Member> {
 fn pixel(members: &[Member], place: [f64; 2]) -> Option<[f64; 6]> {
     let mut sum = [0.0; 6];
     for member in members {
-        if (member.splat.q(place) - project::cutoff()).abs() < 1e-3 {
+        if member.is_at_its_end(place) {
             return None;
         }
         let [.., alpha] = member.splat.term(place);

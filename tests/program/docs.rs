@@ -74,7 +74,7 @@ case "$1" in
   benchmark) set -- $(echo "$words" | sed 's/--minutes [0-9.]*/--minutes 0.01/') ;;
 esac
 case "$1" in
-  train | demo | eval | render | film | tiles | export-web | export | import) has --backend || has --print-config || set -- "$@" --backend cpu ;;
+  train | demo | eval | render | film | tiles | export-web | export | import | edit) has --backend || has --print-config || set -- "$@" --backend cpu ;;
 esac
 exec "$PROGRAM" "$@"
 "#;

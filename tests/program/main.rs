@@ -9,6 +9,7 @@ mod capture;
 mod corpus;
 #[cfg(target_os = "linux")]
 mod docs;
+mod edit;
 mod environment;
 mod eval;
 mod film;

@@ -20,7 +20,7 @@ const LONGEST: Duration = Duration::from_secs(30);
 const MEMORY: u64 = 4_000_000;
 
 /// Working commands to be changed. Each ends soon with any number in it.
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "info scene.safetensors",
     "info cameras.json --json",
     "info tiles.json",
@@ -37,6 +37,7 @@ const COMMANDS: [&str; 18] = [
     "bench scene.safetensors cameras.json tiles.json --backend cpu --repeat 1 --forward",
     "eval run --backend cpu",
     "eval scene.safetensors data --backend cpu --split all --downscale 4 --json",
+    "edit run -o new --backend cpu --haze --least-contribution=1 --keep-largest",
     "train data --config small.toml --backend cpu -o new --time-limit 1 --downscale 8",
     "train --resume run --backend cpu --time-limit 1",
 ];

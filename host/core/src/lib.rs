@@ -5,6 +5,7 @@
 mod atomic_file;
 pub mod camera;
 pub mod demo;
+pub mod edit;
 pub mod error;
 mod folder_lock;
 pub mod halves;

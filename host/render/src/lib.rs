@@ -41,6 +41,7 @@ pub use batch::renderer::Renderer;
 pub use batch::share::share_bytes;
 pub use forward::part_counts::Capacity;
 pub use forward::transmittance::Ray;
+pub use inspect::contribution::Contributions;
 #[doc(hidden)]
 pub use inspect::inspection::Stages;
 pub use inspect::inspection::{Contribution, Inspection, Trace};

@@ -135,7 +135,8 @@ fn frames<'a>(args: &Args, dataset: &'a Dataset, split: Split) -> Result<Vec<&'a
     Ok(frames)
 }
 
-fn measure(
+/// Compares a scene with photographs, one after the other.
+pub fn measure(
     renderer: &Renderer,
     scene: &DeviceScene,
     frames: &[&Frame],

@@ -9,6 +9,7 @@ mod completions;
 mod console;
 mod demo;
 mod device;
+mod edit;
 mod eval;
 mod explain;
 mod export;
@@ -86,6 +87,7 @@ enum Command {
     ExportWeb(export_web::Args),
     Export(export::Args),
     Import(import::Args),
+    Edit(edit::Args),
     Explain(explain::Args),
     Eval(eval::Args),
     Compare(compare::Args),
@@ -117,6 +119,7 @@ pub fn main() -> ExitCode {
         Command::ExportWeb(args) => export_web::run(args, console).map(done),
         Command::Export(args) => export::run(args, console).map(done),
         Command::Import(args) => import::run(args, console).map(done),
+        Command::Edit(args) => edit::run(args, console).map(done),
         Command::Explain(args) => explain::run(args, console).map(done),
         Command::Eval(args) => eval::run(args, console).map(done),
         Command::Compare(args) => compare::run(args, console).map(done),
@@ -192,6 +195,13 @@ fn size(text: &str, sides: RangeInclusive<u32>) -> Result<[u32; 2], String> {
     let least = sides.start();
     let most = sides.end();
     size.ok_or_else(|| format!("expected pixels such as 1280x720, each side {least} to {most}"))
+}
+
+/// So many finite numbers with commas between them, such as `0,0,1.5`.
+fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let number = |text: &str| text.trim().parse().ok().filter(|value: &f64| value.is_finite());
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+    numbers?.try_into().ok()
 }
 
 /// An error about an argument.

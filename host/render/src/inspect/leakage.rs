@@ -1,11 +1,8 @@
 //! Where the weight of pixels lies: at the surface that they show, behind it, or in front of it.
 
-use organza_shaders::composite::{alpha, pixel_center, splat_distance};
-use organza_shaders::project::in_support;
-use organza_shaders::splat::VECTORS;
-use organza_shaders::tile::Tile as KernelTile;
 use serde::Serialize;
 
+use super::members::{Member, Members, depths, surface};
 use crate::batch::plan::{PART_BYTES, Plan};
 use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
@@ -37,22 +34,13 @@ pub struct Leakage {
 }
 
 impl Leakage {
-    /// That of one pixel, of the depth and the weight of each Gaussian.
-    fn of(members: &mut [(f64, f64)]) -> Self {
-        members.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let sum: f64 = members.iter().map(|(_, weight)| weight).sum();
-        if sum <= 0.0 {
-            return Self::default();
-        }
-        let mut before = 0.0;
-        let half = members.iter().find(|(_, weight)| {
-            before += weight;
-            before >= 0.5 * sum
-        });
-        let surface = half.map_or(0.0, |(depth, _)| *depth);
+    /// That of one pixel.
+    fn of(members: &mut [Member]) -> Self {
+        let Some(surface) = surface(members) else { return Self::default() };
+        let sum: f64 = members.iter().map(|member| member.weight).sum();
         let share = |is_there: &dyn Fn(f64) -> bool| {
-            let there = members.iter().filter(|(depth, _)| is_there(*depth));
-            there.map(|(_, weight)| weight).sum::<f64>() / sum
+            let there = members.iter().filter(|member| is_there(member.depth));
+            there.map(|member| member.weight).sum::<f64>() / sum
         };
         Self {
             pixels: 1,
@@ -99,23 +87,9 @@ impl Renderer {
         let mut found = Vec::with_capacity(batch.tiles.len());
         for plan in Plan::split(scene, &batch, PART_BYTES)? {
             let part = Part::evaluate(scene, cameras, &plan, false, None)?;
-            let pair = device.read(&part.bins.pairs.pair)?;
-            let first = device.read(&part.bins.tile_first)?;
-            let member = device.read(&part.bins.member)?;
-            let splat = device.read(&part.composite.splat)?;
+            let members = Members::read(device, &part)?;
             for (index, tile) in plan.tiles.iter().enumerate() {
-                let tile = KernelTile { camera: 0, origin: tile.tile.origin, output: 0 };
-                let center = pixel_center(&tile, 0, 0);
-                let range = first[index] as usize..first[index + 1] as usize;
-                let weight = |&member: &u32| {
-                    let at = member as usize * VECTORS as usize;
-                    let q = splat_distance(splat[at], splat[at + 1], center.x, center.y);
-                    let gaussian = pair[member as usize] % scene.gaussians;
-                    let weight = f64::from(alpha(splat[at], q));
-                    in_support(q).then(|| (depths[gaussian as usize], weight))
-                };
-                let mut members: Vec<_> = member[range].iter().filter_map(weight).collect();
-                found.push(Leakage::of(&mut members));
+                found.push(Leakage::of(&mut members.at(index, tile.tile.origin, &depths)));
             }
         }
         Ok(Leakage::mean(&found))
@@ -143,12 +117,6 @@ fn spaced(cameras: &[Camera], camera: usize, most: u32) -> Result<TileBatch> {
     Ok(TileBatch { side: 1, tiles: tiles.collect() })
 }
 
-/// Depths of points `[N, 3]` along a camera's axis.
-fn depths(position: &[f32], camera: &Camera) -> Vec<f64> {
-    let depth = |place: &[f32; 3]| camera.depth(place.map(f64::from));
-    position.as_chunks::<3>().0.iter().map(depth).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use muslin_check::devices;
@@ -161,7 +129,8 @@ mod tests {
         // the surface is at 2: 1 + 3 of 10 are nearer than half, 5 reaches it
         let members = [(9.0, 1.0), (2.2, 2.0), (2.0, 3.0), (1.9, 3.0), (1.0, 1.0)];
         for scale in [1.0, 0.05] {
-            let mut members = members.map(|(depth, weight)| (depth, weight * scale));
+            let member = |(depth, weight)| Member { gaussian: 0, depth, weight: weight * scale };
+            let mut members = members.map(member);
             let found = Leakage::of(&mut members);
             let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{found:?}");
             close(found.behind, 0.1);

@@ -1,4 +1,6 @@
-//! What single stages give, and where the weight of a pixel lies.
+//! What single stages give, where the weight of a pixel lies, and what Gaussians contribute.
 
+pub mod contribution;
 pub mod inspection;
 pub mod leakage;
+pub mod members;

@@ -7,6 +7,7 @@ use organza::{Camera, Result, Scene};
 
 use crate::cli::console::Console;
 use crate::cli::inputs::{Cameras, DataArgs, SceneSource};
+use crate::cli::numbers;
 use crate::cli::refuse;
 use crate::cli::summary::count;
 use crate::cli::views::ViewList;
@@ -178,10 +179,7 @@ pub fn described(frames: &[Camera], fps: u32) -> String {
 }
 
 fn vector(text: &str) -> Result<[f64; 3], String> {
-    let number = |text: &str| text.trim().parse().ok().filter(|value: &f64| value.is_finite());
-    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
-    let vector = numbers.and_then(|numbers| numbers.try_into().ok());
-    vector.ok_or_else(|| "expected three numbers X,Y,Z such as 0,0,1.5".to_owned())
+    numbers(text).ok_or_else(|| "expected three numbers X,Y,Z such as 0,0,1.5".to_owned())
 }
 
 fn distance(text: &str) -> Result<f64, String> {

@@ -1,0 +1,321 @@
+//! `organza edit`: removes Gaussians from a scene.
+
+use std::path::PathBuf;
+
+use organza::data::{Background, Dataset};
+use organza::edit::{Region, largest_cluster};
+use organza::evaluate::Measures;
+use organza::render::Contributions;
+use organza::{Camera, Renderer, Result, Scene};
+use serde::Serialize;
+
+use super::console::{Console, print, print_json};
+use super::device::DeviceArgs;
+use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
+use super::output::check_file;
+use super::summary::{count, grouped};
+use super::table::Table;
+use super::{eval, numbers, refuse};
+
+const USAGE: &str = "organza edit SCENE DATA -o SCENE";
+
+/// A Gaussian is haze if at least this share of its contribution is in front of surfaces.
+const HAZE: f64 = 0.9;
+
+const EXAMPLES: &str = "\
+Examples:
+  organza edit run -o small.safetensors --least-contribution      without what no photograph shows
+  organza edit run -o clean.safetensors --haze --keep-largest
+  organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
+  organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
+  organza edit scene.safetensors data/fox -o small.safetensors --least-contribution=0.5
+
+The rules apply in this order: box and sphere, contribution, haze, cluster. Each sees what the one before has left. \
+The result is a scene's file, which every command reads that takes a scene.";
+
+/// Remove Gaussians from a scene: crop it, clean it, make it smaller
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Args {
+    /// The scene, safetensors, or the folder of a training run
+    scene: PathBuf,
+    /// The views that count: nerfstudio's transforms.json, or a data set [default: those of the run]
+    data: Option<PathBuf>,
+    /// The file of the new scene, safetensors
+    #[arg(short, long, value_name = "SCENE")]
+    output: PathBuf,
+    /// Keep what is inside a box along the axes: two opposite corners
+    #[arg(long = "box", value_name = "X,Y,Z,X,Y,Z", value_parser = parse_box, allow_hyphen_values = true)]
+    cuboid: Option<Region>,
+    /// Keep what is inside a ball: its center and its radius
+    #[arg(long, value_name = "X,Y,Z,R", value_parser = parse_sphere, allow_hyphen_values = true)]
+    sphere: Option<Region>,
+    /// Remove what is inside the box or the ball, instead of what is outside
+    #[arg(long)]
+    outside: bool,
+    /// Remove Gaussians that contribute no more than this to all views together, in pixels. With 0, the views stay as
+    /// they are, to the bit
+    #[arg(long, value_name = "PIXELS", value_parser = parse_pixels, num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "0")]
+    least_contribution: Option<f64>,
+    /// Remove haze: Gaussians that are mostly in front of surfaces and that few views see, at most so many [default: a
+    /// tenth of the views, but 3 at least]
+    #[arg(long, value_name = "VIEWS", value_parser = parse_views, num_args = 0..=1, require_equals = true)]
+    haze: Option<Option<f64>>,
+    /// Keep only the largest cluster. Gaussians hang together if a cube around the larger one, of so many of its standard
+    /// deviations, reaches the other, or a cube beside it does
+    #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "2")]
+    keep_largest: Option<f64>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    data_args: DataArgs,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+fn parse_box(text: &str) -> Result<Region, String> {
+    let corners: Option<[f64; 6]> = numbers(text);
+    let Some([a, b, c, d, e, f]) = corners.map(|corners| corners.map(|x| x as f32)) else {
+        return Err("expected two corners X,Y,Z,X,Y,Z such as -1,-1,0,1,1,2".to_owned());
+    };
+    let low = [a.min(d), b.min(e), c.min(f)];
+    let high = [a.max(d), b.max(e), c.max(f)];
+    Ok(Region::Box { low, high })
+}
+
+fn parse_sphere(text: &str) -> Result<Region, String> {
+    match numbers(text) {
+        Some([x, y, z, radius]) if radius > 0.0 => {
+            Ok(Region::Sphere { center: [x, y, z].map(|x| x as f32), radius: radius as f32 })
+        }
+        _ => Err("expected a center and a radius X,Y,Z,R such as 0,0,1,0.5".to_owned()),
+    }
+}
+
+fn parse_pixels(text: &str) -> Result<f64, String> {
+    let pixels = numbers(text).filter(|[pixels]| *pixels >= 0.0);
+    pixels.map(|[pixels]| pixels).ok_or_else(|| "expected pixels, 0 or more".to_owned())
+}
+
+fn parse_views(text: &str) -> Result<f64, String> {
+    let views = numbers(text).filter(|[views]| *views >= 1.0);
+    views.map(|[views]| views).ok_or_else(|| "expected a number of views, 1 or more".to_owned())
+}
+
+fn parse_reach(text: &str) -> Result<f64, String> {
+    let reach = numbers(text).filter(|[reach]| (1e-3..=1e3).contains(reach));
+    reach.map(|[reach]| reach).ok_or_else(|| "expected a number from 0.001 to 1000".to_owned())
+}
+
+/// What a rule has removed.
+#[derive(Debug, Serialize)]
+struct Removed {
+    rule: String,
+    gaussians: usize,
+}
+
+/// The output of `--json`.
+#[derive(Debug, Serialize)]
+struct Report {
+    scene: PathBuf,
+    gaussians_before: usize,
+    removed: Vec<Removed>,
+    gaussians: usize,
+    /// Of the held-out views, in decibels.
+    psnr_before: Option<f64>,
+    psnr: Option<f64>,
+}
+
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    args.check()?;
+    let source = SceneSource::find(&args.scene)?;
+    let inputs: Vec<_> = [source.named()].into_iter().chain(args.data.as_deref()).collect();
+    check_file(&args.output, &inputs)?;
+    let mut scene = source.load(console)?;
+    let gaussians_before = scene.gaussians.len();
+    let cameras = match args.least_contribution.is_some() || args.haze.is_some() {
+        true => Cameras::load(&source, args.data.as_deref(), &args.data_args, USAGE, console)?.list,
+        false => Vec::new(),
+    };
+    let renderer = args.device.open(console)?;
+    let photographs = photographs(args, &source, &scene, &renderer, console)?;
+    let psnr = |scene: &Scene| match &photographs {
+        Some(photographs) => held_out_psnr(photographs, scene, &renderer, console),
+        None => Ok(None),
+    };
+    let psnr_before = psnr(&scene)?;
+    let removed = args.edit(&mut scene, &cameras, &renderer, console)?;
+    scene.save(&args.output)?;
+    let report = Report {
+        scene: args.output.clone(),
+        gaussians_before,
+        removed,
+        gaussians: scene.gaussians.len(),
+        psnr_before,
+        psnr: psnr(&scene)?,
+    };
+    console.note(&format!("wrote {}", args.output.display()));
+    if args.json { print_json(&report) } else { print(&text(&report)) }
+}
+
+impl Args {
+    fn check(&self) -> Result<()> {
+        let has_region = self.cuboid.is_some() || self.sphere.is_some();
+        if self.outside && !has_region {
+            return refuse("`--outside` needs `--box` or `--sphere`");
+        }
+        let has_rule =
+            self.least_contribution.is_some() || self.haze.is_some() || self.keep_largest.is_some();
+        if has_region || has_rule {
+            return Ok(());
+        }
+        refuse(
+            "nothing says what to remove: give `--box`, `--sphere`, `--least-contribution`, `--haze` or `--keep-largest`",
+        )
+    }
+
+    /// Applies the rules one after the other.
+    fn edit(
+        &self,
+        scene: &mut Scene,
+        cameras: &[Camera],
+        renderer: &Renderer,
+        console: Console,
+    ) -> Result<Vec<Removed>> {
+        let mut removed = Vec::new();
+        let side = if self.outside { "inside" } else { "outside" };
+        for (region, name) in [(self.cuboid, "box"), (self.sphere, "ball")] {
+            let Some(region) = region else { continue };
+            let is_kept = |i: usize, scene: &Scene| {
+                region.contains(scene.gaussians.position[i]) != self.outside
+            };
+            removed.push(keep(scene, format!("{side} the {name}"), is_kept)?);
+        }
+        if !cameras.is_empty() {
+            self.by_contribution(scene, cameras, renderer, &mut removed, console)?;
+        }
+        if let Some(reach) = self.keep_largest {
+            let is_in_largest = largest_cluster(&scene.gaussians, reach as f32);
+            let rule = "outside the largest cluster".to_owned();
+            removed.push(keep(scene, rule, |i, _| is_in_largest[i])?);
+        }
+        Ok(removed)
+    }
+
+    /// The rules for which views are rendered.
+    fn by_contribution(
+        &self,
+        scene: &mut Scene,
+        cameras: &[Camera],
+        renderer: &Renderer,
+        removed: &mut Vec<Removed>,
+        console: Console,
+    ) -> Result<()> {
+        let uploaded = renderer.upload(scene)?;
+        let mut found = Contributions::new(scene.gaussians.len());
+        let bar = console.progress(cameras.len() as u64, "views");
+        bar.say("measuring what Gaussians contribute");
+        for (done, camera) in cameras.iter().enumerate() {
+            renderer.add_contributions(&uploaded, camera, self.haze.is_some(), &mut found)?;
+            bar.set_of(done + 1, cameras.len());
+        }
+        drop(bar);
+        // indices of those that are left
+        let mut left: Vec<_> = (0..scene.gaussians.len()).collect();
+        if let Some(least) = self.least_contribution {
+            // what contributes NaN stays, because it is seen
+            let is_removed = |i: usize| found.pixels(i) <= least;
+            let rule = match least {
+                0.0 => "in no view".to_owned(),
+                least => format!("{least} pixels or less in all views"),
+            };
+            removed.push(keep(scene, rule, |i, _| !is_removed(i))?);
+            left.retain(|&i| !is_removed(i));
+        }
+        if let Some(most) = self.haze {
+            let most = most.unwrap_or_else(|| (0.1 * cameras.len() as f64).round().max(3.0));
+            let is_haze = |i: usize| found.in_front(i) >= HAZE && found.views(i) <= most;
+            let rule = format!("haze, seen by {most} views or fewer");
+            removed.push(keep(scene, rule, |i, _| !is_haze(left[i]))?);
+        }
+        Ok(())
+    }
+}
+
+/// Removes the other Gaussians. Fails if none would be left.
+fn keep(
+    scene: &mut Scene,
+    rule: String,
+    is_kept: impl Fn(usize, &Scene) -> bool,
+) -> Result<Removed> {
+    let before = scene.gaussians.len();
+    let kept: Vec<_> = (0..before).filter(|&i| is_kept(i, scene)).collect();
+    if kept.is_empty() {
+        let all = count(before as u64, "Gaussian");
+        return refuse(format!("nothing would be left: the rule `{rule}` removes all {all}"));
+    }
+    scene.gaussians = scene.gaussians.select(&kept);
+    Ok(Removed { rule, gaussians: before - kept.len() })
+}
+
+/// The held-out photographs, if there are any.
+fn photographs(
+    args: &Args,
+    source: &SceneSource,
+    scene: &Scene,
+    renderer: &Renderer,
+    console: Console,
+) -> Result<Option<Dataset>> {
+    let named = args.data.as_deref();
+    let has_photographs = match named {
+        Some(named) => named.is_dir() || args.data_args.is_given(),
+        None => source.settings()?.is_some(),
+    };
+    if !has_photographs {
+        return Ok(None);
+    }
+    let mut settings = args.data_args.settings(source, named, USAGE)?;
+    let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
+    settings.background = Background::Color(of_scene);
+    let data = DataSet::open(settings, console)?.refined(source, named)?;
+    if !data.cameras()?.iter().any(|pose| pose.held_out) {
+        console.note("no photograph is held out, so PSNR is not measured");
+        return Ok(None);
+    }
+    data.only(Split::HeldOut)?.read(renderer, console).map(Some)
+}
+
+fn held_out_psnr(
+    photographs: &Dataset,
+    scene: &Scene,
+    renderer: &Renderer,
+    console: Console,
+) -> Result<Option<f64>> {
+    let uploaded = renderer.upload(scene)?;
+    let frames: Vec<_> = photographs.held_out_frames().collect();
+    let measured = eval::measure(renderer, &uploaded, &frames, Measures::default(), console)?;
+    Ok(measured.mean.psnr)
+}
+
+fn text(report: &Report) -> String {
+    let mut table = Table::new(1, ["", "Gaussians"]);
+    let mut row = |name: &str, sign: &str, gaussians: usize| {
+        table.row([name.to_owned(), format!("{sign}{}", grouped(gaussians as u64))]);
+    };
+    row("before", "", report.gaussians_before);
+    for removed in &report.removed {
+        row(&removed.rule, if removed.gaussians > 0 { "-" } else { "" }, removed.gaussians);
+    }
+    row("after", "", report.gaussians);
+    let mut text = table.to_string();
+    if let (Some(before), Some(after)) = (report.psnr_before, report.psnr) {
+        let change = after - before;
+        text += &format!(
+            "\nheld-out PSNR: {before:.3} dB before, {after:.3} dB after ({change:+.3})\n"
+        );
+    }
+    text
+}

@@ -1,0 +1,184 @@
+//! `organza edit`: what goes, what stays, and what becomes of the pictures.
+
+use std::fs;
+
+use organza::{Camera, Scene};
+use organza_tests::cases;
+use serde_json::Value;
+
+use crate::sandbox::Sandbox;
+use crate::train::runs::{self, TINY};
+
+/// What the command says, as JSON, and the scene that it wrote.
+fn edit(sandbox: &Sandbox, words: &str) -> (Value, Scene) {
+    let words = format!("edit {words} -o edited.safetensors --backend cpu --json");
+    let outcome = sandbox.run(&words).assert_ok();
+    let scene = Scene::load(sandbox.path("edited.safetensors")).expect("a scene");
+    (serde_json::from_str(&outcome.stdout).expect("only JSON"), scene)
+}
+
+/// Adds copies of Gaussians to a scene's file, each after `change`.
+fn plant(sandbox: &Sandbox, copies: usize, change: impl Fn(usize, &mut Scene)) -> Scene {
+    let mut scene = Scene::load(sandbox.path("scene.safetensors")).expect("a scene");
+    let before = scene.clone();
+    for copy in 0..copies {
+        scene.gaussians.append(&before.gaussians.select(&[copy]));
+        change(before.gaussians.len() + copy, &mut scene);
+    }
+    scene.save(sandbox.path("planted.safetensors")).expect("it is written");
+    before
+}
+
+#[test]
+fn a_scene_is_cropped_by_boxes_and_balls() {
+    let sandbox = Sandbox::new("crowded");
+    let scene = Scene::load(sandbox.path("scene.safetensors")).expect("a scene");
+    let places = &scene.gaussians.position;
+    let [low, high] = [[-0.5, -2.0, -0.25], [1.0, 0.5, 2.0]];
+    let in_box = |p: &[f32; 3]| (0..3).all(|i| low[i] <= p[i] && p[i] <= high[i]);
+    let ball = |p: &[f32; 3]| (p[0] - 0.1).powi(2) + p[1] * p[1] + p[2] * p[2] <= 0.7 * 0.7;
+    let words = "--box 1,0.5,-0.25,-0.5,-2,2";
+    for (words, is_kept) in [
+        (words.to_owned(), &in_box as &dyn Fn(&[f32; 3]) -> bool),
+        (format!("{words} --outside"), &|p| !in_box(p)),
+        ("--sphere 0.1,0,0,0.7".to_owned(), &ball),
+        (format!("{words} --sphere 0.1,0,0,0.7"), &|p| in_box(p) && ball(p)),
+    ] {
+        let kept: Vec<_> = (0..places.len()).filter(|&i| is_kept(&places[i])).collect();
+        assert!(!kept.is_empty() && kept.len() < places.len(), "{words} shows nothing");
+        let (report, edited) = edit(&sandbox, &format!("scene.safetensors {words}"));
+        assert_eq!(edited.gaussians, scene.gaussians.select(&kept), "{words}");
+        assert_eq!(report["gaussians"], kept.len());
+        assert_eq!(report["gaussians_before"], places.len());
+        assert_eq!(report["psnr"], Value::Null);
+        // nothing else changes
+        assert_eq!(
+            (edited.color, edited.transmittance),
+            (scene.color.clone(), scene.transmittance.clone())
+        );
+        assert_eq!(edited.config, scene.config);
+    }
+}
+
+/// What contributes nothing goes, and nothing else: images stay the same to the bit, and any other Gaussian would be missed.
+#[test]
+fn what_no_view_shows_is_removed_exactly() {
+    let sandbox = Sandbox::new("crowded");
+    // behind the cameras, and too transparent for f32
+    plant(&sandbox, 9, |i, scene| match i % 2 {
+        0 => scene.gaussians.position[i] = [0.0, 0.0, 900.0],
+        _ => scene.gaussians.opacity[i] = -200.0,
+    });
+    let words = "planted.safetensors cameras.json --least-contribution";
+    let (report, edited) = edit(&sandbox, words);
+    assert_eq!(report["removed"][0]["rule"], "in no view");
+    assert!(report["removed"][0]["gaussians"].as_u64() >= Some(9), "{report}");
+    let tiles = |scene: &str| {
+        let words = format!("tiles {scene} cameras.json all.json -o out --backend cpu");
+        sandbox.run(&words).assert_ok();
+        fs::read(sandbox.path("out")).unwrap()
+    };
+    // all of both images
+    let tile =
+        |at: usize| serde_json::json!({"camera": at / 4, "origin": [at % 2 * 48, at / 2 % 2 * 40]});
+    let all = serde_json::json!({"side": 48, "tiles": (0..8).map(tile).collect::<Vec<_>>()});
+    fs::write(sandbox.path("all.json"), all.to_string()).unwrap();
+    let exact = tiles("edited.safetensors");
+    assert!(exact == tiles("planted.safetensors"), "the images have changed");
+    let count = edited.gaussians.len();
+    for missing in (0..count).step_by(count / 12) {
+        let others: Vec<_> = (0..count).filter(|&i| i != missing).collect();
+        let fewer = Scene { gaussians: edited.gaussians.select(&others), ..edited.clone() };
+        fewer.save(sandbox.path("fewer.safetensors")).expect("it is written");
+        assert!(exact != tiles("fewer.safetensors"), "nobody misses Gaussian {missing}");
+    }
+    let (more, _) = edit(&sandbox, &format!("{words}=5"));
+    assert!(more["gaussians"].as_u64() < report["gaussians"].as_u64(), "{more}");
+}
+
+#[test]
+fn what_floats_far_away_is_not_in_the_largest_cluster() {
+    let sandbox = Sandbox::new("crowded");
+    let before = plant(&sandbox, 7, |i, scene| {
+        scene.gaussians.position[i] = [500.0 + i as f32, 0.0, 0.0];
+        scene.gaussians.log_scale[i] = [-1.0; 3];
+    });
+    let (report, edited) = edit(&sandbox, "planted.safetensors --keep-largest=20");
+    assert_eq!(edited.gaussians, before.gaussians, "{report}");
+    assert_eq!(report["removed"][0]["gaussians"], 7);
+}
+
+/// Haze is planted before one camera of many.
+#[test]
+fn haze_before_a_camera_goes() {
+    let sandbox = Sandbox::new("tiny");
+    cases::thinned(20, 1.0).save(sandbox.path("scene.safetensors")).expect("a scene");
+    let cameras = organza::demo::turntable(12, 32);
+    Camera::save_all(sandbox.path("around.json"), &cameras).expect("cameras");
+    let eye = cameras[4].eye();
+    // a quarter of the way from the eye to the middle of the scene
+    let place = eye.map(|x| 0.75 * x as f32);
+    let before = plant(&sandbox, 1, |i, scene| {
+        scene.gaussians.position[i] = place;
+        scene.gaussians.log_scale[i] = [-2.5; 3];
+        scene.gaussians.opacity[i] = 0.5;
+    });
+    let (report, edited) = edit(&sandbox, "planted.safetensors around.json --haze");
+    assert_eq!(report["removed"][0]["rule"], "haze, seen by 3 views or fewer");
+    assert!(!edited.gaussians.position.contains(&place), "{report}");
+    assert!(edited.gaussians.len() + 3 >= before.gaussians.len(), "{report}");
+}
+
+#[test]
+fn a_run_is_edited_and_every_command_takes_the_result() {
+    let sandbox = runs::sandbox();
+    sandbox.run(&format!("{TINY} run --hold-out-every 3")).assert_ok();
+    let words = "run --least-contribution --haze --keep-largest";
+    let (report, _) = edit(&sandbox, words);
+    crate::flags::assert_documented("edit", std::slice::from_ref(&report));
+    let eval = |scene: &str| -> f64 {
+        let words = format!("eval {scene} --hold-out-every 3 --backend cpu --json");
+        let json: Value = serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap();
+        json["mean"]["psnr"].as_f64().expect("a number")
+    };
+    let close = |found: &Value, expected: f64| {
+        assert!((found.as_f64().expect("a number") - expected).abs() < 1e-9, "{report}");
+    };
+    close(&report["psnr_before"], eval("run"));
+    close(&report["psnr"], eval("edited.safetensors views"));
+    let text = sandbox.run(&format!("edit {words} -o again.safetensors --backend cpu")).assert_ok();
+    for fact in ["before", "in no view", "after", "held-out PSNR: ", "dB before"] {
+        assert!(text.stdout.contains(fact), "{text:?}");
+    }
+    for words in [
+        "render edited.safetensors cameras.json -o images --backend cpu",
+        "film edited.safetensors cameras.json -o film.png --frames 2 --size 16x16 --backend cpu",
+        "export edited.safetensors cameras.json -o splats.ply --steps 0 --side 16 --backend cpu",
+        "export-web edited.safetensors -o page --backend cpu",
+        "edit edited.safetensors -o twice.safetensors --keep-largest --backend cpu",
+    ] {
+        sandbox.run(words).assert_ok();
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let sandbox = Sandbox::new("tiny");
+    for (words, facts) in [
+        ("", &["what to remove", "--box"][..]),
+        ("--outside --haze", &["--outside", "--sphere"]),
+        ("--box 0,0,0", &["--box", "two corners"]),
+        ("--sphere 0,0,0,-1", &["--sphere", "radius"]),
+        ("--keep-largest=0", &["--keep-largest", "0.001"]),
+        ("--haze=0", &["--haze", "1 or more"]),
+        ("--least-contribution=-1", &["--least-contribution", "0 or more"]),
+        ("--least-contribution", &["scene.safetensors", "name the data set"]),
+        ("--sphere 900,0,0,1", &["nothing would be left", "outside the ball", "1 Gaussian"]),
+    ] {
+        let words = format!("edit scene.safetensors {words} -o new.safetensors");
+        sandbox.assert_refuses(&words, facts);
+        assert!(!sandbox.path("new.safetensors").exists(), "{words}");
+    }
+    let words = "edit scene.safetensors --keep-largest -o scene.safetensors";
+    sandbox.assert_refuses(words, &["would replace the input"]);
+}

@@ -21,12 +21,12 @@ mod flops {
     use glam::Vec4;
     use organza::InstructionSet;
     use organza_kernel::binned::ROWS;
+    use organza_kernel::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
     use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
     use organza_shaders::dense_backward::{
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
         DenseWeightBackwardParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
     };
-    use organza_shaders::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 

@@ -2,7 +2,7 @@
 
 use organza::Device;
 use organza_device::KernelTime;
-use organza_shaders::peak::{PeakReadKernel, PeakReadParams};
+use organza_kernel::peak::{PeakReadKernel, PeakReadParams};
 use organza_shaders::scan::{ScanAddKernel, ScanParams};
 use organza_tests::devices;
 

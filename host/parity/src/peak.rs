@@ -1,7 +1,7 @@
 //! The cases of `peak_multiply_add` and `peak_read`.
 
 use organza_check::prelude::*;
-use organza_shaders::peak::{
+use organza_kernel::peak::{
     MULTIPLY_ADDS, PeakMultiplyAddInputs, PeakMultiplyAddParams, PeakReadInputs, PeakReadParams,
     READS,
 };

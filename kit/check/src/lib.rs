@@ -67,12 +67,15 @@
 //! [`snapshots`] stores the results of a program, and shows a change as a picture. It needs the feature `snapshots`.
 
 mod assert;
+pub mod bench;
 pub mod case;
+mod debugger;
 pub mod devices;
 mod given;
 mod hold;
 pub mod inputs;
 pub mod measure;
+mod peaks;
 pub mod prelude;
 pub mod report;
 pub mod runner;

@@ -92,8 +92,9 @@ pub use error::{Error, Result, format_bytes};
 pub use gpu::{AdapterInfo, adapters};
 #[doc(hidden)]
 pub use modules::Aligned;
-pub use modules::{CodeSize, CompiledKernel, Modules};
+pub use modules::{CompiledKernel, Modules};
 pub use open::{BackendChoice, DeviceOptions, SpirvPath};
 pub use organza_kernel::kernel::{InstructionSet, kernels_of};
+pub use organza_manifest::{List, Table, grouped};
 pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};
 pub use timings::KernelTime;

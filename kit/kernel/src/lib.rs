@@ -142,6 +142,7 @@ pub mod math;
 pub mod memory;
 #[cfg(not(target_arch = "spirv"))]
 mod path;
+pub mod peak;
 pub mod prelude;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;

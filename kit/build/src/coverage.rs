@@ -55,7 +55,12 @@ pub fn run(project: &Project, more: &[String]) -> Result<()> {
     };
     show(&["report"])?;
     let pages = folder.join("html");
-    show(&["show", "-format=html", &format!("-output-dir={}", pages.display())])?;
+    show(&[
+        "show",
+        "-format=html",
+        "-show-instantiations=false",
+        &format!("-output-dir={}", pages.display()),
+    ])?;
     println!("{}", pages.join("index.html").display());
     Ok(())
 }

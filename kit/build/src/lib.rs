@@ -83,8 +83,8 @@ impl Project {
             sources: vec![shader_crate.into()],
             kernels: "compiled".into(),
             wgsl: false,
-            parity: "test is_right_on_every_device -- --nocapture",
-            bench: "test --release bench -- --ignored --nocapture",
+            parity: "test --features gpu is_right_on_every_device -- --nocapture",
+            bench: "test --release --features gpu bench -- --ignored --nocapture",
             coverage: "test",
             snapshots: "test --tests",
             // Joining an absolute path returns that path.
@@ -117,7 +117,7 @@ enum Task {
 /// Options of what a tool runs.
 #[derive(Args)]
 struct More {
-    /// More arguments for cargo
+    /// More arguments for what it runs
     #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
     more: Vec<String>,
 }

@@ -36,45 +36,43 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
                 false => Rounding::AsWritten,
             };
             let of_cpu = case.measure(&cpu, &device, rounding);
-            let of_equations = case.hold(&device, rounding).map(|measure| {
-                failures.extend(uncompared(case, &measure, name));
-                measure
-            });
+            let of_equations = case.hold(&device, rounding);
+            if let Ok(measure) = &of_equations {
+                failures.extend(uncompared(case, measure, name));
+            }
             for (beside, result) in [("the CPU", &of_cpu), ("the equations", &of_equations)] {
-                failures.extend(failure(case, &device, [name, beside], result));
+                add_failure(&mut failures, case, &device, [name, beside], result);
             }
             rows.extend(of_cpu.map(|measure| Row::new(case, &device, measure)));
         }
         let (adapter, driver) = (name.to_owned(), device.arithmetic());
         println!("{}", Report { adapter, driver, path: device.backend(), kernels: rows });
     }
-    failures.extend(checked(cases, &cpu));
+    checked(cases, &cpu, &mut failures);
     failures.dedup();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
 /// What the CPUs find that look for mistakes.
-fn checked(cases: &[Case], cpu: &Device) -> Vec<String> {
+fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<String>) {
     let scalar = devices::with(InstructionSet::Scalar);
     let checked = [
         ("cpu, checked", devices::checked()),
         ("cpu, checked variants", devices::checked_variants()),
         ("cpu, thorough", devices::thorough(1)),
     ];
-    let mut failures = Vec::new();
     for (name, device) in &checked {
         let is_variant = name.contains("variants");
         for case in cases.iter().filter(|case| is_new(case, device, name)) {
             // the exponential of a variant is not that of lanes
             let reference = if is_variant { cpu } else { &scalar };
             let result = case.measure(reference, device, Rounding::AsWritten);
-            failures.extend(failure(case, device, [name, "the CPU"], &result));
+            add_failure(failures, case, device, [name, "the CPU"], &result);
             if !is_variant && result.is_ok_and(|measure| measure.share.value > 0.0) {
                 failures.push(format!("{} on {name}: checking changes the result", case.kernel));
             }
         }
     }
-    failures
 }
 
 /// Whether a device runs something for a case that others do not: devices of variants are for these alone.
@@ -82,22 +80,25 @@ fn is_new(case: &Case, device: &Device, name: &str) -> bool {
     !name.contains("variants") || case.entry_point(device) != case.kernel
 }
 
-/// What is wrong with a result.
-fn failure(
+/// Adds what is wrong with a result. A kernel's first failure has the command of a debugger.
+fn add_failure(
+    failures: &mut Vec<String>,
     case: &Case,
     device: &Device,
     [name, beside]: [&str; 2],
     result: &organza_device::Result<Measure>,
-) -> Option<String> {
-    let kernel = case.entry_point(device);
-    match result {
-        Err(error) => Some(format!("{kernel} on {name}: {error}")),
-        Ok(measure) if measure.is_ok() => None,
-        Ok(measure) => {
-            let what = measure.describe(&format!("{kernel} on {name}"), beside, case.why);
-            let command = debugger::command(case, &measure.share);
-            Some([what].into_iter().chain(command).collect::<Vec<_>>().join("\n"))
-        }
+) {
+    let subject = format!("{} on {name}", case.entry_point(device));
+    let measure = match result {
+        Err(error) => return failures.push(format!("{subject}: {error}")),
+        Ok(measure) if measure.is_ok() => return,
+        Ok(measure) => measure,
+    };
+    let of_kernel = format!("{} on ", case.kernel);
+    let is_first = !failures.iter().any(|failure| failure.starts_with(&of_kernel));
+    failures.push(measure.describe(&subject, beside, case.why));
+    if is_first {
+        failures.extend(debugger::command(case, &measure.share));
     }
 }
 

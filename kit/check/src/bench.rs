@@ -169,7 +169,7 @@ pub fn seconds(seconds: f64) -> String {
 }
 
 /// Runs a pass on the CPU and on each GPU, and prints what each of its kernels takes, beside the device's peaks. For a test that
-/// `cargo xtask bench` runs: an ignored one, named `bench`.
+/// `cargo xtask bench` runs: an ignored one, named `bench`. The passes should keep the device busy.
 ///
 /// # Panics
 /// If a pass fails.

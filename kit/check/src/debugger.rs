@@ -22,8 +22,8 @@ pub fn command(case: &Case, worst: &Worst) -> Option<String> {
     let program = env::current_exe().ok()?;
     let test = std::thread::current().name().unwrap_or_default().to_owned();
     Some(format!(
-        "  its invocation [{x}, {y}, {z}] in a debugger: {STOP}='{kernel} {x} {y} {z} {set}' rust-gdb -ex 'break \
-         organza_kernel::running::stop' -ex run -ex 'up 2' --args {} {test}",
+        "  its invocation [{x}, {y}, {z}] in a debugger: {STOP}='{kernel} {x} {y} {z} {set}' rust-gdb -ex 'break organza_stop' \
+         -ex run -ex 'up 2' --args {} {test}",
         program.display()
     ))
 }

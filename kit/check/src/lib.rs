@@ -82,6 +82,7 @@ pub mod runner;
 pub mod skip;
 #[cfg(feature = "snapshots")]
 pub mod snapshot;
+mod transpose;
 
 pub use assert::assert_parity;
 pub use case::{Case, Parity, Rounding, missing};
@@ -91,3 +92,4 @@ pub use organza_device::Result;
 pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use report::{Report, Row};
 pub use runner::{Canary, KernelRunner, unwritten};
+pub use transpose::assert_transpose;

@@ -127,6 +127,8 @@ pub mod binned;
 #[cfg(not(target_arch = "spirv"))]
 mod casts;
 pub mod count;
+#[cfg(not(target_arch = "spirv"))]
+pub mod dual;
 pub mod fixed;
 #[cfg(not(target_arch = "spirv"))]
 mod fused;

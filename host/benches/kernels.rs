@@ -20,13 +20,13 @@ mod flops {
     use divan::Bencher;
     use glam::Vec4;
     use muslin::binned::ROWS;
+    use muslin::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
     use organza::InstructionSet;
     use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
     use organza_shaders::dense_backward::{
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
         DenseWeightBackwardParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
     };
-    use organza_shaders::peak::{MULTIPLY_ADDS, PeakMultiplyAddKernel, PeakMultiplyAddParams};
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
 

@@ -277,13 +277,6 @@ pub fn add<L: Lane>(sum: LaneVec4<L>, g: LaneVec4<L>) -> LaneVec4<L> {
     LaneVec4 { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
 }
 
-/// The same sums, each of them [settled](Lane::settled).
-#[inline(always)]
-pub fn settled<L: Lane>(sum: LaneVec4<L>) -> LaneVec4<L> {
-    let LaneVec4 { x, y, z, w } = sum;
-    LaneVec4 { x: x.settled(), y: y.settled(), z: z.settled(), w: w.settled() }
-}
-
 /// What all lanes have, and what was left over.
 #[inline(always)]
 fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
@@ -424,8 +417,8 @@ fn add_slice<L: Lane>(
         let sums = begin_sums::<L>(carry, from, of_lanes);
         let ([sum0, sum1, sum2, sum3], sample) =
             sum_products::<L>(sums, input, rows, output_gradient, g, stride, range);
-        let (sum0, sum1) = (settled(sum0), settled(sum1));
-        let (sum2, sum3) = (settled(sum2), settled(sum3));
+        let (sum0, sum1) = (sum0.settled(), sum1.settled());
+        let (sum2, sum3) = (sum2.settled(), sum3.settled());
         let rests = begin_sums::<L::One>(carry, from, of_rest);
         let range = [sample, end];
         let (rests, _) = sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range);
@@ -460,7 +453,7 @@ fn sum_column<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> Vec4 {
     let (lanes, sample) = sum_lanes::<L>(lanes, rows, first, stride, [begin, end]);
-    let lanes = settled(lanes);
+    let lanes = lanes.settled();
     let (rest, _) = sum_each_lane::<L::One>(rest, rows, first, stride, [sample, end]);
     total(lanes, rest)
 }

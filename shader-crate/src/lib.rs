@@ -30,7 +30,6 @@ pub mod lens;
 pub mod limits;
 pub mod loss;
 pub mod pair;
-pub mod peak;
 pub mod pose_backward;
 pub mod project;
 pub mod project_backward;

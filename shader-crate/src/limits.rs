@@ -46,7 +46,3 @@ pub const MAX_CAMERAS: u32 = 4_096;
 /// Samples of a slice that one invocation of
 /// [`dense_weight_backward`](crate::dense_backward::dense_weight_backward) adds up.
 pub const MAX_SLICE: u32 = 4_096;
-
-/// Steps that one invocation of [`peak_multiply_add`](crate::peak::peak_multiply_add) and
-/// [`peak_read`](crate::peak::peak_read) takes.
-pub const MAX_PEAK_STEPS: u32 = 4_096;

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use muslin::kernels;
-use muslin_check::{Case, KernelRunner, Output, Parity, Rounding, Values, missing};
-use organza::{InstructionSet, Renderer, SpirvPath};
+use muslin_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
+use organza::{InstructionSet, Renderer};
 use organza_parity::project_backward::ProjectBackward;
 use organza_tests::{cases, devices};
 
@@ -26,130 +26,9 @@ fn a_kernel_without_a_case_is_told_where_to_add_it() {
     }
 }
 
-/// The rounding of the device with this name.
-fn rounding(device: &str) -> Rounding {
-    match device.contains(SpirvPath::Naga.as_str()) {
-        true => Rounding::Regrouped,
-        false => Rounding::AsWritten,
-    }
-}
-
 #[test]
-fn every_device_is_within_tolerance_of_the_cpu() {
-    let cpu = devices::cpu(None);
-    let mut failures = Vec::new();
-    let variants = devices::variants().into_iter().map(|(name, [_, variants])| (name, variants));
-    for (name, device) in devices::all().into_iter().chain(devices::cpus()).chain(variants) {
-        for case in organza_parity::cases() {
-            let measure = case.measure(&cpu, &device, rounding(name)).expect("the kernel runs");
-            let kernel = case.entry_point(&device);
-            println!(
-                "{name} {kernel}: {:.1e} absolute, {:.1e} relative, {:.1} ulp, {:.1e} of what is allowed",
-                measure.absolute.value,
-                measure.relative.value,
-                measure.ulp.value,
-                measure.share.value
-            );
-            if !measure.is_ok() {
-                let failed = measure.failures;
-                let all = measure.values;
-                failures.push(format!(
-                    "{kernel} on {name}: {failed} of {all}, most {:?}",
-                    measure.share
-                ));
-            }
-        }
-    }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
-}
-
-/// Compares the CPU with every instruction set, and the GPUs, with `Parity::exact`.
-#[test]
-fn every_device_is_within_tolerance_of_the_equations() {
-    let mut failures = Vec::new();
-    for (name, device) in devices::cpus().into_iter().chain(devices::gpus()) {
-        for case in organza_parity::cases() {
-            let kernel = case.entry_point(&device);
-            let measure = match case.hold(&device, rounding(name)) {
-                Ok(measure) => measure,
-                Err(error) => {
-                    failures.push(format!("{kernel} on {name}: {error}"));
-                    continue;
-                }
-            };
-            let shares = measure.compared.values().map(|&[compared, written]| {
-                if written == 0 { 1.0 } else { compared as f64 / written as f64 }
-            });
-            println!(
-                "{name} {kernel}: {} values, at least {:.1}% of an output, {:.0}% of what is allowed, {:.1} ulp",
-                measure.values,
-                100.0 * shares.fold(1.0, f64::min),
-                100.0 * measure.share.value,
-                measure.ulp.value
-            );
-            if !measure.is_ok() {
-                let failed = measure.failures;
-                let worst = &measure.share;
-                failures.push(format!("{kernel} on {name}: {failed} are off, most {worst:?}"));
-            }
-            if measure.values == 0 {
-                failures.push(format!("{kernel} on {name}: nothing is compared"));
-            }
-            for (output, [compared, written]) in measure.compared {
-                if (compared as f64) < case.compared * written as f64 {
-                    failures.push(format!(
-                        "{kernel} on {name}: the equations speak of {compared} of {written} in `{output}`"
-                    ));
-                }
-            }
-        }
-    }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
-}
-
-/// Uses hostile inputs, and compares every invocation's accesses with those of all others.
-#[test]
-fn no_two_invocations_get_in_each_others_way() {
-    let scalar = devices::with(InstructionSet::Scalar);
-    let checked = devices::checked();
-    for case in organza_parity::cases() {
-        let measure = case.measure(&scalar, &checked, Rounding::AsWritten).expect("no race");
-        assert_eq!(measure.share.value, 0.0, "{}: checking changes the result", case.kernel);
-    }
-}
-
-/// Runs everything in an order of workgroups and invocations, in the reverse one, and without denormals.
-#[test]
-fn no_kernel_depends_on_the_order() {
-    let scalar = devices::with(InstructionSet::Scalar);
-    let thorough = devices::thorough(1);
-    let mut failures = Vec::new();
-    for case in organza_parity::cases() {
-        match case.measure(&scalar, &thorough, Rounding::AsWritten) {
-            Err(error) => failures.push(error.to_string()),
-            Ok(measure) if measure.share.value > 0.0 => {
-                failures.push(format!("{}: the order changes the result", case.kernel));
-            }
-            Ok(_) => {}
-        }
-    }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
-}
-
-/// Compares variants with plain kernels. Their invocations copy to workgroup memory and wait for each other.
-#[test]
-fn staged_copies_are_right_without_a_gpu() {
-    let scalar = devices::with(InstructionSet::Scalar);
-    let staged = devices::checked_variants();
-    let has_variant = |case: &&Case| case.entry_point(&staged) != case.entry_point(&scalar);
-    let cases = organza_parity::cases();
-    let cases: Vec<_> = cases.iter().filter(has_variant).collect();
-    assert!(!cases.is_empty(), "no kernel has a variant");
-    for case in cases {
-        let measure = case.measure(&scalar, &staged, Rounding::AsWritten).expect("no race");
-        // the scalar exp of f32 differs from that of lanes
-        assert!(measure.is_ok() && measure.values > 0, "{}: {measure:?}", case.kernel);
-    }
+fn every_kernel_is_right_on_every_device() {
+    muslin_check::assert_parity(&organza_parity::cases(), &organza::MODULES);
 }
 
 #[test]

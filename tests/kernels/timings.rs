@@ -1,8 +1,8 @@
 //! Times and work of kernels, on every device.
 
+use muslin::peak::{PeakReadKernel, PeakReadParams};
 use muslin_device::KernelTime;
 use organza::Device;
-use organza_shaders::peak::{PeakReadKernel, PeakReadParams};
 use organza_shaders::scan::{ScanAddKernel, ScanParams};
 use organza_tests::devices;
 

@@ -1,50 +1,22 @@
-//! `cargo xtask kernels`: compiles the kernels to SPIR-V and WGSL, and writes the modules that the host
-//! crate embeds. Everybody else builds organza without a SPIR-V compiler.
+//! `cargo xtask`: the kit's tools for organza's kernels, and `cargo xtask new`. Everybody else builds organza without a SPIR-V compiler.
 
+#[cfg(feature = "kernels")]
+muslin_build::xtask!(
+    organza_shaders in "shader-crate",
+    sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
+    kernels: "host/render/kernels".into(),
+    wgsl: true,
+    parity: "run -- parity",
+    bench: "run --release -- bench --every-device",
+    coverage: "test --workspace --test kernels is_right_on_every_device",
+    snapshots: "test --workspace --test pictures snapshots",
+);
+
+#[cfg(not(feature = "kernels"))]
 mod new;
 
-use std::path::PathBuf;
-use std::process::ExitCode;
-
-use clap::{Parser, Subcommand};
-use muslin_build::{IsaOptions, Options, Project};
-// linking with the kernels fills their registry
-use organza_shaders as _;
-
-#[derive(Parser)]
-#[command(about = "Tasks of organza's developers")]
-struct Cli {
-    #[command(subcommand)]
-    task: Task,
-}
-
-#[derive(Subcommand)]
-enum Task {
-    /// Compile the kernels to SPIR-V and WGSL, into host/render/kernels
-    Kernels(Options),
-    /// Show what the compiler of an AMD GPU makes of the kernels, without the GPU
-    Isa(IsaOptions),
-    /// Make a separate project in a new folder: kernels, tests on the CPU and two ways on a GPU, a picture
-    New {
-        /// The folder: it must be new or empty
-        folder: PathBuf,
-    },
-}
-
-/// The workspace.
-fn project() -> Project {
-    Project {
-        sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
-        kernels: "host/render/kernels".into(),
-        wgsl: true,
-        ..Project::of_xtask(env!("CARGO_MANIFEST_DIR"), "shader-crate")
-    }
-}
-
-fn main() -> ExitCode {
-    muslin_build::exit_code(match Cli::parse().task {
-        Task::New { folder } => new::run(&project(), &folder),
-        Task::Kernels(options) => muslin_build::run(&project(), options),
-        Task::Isa(options) => muslin_build::isa(&project(), &options),
-    })
+/// Without its features this program is compiled in a second: it makes projects, and runs itself with them for all else.
+#[cfg(not(feature = "kernels"))]
+fn main() -> std::process::ExitCode {
+    new::main()
 }

@@ -1,10 +1,10 @@
-//! Makes a separate project: the example in `kit/examples/`, with paths to the kit's crates.
+//! `cargo xtask new` makes a separate project: the example in `kit/examples/`, with paths to the kit's crates.
 
+use std::env;
 use std::fs;
+use std::io;
 use std::path::Path;
-
-use anyhow::{Context, Result, ensure};
-use muslin_build::Project;
+use std::process::{Command, ExitCode};
 
 /// Path of the example in the workspace.
 const EXAMPLE: &str = "kit/examples/picture";
@@ -12,31 +12,76 @@ const EXAMPLE: &str = "kit/examples/picture";
 /// Beginning of the paths to the kit's crates.
 const KIT: &str = "path = \"../..";
 
+pub fn main() -> ExitCode {
+    // Asks cargo at run time: a copy of the workspace may share the compiled xtask.
+    let xtask = env::var_os("CARGO_MANIFEST_DIR").unwrap_or(env!("CARGO_MANIFEST_DIR").into());
+    let root = Path::new(&xtask).parent().expect("a folder of the workspace");
+    let arguments: Vec<_> = env::args_os().skip(1).collect();
+    let result = match &arguments[..] {
+        [task, folder] if task == "new" && folder != "--help" => new(root, Path::new(folder)),
+        [] => Err("usage: `cargo xtask new FOLDER`, or one of `cargo xtask help`".into()),
+        [task, ..] if task == "new" => {
+            Err("usage: `cargo xtask new FOLDER`: it must be new or empty".into())
+        }
+        _ => {
+            let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+            cargo.args([
+                "run",
+                "--quiet",
+                "--package",
+                "xtask",
+                "--features",
+                "xtask/kernels",
+                "--",
+            ]);
+            let status = cargo.args(arguments).status();
+            return if status.is_ok_and(|status| status.success()) {
+                ExitCode::SUCCESS
+            } else {
+                ExitCode::FAILURE
+            };
+        }
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
 /// Copies the example to a folder, and adapts the paths to the kit of this workspace.
-pub fn run(project: &Project, folder: &Path) -> Result<()> {
+fn new(root: &Path, folder: &Path) -> Result<(), String> {
     let is_empty = fs::read_dir(folder).map_or(!folder.exists(), |mut all| all.next().is_none());
-    ensure!(is_empty, "{} is there already, and not empty", folder.display());
-    copy_tree(&project.root.join(EXAMPLE), folder)?;
-    let manifest = folder.join("Cargo.toml");
-    let text = fs::read_to_string(&manifest)?;
-    ensure!(text.contains(KIT), "{EXAMPLE}/Cargo.toml names the kit's crates by other paths");
-    let kit = project.root.canonicalize()?.join("kit");
-    let kit = kit.to_str().context("the workspace's folder has a name that is not UTF-8")?;
-    fs::write(&manifest, text.replace(KIT, &format!("path = \"{}", kit.replace('\\', "/"))))?;
-    // the versions that the kit was tested with; cargo removes packages that the project does not use
-    fs::copy(project.root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    let name = folder.display();
+    if !is_empty {
+        return Err(format!("{name} is there already, and not empty"));
+    }
+    copy(root, folder).map_err(|error| format!("{name}: {error}"))?;
     println!(
-        "{0} has three kernels and their tests. Now:\n  \
-         cd {0}\n  \
+        "{name} has three kernels and their tests. Now:\n  \
+         cd {name}\n  \
          cargo test -p picture-kernels   # the kernels as functions, on the CPU\n  \
+         cargo test                      # on the CPU in every way that it has\n  \
          cargo xtask kernels             # compiles them for GPUs\n  \
-         cargo test                      # on the CPU, and on a GPU in two ways",
-        folder.display()
+         cargo test --features gpu       # also on a GPU, in two ways\n  \
+         cargo xtask help                # the other tools"
     );
     Ok(())
 }
 
-fn copy_tree(from: &Path, to: &Path) -> Result<()> {
+fn copy(root: &Path, folder: &Path) -> io::Result<()> {
+    copy_tree(&root.join(EXAMPLE), folder)?;
+    let manifest = folder.join("Cargo.toml");
+    let kit = root.canonicalize()?.join("kit").display().to_string().replace('\\', "/");
+    fs::write(&manifest, fs::read_to_string(&manifest)?.replace(KIT, &format!("path = \"{kit}")))?;
+    // the versions that the kit was tested with; cargo removes packages that the project does not use
+    fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    Ok(())
+}
+
+fn copy_tree(from: &Path, to: &Path) -> io::Result<()> {
     fs::create_dir_all(to)?;
     for entry in fs::read_dir(from)? {
         let entry = entry?;

@@ -1,10 +1,10 @@
 //! The cases of `peak_multiply_add` and `peak_read`.
 
-use muslin_check::prelude::*;
-use organza_shaders::peak::{
+use muslin::peak::{
     MULTIPLY_ADDS, PeakMultiplyAddInputs, PeakMultiplyAddParams, PeakReadInputs, PeakReadParams,
     READS,
 };
+use muslin_check::prelude::*;
 
 /// Sums of an invocation of `peak_multiply_add`.
 const SUMS: u32 = 12;

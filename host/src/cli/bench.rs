@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use organza::bench::{BenchOptions, Benchmark, KernelShare, Synthetic, measure, passes};
+use muslin_check::bench::{self, table};
+use organza::bench::{BenchOptions, Benchmark, Peaks, Synthetic, measure, passes};
 use organza::error::{DeviceError, chain};
 use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
@@ -150,16 +151,15 @@ fn text(benchmark: &Benchmark) -> String {
     let mut text = format!("{}\n{}\n\n", benchmark.device, batch.join(", "));
     let mut whole = Table::new(1, ["median", "seconds", "peak memory"]);
     let mut row = |name: &str, seconds: f64, bytes| {
-        whole.row([name.to_owned(), self::seconds(seconds), memory(bytes)]);
+        whole.row([name.to_owned(), bench::seconds(seconds), memory(bytes)]);
     };
     row("forward", benchmark.forward_s, benchmark.forward_peak_memory_bytes);
     if let Some(seconds) = benchmark.forward_backward_s {
         row("forward and backward", seconds, benchmark.peak_memory_bytes);
     }
     text += &whole.to_string();
-    let gflops = rate(Some(benchmark.peak_gflops));
-    let gbs = rate(Some(benchmark.peak_gbs));
-    text += &format!("\npeaks: {gflops} GFLOP/s, {gbs} GB/s\n");
+    let peaks = Peaks { gflops: benchmark.peak_gflops, gbs: benchmark.peak_gbs };
+    text += &format!("\n{peaks}\n");
     text += &format!("\nforward\n{}", table(&benchmark.forward_kernels));
     if benchmark.forward_backward_s.is_some() {
         text += &format!("\nforward and backward\n{}", table(&benchmark.kernels));
@@ -170,36 +170,4 @@ fn text(benchmark: &Benchmark) -> String {
 /// Bytes as MiB; a dash for `None`.
 fn memory(bytes: Option<u64>) -> String {
     bytes.map_or("-".to_owned(), |bytes| format!("{} MiB", grouped(bytes >> 20)))
-}
-
-fn table(kernels: &[KernelShare]) -> Table {
-    let titles = ["kernel", "dispatches", "seconds", "share", "GFLOP/s", "GB/s", "of peak"];
-    let mut table = Table::new(1, titles);
-    for kernel in kernels {
-        table.row([
-            kernel.name.to_owned(),
-            grouped(kernel.dispatches),
-            seconds(kernel.seconds),
-            format!("{:.1}%", 100.0 * kernel.share),
-            rate(kernel.gflops),
-            rate(kernel.gbs),
-            kernel.peak_share.map_or("-".to_owned(), |share| format!("{:.0}%", 100.0 * share)),
-        ]);
-    }
-    table
-}
-
-/// A rate with three digits or more; a dash for `None`.
-fn rate(rate: Option<f64>) -> String {
-    match rate {
-        None => "-".to_owned(),
-        Some(rate) if rate < 10.0 => format!("{rate:.2}"),
-        Some(rate) if rate < 100.0 => format!("{rate:.1}"),
-        Some(rate) => grouped(rate.round() as u64),
-    }
-}
-
-/// A time, to the microsecond.
-fn seconds(seconds: f64) -> String {
-    format!("{seconds:.6}")
 }

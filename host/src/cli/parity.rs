@@ -1,10 +1,9 @@
 //! `organza parity`: compares every kernel on this machine's GPUs with the CPU.
 
-use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::ValueEnum;
-use muslin_check::{Report, Row, Worst};
+use muslin_check::{Report, report};
 use muslin_device::{AdapterInfo, adapters};
 use organza::error::{DeviceError, chain};
 use organza::{DeviceOptions, Error, MODULES, Result, SpirvPath};
@@ -12,7 +11,6 @@ use organza_parity::cases;
 
 use super::console::{Console, print, print_json};
 use super::refuse;
-use super::table::Table;
 
 /// The exit code if a kernel is out of tolerance.
 const OUT_OF_TOLERANCE: u8 = 1;
@@ -89,10 +87,10 @@ pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
     if args.json {
         print_json(&reports)?;
     } else if args.markdown {
-        let tables: String = reports.iter().map(markdown).collect();
-        print(&(tolerances() + &tables))?;
+        let tables: String = reports.iter().map(Report::markdown).collect();
+        print(&(report::tolerances(&cases()) + &tables))?;
     } else {
-        let texts: Vec<_> = reports.iter().map(text).collect();
+        let texts: Vec<_> = reports.iter().map(Report::to_string).collect();
         print(&texts.join("\n"))?;
     }
     let is_ok = reports.iter().all(Report::is_ok);
@@ -130,81 +128,4 @@ fn measured(
     let progress = console.progress(cases().len() as u64, "kernels");
     progress.say(what);
     measure(&mut |_| progress.advance(1))
-}
-
-/// Every kernel's tolerance, and the reason for it.
-fn tolerances() -> String {
-    let mut text =
-        "## Tolerances\n\n| kernel | tolerance | why |\n| --- | --- | --- |\n".to_owned();
-    for case in cases() {
-        // writing to a String does not fail
-        let _ = writeln!(text, "| {} | {} | {} |", case.kernel, allowed(case.tolerance), case.why);
-    }
-    text
-}
-
-fn markdown(report: &Report) -> String {
-    let adapter = &report.adapter;
-    let driver = &report.driver;
-    let path = report.path;
-    let mut text = format!("\n## {adapter}, {path}\n\n{driver}\n\n");
-    let titles = TITLES.join(" | ");
-    let _ = writeln!(text, "| {titles} |\n|{}", " --- |".repeat(TITLES.len()));
-    for row in &report.kernels {
-        let _ = writeln!(text, "| {} |", cells(row).join(" | "));
-    }
-    text
-}
-
-const TITLES: [&str; 8] =
-    ["kernel", "values", "absolute", "relative", "ulp", "tolerance", "of it", "result"];
-
-/// The table of the report, followed by its failures.
-fn text(report: &Report) -> String {
-    let mut table = Table::new(1, TITLES);
-    report.kernels.iter().for_each(|row| table.row(cells(row)));
-    let adapter = &report.adapter;
-    let driver = &report.driver;
-    let path = report.path;
-    let mut text = format!("{adapter} ({driver}), {path}\n{table}");
-    report.kernels.iter().filter(|row| !row.ok).for_each(|row| explain(&mut text, row));
-    text
-}
-
-/// The cells of a row, in the order of [`TITLES`].
-fn cells(row: &Row) -> [String; TITLES.len()] {
-    let measure = &row.measure;
-    [
-        row.kernel.to_owned(),
-        measure.values.to_string(),
-        size(measure.absolute.value),
-        size(measure.relative.value),
-        format!("{:.1}", measure.ulp.value),
-        allowed(row.tolerance),
-        format!("{:.0}%", measure.share.value * 100.0),
-        if row.ok { "ok" } else { "FAILED" }.to_owned(),
-    ]
-}
-
-fn allowed(tolerance: f64) -> String {
-    if tolerance == 0.0 { "equal".to_owned() } else { format!("{tolerance:.1e}") }
-}
-
-/// Formats a size. Zero is just `0`.
-fn size(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
-}
-
-/// Describes the place of a kernel's largest difference.
-fn explain(text: &mut String, row: &Row) {
-    let Worst { set, output, index, cpu, found, .. } = &row.measure.share;
-    let failures = row.measure.failures;
-    let values = row.measure.values;
-    // writing to a String does not fail
-    let _ = writeln!(
-        text,
-        "{}: {failures} of {values} values failed, the worst is `{output}[{index}]` of \"{set}\": {found:e}, on the CPU {cpu:e}; \
-         tolerance: {}",
-        row.kernel, row.why
-    );
 }

@@ -8,6 +8,7 @@ mod atomic_arguments;
 mod compile;
 mod compiler;
 mod contraction;
+mod coverage;
 mod declarations;
 mod ids;
 mod isa;
@@ -17,16 +18,21 @@ mod memory_model;
 mod module;
 mod naga_check;
 mod rules;
+mod snapshots;
+mod tool;
 mod validate;
 mod watch;
 mod wgsl;
 
+use std::borrow::Cow;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use clap::{Args, Parser};
+use muslin_manifest::List;
 
 pub use artifacts::Artifacts;
 pub use compile::{build, compile};
@@ -50,6 +56,14 @@ pub struct Project {
     pub wgsl: bool,
     /// Cargo's target folder.
     pub target: PathBuf,
+    /// Arguments of cargo that run the test which calls `muslin_check::assert_parity`.
+    pub parity: &'static str,
+    /// Arguments of cargo that run the test which calls `muslin_check::bench`.
+    pub bench: &'static str,
+    /// Arguments of cargo that run kernels on the CPU, for their coverage.
+    pub coverage: &'static str,
+    /// Arguments of cargo that compare pictures with snapshots.
+    pub snapshots: &'static str,
 }
 
 impl Project {
@@ -69,6 +83,10 @@ impl Project {
             sources: vec![shader_crate.into()],
             kernels: "compiled".into(),
             wgsl: false,
+            parity: "test --features gpu is_right_on_every_device -- --nocapture",
+            bench: "test --release --features gpu bench -- --ignored --nocapture",
+            coverage: "test",
+            snapshots: "test --tests",
             // Joining an absolute path returns that path.
             target: root.join(target),
             root,
@@ -76,41 +94,82 @@ impl Project {
     }
 }
 
-/// The subcommands of an xtask that only handles kernels.
+/// The tools of a project with kernels.
 #[derive(Parser)]
-#[command(bin_name = "cargo xtask")]
+#[command(bin_name = "cargo xtask", about = "Tools for kernels")]
 enum Task {
     /// Compile the kernels to SPIR-V
     Kernels(Options),
+    /// List the kernels: their bindings, workgroups, code and loops
+    List,
     /// Show the machine code that the compiler of an AMD GPU makes of the kernels, without the GPU
     Isa(IsaOptions),
+    /// Compare each kernel on every device with the CPU and with its equations
+    Parity(More),
+    /// Measure each kernel, beside what the device could compute and read
+    Bench(More),
+    /// Count how often each line of the kernels runs in the tests on the CPU
+    Coverage(More),
+    /// Show expected, actual and difference of each picture that is not as accepted
+    Snapshots(snapshots::Options),
 }
 
-/// The whole xtask of a project: `cargo xtask kernels`, with [`Options`], and `cargo xtask isa`, with [`IsaOptions`].
-/// The arguments are the crate of kernels and its folder in the workspace.
+/// Options of what a tool runs.
+#[derive(Args)]
+struct More {
+    /// More arguments for what it runs
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+    more: Vec<String>,
+}
+
+/// The whole xtask of a project: its tools, which `cargo xtask help` lists. The arguments are the crate of kernels, its folder in
+/// the workspace, and fields of [`Project`] that differ from those of [`Project::of_xtask`].
 ///
 /// ```ignore
 /// muslin_build::xtask!(my_kernels in "kernels");
 /// ```
 #[macro_export]
 macro_rules! xtask {
-    ($kernels:ident in $folder:literal) => {
+    ($kernels:ident in $folder:literal $(, $field:ident: $value:expr)* $(,)?) => {
         // the program is linked with the kernels that it compiles
         use $kernels as _;
 
         fn main() -> std::process::ExitCode {
-            $crate::main(&$crate::Project::of_xtask(env!("CARGO_MANIFEST_DIR"), $folder))
+            let project = $crate::Project::of_xtask(env!("CARGO_MANIFEST_DIR"), $folder);
+            $crate::main(&$crate::Project { $($field: $value,)* ..project }, stringify!($kernels))
         }
     };
 }
 
 /// The `main` of an [`xtask`].
 #[must_use]
-pub fn main(project: &Project) -> ExitCode {
+pub fn main(project: &Project, kernels: &str) -> ExitCode {
+    if let Some(code) = coverage::as_compiler(kernels) {
+        return code;
+    }
     exit_code(match Task::parse() {
         Task::Kernels(options) => run(project, options),
+        Task::List => list(project),
         Task::Isa(options) => isa(project, &options),
+        Task::Parity(options) => tool::run(project, project.parity, &options.more),
+        Task::Bench(options) => tool::run(project, project.bench, &options.more),
+        Task::Coverage(options) => coverage::run(project, &options.more),
+        Task::Snapshots(options) => snapshots::run(project, &options),
     })
+}
+
+/// Lists the kernels, with the modules that are compiled.
+fn list(project: &Project) -> Result<()> {
+    let folder = project.root.join(&project.kernels);
+    let list = List::of(|_, point| {
+        let file = folder.join(format!("{}.spv", point.name));
+        let bytes = fs::read(&file)
+            .with_context(|| format!("{}: run `cargo xtask kernels`", file.display()))?;
+        let (words, _) = bytes.as_chunks();
+        anyhow::Ok(words.iter().map(|word| u32::from_le_bytes(*word)).collect::<Cow<'_, [u32]>>())
+    })?;
+    print!("{list}");
+    Ok(())
 }
 
 /// Prints an error, if there is one.
@@ -145,7 +204,7 @@ pub struct Options {
 /// Errors of the compiler or of the check.
 pub fn run(project: &Project, options: Options) -> Result<()> {
     if options.watch {
-        return watch::run(project, options.validate);
+        return watch::run(project, || watch::compile(project, options.validate));
     }
     let start = Instant::now();
     isolate();

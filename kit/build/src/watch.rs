@@ -1,29 +1,24 @@
-//! Compiles the kernels again whenever a source is saved.
+//! Does something again whenever a source is saved.
 
-use std::process::Command;
 use std::thread;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
 use muslin_manifest::source_hash;
 
-use crate::Project;
+use crate::{Project, tool};
 
 /// Longest time between saving a file and starting the compiler.
 const INTERVAL: Duration = Duration::from_millis(300);
 
-/// Runs `cargo xtask kernels` now and after every change of the sources. Each run is a new process: the xtask
-/// contains the kernels' declarations, so it must be compiled again, too.
-///
-/// # Errors
-/// If cargo cannot be run.
-pub fn run(project: &Project, validate: bool) -> Result<()> {
+/// Does something now and after every change of the sources.
+pub fn run(project: &Project, mut each: impl FnMut() -> Result<()>) -> Result<()> {
     let mut compiled = None;
     loop {
         // A file may be missing for a moment while an editor replaces it.
         let hash = source_hash(&project.root, &project.sources).ok();
         if hash.is_some() && hash != compiled {
-            compile(project, validate)?;
+            each()?;
             println!("watching {} (end with Ctrl-C)", project.sources.join(", "));
             compiled = hash;
         }
@@ -31,9 +26,10 @@ pub fn run(project: &Project, validate: bool) -> Result<()> {
     }
 }
 
-fn compile(project: &Project, validate: bool) -> Result<()> {
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.current_dir(&project.root).args(["run", "--quiet", "--package", "xtask"]);
+/// Runs `cargo xtask kernels`. It is a new process: the xtask contains the kernels' declarations, so it must be compiled again, too.
+pub fn compile(project: &Project, validate: bool) -> Result<()> {
+    let mut cargo = tool::cargo(project);
+    cargo.args(["run", "--quiet", "--package", "xtask"]);
     if cfg!(windows) {
         // A running program cannot be replaced there, so the child has its own folder.
         cargo.arg("--target-dir").arg(project.target.join("watch"));

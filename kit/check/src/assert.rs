@@ -3,52 +3,120 @@
 use std::collections::BTreeSet;
 
 use muslin::{KernelInfo, kernels};
-use muslin_device::{Device, Modules};
+use muslin_device::{Device, InstructionSet, Modules};
 
 use super::case::{Case, Rounding};
-use super::{devices, measure::Measure};
+use super::report::{Report, Row};
+use super::{debugger, devices, measure::Measure};
 
 /// Checks each kernel with its case on every device of this machine: the CPU with each instruction set, the CPUs that
-/// [check](devices::checked) for mistakes, and the GPU, passed through and through naga. Each result is compared
-/// with the CPU's and with the equations. Every kernel of the cases' packages must have a case.
+/// [check](devices::checked) for mistakes, and the GPU, passed through and through naga, with its variants. Each result is
+/// compared with the CPU's and with the equations; where the CPU only checks more, it is the same. Every kernel of the cases'
+/// packages must have a case, and the equations give most of what it writes: see [`Parity::COMPARED`](super::Parity::COMPARED).
+///
+/// It prints a table for each device, which `cargo xtask parity` shows.
 ///
 /// # Panics
 /// If a device is out of a case's tolerance, a kernel makes a mistake, or a kernel has no case. The message has a
-/// line for each. Also if [`devices::gpus`] panics.
+/// line for each, and a command that stops a debugger in the invocation that has written the worst element. Also if
+/// [`devices::gpus`] panics.
 #[track_caller]
 pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
+    if debugger::answer(cases) {
+        return;
+    }
     let cpu = devices::cpu(None);
+    let mut failures = without_case(cases);
+    let plain = devices::cpus().into_iter().chain(devices::gpus(modules));
+    for (name, device) in plain.chain(variants(modules)) {
+        let mut rows = Vec::new();
+        for case in cases.iter().filter(|case| is_new(case, &device, name)) {
+            let rounding = match name.contains("naga") {
+                true => Rounding::Regrouped,
+                false => Rounding::AsWritten,
+            };
+            let of_cpu = case.measure(&cpu, &device, rounding);
+            let of_equations = case.hold(&device, rounding);
+            if let Ok(measure) = &of_equations {
+                failures.extend(uncompared(case, measure, name));
+            }
+            for (beside, result) in [("the CPU", &of_cpu), ("the equations", &of_equations)] {
+                add_failure(&mut failures, case, &device, [name, beside], result);
+            }
+            rows.extend(of_cpu.map(|measure| Row::new(case, &device, measure)));
+        }
+        let (adapter, driver) = (name.to_owned(), device.arithmetic());
+        println!("{}", Report { adapter, driver, path: device.backend(), kernels: rows });
+    }
+    checked(cases, &cpu, &mut failures);
+    failures.dedup();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// What the CPUs find that look for mistakes.
+fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<String>) {
+    let scalar = devices::with(InstructionSet::Scalar);
     let checked = [
         ("cpu, checked", devices::checked()),
         ("cpu, checked variants", devices::checked_variants()),
         ("cpu, thorough", devices::thorough(1)),
     ];
-    let gpus = devices::gpus(modules).into_iter().chain(variants(modules));
-    let mut failures = without_case(cases);
-    for (name, device) in devices::cpus().into_iter().chain(checked).chain(gpus) {
-        let rounding = match name.contains("naga") {
-            true => Rounding::Regrouped,
-            false => Rounding::AsWritten,
-        };
-        for case in cases {
-            let kernel = case.entry_point(&device);
-            let results = [
-                ("the CPU", case.measure(&cpu, &device, rounding)),
-                ("the equations", case.hold(&device, rounding)),
-            ];
-            for (beside, result) in results {
-                match result {
-                    Err(error) => failures.push(format!("{kernel} on {name}: {error}")),
-                    Ok(Measure { failures: failed, values, share, .. }) if failed > 0 => failures.push(format!(
-                        "{kernel} on {name}: {failed} of {values} are too far from {beside}, most {share:?}"
-                    )),
-                    Ok(_) => {}
-                }
+    for (name, device) in &checked {
+        let is_variant = name.contains("variants");
+        for case in cases.iter().filter(|case| is_new(case, device, name)) {
+            // the exponential of a variant is not that of lanes
+            let reference = if is_variant { cpu } else { &scalar };
+            let result = case.measure(reference, device, Rounding::AsWritten);
+            add_failure(failures, case, device, [name, "the CPU"], &result);
+            if !is_variant && result.is_ok_and(|measure| measure.share.value > 0.0) {
+                failures.push(format!("{} on {name}: checking changes the result", case.kernel));
             }
         }
     }
-    failures.dedup();
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Whether a device runs something for a case that others do not: devices of variants are for these alone.
+fn is_new(case: &Case, device: &Device, name: &str) -> bool {
+    !name.contains("variants") || case.entry_point(device) != case.kernel
+}
+
+/// Adds what is wrong with a result. A kernel's first failure has the command of a debugger.
+fn add_failure(
+    failures: &mut Vec<String>,
+    case: &Case,
+    device: &Device,
+    [name, beside]: [&str; 2],
+    result: &muslin_device::Result<Measure>,
+) {
+    let subject = format!("{} on {name}", case.entry_point(device));
+    let measure = match result {
+        Err(error) => return failures.push(format!("{subject}: {error}")),
+        Ok(measure) if measure.is_ok() => return,
+        Ok(measure) => measure,
+    };
+    let of_kernel = format!("{} on ", case.kernel);
+    let is_first = !failures.iter().any(|failure| failure.starts_with(&of_kernel));
+    failures.push(measure.describe(&subject, beside, case.why));
+    if is_first {
+        failures.extend(debugger::command(case, &measure.share));
+    }
+}
+
+/// Outputs that the equations speak of too little.
+fn uncompared(case: &Case, measure: &Measure, name: &str) -> Vec<String> {
+    let kernel = case.kernel;
+    let mut failures = Vec::new();
+    if measure.values == 0 {
+        failures.push(format!("{kernel} on {name}: the equations speak of nothing"));
+    }
+    for (output, [compared, written]) in &measure.compared {
+        if (*compared as f64) < case.compared * *written as f64 {
+            failures.push(format!(
+                "{kernel} on {name}: the equations speak of {compared} of {written} in `{output}`"
+            ));
+        }
+    }
+    failures
 }
 
 /// Kernels without a case, in packages with at least one case.
@@ -67,5 +135,9 @@ fn variants(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     if kernels().all(|kernel| kernel.variant.is_none()) {
         return Vec::new();
     }
-    devices::variants(modules).into_iter().map(|(name, [_, variants])| (name, variants)).collect()
+    let names =
+        [("gpu passthrough", "gpu passthrough, variants"), ("gpu naga", "gpu naga, variants")];
+    let name = |plain| names.into_iter().find(|(name, _)| *name == plain).map_or(plain, |of| of.1);
+    let all = devices::variants(modules).into_iter();
+    all.map(|(plain, [_, variants])| (name(plain), variants)).collect()
 }

@@ -103,6 +103,7 @@ pub struct Case {
     pub compared: f64,
     measure: fn(&Device, &Device, Rounding) -> Result<Measure>,
     hold: fn(&Device, Rounding) -> Result<Measure>,
+    run: fn(&Device, &str) -> Result<()>,
 }
 
 impl Case {
@@ -116,6 +117,7 @@ impl Case {
             compared: P::COMPARED,
             measure: measure::<P>,
             hold: hold::<P>,
+            run: run::<P>,
         }
     }
 
@@ -143,6 +145,19 @@ impl Case {
     pub fn hold(&self, device: &Device, rounding: Rounding) -> Result<Measure> {
         (self.hold)(device, rounding)
     }
+
+    /// Runs the set of this name.
+    ///
+    /// # Errors
+    /// Any error of the device.
+    pub fn run(&self, device: &Device, set: &str) -> Result<()> {
+        (self.run)(device, set)
+    }
+}
+
+fn run<P: Parity>(device: &Device, set: &str) -> Result<()> {
+    let mut sets = P::sets().into_iter().filter(|(name, _)| name == set);
+    sets.try_for_each(|(_, set)| set.run(&KernelRunner::new(device, P::KERNEL)).map(drop))
 }
 
 fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {

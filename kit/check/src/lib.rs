@@ -67,18 +67,22 @@
 //! [`snapshots`] stores the results of a program, and shows a change as a picture. It needs the feature `snapshots`.
 
 mod assert;
+pub mod bench;
 pub mod case;
+mod debugger;
 pub mod devices;
 mod given;
 mod hold;
 pub mod inputs;
 pub mod measure;
+mod peaks;
 pub mod prelude;
 pub mod report;
 pub mod runner;
 pub mod skip;
 #[cfg(feature = "snapshots")]
 pub mod snapshot;
+mod transpose;
 
 pub use assert::assert_parity;
 pub use case::{Case, Parity, Rounding, missing};
@@ -88,3 +92,4 @@ pub use muslin_device::Result;
 pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use report::{Report, Row};
 pub use runner::{Canary, KernelRunner, unwritten};
+pub use transpose::assert_transpose;

@@ -1,10 +1,13 @@
 //! The results of all cases on one device.
 
+use std::fmt;
+use std::fmt::Write as _;
+
 use serde::Serialize;
 
 use super::case::{Case, Rounding};
-use super::measure::Measure;
-use muslin_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath};
+use super::measure::{Measure, Worst};
+use muslin_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath, Table};
 
 /// The results of the cases on a device.
 #[derive(Clone, Debug, Serialize)]
@@ -94,16 +97,104 @@ fn rows(
 ) -> Result<Vec<Row>> {
     let mut rows: Vec<Row> = Vec::new();
     for case in cases {
-        let Case { tolerance, why, .. } = *case;
         let first = rows.len();
         for device in devices {
             let kernel = case.entry_point(device);
             if rows[first..].iter().all(|row| row.kernel != kernel) {
-                let measure = case.measure(cpu, device, rounding)?;
-                rows.push(Row { kernel, tolerance, why, ok: measure.is_ok(), measure });
+                rows.push(Row::new(case, device, case.measure(cpu, device, rounding)?));
             }
         }
         done(case.kernel);
     }
     Ok(rows)
+}
+
+/// Every kernel's tolerance, and the reason for it, in Markdown.
+#[must_use]
+pub fn tolerances(cases: &[Case]) -> String {
+    let mut text =
+        "## Tolerances\n\n| kernel | tolerance | why |\n| --- | --- | --- |\n".to_owned();
+    for case in cases {
+        // writing to a String does not fail
+        let _ = writeln!(text, "| {} | {} | {} |", case.kernel, allowed(case.tolerance), case.why);
+    }
+    text
+}
+
+const TITLES: [&str; 8] =
+    ["kernel", "values", "absolute", "relative", "ulp", "tolerance", "of it", "result"];
+
+impl Report {
+    /// The report in Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let Self { adapter, driver, path, .. } = self;
+        let mut text = format!("\n## {adapter}, {path}\n\n{driver}\n\n");
+        let titles = TITLES.join(" | ");
+        // writing to a String does not fail
+        let _ = writeln!(text, "| {titles} |\n|{}", " --- |".repeat(TITLES.len()));
+        for row in &self.kernels {
+            let _ = writeln!(text, "| {} |", row.cells().join(" | "));
+        }
+        text
+    }
+}
+
+/// The table of the report, followed by its failures.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut table = Table::new(1, TITLES);
+        self.kernels.iter().for_each(|row| table.row(row.cells()));
+        let Self { adapter, driver, path, .. } = self;
+        write!(f, "{adapter} ({driver}), {path}\n{table}")?;
+        let failed = self.kernels.iter().filter(|row| !row.ok);
+        failed
+            .map(|row| row.measure.describe(row.kernel, "the CPU", row.why))
+            .try_for_each(|text| writeln!(f, "{text}"))
+    }
+}
+
+impl Row {
+    /// The row of a case on a device.
+    pub(crate) fn new(case: &Case, device: &Device, measure: Measure) -> Self {
+        let Case { tolerance, why, .. } = *case;
+        Self { kernel: case.entry_point(device), tolerance, why, ok: measure.is_ok(), measure }
+    }
+
+    /// The cells, in the order of [`TITLES`].
+    fn cells(&self) -> [String; TITLES.len()] {
+        let measure = &self.measure;
+        [
+            self.kernel.to_owned(),
+            measure.values.to_string(),
+            size(measure.absolute.value),
+            size(measure.relative.value),
+            format!("{:.1}", measure.ulp.value),
+            allowed(self.tolerance),
+            format!("{:.0}%", measure.share.value * 100.0),
+            if self.ok { "ok" } else { "FAILED" }.to_owned(),
+        ]
+    }
+}
+
+fn allowed(tolerance: f64) -> String {
+    if tolerance == 0.0 { "equal".to_owned() } else { format!("{tolerance:.1e}") }
+}
+
+/// Formats a size. Zero is just `0`.
+fn size(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+impl Measure {
+    /// What is too far from something else, and where most: without a line's end.
+    #[must_use]
+    pub fn describe(&self, kernel: &str, beside: &str, why: &str) -> String {
+        let Worst { set, output, index, cpu, found, .. } = &self.share;
+        let (failures, values) = (self.failures, self.values);
+        format!(
+            "{kernel}: {failures} of {values} values are too far from {beside}, the worst is `{output}[{index}]` of \"{set}\": \
+             {found:e}, not {cpu:e}; tolerance: {why}"
+        )
+    }
 }

@@ -8,6 +8,7 @@ use muslin::kernel::Storage;
 
 use crate::count::Count;
 use crate::cpu_memory::CpuMemory;
+use crate::gpu::GpuBuffer;
 
 /// Marks the host's side of kernels: buffers are those of a [`Device`](crate::Device).
 #[derive(Debug)]
@@ -36,7 +37,7 @@ pub const TAIL_ALIGNMENT: usize = 256;
 #[derive(Clone, Debug)]
 pub(super) enum Memory {
     Cpu(Arc<CpuMemory>),
-    Gpu(wgpu::Buffer),
+    Gpu(GpuBuffer),
     /// The number of a buffer in a [plan](crate::plan).
     Planned(u32),
 }

@@ -2,8 +2,10 @@
 
 use std::cell::Cell;
 use std::ops::Range;
+use std::sync::Mutex;
 use std::time::Duration;
 
+use glam::UVec3;
 use muslin::KernelInfo;
 use muslin::kernel::{EntryPoint, InstructionSet};
 use rayon::prelude::*;
@@ -37,6 +39,15 @@ impl Drop for SingleThread {
 /// Fills unwritten memory: as an `f32` it is NaN, and as an index it is out of range.
 const NOT_A_NUMBER: u8 = 0xff;
 
+/// An element that a device watches.
+#[derive(Debug)]
+pub struct Watch {
+    pub binding: String,
+    /// Its first word, or another one of it.
+    pub word: usize,
+    pub writer: Option<UVec3>,
+}
+
 /// The CPU backend.
 #[derive(Debug)]
 pub struct Cpu {
@@ -45,6 +56,8 @@ pub struct Cpu {
     pub(crate) check_nan: bool,
     pub(crate) time_limit: Option<Duration>,
     pub(crate) thorough: Option<u64>,
+    /// See [`Device::watch`](crate::Device::watch).
+    pub(crate) watch: Mutex<Option<Watch>>,
     /// Whether kernels run as their variants.
     variants: bool,
     instruction_set: InstructionSet,
@@ -78,6 +91,7 @@ impl Cpu {
             check_nan,
             time_limit,
             thorough: options.thorough,
+            watch: Mutex::default(),
             variants,
             instruction_set,
             pool_memory,

@@ -40,6 +40,9 @@
 //!
 //! # Kernels for GPUs
 //!
+//! GPUs need the feature `gpu`, which is on by default. Without it, wgpu is not compiled, and there is no GPU: enough for tests on
+//! the CPU.
+//!
 //! `cargo xtask kernels`, which is `muslin-build`, compiles kernels to SPIR-V modules. The program's build script finds them with
 //! `muslin_manifest::embed_compiled`, and [`modules`] embeds them:
 //!
@@ -70,6 +73,7 @@ mod cpu_memory;
 mod device;
 mod error;
 mod flushing;
+#[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
 pub mod memory;
 mod modules;
@@ -89,11 +93,12 @@ pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};
 pub use count::Count;
 pub use device::Device;
 pub use error::{Error, Result, format_bytes};
-pub use gpu::{AdapterInfo, adapters};
+pub use gpu::adapters;
 #[doc(hidden)]
 pub use modules::Aligned;
-pub use modules::{CodeSize, CompiledKernel, Modules};
+pub use modules::{CompiledKernel, Modules};
 pub use muslin::kernel::{InstructionSet, kernels_of};
-pub use open::{BackendChoice, DeviceOptions, SpirvPath};
+pub use muslin_manifest::{List, Table, grouped};
+pub use open::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};
 pub use timings::KernelTime;

@@ -147,41 +147,6 @@ impl Modules {
     }
 }
 
-/// The size of a module's code.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
-pub struct CodeSize {
-    /// Number of instructions in functions, without labels and others that compute nothing.
-    pub instructions: u32,
-    /// Number of loops.
-    pub loops: u32,
-}
-
-impl CodeSize {
-    /// Counts the instructions of a module. Each begins with its length and its opcode.
-    #[must_use]
-    pub fn of(spirv: &[u32]) -> Self {
-        const HEADER: usize = 5;
-        const FUNCTION: u32 = 54;
-        const FUNCTION_END: u32 = 56;
-        const LOOP_MERGE: u32 = 246;
-        // line, no line, parameter, variable, selection merge, label
-        const SILENT: [u32; 6] = [8, 317, 55, 59, 247, 248];
-        let mut size = Self::default();
-        let mut at = HEADER;
-        let mut inside = false;
-        while let Some(word) = spirv.get(at) {
-            match word & 0xffff {
-                FUNCTION => inside = true,
-                FUNCTION_END => inside = false,
-                LOOP_MERGE => size.loops += 1,
-                number => size.instructions += u32::from(inside && !SILENT.contains(&number)),
-            }
-            at += (word >> 16).max(1) as usize;
-        }
-        size
-    }
-}
-
 fn stale(reason: String) -> Error {
     Error::StaleKernels { reason }
 }
@@ -189,24 +154,6 @@ fn stale(reason: String) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn code_is_counted_in_functions_alone() {
-        let word = |number: u32, length: u32| length << 16 | number;
-        // a constant; a function with a label, a loop's merge and branch, a return
-        let module = [
-            &[0x0723_0203, 0x10500, 0, 9, 0][..],
-            &[word(43, 4), 1, 2, 246],
-            &[word(54, 5), 1, 3, 0, 4],
-            &[word(248, 2), 5],
-            &[word(246, 4), 6, 7, 0],
-            &[word(249, 2), 5],
-            &[word(253, 1)],
-            &[word(56, 1)],
-        ]
-        .concat();
-        assert_eq!(CodeSize::of(&module), CodeSize { instructions: 2, loops: 1 });
-    }
 
     #[test]
     fn an_unknown_kernel_is_stale() {

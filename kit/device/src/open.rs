@@ -41,6 +41,17 @@ impl SpirvPath {
     }
 }
 
+/// A GPU that the system offers.
+#[derive(Clone, Debug)]
+pub struct AdapterInfo {
+    /// Name, which [`DeviceOptions::adapter`] can select.
+    pub name: String,
+    /// Interface, driver and version, as far as known.
+    pub driver: String,
+    /// Whether it accepts SPIR-V unchanged.
+    pub passes_through: bool,
+}
+
 /// Options of the device to open. The default is the best device of the machine.
 ///
 /// ```

@@ -187,13 +187,19 @@ impl<'a> Races<'a> {
         self.elements.iter().any(|touched| touched.atomic.load(Ordering::SeqCst) != 0)
     }
 
+    /// The invocation that has written an element.
+    pub fn invocation(&self, index: usize) -> Option<UVec3> {
+        let touched = self.elements.get(index)?;
+        let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
+        let mark = marks.into_iter().find(|mark| *mark != 0)?;
+        Some(unlinear(who(mark) - 1, self.invocations))
+    }
+
     /// Where an element was written, and by whom: the end of a message.
     pub fn writer(&self, index: usize) -> String {
-        let touched = &self.elements[index];
-        let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
-        let Some(mark) = marks.into_iter().find(|mark| *mark != 0) else { return String::new() };
-        let invocation = unlinear(who(mark) - 1, self.invocations);
-        let place = touched.place().map_or_else(String::new, |at| format!(", at {at}"));
+        let Some(invocation) = self.invocation(index) else { return String::new() };
+        let place =
+            self.elements[index].place().map_or_else(String::new, |at| format!(", at {at}"));
         format!("{place}, in invocation {invocation} of the dispatch")
     }
 }

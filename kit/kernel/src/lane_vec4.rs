@@ -2,6 +2,7 @@
 
 use glam::Vec4;
 
+use crate::lane::Lane;
 use crate::samples::Samples;
 
 /// Four numbers for each sample: a `Vec4` of lanes, such as four outputs of a layer.
@@ -34,5 +35,15 @@ impl<S: Samples> LaneVec4<S> {
             z: x.mul_add(S::splat(weight.z), self.z),
             w: x.mul_add(S::splat(weight.w), self.w),
         }
+    }
+}
+
+impl<L: Lane> LaneVec4<L> {
+    /// The same numbers, each of them [settled](Lane::settled).
+    #[inline(always)]
+    #[must_use]
+    pub fn settled(self) -> Self {
+        let Self { x, y, z, w } = self;
+        Self { x: x.settled(), y: y.settled(), z: z.settled(), w: w.settled() }
     }
 }

@@ -129,6 +129,8 @@ pub mod binned;
 #[cfg(not(target_arch = "spirv"))]
 mod casts;
 pub mod count;
+#[cfg(not(target_arch = "spirv"))]
+pub mod dual;
 pub mod fixed;
 #[cfg(not(target_arch = "spirv"))]
 mod fused;
@@ -144,6 +146,7 @@ pub mod math;
 pub mod memory;
 #[cfg(not(target_arch = "spirv"))]
 mod path;
+pub mod peak;
 pub mod prelude;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;

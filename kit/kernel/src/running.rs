@@ -4,6 +4,7 @@ extern crate std;
 
 use core::cell::Cell;
 use core::fmt;
+use core::sync::atomic::{AtomicU32, Ordering};
 
 use glam::UVec3;
 
@@ -105,8 +106,31 @@ pub struct PanicContext(RunningInvocation);
 impl PanicContext {
     /// The context of an invocation.
     pub fn new(kernel: &'static str, id: Invocation) -> Self {
+        let at = id.global().to_array();
+        if (0..3).all(|axis| STOP_AT[axis].load(Ordering::Relaxed) == at[axis]) {
+            stop();
+        }
         Self(RunningInvocation { kernel, id, is_checked: false })
     }
+}
+
+/// The invocation that calls [`stop`]; none exists at this place.
+static STOP_AT: [AtomicU32; 3] = [const { AtomicU32::new(u32::MAX) }; 3];
+
+/// From now on, the invocation at this place of a dispatch calls `organza_stop`, where a debugger can wait, before it does anything
+/// else. In debug builds.
+pub fn stop_at(invocation: [u32; 3]) {
+    for (axis, place) in invocation.into_iter().enumerate() {
+        STOP_AT[axis].store(place, Ordering::Relaxed);
+    }
+}
+
+/// Does nothing. A debugger that stops here finds the kernel two frames above.
+// SAFETY: no other symbol has this name, which a debugger finds without the types of this crate
+#[unsafe(export_name = "organza_stop")]
+#[inline(never)]
+extern "C" fn stop() {
+    core::hint::black_box(());
 }
 
 impl Drop for PanicContext {

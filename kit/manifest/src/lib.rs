@@ -5,7 +5,10 @@
 //! Nothing in it depends on the machine that wrote it.
 
 mod embed;
+#[cfg(feature = "kernels")]
+mod list;
 mod source;
+mod table;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,7 +17,10 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 pub use embed::{embed, embed_compiled};
+#[cfg(feature = "kernels")]
+pub use list::List;
 pub use source::{locked_version, source_hash};
+pub use table::{Table, grouped};
 
 /// Version of the manifest's layout that this crate reads and writes.
 pub const FORMAT_VERSION: u32 = 3;

@@ -1,7 +1,7 @@
 //! Finds a GPU and opens it.
 
 use crate::error::{Error, Result};
-use crate::open::{DeviceOptions, SpirvPath};
+use crate::open::{AdapterInfo, DeviceOptions, SpirvPath};
 use muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
 
 fn instance() -> wgpu::Instance {
@@ -26,17 +26,6 @@ fn rank(kind: wgpu::DeviceType) -> u32 {
         wgpu::DeviceType::Other => 3,
         wgpu::DeviceType::Cpu => 4,
     }
-}
-
-/// A GPU that the system offers.
-#[derive(Clone, Debug)]
-pub struct AdapterInfo {
-    /// Name, which [`DeviceOptions::adapter`] can select.
-    pub name: String,
-    /// Interface, driver and version, as far as known.
-    pub driver: String,
-    /// Whether it accepts SPIR-V unchanged.
-    pub passes_through: bool,
 }
 
 /// Every GPU that the system offers, the most capable first. Of several with the same name, only the first is listed.

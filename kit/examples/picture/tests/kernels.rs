@@ -89,6 +89,12 @@ fn every_kernel_is_right_on_every_device() {
 }
 
 #[test]
+#[ignore = "`cargo xtask bench` runs it"]
+fn bench() {
+    muslin_check::bench::bench(&MODULES, |device| picture(device, 2048).map(drop));
+}
+
+#[test]
 fn the_picture_stays_the_same() {
     let montage = Montage { tiles: 1, side: 64, columns: 1, scale: 4 };
     for (name, device) in devices::all(&MODULES) {

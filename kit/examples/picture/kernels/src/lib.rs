@@ -2,12 +2,21 @@
 #![no_std]
 
 use muslin::{math, prelude::*};
+#[cfg(not(target_arch = "spirv"))]
+use muslin::work::{NUMBER, Shape, Work};
 
 /// Parameters of all kernels: `pixels` is `side * side`.
 #[params]
 pub struct Picture {
     pub side: u32,
     pub pixels: u32,
+}
+
+/// What [`tint`] computes and moves: `cargo xtask bench` compares it with what the device could.
+#[cfg(not(target_arch = "spirv"))]
+fn tint_work(params: &Picture, _: Shape<'_>) -> Work {
+    let pixels = u64::from(params.pixels);
+    Work { flops: 3 * pixels, bytes: 4 * pixels * NUMBER }
 }
 
 /// A plain kernel. `gray [side, side]`: ripples around the middle, 0.2 to 1.
@@ -49,7 +58,7 @@ pub fn histogram(
 }
 
 /// With lanes: the CPU computes several pixels at once. `color [3, pixels]`: dark is blue, bright is yellow.
-#[kernel(threads(64), lanes(pixels))]
+#[kernel(threads(64), lanes(pixels), work(tint_work))]
 pub fn tint<L: Lane>(id: Invocation, params: &Picture, gray: Read<f32>, color: Write<f32>) {
     let index = id.index();
     if index < params.pixels {

@@ -1,13 +1,14 @@
-//! The peak of a device in multiply-adds and reads: `organza bench` compares each kernel with it.
+//! The peak of a device in multiply-adds and reads: the bench of `muslin-check` compares each kernel with it.
 
 use glam::Vec4;
 
-use crate::dense_backward::settled;
-use crate::limits::MAX_PEAK_STEPS;
-use muslin::lane_vec4::LaneVec4;
-use muslin::prelude::*;
+use crate::lane_vec4::LaneVec4;
+use crate::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
-use muslin::work::{NUMBER, Shape, Work, wide};
+use crate::work::{NUMBER, Shape, Work, wide};
+
+/// Steps that one invocation takes.
+pub const MAX_PEAK_STEPS: u32 = 4_096;
 
 /// Multiply-adds of an invocation of [`peak_multiply_add`] in a step: twelve sums, four times each.
 pub const MULTIPLY_ADDS: u32 = 48;
@@ -85,9 +86,9 @@ pub fn peak_multiply_add<L: Lane>(
         let base = (L::splat(index as f32) + L::ramp()) * L::splat(INVOCATION_SHARE);
         let (factor, addend) = (L::splat(params.factor), L::splat(params.addend));
         // twelve: a multiply-add takes several cycles, and others begin meanwhile
-        let mut a = settled(start(base, FIRST_SUMS));
-        let mut b = settled(start(base, FIRST_SUMS + 4.0));
-        let mut c = settled(start(base, FIRST_SUMS + 8.0));
+        let mut a = start(base, FIRST_SUMS).settled();
+        let mut b = start(base, FIRST_SUMS + 4.0).settled();
+        let mut c = start(base, FIRST_SUMS + 8.0).settled();
         let mut step = 0;
         while step < params.steps {
             a = next_four(a, factor, addend);
@@ -95,7 +96,7 @@ pub fn peak_multiply_add<L: Lane>(
             c = next_four(c, factor, addend);
             step += 1;
         }
-        let (a, b, c) = (settled(a), settled(b), settled(c));
+        let (a, b, c) = (a.settled(), b.settled(), c.settled());
         let sum = (a.x + a.y) + (a.z + a.w);
         let sum = sum + ((b.x + b.y) + (b.z + b.w));
         (sum + ((c.x + c.y) + (c.z + c.w))).write(output, index);

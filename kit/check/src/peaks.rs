@@ -1,12 +1,10 @@
 //! Measures a device's peak computation and memory bandwidth.
 
-use organza_shaders::limits::MAX_PEAK_STEPS;
-use organza_shaders::peak::{
-    PeakMultiplyAddKernel, PeakMultiplyAddParams, PeakReadKernel, PeakReadParams, READS,
+use muslin::peak::{
+    MAX_PEAK_STEPS, PeakMultiplyAddKernel, PeakMultiplyAddParams, PeakReadKernel, PeakReadParams,
+    READS,
 };
-
-use crate::error::Result;
-use muslin_device::Device;
+use muslin_device::{Device, Result};
 
 /// The peak performance of a device, using all its threads.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +66,7 @@ fn multiply_add(device: &Device) -> Result<f64> {
     let run = |count: u32| {
         let params = PeakMultiplyAddParams { count, steps: STEPS, factor: 0.5, addend: 1.0 };
         let kernel = PeakMultiplyAddKernel { params, output: &output };
-        time(device, &|| Ok(device.run(&kernel, count, 1)?))
+        time(device, &|| device.run(&kernel, count, 1))
     };
     // the first one may wake the device up
     run(count)?;
@@ -99,7 +97,7 @@ fn read(device: &Device) -> Result<f64> {
     };
     let mut best: f64 = 0.0;
     for _ in 0..RUNS {
-        let [seconds, _, bytes] = time(device, &|| Ok(device.run(&kernel, count, 1)?))?;
+        let [seconds, _, bytes] = time(device, &|| device.run(&kernel, count, 1))?;
         best = best.max(bytes / seconds);
     }
     Ok(best / 1e9)

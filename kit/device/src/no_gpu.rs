@@ -1,0 +1,62 @@
+//! Stands in for the GPU backend where the feature `gpu` is off: there is no GPU.
+
+use std::ops::Range;
+use std::time::Duration;
+
+use muslin::{EntryPoint, KernelInfo};
+
+use crate::buffer::RawBuffer;
+use crate::count::Count;
+use crate::error::{Error, Result};
+use crate::modules::Modules;
+use crate::open::{AdapterInfo, DeviceOptions};
+
+/// Every GPU that the system offers: none, because the feature `gpu` is off.
+#[must_use]
+pub fn adapters() -> Vec<AdapterInfo> {
+    Vec::new()
+}
+
+#[derive(Clone, Debug)]
+pub enum GpuBuffer {}
+
+#[derive(Debug)]
+pub enum Gpu {}
+
+impl Gpu {
+    pub fn open(_: &DeviceOptions, _: &'static Modules) -> Result<Self> {
+        Err(Error::NoGpu { reason: "muslin-device is compiled without its feature `gpu`".into() })
+    }
+}
+
+/// Methods of what does not exist.
+macro_rules! methods {
+    ($($name:ident($($argument:ty),*) -> $result:ty;)*) => {
+        impl Gpu {$(
+            pub fn $name(&self, $(_: $argument),*) -> $result {
+                match *self {}
+            }
+        )*}
+    };
+}
+
+methods! {
+    name() -> &str;
+    description() -> String;
+    driver() -> String;
+    entry_point(&KernelInfo) -> EntryPoint;
+    is_software() -> bool;
+    max_buffer_bytes() -> u64;
+    allocate(&'static str, u64) -> Result<GpuBuffer>;
+    write(&GpuBuffer, &[u8]) -> ();
+    read(&mut [(&GpuBuffer, u64, &mut [u8])]) -> Result<()>;
+    dispatch(&'static KernelInfo, &[u8], &[(usize, &Count)], &[&RawBuffer], [u32; 3]) -> Result<()>;
+    clear(&GpuBuffer, u64, u64) -> ();
+    copy(&GpuBuffer, Range<u64>, &GpuBuffer, u64) -> ();
+    publish_counts() -> ();
+    wait() -> Result<()>;
+    time_dispatches(bool) -> bool;
+    take_times() -> Vec<(&'static str, Duration)>;
+    waits() -> u64;
+    lose() -> ();
+}

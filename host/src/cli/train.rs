@@ -75,9 +75,9 @@ pub struct Args {
     /// The folder for the run; created if it does not exist
     #[arg(short, long, value_name = "RUN", required_unless_present_any = ["resume", "print_config"])]
     output: Option<PathBuf>,
-    /// Continue a run that was stopped, with its own settings; --steps and --max-gaussians extend it,
+    /// Continue a run that was stopped, with its own settings; --steps, --minutes and --max-gaussians extend it,
     /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
-    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config", "minutes"])]
+    #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config"])]
     resume: Option<PathBuf>,
     #[command(flatten)]
     settings: SettingsArgs,
@@ -122,8 +122,8 @@ pub struct SettingsArgs {
     set: Vec<String>,
     #[command(flatten)]
     options: SettingOptions,
-    /// Choose the number of steps so that the run takes this many minutes, evaluations included. The number is written
-    /// to config.toml
+    /// Choose the number of steps so that the run takes this many minutes, evaluations included; with --resume, this
+    /// many more. The number is written to config.toml
     #[arg(long, value_name = "M", conflicts_with = "run.steps")]
     #[arg(value_parser = minutes)]
     minutes: Option<f64>,

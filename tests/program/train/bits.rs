@@ -3,7 +3,7 @@
 use std::fs;
 
 use organza::data::Background;
-use organza::train::TrainConfig;
+use organza::train::{CHECKPOINT, Checkpoint, TrainConfig};
 use organza_tests::devices;
 
 use super::runs::{TINY, assert_same, assert_same_run, bits, sandbox};
@@ -41,6 +41,12 @@ fn a_run_of_so_many_minutes_is_repeated_from_its_settings() {
     sandbox.run(words).assert_ok();
     let five = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
     assert_eq!((five.run.steps, five.run.plan.len()), (5, 0));
+    // and it goes on for so many minutes more
+    sandbox.run("train --resume five --minutes 0.01 --backend cpu").assert_ok();
+    let longer = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
+    let checkpoint = Checkpoint::load(sandbox.path("five").join(CHECKPOINT)).expect("a checkpoint");
+    assert!(longer.run.steps > 5 && longer.run.plan[0][0] == 5, "{:?}", longer.run);
+    assert_eq!(checkpoint.progress.step, longer.run.steps);
     sandbox.assert_refuses(&format!("{TINY} no --minutes 0"), &["minutes, such as 10"]);
 }
 

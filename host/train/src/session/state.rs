@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::{Event, Outcome, Session, Watch};
 use crate::binding::{Binding, Change};
@@ -16,6 +16,9 @@ use crate::ranks::Order;
 use crate::trainer::Trainer;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
+
+/// A run has a first checkpoint after this time, if not before.
+const FIRST_CHECKPOINT: Duration = Duration::from_secs(30);
 
 /// State that changes while a run goes on.
 pub(super) struct State<'a, 'w, 'h> {
@@ -46,6 +49,7 @@ impl State<'_, '_, '_> {
     /// Trains to the end.
     pub fn run(mut self) -> Result<Outcome> {
         let mut saved = None;
+        let mut has_checkpoint = self.trainer.steps() > 0;
         let outcome = loop {
             let step = self.trainer.steps();
             self.plan()?;
@@ -70,9 +74,12 @@ impl State<'_, '_, '_> {
             self.order(Order::Step(run.steps))?;
             self.step()?;
             let step = self.trainer.steps();
-            if step.is_multiple_of(run.checkpoint_every) {
+            // an early one, so that `view`, `film` and others can look at a run that has just begun
+            let is_first = !has_checkpoint && self.begin.elapsed() >= FIRST_CHECKPOINT;
+            if is_first || step.is_multiple_of(run.checkpoint_every) {
                 self.save(CHECKPOINT)?;
                 saved = Some(step);
+                has_checkpoint = true;
             }
         };
         if saved != Some(self.trainer.steps()) {

@@ -23,6 +23,7 @@ use tokio_io_timeout::TimeoutStream;
 use super::about::About;
 use super::assets;
 use super::connections::{Connections, Place};
+use super::editor::EditRequest;
 use super::films::{self, FilmRequest};
 use super::guard::{Guard, Verdict};
 use super::keyframes::{self, PathRequest};
@@ -297,6 +298,10 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             let request: PixelRequest = parsed(&body(request).await?)?;
             let camera = checked(&request.camera).map_err(refused)?;
             ask(viewer, Question::Pixel(request.pixel, Box::new(camera))).await
+        }
+        (&Method::POST, "/edit") => {
+            let request: EditRequest = parsed(&body(request).await?)?;
+            ask(viewer, Question::Edit(request)).await
         }
         (&Method::POST, "/cameras.json") => {
             let keyframes: Vec<CameraMessage> = parsed(&body(request).await?)?;

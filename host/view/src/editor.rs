@@ -5,6 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::frame_renderer::Stage;
@@ -20,6 +21,8 @@ use organza_render::{DeviceScene, UploadOptions};
 
 /// Most places of selected Gaussians in an answer.
 const MAX_PLACES: usize = 4000;
+/// Most places of a stroke.
+const MAX_STROKE: usize = 1000;
 /// Longest side of the image whose depth says what a brush reaches, in pixels.
 const DEPTH_SIDE: u32 = 256;
 /// A brush selects what is no farther than this part of the depth behind it.
@@ -54,6 +57,19 @@ pub struct Stroke {
     places: Vec<[f64; 2]>,
     /// In pixels.
     radius: f64,
+}
+
+impl Stroke {
+    /// Whether the brush has come over a place, on its way from place to place.
+    fn is_over(&self, at: DVec2) -> bool {
+        let next = self.places.iter().skip(1).chain(self.places.last());
+        self.places.iter().zip(next).any(|(&from, &to)| {
+            let from = DVec2::from(from);
+            let way = DVec2::from(to) - from;
+            let along = (at - from).dot(way) / way.length_squared().max(1e-12);
+            at.distance(from + along.clamp(0.0, 1.0) * way) <= self.radius
+        })
+    }
 }
 
 /// A box along the axes.
@@ -164,6 +180,9 @@ impl Editor {
     /// Selects what is under a brush: before the surface that the image shows, or not far behind it.
     fn paint(&mut self, stage: Stage<'_>, stroke: &Stroke) -> Result<()> {
         let camera = checked(&stroke.camera)?;
+        if stroke.places.len() > MAX_STROKE {
+            return refuse(format!("a stroke has {MAX_STROKE} places at most"));
+        }
         if !(0.0..=f64::from(MAX_SIDE)).contains(&stroke.radius) {
             return refuse(format!("a brush has a radius of 0 to {MAX_SIDE} pixels"));
         }
@@ -173,8 +192,7 @@ impl Editor {
         let at = |x: f64, side: u32| ((x * scale) as usize).min(side as usize - 1);
         for (place, selected) in self.scene.gaussians.position.iter().zip(&mut self.selected) {
             let Some([x, y, far]) = camera.project(place.map(f64::from)) else { continue };
-            let is_under = |[u, v]: &[f64; 2]| (x - u).hypot(y - v) <= stroke.radius;
-            if !*selected && stroke.places.iter().any(is_under) {
+            if !*selected && stroke.is_over(DVec2::new(x, y)) {
                 let surface = depth.values()[at(y, height) * width as usize + at(x, width)];
                 *selected = far <= (1.0 + BEHIND) * f64::from(surface);
             }

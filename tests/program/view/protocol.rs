@@ -339,12 +339,15 @@ fn a_scene_is_edited_only_where_that_is_allowed() {
     let paint = |radius: f64| json!({"paint": {"camera": camera, "places": [[1.0, 2.0]], "radius": radius}});
     let everything =
         json!({"crop": {"low": [-1e9, -1e9, -1e9], "high": [1e9, 1e9, 1e9], "outside": false}});
+    let mut long = paint(1.0);
+    long["paint"]["places"] = json!(vec![[1.0, 2.0]; 1001]);
     for (request, status) in [
         (json!({"save": "/tmp/other.safetensors"}), 400),
         (json!("format"), 400),
         (json!({"paint": {"camera": camera, "places": [[null]], "radius": 1}}), 400),
         (paint(-1.0), 422),
         (paint(1e9), 422),
+        (long, 422),
         (everything, 422),
         (paint(9.0), 200),
         (json!("undo"), 200),

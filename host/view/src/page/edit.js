@@ -87,8 +87,8 @@ export class Edit {
     if (this.tool) this.overlay.draw();
     if (!this.stroke && !this.handle) return;
     event.stopPropagation();
-    if (this.stroke) this.stroke.push(this.at);
-    else this.drag(this.at);
+    if (this.handle) this.drag(this.at);
+    else if (length(sub(this.at, this.stroke.at(-1)).concat(0)) > this.radius / 4) this.stroke.push(this.at);
     this.last = this.at;
   }
 
@@ -96,7 +96,7 @@ export class Edit {
     if (!this.stroke && !this.handle) return;
     event.stopPropagation();
     const { camera } = this.view;
-    if (this.stroke) this.ask({ paint: { camera, places: this.stroke.slice(0, 2000), radius: this.radius } });
+    if (this.stroke) this.ask({ paint: { camera, places: this.stroke.slice(0, 1000), radius: this.radius } });
     this.stroke = this.handle = null;
   }
 
@@ -150,7 +150,7 @@ export class Edit {
     context.fillStyle = css("--path");
     for (const place of this.places) {
       const [x, y, depth] = project(camera, place);
-      if (depth > 0) context.fillRect(x - unit, y - unit, 2 * unit, 2 * unit);
+      if (depth > 0) context.fillRect(x - 1.5 * unit, y - 1.5 * unit, 3 * unit, 3 * unit);
     }
     if (this.tool === "box") this.paintBox(context, camera, unit);
     if (this.tool !== "brush") return;

@@ -23,7 +23,6 @@ use tokio_io_timeout::TimeoutStream;
 use super::about::About;
 use super::assets;
 use super::connections::{Connections, Place};
-use super::editor::EditRequest;
 use super::films::{self, FilmRequest};
 use super::guard::{Guard, Verdict};
 use super::keyframes::{self, PathRequest};
@@ -300,7 +299,7 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             ask(viewer, Question::Pixel(request.pixel, Box::new(camera))).await
         }
         (&Method::POST, "/edit") => {
-            let request: EditRequest = parsed(&body(request).await?)?;
+            let request = parsed(&body(request).await?)?;
             ask(viewer, Question::Edit(request)).await
         }
         (&Method::POST, "/cameras.json") => {

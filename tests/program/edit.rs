@@ -116,11 +116,11 @@ fn haze_before_a_camera_goes() {
     let cameras = organza::demo::turntable(12, 32);
     Camera::save_all(sandbox.path("around.json"), &cameras).expect("cameras");
     let eye = cameras[4].eye();
-    // a quarter of the way from the eye to the middle of the scene
-    let place = eye.map(|x| 0.75 * x as f32);
+    // on the way from the eye to the middle of the scene, and so small that the scene is behind all of it
+    let place = eye.map(|x| 0.8 * x as f32);
     let before = plant(&sandbox, 1, |i, scene| {
         scene.gaussians.position[i] = place;
-        scene.gaussians.log_scale[i] = [-2.5; 3];
+        scene.gaussians.log_scale[i] = [-4.5; 3];
         scene.gaussians.opacity[i] = 0.5;
     });
     let (report, edited) = edit(&sandbox, "planted.safetensors around.json --haze");

@@ -194,9 +194,10 @@ impl Camera {
         dot(axis, std::array::from_fn(|at| place[at] - eye[at]))
     }
 
-    /// The depth of a place in world units, as [`Self::depth`]; `None` if it is outside of the camera's image.
+    /// Where a place is in the camera's image: column, row, and depth as [`Self::depth`]. `None` if it is outside of the
+    /// image.
     #[must_use]
-    pub fn depth_in_image(&self, place: [f64; 3]) -> Option<f64> {
+    pub fn project(&self, place: [f64; 3]) -> Option<[f64; 3]> {
         let offset = DVec3::from(place) - DVec3::from(self.eye());
         let [x, y, z] = self.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
         let column = self.fl_x * x / z + self.cx;
@@ -204,7 +205,13 @@ impl Camera {
         let is_seen = z > 0.0
             && (0.0..f64::from(self.width)).contains(&column)
             && (0.0..f64::from(self.height)).contains(&row);
-        is_seen.then_some(z)
+        is_seen.then_some([column, row, z])
+    }
+
+    /// The depth of a place in world units, as [`Self::depth`]; `None` if it is outside of the camera's image.
+    #[must_use]
+    pub fn depth_in_image(&self, place: [f64; 3]) -> Option<f64> {
+        self.project(place).map(|[.., depth]| depth)
     }
 
     /// The camera in the form that kernels read: OpenCV axes, f32.

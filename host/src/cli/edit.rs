@@ -30,7 +30,8 @@ Examples:
   organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --least-contribution=0.5
 
-The rules apply in this order: box and sphere, contribution, haze, cluster. Each sees what the one before has left. \
+The rules apply in this order: box and sphere, contribution, haze, cluster. Contribution and haze are measured once, in \
+the scene that box and sphere have left. \
 The result is a scene's file, which every command reads that takes a scene.";
 
 /// Remove Gaussians from a scene: crop it, clean it, make it smaller

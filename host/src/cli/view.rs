@@ -8,7 +8,9 @@ use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use organza::data::{Point, Pose};
-use organza::view::{About, Address, FrameRenderer, Photographs, Queue, Server, Stage};
+use organza::view::{
+    About, Address, Editor, FrameRenderer, Photographs, Purpose, Queue, Server, Stage,
+};
 use organza::web::PageOptions;
 use organza::{Camera, Result};
 
@@ -25,6 +27,7 @@ Examples:
   organza view scene.safetensors             without cameras
   ssh -L 4747:localhost:4747 machine         then `organza view run` there, and the same address here
   organza view run --bind 0.0.0.0            for other machines; the address has a token
+  organza view run --edit cropped.safetensors    remove Gaussians on the page
   organza view run --client                  the browser's GPU renders
 
 The page shows the scene while you move through it, coarsely at first. When the camera rests, the image becomes that \
@@ -46,6 +49,10 @@ pub struct Args {
     /// photographs, and explains no pixels
     #[arg(long, help_heading = "Page")]
     client: bool,
+    /// Let the page remove Gaussians. What is left is saved as this scene, and further times with a number behind the
+    /// name; nothing is replaced
+    #[arg(long, value_name = "SCENE", conflicts_with = "client", help_heading = "Page")]
+    edit: Option<PathBuf>,
     #[command(flatten)]
     server: ServerArgs,
     #[command(flatten)]
@@ -115,10 +122,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = source.load(console)?;
     let server = args.server.listen()?;
     let renderer = args.device.open(console)?;
-    let scene = args.scene_args.upload(&renderer, &scene)?;
+    let uploaded = args.scene_args.upload(&renderer, &scene)?;
     let title = title(source.named());
     let has_photographs = !photographs.is_empty();
-    let about = About::new(&title, &renderer, &scene, &poses, has_photographs, &points, false);
+    let purpose = if args.edit.is_some() { Purpose::Edit } else { Purpose::Look };
+    let about = About::new(&title, &renderer, &uploaded, &poses, has_photographs, &points, purpose);
+    let editor = args.edit.as_ref();
+    let editor = editor.map(|file| Editor::new(scene, args.scene_args.options(), file));
+    let editor = editor.transpose()?;
     let queue = Arc::new(Queue::default());
     let handler = {
         let queue = Arc::clone(&queue);
@@ -129,11 +140,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         }
     };
     at_signals(handler)?;
-    let mut frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
+    let mut frame_renderer =
+        FrameRenderer::new(Arc::clone(&queue), photographs).with_editor(editor);
     let url = server.url();
     let films = server.start(Arc::clone(&queue), about, None)?;
     args.server.announce(&format!("{url} (Ctrl-C ends it)"), console);
-    let stage = Stage { renderer: &renderer, scene: &scene, version: 0 };
+    let stage = Stage { renderer: &renderer, scene: &uploaded, version: 0 };
     while !queue.is_stopped() {
         frame_renderer.serve(stage, Duration::from_secs(1));
     }

@@ -15,6 +15,18 @@ const MAX_POINTS: usize = 20_000;
 /// Size of the first image of a scene without cameras, in pixels.
 const SIZE: [u32; 2] = [960, 640];
 
+/// What a page is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Purpose {
+    /// To look at a scene.
+    Look,
+    /// To remove Gaussians from a scene, too.
+    Edit,
+    /// To look at a scene that is being trained.
+    Train,
+}
+
 /// Facts that the page gets when it opens.
 #[derive(Debug)]
 pub struct About {
@@ -41,7 +53,7 @@ struct Told<'a> {
     /// Whether there are photographs of the views.
     photographs: bool,
     points: usize,
-    training: bool,
+    purpose: Purpose,
     /// Formats of films that this machine can write.
     films: Vec<Kind>,
     modes: Vec<(Mode, Option<Vec<String>>)>,
@@ -64,7 +76,7 @@ impl About {
         poses: &[Pose],
         photographs: bool,
         points: &[Point],
-        training: bool,
+        purpose: Purpose,
     ) -> Self {
         let config = scene.config();
         let [low, high] = config.aabb.map(DVec3::from);
@@ -92,7 +104,7 @@ impl About {
             views: poses.iter().enumerate().map(view).collect(),
             photographs,
             points: colors.len() / 3,
-            training,
+            purpose,
             films: [Kind::Mp4, Kind::Png]
                 .into_iter()
                 .filter(|kind| kind.check([2, 2]).is_ok())

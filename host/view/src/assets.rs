@@ -10,13 +10,14 @@ pub const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
 /// Every file of the page.
-const ASSETS: [Asset; 15] = [
+const ASSETS: [Asset; 16] = [
     ("/", PAGE, include_str!("page/index.html")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.css", STYLE, include_str!("page/page.css")),
     ("/main.js", SCRIPT, include_str!("page/main.js")),
     ("/camera.js", SCRIPT, include_str!("page/camera.js")),
     ("/controls.js", SCRIPT, include_str!("page/controls.js")),
+    ("/edit.js", SCRIPT, include_str!("page/edit.js")),
     ("/explain.js", SCRIPT, include_str!("page/explain.js")),
     ("/film.js", SCRIPT, include_str!("page/film.js")),
     ("/frames.js", SCRIPT, include_str!("page/frames.js")),

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use serde_json::json;
 
+use super::editor::Editor;
 use super::explain::explain;
 use super::message::{Mode, Quality, refuse};
 use super::pace::Pace;
@@ -41,6 +42,8 @@ pub struct FrameRenderer {
     photographs: Photographs,
     /// The eye that was used last is at the end.
     eyes: Vec<Eye>,
+    /// None if pages may not change the scene.
+    editor: Option<Editor>,
 }
 
 /// Data kept for a client.
@@ -78,12 +81,21 @@ impl FrameRenderer {
     /// A frame renderer that takes requests from `queue`.
     #[must_use]
     pub fn new(queue: Arc<Queue>, photographs: Photographs) -> Self {
-        Self { queue, photographs, eyes: Vec::new() }
+        Self { queue, photographs, eyes: Vec::new(), editor: None }
+    }
+
+    /// Pages may change what is shown with this editor of the same scene.
+    #[must_use]
+    pub fn with_editor(self, editor: Option<Editor>) -> Self {
+        Self { editor, ..self }
     }
 
     /// Answers one request, waiting for it for up to `patience`. Returns whether there was one.
     pub fn serve(&mut self, stage: Stage<'_>, patience: Duration) -> bool {
         let Some(job) = self.queue.take(patience) else { return false };
+        let (edited, changes) = self.editor.as_ref().map(Editor::shown).unwrap_or_default();
+        let scene = edited.as_deref().unwrap_or(stage.scene);
+        let stage = Stage { scene, version: stage.version + changes, ..stage };
         match job {
             Job::Question(question, reply) => {
                 let _ = reply.send(self.answer(stage, &question).map_err(told));
@@ -182,6 +194,13 @@ impl FrameRenderer {
             }
             Question::Pixel(pixel, camera) => {
                 let bytes = explain(stage.renderer, stage.scene, camera, *pixel)?;
+                Ok(rendered_as("application/json", bytes, &json!({})))
+            }
+            Question::Edit(request) => {
+                let Some(editor) = &mut self.editor else {
+                    return refuse("the scene is not edited: begin with `--edit FILE`".to_owned());
+                };
+                let bytes = editor.answer(stage, request)?;
                 Ok(rendered_as("application/json", bytes, &json!({})))
             }
         }

@@ -10,6 +10,7 @@
 mod about;
 mod assets;
 mod connections;
+mod editor;
 mod explain;
 pub mod film;
 mod films;
@@ -26,7 +27,8 @@ mod training;
 mod training_status;
 pub mod web;
 
-pub use about::About;
+pub use about::{About, Purpose};
+pub use editor::Editor;
 pub use frame_renderer::{FrameRenderer, Stage};
 pub use photographs::Photographs;
 pub use queue::Queue;

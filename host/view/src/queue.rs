@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use tokio::sync::oneshot;
 
+use super::editor::EditRequest;
 use super::message::{FrameRequest, Quality};
 use organza_core::camera::Camera;
 
@@ -44,6 +45,8 @@ pub enum Question {
     Pixel([i32; 2], Box<Camera>),
     /// The photograph of a view in the data set.
     Photograph(usize),
+    /// A change to the scene.
+    Edit(EditRequest),
 }
 
 /// The next request to handle.

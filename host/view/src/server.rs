@@ -298,6 +298,10 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             let camera = checked(&request.camera).map_err(refused)?;
             ask(viewer, Question::Pixel(request.pixel, Box::new(camera))).await
         }
+        (&Method::POST, "/edit") => {
+            let request = parsed(&body(request).await?)?;
+            ask(viewer, Question::Edit(request)).await
+        }
         (&Method::POST, "/cameras.json") => {
             let keyframes: Vec<CameraMessage> = parsed(&body(request).await?)?;
             json(&keyframes::write(&keyframes).map_err(refused)?)

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use super::about::About;
+use super::about::{About, Purpose};
 use super::frame_renderer::{FrameRenderer, Stage};
 use super::photographs::Photographs;
 use super::queue::Queue;
@@ -137,7 +137,8 @@ impl<'a> TrainingView<'a> {
             Pose { camera, held_out: held_out.contains(&index), photograph: None }
         };
         let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
-        let about = About::new(&self.title, self.renderer, scene, &poses, true, points, true);
+        let about =
+            About::new(&self.title, self.renderer, scene, &poses, true, points, Purpose::Train);
         server.start(Arc::clone(&self.queue), about, Some(Arc::clone(&self.training_status)))
     }
 }

@@ -188,3 +188,76 @@ fn a_training_in_a_browser() {
     page.wait(REST);
     assert!(page.errors.is_empty(), "{:?}", page.errors);
 }
+
+/// A box and a brush remove Gaussians, undo brings them back, and what is saved renders as what was shown.
+#[test]
+fn a_scene_is_edited_in_a_browser() {
+    let Some(program) = program() else { return };
+    let sandbox = Sandbox::new("basic");
+    let words = "view scene.safetensors cameras.json --port 0 --backend cpu --edit cut.safetensors";
+    let viewer = Viewer::start(&sandbox, words);
+    let mut page = Page::open(program, &viewer.url(), [700, 640]);
+    page.wait(REST);
+    page.wait("organza.edit.answer");
+    let left = |page: &mut Page| page.eval("organza.edit.answer.left").as_u64().expect("a number");
+    let all = left(&mut page);
+    let shown = |page: &mut Page| pixels(&base64(page.eval(SHOWN).as_str().expect("bytes")));
+    let whole = shown(&mut page);
+
+    // the box, drawn at half of its size along x with its handle
+    page.key("b");
+    let handle = |page: &mut Page| -> [f64; 2] {
+        let place = page.eval(
+            "(async () => { const { project } = await import('./camera.js'); \
+             const { place } = organza.edit.handles()[1]; const { camera } = organza.view; \
+             const [x, y] = project(camera, place); \
+             const box = document.getElementById('overlay').getBoundingClientRect(); \
+             return [box.left + x / camera.w * box.width, box.top + y / camera.h * box.height]; })()",
+        );
+        serde_json::from_value(place).expect("a place")
+    };
+    let high = |page: &mut Page| page.eval("organza.edit.box[1][0]").as_f64().expect("a number");
+    let before = high(&mut page);
+    let pose = page.eval("organza.view.camera");
+    let from = handle(&mut page);
+    let middle = middle(&mut page);
+    let to = [0, 1].map(|axis| from[axis] + 0.4 * (middle[axis] - from[axis]));
+    page.drag(from, to);
+    assert!(high(&mut page) != before, "the handle does not move");
+    assert_eq!(page.eval("organza.view.camera"), pose, "the camera moves with the box");
+    page.screenshot("viewer-box");
+    page.eval("document.getElementById('remove-outside').click(); organza.edit.asked");
+    page.wait(&format!("organza.edit.answer.left < {all}"));
+    page.wait(REST);
+    let cropped = left(&mut page);
+    let bounds: [[f32; 3]; 2] = serde_json::from_value(page.eval("organza.edit.box")).unwrap();
+    let scene = organza::Scene::load(sandbox.path("scene.safetensors")).unwrap();
+    let is_inside = |p: &&[f32; 3]| (0..3).all(|i| bounds[0][i] <= p[i] && p[i] <= bounds[1][i]);
+    let inside = scene.gaussians.position.iter().filter(is_inside).count();
+    assert_eq!(cropped, inside as u64);
+    assert!(shown(&mut page) != whole, "nothing has changed");
+    page.eval("document.getElementById('undo-edit').click(); organza.edit.asked");
+    page.wait(REST);
+    assert!(left(&mut page) == all && shown(&mut page) == whole, "undo");
+
+    // the brush
+    page.key("g");
+    page.drag([middle[0] - 40.0, middle[1]], [middle[0] + 40.0, middle[1]]);
+    page.wait("organza.edit.answer.selected > 0");
+    page.screenshot("viewer-brush");
+    let selected = page.eval("organza.edit.answer.selected").as_u64().expect("a number");
+    page.eval("document.getElementById('remove-selected').click(); organza.edit.asked");
+    page.wait(&format!("organza.edit.answer.left === {}", all - selected));
+    page.wait(REST);
+    let painted = shown(&mut page);
+    page.eval("document.getElementById('save-edit').click(); organza.edit.asked");
+    page.wait("organza.edit.answer.saved");
+    page.screenshot("viewer-saved");
+    let camera = page.eval("organza.view.camera");
+    fs::rename(sandbox.path("cut.safetensors"), sandbox.path("scene.safetensors")).unwrap();
+    assert!(
+        painted == rendered(&sandbox, &viewer, &camera),
+        "what was saved is not what was shown"
+    );
+    assert!(page.errors.is_empty(), "{:?}", page.errors);
+}

@@ -319,3 +319,47 @@ fn a_client_that_keeps_its_connections_locks_nobody_out() {
     assert!(back.starts_with("HTTP/1.1 200"), "{back}");
     drop(greedy);
 }
+
+/// Pages change a scene only if the program was told where to save it. Nothing is replaced, and no request names a file.
+#[test]
+fn a_scene_is_edited_only_where_that_is_allowed() {
+    let sandbox = Sandbox::new("basic");
+    let view = "view scene.safetensors cameras.json --port 0 --backend cpu";
+    let viewer = Viewer::start(&sandbox, view);
+    let refused = viewer.post("/edit", &json!("undo"));
+    assert_eq!((refused.status, viewer.scene()["purpose"].as_str()), (422, Some("look")));
+    drop(viewer);
+    sandbox.assert_refuses(&format!("{view} --edit scene.safetensors"), &["exists", "replaces"]);
+    sandbox.assert_refuses(&format!("{view} --edit no/cut.safetensors"), &["no/cut.safetensors"]);
+
+    let viewer = Viewer::start(&sandbox, &format!("{view} --edit cut.safetensors"));
+    assert_eq!(viewer.scene()["purpose"], "edit");
+    let all = viewer.post("/edit", &json!("look")).json()["left"].as_u64().unwrap();
+    let camera = viewer.scene()["home"].clone();
+    let paint = |radius: f64| json!({"paint": {"camera": camera, "places": [[1.0, 2.0]], "radius": radius}});
+    let everything =
+        json!({"crop": {"low": [-1e9, -1e9, -1e9], "high": [1e9, 1e9, 1e9], "outside": false}});
+    let mut long = paint(1.0);
+    long["paint"]["places"] = json!(vec![[1.0, 2.0]; 1001]);
+    for (request, status) in [
+        (json!({"save": "/tmp/other.safetensors"}), 400),
+        (json!("format"), 400),
+        (json!({"paint": {"camera": camera, "places": [[null]], "radius": 1}}), 400),
+        (paint(-1.0), 422),
+        (paint(1e9), 422),
+        (long, 422),
+        (everything, 422),
+        (paint(9.0), 200),
+        (json!("undo"), 200),
+    ] {
+        assert_eq!(viewer.post("/edit", &request).status, status, "{request}");
+    }
+    assert_eq!(viewer.post("/edit", &json!("look")).json()["left"], all);
+    // every save is a file of its own
+    let saved = |viewer: &Viewer| viewer.post("/edit", &json!("save")).json()["saved"].clone();
+    assert_eq!(saved(&viewer), "cut.safetensors");
+    std::os::unix::fs::symlink("/dev/null", sandbox.path("cut-2.safetensors")).unwrap();
+    assert_eq!(saved(&viewer), "cut-3.safetensors");
+    let read = |name: &str| std::fs::read(sandbox.path(name)).unwrap();
+    assert_eq!(read("cut.safetensors"), read("cut-3.safetensors"));
+}

@@ -9,7 +9,7 @@ use std::slice::from_ref;
 use organza_shaders::splat::VECTORS;
 use rayon::prelude::*;
 
-use super::leakage::SURFACE;
+use super::leakage::{OPEN, SURFACE};
 use super::members::{Member, Members, depths, surface};
 use crate::batch::plan::Plan;
 use crate::batch::renderer::Renderer;
@@ -65,7 +65,7 @@ impl Contributions {
     }
 
     /// The share of a Gaussian's contribution that is in front of surfaces, 0 to 1: more than 12% nearer than the median
-    /// depth of the pixel's weights. 0 if it was not measured.
+    /// depth of the pixel's weights. Pixels with S < 0.98 show the background and do not count. 0 if it was not measured.
     #[must_use]
     pub fn in_front(&self, gaussian: usize) -> f64 {
         let Sums { measured, in_front, .. } = self.sums[gaussian];
@@ -189,6 +189,10 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
 fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, Sums)> {
     let Some(surface) = surface(&mut members) else { return Vec::new() };
     let sum: f64 = members.iter().map(|member| member.weight).sum();
+    if sum < OPEN {
+        // it shows the background
+        return Vec::new();
+    }
     let of_member = |member: &Member| {
         let measured = member.weight / sum.max(1.0);
         let is_in_front = member.depth < (1.0 - SURFACE) * surface;

@@ -2,6 +2,7 @@
 
 import { add, angleOf, eyeOf, forwardOf, length, scale, sub, unproject, withAngle, withSize } from "./camera.js";
 import { Controls } from "./controls.js";
+import { Edit } from "./edit.js";
 import { Explain } from "./explain.js";
 import { Frames, post } from "./frames.js";
 import { Keyframes } from "./keyframes.js";
@@ -92,7 +93,8 @@ const overlay = new Overlay($("overlay"), view);
 const controls = new Controls($("overlay"), view);
 const explain = new Explain(view, overlay);
 const keyframes = new Keyframes(view, overlay, frames);
-const training = scene.training ? new Training(frames) : null;
+const edit = scene.purpose === "edit" ? new Edit(view, overlay, frames) : null;
+const training = scene.purpose === "train" ? new Training(frames) : null;
 frames.refines = !training;
 frames.idle = say;
 
@@ -329,6 +331,7 @@ function key(event) {
   const act = {
     "?": () => $("help").showModal(), ",": () => beside(-1), ".": () => beside(1), r: reset,
     c: () => $("show-cameras").click(), o: () => scene.points && $("show-points").click(),
+    b: () => edit?.choose("box"), g: () => edit?.choose("brush"), z: () => edit?.ask("undo"), Delete: () => edit?.ask("remove"),
     k: () => keyframes.add(), p: () => keyframes.toggle(), l: () => { controls.level(); view.moved(); },
     "[": () => { controls.zoom(0.94); view.moved(); }, "]": () => { controls.zoom(1.06); view.moved(); },
     Escape: () => { explain.close(); keyframes.stop(); },
@@ -343,4 +346,4 @@ view.camera = withSize(scene.home, size());
 frames.settle();
 place();
 document.documentElement.dataset.ready = "";
-Object.assign(window, { organza: { view, frames, keyframes, explain, training } });
+Object.assign(window, { organza: { view, frames, keyframes, explain, training, edit } });

@@ -1,0 +1,274 @@
+//! What a page removes from a scene.
+//!
+//! The scene on the device is replaced by one of the Gaussians that are left. So every image, number and film is of them.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use super::frame_renderer::Stage;
+use super::message::{CameraMessage, MAX_SIDE, checked, refuse};
+use organza_core::camera::Camera;
+use organza_core::edit::Region;
+use organza_core::error::Result;
+use organza_core::image::{ChannelImage, TILE_SIDE};
+use organza_core::scene::{Gaussians, Scene};
+use organza_core::tile::TileBatch;
+use organza_core::{Channel, check_writable};
+use organza_render::{DeviceScene, UploadOptions};
+
+/// Most places of selected Gaussians in an answer.
+const MAX_PLACES: usize = 4000;
+/// Most places of a stroke.
+const MAX_STROKE: usize = 1000;
+/// Longest side of the image whose depth says what a brush reaches, in pixels.
+const DEPTH_SIDE: u32 = 256;
+/// A brush selects what is no farther than this part of the depth behind it.
+const BEHIND: f64 = 0.12;
+
+/// A change that a page asks for.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub enum EditRequest {
+    /// Changes nothing.
+    Look,
+    /// Selects what is under a brush.
+    Paint(Stroke),
+    /// Selects nothing.
+    Clear,
+    /// Removes what is selected.
+    Remove,
+    /// Removes what is inside a box, or outside.
+    Crop(Crop),
+    /// Takes back the last removal.
+    Undo,
+    /// Writes the scene.
+    Save,
+}
+
+/// Places of a brush.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stroke {
+    camera: CameraMessage,
+    /// Columns and rows in the camera's image, in pixels.
+    places: Vec<[f64; 2]>,
+    /// In pixels.
+    radius: f64,
+}
+
+impl Stroke {
+    /// Whether the brush has come over a place, on its way from place to place.
+    fn is_over(&self, at: DVec2) -> bool {
+        let next = self.places.iter().skip(1).chain(self.places.last());
+        self.places.iter().zip(next).any(|(&from, &to)| {
+            let from = DVec2::from(from);
+            let way = DVec2::from(to) - from;
+            let along = (at - from).dot(way) / way.length_squared().max(1e-12);
+            at.distance(from + along.clamp(0.0, 1.0) * way) <= self.radius
+        })
+    }
+}
+
+/// A box along the axes.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Crop {
+    low: [f32; 3],
+    high: [f32; 3],
+    /// Whether to remove what is outside.
+    outside: bool,
+}
+
+/// What the page is told.
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    left: usize,
+    selected: usize,
+    /// Of selected Gaussians, some if they are many.
+    places: Vec<[f32; 3]>,
+    removals: usize,
+    saved: Option<&'a Path>,
+}
+
+/// The scene that is edited.
+#[derive(Debug)]
+pub struct Editor {
+    all: Gaussians,
+    /// The scene of those that are left.
+    scene: Scene,
+    shown: Option<Arc<DeviceScene>>,
+    options: UploadOptions,
+    /// The scene's file, from which the names of further ones follow.
+    file: PathBuf,
+    /// Indices of those that are left, ascending.
+    left: Vec<usize>,
+    /// Which of them are selected.
+    selected: Vec<bool>,
+    /// What each removal took, the last one last.
+    removals: Vec<Vec<usize>>,
+    /// Number of changes to what is shown.
+    version: u64,
+}
+
+impl Editor {
+    /// An editor of a scene, which writes to `file`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`](organza_core::Error::Invalid) if the file exists, and errors of writing there.
+    pub fn new(scene: Scene, options: UploadOptions, file: &Path) -> Result<Self> {
+        if file.symlink_metadata().is_ok() {
+            let file = file.display();
+            return refuse(format!("{file} exists, and an edited scene replaces nothing"));
+        }
+        check_writable(file)?;
+        let count = scene.gaussians.len();
+        Ok(Self {
+            all: scene.gaussians.clone(),
+            scene,
+            shown: None,
+            options,
+            file: file.to_owned(),
+            left: (0..count).collect(),
+            selected: vec![false; count],
+            removals: Vec::new(),
+            version: 0,
+        })
+    }
+
+    /// The scene to show instead of the whole one, and its version.
+    pub(super) fn shown(&self) -> (Option<Arc<DeviceScene>>, u64) {
+        (self.shown.clone(), self.version)
+    }
+
+    /// Does what a page asks for, and tells how things are then.
+    pub(super) fn answer(&mut self, stage: Stage<'_>, request: &EditRequest) -> Result<Vec<u8>> {
+        let mut saved = None;
+        match request {
+            EditRequest::Look => {}
+            EditRequest::Clear => self.selected.fill(false),
+            EditRequest::Paint(stroke) => self.paint(stage, stroke)?,
+            EditRequest::Remove => {
+                let selected = std::mem::take(&mut self.selected);
+                self.remove(stage, &selected)?;
+            }
+            EditRequest::Crop(Crop { low, high, outside }) => {
+                let region = Region::Box { low: *low, high: *high };
+                let places = self.scene.gaussians.position.iter();
+                let removed: Vec<_> =
+                    places.map(|&place| region.contains(place) != *outside).collect();
+                self.remove(stage, &removed)?;
+            }
+            EditRequest::Undo => self.undo(stage)?,
+            EditRequest::Save => saved = Some(self.save()?),
+        }
+        let places = self.scene.gaussians.position.iter().zip(&self.selected);
+        let places: Vec<_> = places.filter_map(|(place, is)| is.then_some(*place)).collect();
+        let every = places.len().div_ceil(MAX_PLACES).max(1);
+        let answer = Answer {
+            left: self.left.len(),
+            selected: places.len(),
+            places: places.into_iter().step_by(every).collect(),
+            removals: self.removals.len(),
+            saved: saved.as_deref(),
+        };
+        serde_json::to_vec(&answer).or_else(|error| refuse(error.to_string()))
+    }
+
+    /// Selects what is under a brush: before the surface that the image shows, or not far behind it.
+    fn paint(&mut self, stage: Stage<'_>, stroke: &Stroke) -> Result<()> {
+        let camera = checked(&stroke.camera)?;
+        if stroke.places.len() > MAX_STROKE {
+            return refuse(format!("a stroke has {MAX_STROKE} places at most"));
+        }
+        if !(0.0..=f64::from(MAX_SIDE)).contains(&stroke.radius) {
+            return refuse(format!("a brush has a radius of 0 to {MAX_SIDE} pixels"));
+        }
+        let depth = depth(stage, &camera)?;
+        let [width, height] = depth.size();
+        let scale = f64::from(width) / f64::from(camera.width);
+        let at = |x: f64, side: u32| ((x * scale) as usize).min(side as usize - 1);
+        for (place, selected) in self.scene.gaussians.position.iter().zip(&mut self.selected) {
+            let Some([x, y, far]) = camera.project(place.map(f64::from)) else { continue };
+            if !*selected && stroke.is_over(DVec2::new(x, y)) {
+                let surface = depth.values()[at(y, height) * width as usize + at(x, width)];
+                *selected = far <= (1.0 + BEHIND) * f64::from(surface);
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes some of those that are left.
+    fn remove(&mut self, stage: Stage<'_>, is_removed: &[bool]) -> Result<()> {
+        let choose = |wanted: bool| {
+            let both = self.left.iter().zip(is_removed);
+            both.filter_map(|(&i, &is)| (is == wanted).then_some(i)).collect::<Vec<_>>()
+        };
+        let [removed, left] = [true, false].map(choose);
+        self.selected = vec![false; self.left.len()];
+        if left.is_empty() {
+            return refuse("nothing would be left".to_owned());
+        }
+        if removed.is_empty() {
+            return Ok(());
+        }
+        self.show(stage, left)?;
+        self.removals.push(removed);
+        Ok(())
+    }
+
+    fn undo(&mut self, stage: Stage<'_>) -> Result<()> {
+        let Some(removed) = self.removals.last() else { return Ok(()) };
+        let mut left = [&self.left[..], removed].concat();
+        left.sort_unstable();
+        self.show(stage, left)?;
+        self.removals.pop();
+        Ok(())
+    }
+
+    /// Shows these Gaussians, and selects none.
+    fn show(&mut self, stage: Stage<'_>, left: Vec<usize>) -> Result<()> {
+        let gaussians = self.all.select(&left);
+        let before = std::mem::replace(&mut self.scene.gaussians, gaussians);
+        match stage.renderer.upload_with(&self.scene, self.options) {
+            Ok(shown) => self.shown = Some(Arc::new(shown)),
+            Err(error) => {
+                self.scene.gaussians = before;
+                return Err(error);
+            }
+        }
+        self.selected = vec![false; left.len()];
+        self.left = left;
+        self.version += 1;
+        Ok(())
+    }
+
+    /// Writes what is left to a file that does not exist yet.
+    fn save(&self) -> Result<PathBuf> {
+        let stem = self.file.file_stem().unwrap_or_default().to_string_lossy();
+        let extension = self.file.extension().unwrap_or("safetensors".as_ref()).to_string_lossy();
+        let further = |n: u32| self.file.with_file_name(format!("{stem}-{n}.{extension}"));
+        let names = std::iter::once(self.file.clone()).chain((2..1000).map(further));
+        let mut free = names.filter(|path| path.symlink_metadata().is_err());
+        let Some(path) = free.next() else {
+            return refuse("there are 999 scenes already: remove some".to_owned());
+        };
+        self.scene.save(&path)?;
+        Ok(path)
+    }
+}
+
+/// The depth of a view, in a small image.
+fn depth(Stage { renderer, scene, .. }: Stage<'_>, camera: &Camera) -> Result<ChannelImage> {
+    let camera = camera.within(DEPTH_SIDE);
+    let size = [camera.width, camera.height];
+    let batch = TileBatch::cover(0, size[0], size[1], TILE_SIDE)?;
+    let cameras = std::slice::from_ref(&camera);
+    let channels = [Channel::Depth];
+    let tiles = renderer.render_channels(scene, cameras, &batch, &channels, &mut |_, _| {})?;
+    let mut image = ChannelImage::new(Channel::Depth, size[0], size[1])?;
+    image.paste(&batch, &tiles)?;
+    Ok(image)
+}

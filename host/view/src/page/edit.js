@@ -1,0 +1,187 @@
+// Removes Gaussians: a box with handles, a brush, undo, and save. The program keeps what is left.
+
+import { add, dot, project, scale, sub, unproject, eyeOf, length } from "./camera.js";
+import { post } from "./frames.js";
+import { $, css } from "./page.js";
+
+const NEAR = 12; // CSS pixels from a handle
+const number = new Intl.NumberFormat("en");
+
+export class Edit {
+  constructor(view, overlay, frames) {
+    Object.assign(this, { view, overlay, frames, tool: null, places: [], stroke: null, handle: null });
+    overlay.edit = this;
+    $("edit").hidden = false;
+    const far = length(sub(view.center, eyeOf(view.camera.camera_to_world))) / 4;
+    this.box = [view.center.map((x) => x - far), view.center.map((x) => x + far)];
+    for (const tool of ["box", "brush"]) $(`${tool}-tool`).onclick = () => this.choose(tool);
+    const crop = (outside) => () => this.ask({ crop: { low: this.box[0], high: this.box[1], outside } });
+    $("remove-outside").onclick = crop(true);
+    $("remove-inside").onclick = crop(false);
+    $("remove-selected").onclick = () => this.ask("remove");
+    $("clear-selected").onclick = () => this.ask("clear");
+    $("undo-edit").onclick = () => this.ask("undo");
+    $("save-edit").onclick = () => this.ask("save");
+    $("brush").oninput = () => overlay.draw();
+    // before the controls, which move the camera
+    const frame = $("frame"), on = (name, handler) => frame.addEventListener(name, handler.bind(this), true);
+    on("pointerdown", this.down);
+    on("pointermove", this.move);
+    on("pointerup", this.up);
+    on("pointercancel", this.up);
+    this.ask("look");
+  }
+
+  choose(tool) {
+    this.tool = this.tool === tool ? null : tool;
+    for (const one of ["box", "brush"]) {
+      $(`${one}-tool`).ariaPressed = this.tool === one;
+      $(`${one}-actions`).hidden = this.tool !== one;
+    }
+    this.at = null;
+    this.overlay.draw();
+  }
+
+  // Asks the program for a change, and shows how things are then. One at a time, in their order.
+  ask(request) {
+    this.asked = (this.asked ?? Promise.resolve()).then(async () => {
+      try {
+        const answer = await (await post("/edit", JSON.stringify(request))).json();
+        const changed = this.answer && answer.left !== this.answer.left;
+        Object.assign(this, { answer, places: answer.places });
+        $("left").textContent = `${number.format(answer.left)} left`;
+        $("undo-edit").disabled = !answer.removals;
+        $("remove-selected").disabled = $("clear-selected").disabled = !answer.selected;
+        $("edit-said").textContent = answer.saved ? `Saved as ${answer.saved}`
+          : answer.selected ? `${number.format(answer.selected)} selected` : "";
+        if (changed) this.frames.settle();
+      } catch (error) {
+        $("edit-said").textContent = error.message;
+      }
+      this.overlay.draw();
+    });
+    return this.asked;
+  }
+
+  // --- the mouse
+
+  pixel(event) {
+    const box = $("overlay").getBoundingClientRect(), { w, h } = this.view.camera;
+    return [((event.clientX - box.left) / box.width) * w, ((event.clientY - box.top) / box.height) * h];
+  }
+
+  down(event) {
+    if (event.target.id !== "overlay" || event.button !== 0 || event.shiftKey || event.altKey || event.ctrlKey) return;
+    const at = this.pixel(event);
+    if (this.tool === "brush") this.stroke = [at];
+    else if (this.tool === "box") this.handle = this.nearest(at);
+    if (!this.stroke && !this.handle) return;
+    this.last = at;
+    $("overlay").setPointerCapture(event.pointerId);
+    event.stopPropagation();
+  }
+
+  move(event) {
+    if (event.target.id !== "overlay") return;
+    this.at = this.pixel(event);
+    if (this.tool) this.overlay.draw();
+    if (!this.stroke && !this.handle) return;
+    event.stopPropagation();
+    if (this.handle) this.drag(this.at);
+    else if (length(sub(this.at, this.stroke.at(-1)).concat(0)) > this.radius / 4) this.stroke.push(this.at);
+    this.last = this.at;
+  }
+
+  up(event) {
+    if (!this.stroke && !this.handle) return;
+    event.stopPropagation();
+    const { camera } = this.view;
+    if (this.stroke) this.ask({ paint: { camera, places: this.stroke.slice(0, 1000), radius: this.radius } });
+    this.stroke = this.handle = null;
+  }
+
+  // Of the brush, in pixels of the image.
+  get radius() {
+    return Number($("brush").value) * this.overlay.unit;
+  }
+
+  // --- the box: handles in the middle of its faces, and one in its own
+
+  handles() {
+    const middle = scale(add(...this.box), 0.5);
+    const face = ([axis, side]) => ({ axis, side, place: middle.map((x, i) => (i === axis ? this.box[side][i] : x)) });
+    const faces = [0, 1, 2].flatMap((axis) => [[axis, 0], [axis, 1]]).map(face);
+    return [...faces, { axis: null, place: middle }];
+  }
+
+  nearest(at) {
+    const near = NEAR * this.overlay.unit;
+    const away = ({ place }) => {
+      const [x, y, depth] = project(this.view.camera, place);
+      return depth > 0 ? Math.hypot(x - at[0], y - at[1]) : Infinity;
+    };
+    const [first] = this.handles().map((handle) => [away(handle), handle]).sort(([a], [b]) => a - b);
+    return first[0] <= near ? first[1] : null;
+  }
+
+  // A face goes along its axis, as far as the pointer goes along the axis on the screen.
+  drag(to) {
+    const { camera } = this.view, { axis, side } = this.handle;
+    const { place } = this.handles().find((one) => one.axis === axis && one.side === side);
+    const [x, y, depth] = project(camera, place);
+    if (axis == null) {
+      const by = sub(unproject(camera, to, depth), unproject(camera, this.last, depth));
+      this.box = this.box.map((corner) => add(corner, by));
+    } else {
+      const unit = depth / camera.fl_y; // of the world, about a pixel
+      const [u, v] = project(camera, place.map((value, i) => value + (i === axis ? unit : 0)));
+      const way = [u - x, v - y, 0], square = dot(way, way);
+      if (square < 1e-4) return; // the axis points to the eye
+      const by = (dot(sub([...to, 0], [...this.last, 0]), way) / square) * unit;
+      const moved = this.box[side][axis] + by, other = this.box[1 - side][axis];
+      this.box[side][axis] = side ? Math.max(moved, other + unit) : Math.min(moved, other - unit);
+    }
+    this.overlay.draw();
+  }
+
+  // --- over the image
+
+  paint(context, camera, unit) {
+    context.fillStyle = css("--path");
+    for (const place of this.places) {
+      const [x, y, depth] = project(camera, place);
+      if (depth > 0) context.fillRect(x - 1.5 * unit, y - 1.5 * unit, 3 * unit, 3 * unit);
+    }
+    if (this.tool === "box") this.paintBox(context, camera, unit);
+    if (this.tool !== "brush") return;
+    context.beginPath();
+    for (const [x, y] of this.stroke ?? []) context.lineTo(x, y);
+    context.strokeStyle = "rgb(255 122 184 / 40%)";
+    context.lineWidth = 2 * this.radius;
+    context.stroke();
+    if (!this.at) return;
+    context.beginPath();
+    context.arc(...this.at, this.radius, 0, 7);
+    this.overlay.outlined("#fff", 1.5);
+  }
+
+  paintBox(context, camera, unit) {
+    const corner = (bits) => [0, 1, 2].map((axis) => this.box[(bits >> axis) & 1][axis]);
+    context.beginPath();
+    for (let bits = 0; bits < 8; bits++) {
+      for (const axis of [0, 1, 2]) if (!((bits >> axis) & 1)) this.overlay.line(camera, corner(bits), corner(bits | (1 << axis)));
+    }
+    this.overlay.outlined(css("--path"), 1.5);
+    for (const { place, axis } of this.handles()) {
+      const [x, y, depth] = project(camera, place);
+      if (depth < 0) continue;
+      context.beginPath();
+      context.arc(x, y, 6 * unit, 0, 7);
+      context.fillStyle = axis == null ? "#fff" : ["#e5484d", "#30a46c", "#3e7bfa"][axis];
+      context.fill();
+      this.overlay.outlined("#fff", 1.5);
+    }
+    const shown = this.box.flat().map((x) => Number(x.toPrecision(4))).join(",");
+    $("box-words").textContent = `--box ${shown}`;
+  }
+}

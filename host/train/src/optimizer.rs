@@ -79,7 +79,7 @@ impl Optimizer {
         Ok([read(0)?, read(1)?])
     }
 
-    /// Moves every parameter, and clears the gradient.  `step` counts from 0; `share` is the part of the run that is
+    /// Moves every parameter, and clears the gradient.  `step` counts from 0; `fraction` is the part of the run that is
     /// done.
     ///
     /// # Errors
@@ -125,13 +125,13 @@ impl<'a> Adam<'a> {
         device: &'a Device,
         config: &'a OptimizerConfig,
         always: &'a Buffer<u32>,
-        (step, share): (u32, f64),
+        (step, fraction): (u32, f64),
         extent: f64,
     ) -> Self {
         let t = f64::from(step) + 1.0;
         let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
         let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
-        let mut rates = config.rates().map(|_, rate| (config.rate_at(rate, share), 1.0));
+        let mut rates = config.rates().map(|_, rate| (config.rate_at(rate, fraction), 1.0));
         rates.gaussians.position.0 *= extent;
         let (rate, kept) = &mut rates.transmittance.grid;
         *kept -= *rate * config.transmittance_decay;

@@ -283,7 +283,7 @@ impl Trainer {
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| rollback(self))?;
         }
-        let done = self.config.run.share(self.step);
+        let done = self.config.run.fraction(self.step);
         let (settings, now) = (&self.config.optimizer, (self.step, done));
         if let Some(learned) = &mut self.exposures {
             let rate = settings.rate_at(settings.exposure, done);
@@ -369,8 +369,9 @@ impl Trainer {
 
 /// Whether the number of Gaussians changes after so many steps.
 pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
-    let (growth, share) = (&config.growth, config.run.share(step));
-    step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
+    let growth = &config.growth;
+    let is_in_time = (growth.begin..=growth.end).contains(&config.run.fraction(step));
+    step.is_multiple_of(growth.every) && is_in_time
 }
 
 /// See [`Trainer::grid`].

@@ -83,7 +83,7 @@ impl Renderer {
                 found.inspect_err(rollback)
             })?,
             Some(ranks) => {
-                let (views, limits) = self.units(scene, batch)?;
+                let (views, limits) = self.view_batches(scene, batch)?;
                 let mine = views.iter().skip(ranks.rank()).step_by(ranks.size()).cloned();
                 let plans = limits.join(&mine.collect::<Vec<_>>());
                 let shared = Some((ranks, views.len()));

@@ -171,7 +171,7 @@ fn pairs_of(device: &Device, bins: &Bins, gaussians: &[u32]) -> organza_device::
         pair: device.upload("pairs", gaussians)?,
         camera: bins.pairs.camera.view(),
         projection: bins.pairs.projection.view(),
-        unit_ends: Vec::new(),
+        view_ends: Vec::new(),
     })
 }
 

@@ -189,13 +189,13 @@ impl Renderer {
         Ok(Plan::split(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
-    /// The units of a batch, and what joins them to parts.
-    pub(crate) fn units(
+    /// The view batches of a batch, and what joins them to parts.
+    pub(crate) fn view_batches(
         &self,
         scene: &DeviceScene,
         batch: &TileBatch,
     ) -> Result<(Vec<Plan>, Limits)> {
-        Ok(Plan::units(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+        Ok(Plan::view_batches(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
     /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the capacity

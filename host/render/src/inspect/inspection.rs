@@ -158,7 +158,7 @@ impl Renderer {
             pair: device.upload("pairs", &every)?,
             camera,
             projection,
-            unit_ends: Vec::new(),
+            view_ends: Vec::new(),
         };
         let transmittance = Transmittance::evaluate(scene, &pairs, false, |first| {
             pairs.read_samples(device, first)

@@ -25,7 +25,7 @@ impl Optimizer {
     /// From the moments of a share's tensors, of an earlier run or zeros.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn new(device: &Device, share: &DeviceShare, moments: &[Scene; 2]) -> Result<Self> {
         let is_whole = share.whole().is_some();
         let fields = |moment: &Scene| -> Result<_> {
@@ -45,7 +45,7 @@ impl Optimizer {
     /// The moments of the Gaussians are these from now on.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
         let upload = |moment: &Gaussians| {
             moment.tensors().try_map(|name, values| device.upload(name, values))
@@ -63,7 +63,7 @@ impl Optimizer {
     /// The moments as they are now, as scenes.
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn moments(&self, device: &Device, share: &DeviceShare) -> Result<[Scene; 2]> {
         let read = |place: usize| -> Result<Scene> {
             let moment = self.fields[place].as_ref();
@@ -83,7 +83,7 @@ impl Optimizer {
     /// done.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn step(
         &self,
         device: &Device,

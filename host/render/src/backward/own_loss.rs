@@ -83,7 +83,8 @@ impl Renderer {
     /// squared error of the valid pixels.
     ///
     /// # Errors
-    /// As [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another number of values.
+    /// The same errors as [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another
+    /// number of values.
     pub fn add_own_loss_gradient(
         &self,
         scene: &DeviceScene,

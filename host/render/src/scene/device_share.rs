@@ -58,7 +58,7 @@ impl DeviceShare {
     /// The share has these Gaussians from now on.
     ///
     /// # Errors
-    /// As [`Device::upload`]. Some Gaussians are missing then.
+    /// The same errors as [`Device::upload`]. Some Gaussians are missing then.
     pub fn replace_gaussians(&mut self, device: &Device, gaussians: &Gaussians) -> Result<()> {
         // not both at once
         self.blocks.clear();
@@ -84,7 +84,7 @@ impl DeviceShare {
     /// The fields and the share's Gaussians as they are now.
     ///
     /// # Errors
-    /// As [`DeviceScene::download`].
+    /// The same errors as [`DeviceScene::download`].
     pub fn download(&self, device: &Device) -> Result<Scene> {
         let mut scene = self.fields.download(device)?;
         scene.gaussians = Gaussians::zeros(self.config(), self.len())?;

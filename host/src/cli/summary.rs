@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use organza::{RenderReport, Renderer};
+pub use organza_core::grouped;
 use serde::Serialize;
 
 /// The cost of rendering, as `--json` prints it.
@@ -78,19 +79,6 @@ impl Summary {
 pub fn count(number: u64, thing: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{} {thing}{plural}", grouped(number))
-}
-
-/// Formats a number with its digits in groups of three.
-pub fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 #[cfg(test)]

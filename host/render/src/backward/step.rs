@@ -40,12 +40,12 @@ const COMPARED_PIXELS: usize = 1 << 20;
 
 /// A step.
 #[derive(Clone, Copy)]
-struct Step<'a> {
-    renderer: &'a Renderer,
-    scene: &'a DeviceScene,
-    cameras: &'a [Camera],
-    target: &'a LossTarget<'a>,
-    gradient: &'a SceneGradient,
+pub(super) struct Step<'a> {
+    pub(super) renderer: &'a Renderer,
+    pub(super) scene: &'a DeviceScene,
+    pub(super) cameras: &'a [Camera],
+    pub(super) target: &'a LossTarget<'a>,
+    pub(super) gradient: &'a SceneGradient,
 }
 
 impl Renderer {

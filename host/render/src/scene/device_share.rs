@@ -9,7 +9,7 @@ use organza_core::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig}
 use organza_device::{Buffer, Device};
 
 /// A scene on a device as training has it: the fields, and the Gaussians in blocks. A whole scene is one block. A
-/// [share](SceneShare) of one has a block for each [slice](organza_core::scene::SLICE).
+/// [share](organza_core::scene::SceneShare) of one has a block for each [slice](organza_core::scene::SLICE).
 #[derive(Debug)]
 pub struct DeviceShare {
     /// The fields, with a Gaussian that is never rendered: a share may have none.

@@ -42,6 +42,8 @@ pub use keep::Keep;
 use lens::Lens;
 pub use options::DatasetOptions;
 use organza_core::camera::Camera;
+#[cfg(doc)]
+use organza_core::error::Error;
 use organza_core::error::Result;
 use organza_core::input::has_extension;
 pub use photograph::Photograph;

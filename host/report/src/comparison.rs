@@ -7,10 +7,11 @@ use maud::{Markup, html};
 
 use super::MAX_VIEWS;
 use super::charts::Charts;
-use super::page::{clean, curves, duration, grouped, image, page, score, section, table};
+use super::page::{clean, curves, duration, image, page, score, section, table};
 use super::pictures::{Kind, Picture};
 use super::run::Run;
 use organza_core::error::Result;
+use organza_core::grouped;
 use organza_core::write_atomic;
 
 /// Largest number of pictures on the page: with many runs it shows few views.

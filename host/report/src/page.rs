@@ -148,19 +148,6 @@ pub fn score(value: Option<f64>, digits: usize) -> String {
         .map_or_else(|| "–".to_owned(), |value| format!("{value:.digits$}"))
 }
 
-/// Formats a number with its digits in groups of three.
-pub fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 /// Formats a time for people: `4.2 s`, `12 min 3 s`, `2 h 5 min`.
 pub fn duration(seconds: f64) -> String {
     let whole = seconds.max(0.0).round() as u64;
@@ -189,7 +176,6 @@ mod tests {
         for (seconds, text) in cases {
             assert_eq!(duration(seconds), text);
         }
-        assert_eq!(grouped(1_234_567), "1,234,567");
         assert_eq!(date("2026-01-31T09:30:00Z"), "2026-01-31 09:30 UTC");
         assert_eq!(date("<yesterday>"), "<yesterday>");
     }

@@ -7,11 +7,12 @@ use maud::{Markup, html};
 use super::MAX_VIEWS;
 use super::charts::{Charts, thinned};
 use super::page::{
-    clean, curves, date, duration, error_legend, grouped, image, page, score, section, table,
+    clean, curves, date, duration, error_legend, image, page, score, section, table,
 };
 use super::pictures::{Kind, Picture};
 use super::run::{Evaluation, Run};
 use organza_core::error::Result;
+use organza_core::grouped;
 use organza_core::metrics::ERROR_FACTOR;
 use organza_core::write_inside;
 use organza_train::config::TrainConfig;

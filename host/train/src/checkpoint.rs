@@ -24,8 +24,8 @@ const STATISTICS: &str = "train.statistics";
 const EXPOSURE: &str = "exposure";
 /// Those of poses.
 const POSE: &str = "pose";
-/// Where training stands, to the bit. Of a scene whose Gaussians are dealt to [ranks](organza_core::ranks), each rank has
-/// its [share](SceneShare), and all fields.
+/// Where training stands, to the bit. Of a scene whose Gaussians are dealt to [ranks](organza_core::ranks), each rank
+/// has its [share](SceneShare), and all fields.
 ///
 /// This continues a run's training from code:
 ///
@@ -70,7 +70,7 @@ impl Checkpoint {
     /// The state before the first step of training `scene`.
     ///
     /// # Errors
-    /// As [`Scene::zeros`].
+    /// The same errors as [`Scene::zeros`].
     pub fn begin(scene: Scene, config: &TrainConfig) -> Result<Self> {
         let gaussians = scene.gaussians.len();
         Self::begin_share(SceneShare { scene, range: 0..gaussians, gaussians }, config)
@@ -141,7 +141,7 @@ impl Checkpoint {
     /// Reads a file that [`Checkpoint::save`] wrote.
     ///
     /// # Errors
-    /// As [`Scene::load`]; [`Error::Invalid`] for a scene that no training can go on from.
+    /// The same errors as [`Scene::load`]; [`Error::Invalid`] for a scene that no training can go on from.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         Self::load_share(path, 0, 1)
     }
@@ -149,7 +149,7 @@ impl Checkpoint {
     /// Reads the share of a rank from a checkpoint of any run, and no more of it.
     ///
     /// # Errors
-    /// As [`Checkpoint::load`].
+    /// The same errors as [`Checkpoint::load`].
     pub fn load_share(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
@@ -159,7 +159,7 @@ impl Checkpoint {
     /// [`Self::load`] from memory; `origin` is the name errors give to the bytes.
     ///
     /// # Errors
-    /// As [`Self::load`].
+    /// The same errors as [`Self::load`].
     pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
         Self::read(&mut Cursor::new(bytes), (bytes.len() as u64, origin.as_ref()), (0, 1))
     }
@@ -197,11 +197,12 @@ impl Checkpoint {
         exposures.chain(self.poses.iter().flat_map(|found| found.tensors(POSE, &[6]))).collect()
     }
 
-    /// How the cameras of the frames that a run is trained on have moved, as [`Camera::moved`](organza_core::Camera::moved) takes it:
-    /// reads nothing else of a checkpoint's file. Empty where poses were not refined.
+    /// How the cameras of the frames that a run is trained on have moved, as
+    /// [`Camera::moved`](organza_core::Camera::moved) takes it: reads nothing else of a checkpoint's file. Empty where
+    /// poses were not refined.
     ///
     /// # Errors
-    /// As [`Checkpoint::load`], for the header and this tensor.
+    /// The same errors as [`Checkpoint::load`], for the header and this tensor.
     pub fn load_poses(path: impl AsRef<Path>) -> Result<Vec<[f64; 6]>> {
         let path = path.as_ref();
         let name = format!("{VALUES_PREFIX}{POSE}");
@@ -232,7 +233,7 @@ impl Checkpoint {
     /// The same of poses.
     ///
     /// # Errors
-    /// As [`Self::exposures_of`].
+    /// The same errors as [`Self::exposures_of`].
     pub(super) fn poses_of(&self, photographs: usize) -> Result<PerPhotograph> {
         of_number(self.poses.as_ref(), photographs, "poses")
     }

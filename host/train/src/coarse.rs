@@ -52,7 +52,7 @@ impl Batches {
 
     /// Draws the tiles of a step.
     pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
-        if run.share(step) >= run.coarse {
+        if run.fraction(step) >= run.coarse {
             return self.whole(step);
         }
         let ray_steps = RAY_STEPS;

@@ -49,7 +49,7 @@ impl RunConfig {
     ///
     /// Each entry of the plan spreads the rest of the run evenly over the remaining steps.
     #[must_use]
-    pub fn share(&self, step: u32) -> f64 {
+    pub fn fraction(&self, step: u32) -> f64 {
         let mut from = 0;
         let mut done = 0.0;
         let mut steps = self.steps;

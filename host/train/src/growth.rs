@@ -39,7 +39,7 @@ impl Child {
 /// What becomes of each Gaussian. It follows from few numbers of each, so that ranks that hold shares of a scene can find
 /// the same plan.
 #[derive(Debug)]
-pub struct Plan {
+pub struct GrowthPlan {
     /// `[N]`: how many each becomes, 0 to 2.
     counts: Vec<u32>,
     pub grown: Grown,
@@ -50,7 +50,7 @@ pub fn strength([sum, views, ..]: [f32; 4]) -> f32 {
     if views > 0.0 { sum / views } else { 0.0 }
 }
 
-impl Plan {
+impl GrowthPlan {
     /// Of the opacities' logits `[N]` and the [strengths](strength) `[N]`: those whose center feels the strongest gradient
     /// become two.
     pub fn new(config: &GrowthConfig, opacity: &[f32], strength: &[f32]) -> Self {

@@ -25,7 +25,7 @@ impl Optimizer {
     /// From the moments of a share's tensors, of an earlier run or zeros.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn new(device: &Device, share: &DeviceShare, moments: &[Scene; 2]) -> Result<Self> {
         let is_whole = share.whole().is_some();
         let fields = |moment: &Scene| -> Result<_> {
@@ -45,7 +45,7 @@ impl Optimizer {
     /// The moments of the Gaussians are these from now on.
     ///
     /// # Errors
-    /// As [`Device::upload`].
+    /// The same errors as [`Device::upload`].
     pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
         let upload = |moment: &Gaussians| {
             moment.tensors().try_map(|name, values| device.upload(name, values))
@@ -63,7 +63,7 @@ impl Optimizer {
     /// The moments as they are now, as scenes.
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn moments(&self, device: &Device, share: &DeviceShare) -> Result<[Scene; 2]> {
         let read = |place: usize| -> Result<Scene> {
             let moment = self.fields[place].as_ref();
@@ -79,11 +79,11 @@ impl Optimizer {
         Ok([read(0)?, read(1)?])
     }
 
-    /// Moves every parameter, and clears the gradient.  `step` counts from 0; `share` is the part of the run that is
+    /// Moves every parameter, and clears the gradient.  `step` counts from 0; `fraction` is the part of the run that is
     /// done.
     ///
     /// # Errors
-    /// As [`Device::dispatch`].
+    /// The same errors as [`Device::dispatch`].
     pub fn step(
         &self,
         device: &Device,
@@ -125,13 +125,13 @@ impl<'a> Adam<'a> {
         device: &'a Device,
         config: &'a OptimizerConfig,
         always: &'a Buffer<u32>,
-        (step, share): (u32, f64),
+        (step, fraction): (u32, f64),
         extent: f64,
     ) -> Self {
         let t = f64::from(step) + 1.0;
         let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
         let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
-        let mut rates = config.rates().map(|_, rate| (config.rate_at(rate, share), 1.0));
+        let mut rates = config.rates().map(|_, rate| (config.rate_at(rate, fraction), 1.0));
         rates.gaussians.position.0 *= extent;
         let (rate, kept) = &mut rates.transmittance.grid;
         *kept -= *rate * config.transmittance_decay;

@@ -95,8 +95,8 @@ impl Planner {
             }
             used += next;
             steps = steps.saturating_add(growth.every);
-            let share = (now.elapsed + used) / self.seconds;
-            if (growth.begin..=growth.end).contains(&share) {
+            let fraction = (now.elapsed + used) / self.seconds;
+            if (growth.begin..=growth.end).contains(&fraction) {
                 let most = f64::from(growth.max_gaussians);
                 gaussians = (gaussians * (1.0 + growth.rate)).min(most.max(gaussians));
             }
@@ -108,7 +108,7 @@ impl Planner {
 mod tests {
     use super::*;
 
-    /// Simulates a run whose steps take `cost(share, gaussians)` seconds. Returns its seconds and its settings.
+    /// Simulates a run whose steps take `cost(fraction, gaussians)` seconds. Returns its seconds and its settings.
     fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
         let mut config = TrainConfig::default();
         config.run.evaluate_views = 5;
@@ -129,14 +129,15 @@ mod tests {
                 now.elapsed += evaluation;
                 planner.evaluated(evaluation, 5);
             }
-            let share = config.run.share(now.step);
-            let took = cost(share, now.gaussians as f64);
+            let fraction = config.run.fraction(now.step);
+            let took = cost(fraction, now.gaussians as f64);
             now.step += 1;
             now.training += took;
             now.elapsed += took;
             let growth = &config.growth;
-            let share = config.run.share(now.step);
-            if now.step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
+            let fraction = config.run.fraction(now.step);
+            if now.step.is_multiple_of(growth.every)
+                && (growth.begin..=growth.end).contains(&fraction)
             {
                 let grown = now.gaussians as f64 * (1.0 + growth.rate);
                 now.gaussians = (grown as usize).min(growth.max_gaussians as usize);
@@ -151,19 +152,19 @@ mod tests {
             |_, gaussians| 0.05 + 3e-6 * gaussians,
             |_, gaussians| 1e-5 * gaussians,
             // steps become slower, and faster toward the end
-            |share, gaussians| (0.03 + 2e-6 * gaussians) * (1.0 + share * (1.0 - share)),
+            |fraction, gaussians| (0.03 + 2e-6 * gaussians) * (1.0 + fraction * (1.0 - fraction)),
             // coarse to fine: the remaining steps take longer, or less long
-            |share, _| if share < 0.8 { 0.1 } else { 0.13 },
-            |share, _| if share < 0.8 { 0.13 } else { 0.1 },
+            |fraction, _| if fraction < 0.8 { 0.1 } else { 0.13 },
+            |fraction, _| if fraction < 0.8 { 0.13 } else { 0.1 },
         ];
         for (index, cost) in costs.into_iter().enumerate() {
             for seconds in [120.0, 600.0, 3600.0] {
                 let (took, config) = run(seconds, cost);
                 let error = took / seconds - 1.0;
                 assert!(error.abs() < 0.05, "cost {index}, {seconds} s: {took}");
-                assert!((config.run.share(config.run.steps) - 1.0).abs() < 1e-12);
-                // shares follow time: half of the run is done after about half of its time
-                let middle = config.run.share(config.run.steps / 2);
+                assert!((config.run.fraction(config.run.steps) - 1.0).abs() < 1e-12);
+                // fractions follow time: half of the run is done after about half of its time
+                let middle = config.run.fraction(config.run.steps / 2);
                 assert!((0.3..0.7).contains(&middle), "cost {index}, {seconds} s: {middle}");
                 TrainConfig::parse(&config.to_toml(), std::path::Path::new("a plan")).unwrap();
             }

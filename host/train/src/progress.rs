@@ -25,7 +25,7 @@ impl Progress {
     /// Reads that of a checkpoint, and nothing else of it.
     ///
     /// # Errors
-    /// As [`Checkpoint::load`](crate::Checkpoint::load), for the header.
+    /// The same errors as [`Checkpoint::load`](crate::Checkpoint::load), for the header.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let (mut file, length) = open_regular(path)?;

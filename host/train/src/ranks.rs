@@ -79,8 +79,8 @@ fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) 
     )
 }
 
-/// Tells the other ranks how to train, and what with: each has one of so many shares, or the whole scene. `mine` is that of
-/// rank 0, and `share` makes or reads any.
+/// Tells the other ranks how to train, and what with: each has one of so many shares, or the whole scene. `mine` is
+/// that of rank 0, and `share` makes or reads any.
 pub(super) fn lead(
     (ranks, shares): (&dyn Ranks, Option<usize>),
     renderer: &Renderer,
@@ -115,8 +115,8 @@ pub(super) fn trainer(
 /// must be those of the session; its settings and its scene come from there. `mixed` is that of the session.
 ///
 /// # Errors
-/// As [`Session::run`](super::Session::run); [`Error::Rank`](organza_core::Error::Rank) where another rank has failed. The caller then
-/// [tells](Ranks::fail) the others.
+/// The same errors as [`Session::run`](super::Session::run); [`Error::Rank`](organza_core::Error::Rank) where another
+/// rank has failed. The caller then [tells](Ranks::fail) the others.
 pub fn follow(
     renderer: &Renderer,
     dataset: &Arc<Dataset>,
@@ -125,7 +125,7 @@ pub fn follow(
 ) -> Result<()> {
     meet(&**ranks, renderer, dataset, mixed)?;
     let words: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
-    let shares = (words[0] > 0).then_some(words[0] as usize);
+    let shares = words.first().map(|&shares| shares as usize).filter(|&shares| shares > 0);
     let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
     let checkpoint = Checkpoint::receive(Grid::new(&**ranks, shares.unwrap_or(1))?)?;

@@ -19,8 +19,8 @@ use organza_core::ranks::Ranks;
 use organza_data::{Dataset, Frame};
 use organza_render::{DeviceScene, Renderer};
 
-/// A training run in a folder: a [`Trainer`] with a log, checkpoints and evaluations. Whoever watches it makes more of
-/// its [events](Event), such as a report.
+/// A training run in a folder: a [`Trainer`](crate::Trainer) with a log, checkpoints and evaluations. Whoever watches it
+/// makes more of its [events](Event), such as a report.
 ///
 /// ```
 /// use std::sync::Arc;

@@ -18,12 +18,12 @@ use organza_render::Renderer;
 
 /// Training with Gaussians that are dealt to ranks.
 impl Trainer {
-    /// Continues from a checkpoint, of which each of many [ranks](organza_core::ranks) has a share of the Gaussians, and all of the
-    /// fields. All ranks take the same steps. The scene's bits do not depend on the number of ranks. They are not those of
-    /// [`Trainer::resume`], which adds the same terms in another order.
+    /// Continues from a checkpoint, of which each of many [ranks](organza_core::ranks) has a share of the Gaussians,
+    /// and all of the fields. All ranks take the same steps. The scene's bits do not depend on the number of ranks.
+    /// They are not those of [`Trainer::resume`], which adds the same terms in another order.
     ///
-    /// Ranks are in groups of `shares`, which share the views. Each group holds all Gaussians: the checkpoint of rank r is share
-    /// `r % shares` of so many.
+    /// Ranks are in groups of `shares`, which share the views. Each group holds all Gaussians: the checkpoint of rank r
+    /// is share `r % shares` of so many.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -54,8 +54,8 @@ impl Trainer {
     /// ```
     ///
     /// # Errors
-    /// As [`Trainer::resume`]; [`Error::Argument`] where ranks cannot learn what the settings ask for, or where `shares` does not
-    /// divide their number.
+    /// The same errors as [`Trainer::resume`]; [`Error::Argument`] where ranks cannot learn what the settings ask for,
+    /// or where `shares` does not divide their number.
     pub fn resume_share(
         renderer: &Renderer,
         config: TrainConfig,

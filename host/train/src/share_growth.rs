@@ -1,11 +1,11 @@
 //! Growth. The Gaussians may be dealt to ranks.
 //!
-//! Every rank gets two numbers of each Gaussian of the scene, and finds the same [plan](Plan). Then the rows of the Gaussians
+//! Every rank gets two numbers of each Gaussian of the scene, and finds the same [plan](GrowthPlan). Then the rows of the Gaussians
 //! go to the ranks that have their children: slices are cut anew.
 
 use super::checkpoint::Checkpoint;
 use super::config::GrowthConfig;
-use super::growth::{Child, Grown, Plan, apply, strength};
+use super::growth::{Child, Grown, GrowthPlan, apply, strength};
 use organza_core::error::Result;
 use organza_core::ranks::Ranks;
 use organza_core::scene::{Gaussians, Scene, range_of};
@@ -37,7 +37,7 @@ pub fn grow(config: &GrowthConfig, share: &mut Checkpoint, ranks: &dyn Ranks) ->
 }
 
 /// The plan of the whole scene.
-fn plan(config: &GrowthConfig, share: &Checkpoint, ranks: &dyn Ranks) -> Result<Plan> {
+fn plan(config: &GrowthConfig, share: &Checkpoint, ranks: &dyn Ranks) -> Result<GrowthPlan> {
     let opacity = &share.scene.gaussians.opacity;
     let strengths = share.statistics.iter().copied().map(strength);
     let mine: Vec<f32> = opacity.iter().copied().chain(strengths).collect();
@@ -49,7 +49,7 @@ fn plan(config: &GrowthConfig, share: &Checkpoint, ranks: &dyn Ranks) -> Result<
         opacity.extend_from_slice(first);
         strength.extend_from_slice(second);
     }
-    Ok(Plan::new(config, &opacity, &strength))
+    Ok(GrowthPlan::new(config, &opacity, &strength))
 }
 
 /// Which rows go where.
@@ -63,7 +63,7 @@ struct Moves {
 }
 
 impl Moves {
-    fn of(plan: &Plan, share: &Checkpoint, ranks: &dyn Ranks) -> Self {
+    fn of(plan: &GrowthPlan, share: &Checkpoint, ranks: &dyn Ranks) -> Self {
         let (rank, size, len) = (ranks.rank(), ranks.size(), plan.len());
         let mut moves = Self { wanted: vec![Vec::new(); size], children: Vec::new(), parents: 0 };
         let (mut owner, mut last) = (0, None);

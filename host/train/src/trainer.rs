@@ -84,7 +84,8 @@ pub struct Trainer {
 }
 
 impl Trainer {
-    /// Starts training: Gaussians are those of `start.path`, or lie at the data set's points, or where its cameras look.
+    /// Starts training: Gaussians are those of `start.path`, or lie at the data set's points, or where its cameras
+    /// look.
     ///
     /// # Errors
     /// [`Error::Invalid`] where a setting is out of range or no frame is left to train on; as [`Renderer::upload`].
@@ -101,7 +102,7 @@ impl Trainer {
     /// Continues from a checkpoint. With [`Checkpoint::begin`], this trains a scene of your own.
     ///
     /// # Errors
-    /// As [`Trainer::start`].
+    /// The same errors as [`Trainer::start`].
     pub fn resume(
         renderer: &Renderer,
         config: TrainConfig,
@@ -157,9 +158,9 @@ impl Trainer {
         })
     }
 
-    /// The same training, shared with other [ranks](organza_core::ranks). Each rank has a trainer of its own, with the same
-    /// settings, data and checkpoint, and takes the same steps. All trainers then hold the same scene, and its bits are
-    /// those of a trainer without ranks.
+    /// The same training, shared with other [ranks](organza_core::ranks). Each rank has a trainer of its own, with the
+    /// same settings, data and checkpoint, and takes the same steps. All trainers then hold the same scene, and its
+    /// bits are those of a trainer without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Arc<dyn Ranks>) -> Self {
         self.ranks = Some(ranks);
@@ -222,7 +223,8 @@ impl Trainer {
     /// Renders the held-out frames and compares them with their photographs.
     ///
     /// # Errors
-    /// As [`evaluate`](crate::evaluate()); [`Error::Argument`] where this rank has a share of the scene.
+    /// The same errors as [`evaluate`](crate::evaluate()); [`Error::Argument`] where this rank has a share of the
+    /// scene.
     pub fn evaluate(&self) -> Result<Evaluation> {
         let frames: Vec<_> = self.dataset.held_out_frames().collect();
         let Some(scene) = self.scene() else {
@@ -232,11 +234,12 @@ impl Trainer {
         evaluate(&self.renderer, scene, &frames)
     }
 
-    /// Everything that training needs to go on, with the Gaussians of this rank's share. `seconds` is the time of training to
-    /// write down.
+    /// Everything that training needs to go on, with the Gaussians of this rank's share. `seconds` is the time of
+    /// training to write down.
     ///
     /// # Errors
-    /// As [`Device::read`](muslin_device::Device::read); [`Error::Diverged`] where a gradient was not finite.
+    /// The same errors as [`Device::read`](muslin_device::Device::read); [`Error::Diverged`] where a gradient was not
+    /// finite.
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
         let (device, state) = (self.renderer.device(), &self.state);
         state.gradient.fields.check(device)?;
@@ -256,8 +259,9 @@ impl Trainer {
     /// One step.
     ///
     /// # Errors
-    /// [`Error::Diverged`] where the loss is not finite; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-    /// The trainer is then as before the step.
+    /// [`Error::Diverged`] where the loss is not finite;
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory). The trainer is then as before the
+    /// step.
     pub fn step(&mut self) -> Result<StepReport> {
         self.step_with(&mut StepHooks::new())
     }
@@ -265,7 +269,7 @@ impl Trainer {
     /// Like [`Trainer::step`], with a loss of your own, or with a function between the gradient and Adam.
     ///
     /// # Errors
-    /// As [`Trainer::step`], and those of the hooks.
+    /// The same errors as [`Trainer::step`], and those of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         let drawn = match hooks.loss {
             // a caller may know photographs by their pixels, and tiles by what renders them
@@ -283,7 +287,7 @@ impl Trainer {
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| rollback(self))?;
         }
-        let done = self.config.run.share(self.step);
+        let done = self.config.run.fraction(self.step);
         let (settings, now) = (&self.config.optimizer, (self.step, done));
         if let Some(learned) = &mut self.exposures {
             let rate = settings.rate_at(settings.exposure, done);
@@ -369,8 +373,9 @@ impl Trainer {
 
 /// Whether the number of Gaussians changes after so many steps.
 pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
-    let (growth, share) = (&config.growth, config.run.share(step));
-    step.is_multiple_of(growth.every) && (growth.begin..=growth.end).contains(&share)
+    let growth = &config.growth;
+    let is_in_time = (growth.begin..=growth.end).contains(&config.run.fraction(step));
+    step.is_multiple_of(growth.every) && is_in_time
 }
 
 /// See [`Trainer::grid`].

@@ -118,7 +118,7 @@ impl SceneGradient {
     /// The same with the gradients of the poses of so many cameras, all that a batch may show.
     ///
     /// # Errors
-    /// As [`Device::zeros`].
+    /// The same errors as [`Device::zeros`].
     pub fn with_poses(mut self, device: &Device, cameras: usize) -> Result<Self> {
         let label = "gradients of poses";
         self.poses = Some(BinnedGradient::new(device, label, POSE * cameras)?);
@@ -128,7 +128,7 @@ impl SceneGradient {
     /// The gradients of the cameras' poses `[cameras, 6]`, where they are wanted. Waits for the device.
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn read_poses(&self, device: &Device) -> Result<Vec<[f32; POSE]>> {
         let Some(poses) = &self.poses else { return Ok(Vec::new()) };
         Ok(device.read(&poses.values)?.as_chunks().0.to_vec())
@@ -203,7 +203,7 @@ impl SceneGradient {
     /// The gradient on the host; `config` and `len` are those of the scene.
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn download(&self, device: &Device, config: &SceneConfig, len: usize) -> Result<Gradient> {
         let read = |tensor: &TensorGradient, values: &mut [f32]| {
             device.read_into(&tensor.buffer, tensor.range.start, values)
@@ -239,7 +239,7 @@ impl ShareGradient {
         Ok(())
     }
 
-    /// As [`SceneGradient::rollback`].
+    /// Like [`SceneGradient::rollback`].
     pub fn rollback(&self, device: &Device) {
         self.blocks.iter().chain([&self.fields]).for_each(|gradient| gradient.rollback(device));
     }
@@ -253,7 +253,7 @@ impl TensorGradient {
     /// The gradient's values.
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn read(&self, device: &Device) -> Result<Vec<f32>> {
         Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
     }

@@ -251,12 +251,12 @@ impl LossOutput {
     /// The sums of each tile, read from the device: waits for it.  The order of the sums is fixed.
     ///
     /// # Errors
-    /// As [`Device::read`].
+    /// The same errors as [`Device::read`].
     pub fn sums(&self, device: &Device) -> Result<Vec<TileLoss>> {
         Ok(self.sums_of(&device.read(&self.row_sum)?))
     }
 
-    /// As [`LossOutput::sums`], the values of `more`, and the capacity that a part needed. Waits once.
+    /// Like [`LossOutput::sums`], the values of `more`, and the capacity that a part needed. Waits once.
     pub(crate) fn sums_and_needed(
         &self,
         device: &Device,

@@ -5,6 +5,7 @@ use std::slice::from_ref;
 use super::gradient::SceneGradient;
 use super::loss::LossInputs;
 use super::part_backward::{LossTarget, of_tiles};
+use super::step::Step;
 use crate::batch::plan::Plan;
 use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
@@ -69,21 +70,13 @@ pub enum OwnLoss<'h> {
     Device(Box<DeviceLoss<'h>>),
 }
 
-/// A step's batch.
-#[derive(Clone, Copy)]
-struct Step<'a> {
-    scene: &'a DeviceScene,
-    cameras: &'a [Camera],
-    target: &'a LossTarget<'a>,
-    gradient: &'a SceneGradient,
-}
-
 impl Renderer {
     /// Adds the gradients of a caller's loss to `gradient`, which is that of a step; returns the loss, and the mean
     /// squared error of the valid pixels.
     ///
     /// # Errors
-    /// As [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another number of values.
+    /// The same errors as [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another
+    /// number of values.
     pub fn add_own_loss_gradient(
         &self,
         scene: &DeviceScene,
@@ -93,14 +86,14 @@ impl Renderer {
         target: &LossTarget<'_>,
         gradient: &SceneGradient,
     ) -> Result<(f64, f64)> {
-        let step = Step { scene, cameras, target, gradient };
+        let step = Step { renderer: self, scene, cameras, target, gradient };
         let (loss, squared) = match own {
-            OwnLoss::Host(own) => self.host(step, batch, own)?,
+            OwnLoss::Host(own) => step.host(batch, own)?,
             OwnLoss::Device(own) => {
                 gradient.snapshot(self.device());
                 self.in_parts(scene, batch, |plans| {
                     let add = |sum: (f64, f64), plan| {
-                        let (loss, squared) = self.part(step, own, plan)?;
+                        let (loss, squared) = step.part(own, plan)?;
                         Ok((sum.0 + loss, sum.1 + squared))
                     };
                     let sum = plans.iter().try_fold((0.0, 0.0), add);
@@ -110,16 +103,13 @@ impl Renderer {
         };
         Ok((loss, squared / (3.0 * target.valid_pixels).max(1.0)))
     }
+}
 
+impl Step<'_> {
     /// A loss on the host needs all tiles at once.
-    fn host(
-        &self,
-        step: Step<'_>,
-        batch: &TileBatch,
-        own: &mut HostLoss<'_>,
-    ) -> Result<(f64, f64)> {
-        let Step { scene, cameras, target, gradient } = step;
-        let recording = self.record(scene, cameras, batch)?;
+    fn host(&self, batch: &TileBatch, own: &mut HostLoss<'_>) -> Result<(f64, f64)> {
+        let Self { renderer, scene, cameras, target, gradient } = *self;
+        let recording = renderer.record(scene, cameras, batch)?;
         let rendered = recording.tiles();
         let LossGradient { loss, grad_output } =
             own(&LossBatch { batch, rendered, target: *target })?;
@@ -130,9 +120,9 @@ impl Renderer {
     }
 
     /// Renders a part, has the loss evaluated, and goes back.
-    fn part(&self, step: Step<'_>, own: &mut DeviceLoss<'_>, plan: &Plan) -> Result<(f64, f64)> {
-        let Step { scene, cameras, target, gradient } = step;
-        let (device, side) = (self.device(), plan.side);
+    fn part(&self, own: &mut DeviceLoss<'_>, plan: &Plan) -> Result<(f64, f64)> {
+        let Self { renderer, scene, cameras, target, gradient } = *self;
+        let (device, side) = (renderer.device(), plan.side);
         let area = (side * side) as usize;
         let image = of_tiles(target.image, &plan.tiles, 3 * area);
         let valid = of_tiles(target.valid, &plan.tiles, area);
@@ -160,7 +150,7 @@ impl Renderer {
             device.run_in_pool(|| part.backward(scene, side, &grad_image, gradient))?;
             Ok(((loss, squared), needed))
         };
-        self.with_predicted_capacity(scene, plan, work)
+        renderer.with_predicted_capacity(scene, plan, work)
     }
 }
 

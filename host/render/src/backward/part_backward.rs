@@ -77,8 +77,8 @@ impl Part {
         Ok(())
     }
 
-    /// The other stages, after the scale of the hash grids' sums is set. With the `rows` of a block, takes what each camera
-    /// has of the Gaussians. The last camera of a part may continue in the next one.
+    /// The other stages, after the scale of the hash grids' sums is set. With the `rows` of a block, takes what each
+    /// camera has of the Gaussians. The last camera of a part may continue in the next one.
     pub fn add_pairs(
         &self,
         scene: &DeviceScene,
@@ -102,8 +102,8 @@ impl Part {
         Ok(())
     }
 
-    /// The stages of the fields and of the poses: adds the gradients of the fields to their sums, those of the poses, and
-    /// returns those of the pairs' vectors.
+    /// The stages of the fields and of the poses: adds the gradients of the fields to their sums, those of the poses,
+    /// and returns those of the pairs' vectors.
     fn backward_fields(
         &self,
         scene: &DeviceScene,
@@ -169,8 +169,8 @@ pub struct LossTarget<'a> {
     pub ssim_weight: f32,
     /// The weight of the [distortion](organza_shaders::distortion). A loss of your own has none.
     pub distortion_weight: f32,
-    /// `[K, 3, 2]`: a gain and an offset for each channel, which the rendered tiles get before they are compared. Without
-    /// them they are compared as they are. A loss of your own never has them.
+    /// `[K, 3, 2]`: a gain and an offset for each channel, which the rendered tiles get before they are compared.
+    /// Without them they are compared as they are. A loss of your own never has them.
     pub exposure: Option<&'a [f32]>,
 }
 
@@ -207,7 +207,7 @@ impl Renderer {
     /// ```
     ///
     /// # Errors
-    /// As [`Recording::backward`](crate::Recording::backward).
+    /// The same errors as [`Recording::backward`](crate::Recording::backward).
     pub fn gradient(
         &self,
         scene: &DeviceScene,
@@ -247,7 +247,7 @@ impl Renderer {
     /// Adds dLoss/dtensor of `grad_output [K, 3, S, S]` to `gradient`, and waits for it.
     ///
     /// # Errors
-    /// As [`Renderer::gradient`].
+    /// The same errors as [`Renderer::gradient`].
     pub fn add_gradient(
         &self,
         scene: &DeviceScene,

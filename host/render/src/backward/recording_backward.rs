@@ -24,11 +24,11 @@ impl KeptPart {
 }
 
 impl Recording<'_> {
-    /// Adds dLoss/dtensor to the gradients of a step, zero before but for the statistics: those of the fields and of each
-    /// block.
+    /// Adds dLoss/dtensor to the gradients of a step, zero before but for the statistics: those of the fields and of
+    /// each block.
     ///
     /// # Errors
-    /// As [`Recording::backward`], but for [`Error::Diverged`]. The gradient is then as it was before.
+    /// The same errors as [`Recording::backward`], but for [`Error::Diverged`]. The gradient is then as it was before.
     pub(crate) fn add_to(
         &self,
         grad_output: &[f32],
@@ -99,8 +99,8 @@ impl Recording<'_> {
         finish(device, Some(grid.all), fields)
     }
 
-    /// Finds the one scale of all ranks' hash grids. Returns the gradient of the pairs of each part, `[pairs, 3]`, if the part
-    /// was kept.
+    /// Finds the one scale of all ranks' hash grids. Returns the gradient of the pairs of each part, `[pairs, 3]`, if
+    /// the part was kept.
     fn raise_bounds(
         &self,
         grad_output: &[f32],

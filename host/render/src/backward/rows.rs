@@ -1,5 +1,5 @@
 //! Rows of Gaussians' gradients, as ranks exchange them: a row goes to the rank that owns the Gaussian. The owner adds the rows
-//! of all units in their order, and tells everyone the sums.
+//! of all view batches in their order, and tells everyone the sums.
 
 use std::ops::Range;
 
@@ -10,13 +10,13 @@ use muslin_device::Device;
 use organza_core::error::Result;
 use organza_core::ranks::Ranks;
 
-/// The gradients of Gaussians, and the statistics of growth, as rows: what a unit has made of each Gaussian.
+/// The gradients of Gaussians, and the statistics of growth, as rows: what a view batch has made of each Gaussian.
 pub struct Rows<'a> {
     device: &'a Device,
     ranks: &'a dyn Ranks,
     /// All ranks have the same.
     scenes: Vec<Held<'a>>,
-    /// For each rank, what goes to it: for each scene and unit, how many rows follow, and the rows. A row is the Gaussian's
+    /// For each rank, what goes to it: for each scene and view batch, how many rows follow, and the rows. A row is the Gaussian's
     /// place, its values of all tensors, and its three statistics.
     for_each: Vec<Vec<u32>>,
 }
@@ -54,7 +54,7 @@ impl<'a> Rows<'a> {
         Ok(Self { device, ranks, scenes, for_each: vec![Vec::new(); ranks.size()] })
     }
 
-    /// Takes what a unit has left of a scene on the device.
+    /// Takes what a view batch has left of a scene on the device.
     pub fn take(&mut self, scene: usize) -> Result<()> {
         let (device, scene) = (self.device, &self.scenes[scene]);
         let mut columns = Vec::with_capacity(scene.tensors.len());
@@ -87,8 +87,8 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// Adds the rows of all ranks' units in their order, and writes the sums to the gradients.
-    pub fn add(mut self, units: usize) -> Result<()> {
+    /// Adds the rows of all ranks' view batches in their order, and writes the sums to the gradients.
+    pub fn add(mut self, views: usize) -> Result<()> {
         let ranks = self.ranks;
         let bytes = |words: Vec<u32>| bytemuck::cast_slice(&words).to_vec();
         let words = |bytes: &[Vec<u8>]| -> Vec<Vec<u32>> {
@@ -97,7 +97,7 @@ impl<'a> Rows<'a> {
         let for_each = self.for_each.iter_mut().map(|words| bytes(std::mem::take(words)));
         let received = words(&ranks.exchange(for_each.collect())?);
         let mut rest: Vec<_> = received.iter().map(Vec::as_slice).collect();
-        let sums = self.scenes.iter().flat_map(|scene| scene.sum(units, &mut rest, ranks.rank()));
+        let sums = self.scenes.iter().flat_map(|scene| scene.sum(views, &mut rest, ranks.rank()));
         let sums = words(&ranks.gather(bytes(sums.collect()))?);
         let mut rest: Vec<_> = sums.iter().map(Vec::as_slice).collect();
         self.scenes.iter().try_for_each(|scene| scene.write(self.device, &mut rest))
@@ -117,8 +117,8 @@ impl Held<'_> {
         begin(rank)..begin(rank + 1)
     }
 
-    /// The sums of the rows that a rank owns, those that any unit has. Takes the rows from what each rank has sent.
-    fn sum(&self, units: usize, rest: &mut [&[u32]], rank: usize) -> Vec<u32> {
+    /// The sums of the rows that a rank owns, those that any view batch has. Takes the rows from what each rank has sent.
+    fn sum(&self, views: usize, rest: &mut [&[u32]], rank: usize) -> Vec<u32> {
         let (width, owned) = (self.width(), self.owned(rank, rest.len()));
         let first_statistic = width - STATISTICS;
         let mut sums: Vec<f32> = vec![0.0; owned.len() * width];
@@ -127,8 +127,8 @@ impl Held<'_> {
         }
         let first = self.range.start + owned.start;
         let mut is_touched = vec![false; owned.len()];
-        for unit in 0..units {
-            let words = &mut rest[unit % rest.len()];
+        for view in 0..views {
+            let words = &mut rest[view % rest.len()];
             let (rows, after) = words[1..].split_at(words[0] as usize * (width + 1));
             *words = after;
             for row in rows.chunks_exact(width + 1) {

@@ -1,8 +1,9 @@
 //! The gradient of a training step.
 //!
-//! A view batch is a step's tiles of one camera. Its gradients have the same bits whoever computes it, alone or in one part
-//! with others. So the sum depends neither on how a batch is cut into parts, nor on how many [ranks](organza_core::ranks) share it.
-//! View batches are dealt to ranks: the one with the number v is computed by rank v mod R.
+//! A view batch is a step's tiles of one camera. Its gradients have the same bits whoever computes it, alone or in one
+//! part with others. So the sum depends neither on how a batch is cut into parts, nor on how many
+//! [ranks](organza_core::ranks) share it. View batches are dealt to ranks: the one with the number v is computed by
+//! rank v mod R.
 //!
 //! - **hash grids** are summed as 64-bit integers, which are exact in any order. All view batches share one scale: its
 //!   bound is the largest of all bounds.
@@ -39,12 +40,12 @@ const COMPARED_PIXELS: usize = 1 << 20;
 
 /// A step.
 #[derive(Clone, Copy)]
-struct Step<'a> {
-    renderer: &'a Renderer,
-    scene: &'a DeviceScene,
-    cameras: &'a [Camera],
-    target: &'a LossTarget<'a>,
-    gradient: &'a SceneGradient,
+pub(super) struct Step<'a> {
+    pub(super) renderer: &'a Renderer,
+    pub(super) scene: &'a DeviceScene,
+    pub(super) cameras: &'a [Camera],
+    pub(super) target: &'a LossTarget<'a>,
+    pub(super) gradient: &'a SceneGradient,
 }
 
 impl Renderer {
@@ -53,12 +54,12 @@ impl Renderer {
     ///
     /// With `ranks`, each has the same scene and the same batch, and then the same gradient.
     ///
-    /// On a GPU a batch of one part is one submission and one wait, for the losses, after a first one that has found out what
-    /// such batches need. `gradient` is that of a step: but for the statistics, zero before. `loss` is kept from step to
-    /// step.
+    /// On a GPU a batch of one part is one submission and one wait, for the losses, after a first one that has found
+    /// out what such batches need. `gradient` is that of a step: but for the statistics, zero before. `loss` is kept
+    /// from step to step.
     ///
     /// # Errors
-    /// As [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank).
+    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank).
     #[allow(clippy::too_many_arguments)]
     pub fn add_loss_gradient(
         &self,
@@ -83,7 +84,7 @@ impl Renderer {
                 found.inspect_err(rollback)
             })?,
             Some(ranks) => {
-                let (views, limits) = self.units(scene, batch)?;
+                let (views, limits) = self.view_batches(scene, batch)?;
                 let mine = views.iter().skip(ranks.rank()).step_by(ranks.size()).cloned();
                 let plans = limits.join(&mine.collect::<Vec<_>>());
                 let shared = Some((ranks, views.len()));
@@ -94,11 +95,11 @@ impl Renderer {
         Ok(found.in_order())
     }
 
-    /// As [`Renderer::add_loss_gradient`] together with other ranks: each has its share of the same scene, and the same batch.
-    /// Each group renders some of it.
+    /// Like [`Renderer::add_loss_gradient`] together with other ranks: each has its share of the same scene, and the
+    /// same batch. Each group renders some of it.
     ///
     /// # Errors
-    /// As [`Renderer::record_share`]. The gradient is then as it was before.
+    /// The same errors as [`Renderer::record_share`]. The gradient is then as it was before.
     pub fn add_share_gradient(
         &self,
         (share, grid): (&DeviceShare, Grid<'_>),
@@ -175,8 +176,8 @@ impl Step<'_> {
         device.run_in_pool(|| self.renderer.with_predicted_capacity(scene, plan, work))
     }
 
-    /// A step in several parts: the second pass needs the bounds of all of them. Or what this rank has of a step with so
-    /// many view batches.
+    /// A step in several parts: the second pass needs the bounds of all of them. Or what this rank has of a step with
+    /// so many view batches.
     fn in_passes(
         &self,
         plans: Vec<&Plan>,

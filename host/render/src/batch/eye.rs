@@ -23,12 +23,13 @@ use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::tile::TileBatch;
 
-/// Pairs that are evaluated at once, so that a frame nobody waits for any more ends soon: on a CPU about a tenth of a second.
+/// Pairs that are evaluated at once, so that a frame nobody waits for any more ends soon: on a CPU about a tenth of a
+/// second.
 const CPU_PAIRS: usize = 1 << 12;
 const GPU_PAIRS: usize = 1 << 17;
 
-/// Colors c (Eq. 3) and transmittances T (Eq. 11) of a scene's Gaussians, as seen from one place. It belongs to one scene
-/// as it is: after the scene changes, begin with another.
+/// Colors c (Eq. 3) and transmittances T (Eq. 11) of a scene's Gaussians, as seen from one place. It belongs to one
+/// scene as it is: after the scene changes, begin with another.
 #[derive(Debug, Default)]
 pub struct EyeCache {
     /// The place in world space, as kernels have it.
@@ -171,16 +172,16 @@ fn pairs_of(device: &Device, bins: &Bins, gaussians: &[u32]) -> muslin_device::R
         pair: device.upload("pairs", gaussians)?,
         camera: bins.pairs.camera.view(),
         projection: bins.pairs.projection.view(),
-        unit_ends: Vec::new(),
+        view_ends: Vec::new(),
     })
 }
 
 impl Renderer {
-    /// Renders tiles of one camera, whose index does not matter. Colors and transmittances that are in the cache are not
-    /// computed again. Returns nothing where it was cancelled; what was computed by then is kept.
+    /// Renders tiles of one camera, whose index does not matter. Colors and transmittances that are in the cache are
+    /// not computed again. Returns nothing where it was cancelled; what was computed by then is kept.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     pub fn render_from_eye(
         &self,
         scene: &DeviceScene,
@@ -200,7 +201,7 @@ impl Renderer {
     /// How many Gaussians each pixel sums up, row by row: those whose support reaches the pixel's center.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     pub fn count_members(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<u32>> {
         let device = self.device();
         let (_, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;

@@ -29,19 +29,19 @@ impl Plan {
     /// The parts of a batch, last first.
     pub fn split(scene: &DeviceScene, batch: &TileBatch, part_bytes: u64) -> Result<Vec<Self>> {
         let limits = Limits::of(scene, batch.side, part_bytes)?;
-        let mut parts = limits.join(&limits.units(batch));
+        let mut parts = limits.join(&limits.view_batches(batch));
         parts.reverse();
         Ok(parts)
     }
 
-    /// The units of a batch: its tiles by camera, and those of a camera cut where they are too many for a part.
-    pub fn units(
+    /// The view batches of a batch: its tiles by camera, and those of a camera cut where they are too many for a part.
+    pub fn view_batches(
         scene: &DeviceScene,
         batch: &TileBatch,
         part_bytes: u64,
     ) -> Result<(Vec<Self>, Limits)> {
         let limits = Limits::of(scene, batch.side, part_bytes)?;
-        Ok((limits.units(batch), limits))
+        Ok((limits.view_batches(batch), limits))
     }
 
     /// Two parts of half the size, last first.
@@ -131,30 +131,30 @@ impl Limits {
     }
 
     /// The tiles of a batch by camera, as parts of one camera each.
-    fn units(&self, batch: &TileBatch) -> Vec<Plan> {
+    fn view_batches(&self, batch: &TileBatch) -> Vec<Plan> {
         let tiles = batch.tiles.iter().enumerate();
         let mut tiles: Vec<_> = tiles.map(|(place, &tile)| PlannedTile { tile, place }).collect();
         tiles.sort_by_key(|tile| tile.tile.camera);
         let of_cameras = tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera);
-        let units = of_cameras.flat_map(|tiles| tiles.chunks(self.tiles));
-        units.map(|tiles| Plan { side: batch.side, tiles: tiles.to_vec() }).collect()
+        let views = of_cameras.flat_map(|tiles| tiles.chunks(self.tiles));
+        views.map(|tiles| Plan { side: batch.side, tiles: tiles.to_vec() }).collect()
     }
 
     /// Joins parts of one camera each, as many as fit into each part, in their order.
-    pub fn join(&self, units: &[Plan]) -> Vec<Plan> {
+    pub fn join(&self, views: &[Plan]) -> Vec<Plan> {
         let mut parts: Vec<Plan> = Vec::new();
         let mut cameras = 0;
-        for unit in units {
+        for view in views {
             match parts.last_mut() {
                 Some(part)
-                    if part.tiles.len() + unit.tiles.len() <= self.tiles
+                    if part.tiles.len() + view.tiles.len() <= self.tiles
                         && cameras < self.cameras =>
                 {
-                    part.tiles.extend(&unit.tiles);
+                    part.tiles.extend(&view.tiles);
                     cameras += 1;
                 }
                 _ => {
-                    parts.push(unit.clone());
+                    parts.push(view.clone());
                     cameras = 1;
                 }
             }

@@ -1,10 +1,10 @@
 //! A rendered batch that keeps what its gradient needs, so that nothing is rendered twice.
 //!
-//! With Gaussians that are dealt to ranks, every rank knows C and S of all Gaussians. So it has dL/dC and dL/dS of Eq. 13
-//! without another message, and from them the gradients of its own Gaussians. Those of the fields and the poses are added up as
-//! integers, as in [a step over views](crate::backward::step): their bits do not depend on the number of ranks, either. In a
-//! [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the same share add up its
-//! Gaussians' gradients camera by camera, as [`Rows`](crate::backward::rows::Rows).
+//! With Gaussians that are dealt to ranks, every rank knows C and S of all Gaussians. So it has dL/dC and dL/dS of Eq.
+//! 13 without another message, and from them the gradients of its own Gaussians. Those of the fields and the poses are
+//! added up as integers, as in [a step over views](crate::backward::step): their bits do not depend on the number of
+//! ranks, either. In a [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the
+//! same share add up its Gaussians' gradients camera by camera, as [`Rows`](crate::backward::rows::Rows).
 
 use std::slice::from_ref;
 use std::sync::atomic::Ordering;
@@ -71,10 +71,10 @@ fn version(blocks: &[DeviceScene]) -> u64 {
 }
 
 impl Renderer {
-    /// As [`Renderer::render`], and keeps what the gradient needs.
+    /// Like [`Renderer::render`], but keeps what the gradient needs.
     ///
     /// # Errors
-    /// As [`Renderer::render`]; [`Error::Argument`] where the scene's grids or networks are halves.
+    /// The same errors as [`Renderer::render`]; [`Error::Argument`] where the scene's grids or networks are halves.
     pub fn record(
         &self,
         scene: &DeviceScene,
@@ -84,10 +84,10 @@ impl Renderer {
         self.record_channels(scene, cameras, batch, &[])
     }
 
-    /// As [`Renderer::record`], with [channels](Channel) beside the color. They have no gradients.
+    /// Like [`Renderer::record`], with [channels](Channel) beside the color. They have no gradients.
     ///
     /// # Errors
-    /// As [`Renderer::record`].
+    /// The same errors as [`Renderer::record`].
     pub fn record_channels(
         &self,
         scene: &DeviceScene,
@@ -134,10 +134,11 @@ impl Renderer {
         })
     }
 
-    /// As [`Renderer::render_share`], and keeps what the gradient needs.
+    /// Like [`Renderer::render_share`], but keeps what the gradient needs.
     ///
     /// # Errors
-    /// As [`Renderer::render_share`]; [`Error::Argument`] where the scene's grids or networks are halves.
+    /// The same errors as [`Renderer::render_share`]; [`Error::Argument`] where the scene's grids or networks are
+    /// halves.
     pub fn record_share<'a>(
         &self,
         share: &DeviceShare,
@@ -185,8 +186,8 @@ impl Recording<'_> {
     }
 
     /// dLoss/dtensor for every tensor of the scene, given `grad_output [K, 3, S, S]`, dLoss/dY: what
-    /// [`Renderer::gradient`] gives. If ranks share the batch, `grad_output` is the same on all of them. The gradients of the
-    /// Gaussians are those of this rank; those of the fields are of all Gaussians.
+    /// [`Renderer::gradient`] gives. If ranks share the batch, `grad_output` is the same on all of them. The gradients
+    /// of the Gaussians are those of this rank; those of the fields are of all Gaussians.
     ///
     /// # Errors
     /// [`Error::Argument`] where `grad_output` has another number of values, or where the scene has been written to
@@ -197,12 +198,12 @@ impl Recording<'_> {
         self.download(&gradient, grad_output)
     }
 
-    /// As [`Recording::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation vector
-    /// and the shift of [`Camera::moved`], where both are 0. Those of a camera that shows no tile are 0. As the networks see
-    /// positions and directions as constants, they see the camera's center as one.
+    /// Like [`Recording::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation
+    /// vector and the shift of [`Camera::moved`], where both are 0. Those of a camera that shows no tile are 0. As the
+    /// networks see positions and directions as constants, they see the camera's center as one.
     ///
     /// # Errors
-    /// As [`Recording::backward`].
+    /// The same errors as [`Recording::backward`].
     pub fn backward_with_poses(&self, grad_output: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
         self.check(grad_output)?;
         let device = self.renderer.device();
@@ -212,11 +213,12 @@ impl Recording<'_> {
         Ok((found, gradient.read_poses(device)?))
     }
 
-    /// As [`Recording::backward`], into buffers that are kept from one batch to the next. Their values before do not
-    /// matter. [`TensorGradient::read_into`](crate::TensorGradient::read_into) and [`SceneGradient::download`] read them.
+    /// Like [`Recording::backward`], into buffers that are kept from one batch to the next. Their values before do not
+    /// matter. [`TensorGradient::read_into`](crate::TensorGradient::read_into) and [`SceneGradient::download`] read
+    /// them.
     ///
     /// # Errors
-    /// As [`Recording::backward`]; [`Error::Argument`] if ranks share the Gaussians.
+    /// The same errors as [`Recording::backward`]; [`Error::Argument`] if ranks share the Gaussians.
     pub fn backward_into(&self, gradient: &SceneGradient, grad_output: &[f32]) -> Result<()> {
         let device = self.renderer.device();
         self.check(grad_output)?;

@@ -79,8 +79,9 @@ impl Renderer {
     /// not change the image.
     ///
     /// # Errors
-    /// [`Error::Tile`](organza_core::Error::Tile) where a tile has no camera or an impossible place, [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) where a single tile
-    /// does not fit, [`DeviceError::DeviceLost`](organza_core::error::DeviceError::DeviceLost).
+    /// [`Error::Tile`](organza_core::Error::Tile) where a tile has no camera or an impossible place,
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) where a single tile does not fit,
+    /// [`DeviceError::DeviceLost`](organza_core::error::DeviceError::DeviceLost).
     pub fn render(
         &self,
         scene: &DeviceScene,
@@ -90,10 +91,11 @@ impl Renderer {
         self.render_with_progress(scene, cameras, batch, &mut |_, _| {})
     }
 
-    /// As [`Renderer::render`]; calls `progress` after each part with the number of tiles that are done, and of all.
+    /// Like [`Renderer::render`], but calls `progress` after each part with the number of tiles that are done, and of
+    /// all.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     pub fn render_with_progress(
         &self,
         scene: &DeviceScene,
@@ -104,10 +106,10 @@ impl Renderer {
         self.render_channels(scene, cameras, batch, &[], progress)
     }
 
-    /// As [`Renderer::render_with_progress`], with [channels](Channel) beside the color.
+    /// Like [`Renderer::render_with_progress`], with [channels](Channel) beside the color.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     pub fn render_channels(
         &self,
         scene: &DeviceScene,
@@ -173,7 +175,7 @@ impl Renderer {
     /// Renders the whole image of a camera. Values are clamped to 0 to 1 and rounded to 8 bits.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     pub fn render_view(&self, scene: &DeviceScene, camera: &Camera) -> Result<Image> {
         let size = [camera.width, camera.height];
         let mut image = Image::new(size[0], size[1])?;
@@ -189,17 +191,17 @@ impl Renderer {
         Ok(Plan::split(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
-    /// The units of a batch, and what joins them to parts.
-    pub(crate) fn units(
+    /// The view batches of a batch, and what joins them to parts.
+    pub(crate) fn view_batches(
         &self,
         scene: &DeviceScene,
         batch: &TileBatch,
     ) -> Result<(Vec<Plan>, Limits)> {
-        Ok(Plan::units(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+        Ok(Plan::view_batches(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
-    /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the capacity
-    /// was too small, or without a prediction, does it with room for everything.
+    /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the
+    /// capacity was too small, or without a prediction, does it with room for everything.
     pub(crate) fn with_predicted_capacity<R>(
         &self,
         scene: &DeviceScene,

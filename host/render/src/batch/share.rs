@@ -1,9 +1,9 @@
 //! Rendering with Gaussians that are dealt to ranks, so that no rank holds them all.
 //!
-//! A pixel's C and S (Eq. 12) are sums over Gaussians, and nothing is sorted: each rank adds up its own, and one sum over
-//! the ranks gives the image. Its bits do not depend on the number of ranks. Gaussians are cut into
-//! [slices](organza_core::scene::SLICE) by index. Each slice is added up in f32, by the rank that holds it. The sums of slices are
-//! rounded to multiples of 2^-32 and added as 64-bit integers, which is exact in any order.
+//! A pixel's C and S (Eq. 12) are sums over Gaussians, and nothing is sorted: each rank adds up its own, and one sum
+//! over the ranks gives the image. Its bits do not depend on the number of ranks. Gaussians are cut into
+//! [slices](organza_core::scene::SLICE) by index. Each slice is added up in f32, by the rank that holds it. The sums of
+//! slices are rounded to multiples of 2^-32 and added as 64-bit integers, which is exact in any order.
 
 use super::plan::{Plan, PlannedTile};
 use super::renderer::Renderer;
@@ -33,15 +33,15 @@ const KEPT_SAMPLES: u64 = 1 << 24;
 const RESOLVED_PIXELS: usize = 1 << 22;
 
 impl Renderer {
-    /// Renders a batch of tiles together with other ranks: each has its share of the same scene, and the same batch, and
-    /// gets all tiles. The report counts what all ranks did.
+    /// Renders a batch of tiles together with other ranks: each has its share of the same scene, and the same batch,
+    /// and gets all tiles. The report counts what all ranks did.
     ///
-    /// The tiles differ from those of [`Renderer::render`] by rounding: by 2^-32 for each slice, and because a pixel's sum
-    /// begins anew with each.
+    /// The tiles differ from those of [`Renderer::render`] by rounding: by 2^-32 for each slice, and because a pixel's
+    /// sum begins anew with each.
     ///
     /// # Errors
-    /// As [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank) where another rank has failed. The caller
-    /// [tells](Ranks::fail) the others of its own.
+    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank) where another rank has
+    /// failed. The caller [tells](Ranks::fail) the others of its own.
     pub fn render_share(
         &self,
         share: &DeviceShare,

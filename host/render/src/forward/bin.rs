@@ -27,13 +27,13 @@ pub struct Pairs {
     /// `[cameras, gaussians, 2]`
     pub projection: Buffer<Vec4>,
     /// Where each camera's pairs end, on a CPU; nothing elsewhere.
-    pub unit_ends: Vec<u32>,
+    pub view_ends: Vec<u32>,
 }
 
 impl Pairs {
-    /// The pairs that chunks have to end with, if they are kept for gradients, which are summed unit by unit.
+    /// The pairs that chunks have to end with, if they are kept for gradients, which are summed view batch by view batch.
     pub fn chunk_ends(&self, keep: bool) -> &[u32] {
-        if keep { &self.unit_ends } else { &[] }
+        if keep { &self.view_ends } else { &[] }
     }
 
     /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: waits for the device.
@@ -137,7 +137,7 @@ fn pair_mask(
 }
 
 /// Where each camera's pairs end.
-fn unit_ends(device: &Device, pair_mask: &Mask, cameras: u32, words: u32) -> Result<Vec<u32>> {
+fn view_ends(device: &Device, pair_mask: &Mask, cameras: u32, words: u32) -> Result<Vec<u32>> {
     let end = |camera| device.read_range(&pair_mask.first, (camera * words) as usize, 1);
     (1..=cameras).map(|camera| Ok(end(camera)?[0])).collect()
 }
@@ -237,11 +237,11 @@ impl Bins {
             member: &member,
         };
         device.run(&kernel, words, tiles)?;
-        let unit_ends = match device.backend() {
-            "cpu" => unit_ends(device, &pair_mask, slots, words)?,
+        let view_ends = match device.backend() {
+            "cpu" => view_ends(device, &pair_mask, slots, words)?,
             _ => Vec::new(),
         };
-        let pairs = Pairs { count, pair, camera, projection, unit_ends };
+        let pairs = Pairs { count, pair, camera, projection, view_ends };
         let cameras = plan.cameras().into_iter().map(|index| index as u32).collect();
         Ok(Self {
             pairs,

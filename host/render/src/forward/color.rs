@@ -35,7 +35,7 @@ impl Color {
         Self::evaluate_with(scene, pairs, keep, &mut |_| Ok(()))
     }
 
-    /// As [`Color::evaluate`]; shows `visit` each chunk with the network's input.
+    /// Like [`Color::evaluate`]; shows `visit` each chunk with the network's input.
     pub fn evaluate_with(
         scene: &DeviceScene,
         pairs: &Pairs,

@@ -28,7 +28,8 @@ impl DeviceField {
     /// Of a host's field whose tensors lie on the device; `name` is what their names begin with.
     ///
     /// # Errors
-    /// As [`Device::upload`]; [`Error::Invalid`](organza_core::Error::Invalid) if a value is too large for a half.
+    /// The same errors as [`Device::upload`]; [`Error::Invalid`](organza_core::Error::Invalid) if a value is too large
+    /// for a half.
     pub fn new(
         device: &Device,
         name: &str,

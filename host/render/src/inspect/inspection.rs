@@ -104,7 +104,7 @@ impl Renderer {
     /// Evaluates every stage for every Gaussian in `camera`, needed by a tile or not. For tests.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     #[doc(hidden)]
     pub fn stages(&self, scene: &DeviceScene, camera: &Camera) -> Result<Stages> {
         let device = self.device();
@@ -158,7 +158,7 @@ impl Renderer {
             pair: device.upload("pairs", &every)?,
             camera,
             projection,
-            unit_ends: Vec::new(),
+            view_ends: Vec::new(),
         };
         let transmittance = Transmittance::evaluate(scene, &pairs, false, |first| {
             pairs.read_samples(device, first)
@@ -169,7 +169,7 @@ impl Renderer {
     /// Renders one pixel of `cameras[camera]` and tells how it came about, Gaussian by Gaussian.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     pub fn inspect(
         &self,
         scene: &DeviceScene,
@@ -180,7 +180,7 @@ impl Renderer {
         self.inspect_part(scene, cameras, camera, pixel).map(|(inspection, _)| inspection)
     }
 
-    /// As [`Self::inspect`], with a trace of each contribution; evaluates the samples of T once more.
+    /// Like [`Self::inspect`], with a trace of each contribution; evaluates the samples of T once more.
     pub fn inspect_traced(
         &self,
         scene: &DeviceScene,

@@ -86,7 +86,8 @@ impl DeviceScene {
     /// The scene as it is now.
     ///
     /// # Errors
-    /// As [`Device::read`]; [`Error::Argument`](organza_core::Error::Argument) where the grids are halves.
+    /// The same errors as [`Device::read`]; [`Error::Argument`](organza_core::Error::Argument) where the grids are
+    /// halves.
     pub fn download(&self, device: &Device) -> Result<Scene> {
         self.require_gradients()?;
         let read = |buffer: &Buffer<f32>, values: &mut [f32]| device.read_into(buffer, 0, values);
@@ -100,7 +101,8 @@ impl DeviceScene {
     ///
     /// # Errors
     /// [`Error::Argument`] where there is no such tensor, or where the scene was uploaded as halves;
-    /// [`Error::WrongShape`] or [`Error::NotFinite`] where the values are not those of the tensor; as [`Device::write`].
+    /// [`Error::WrongShape`] or [`Error::NotFinite`] where the values are not those of the tensor; as
+    /// [`Device::write`].
     pub fn write(&self, device: &Device, name: &str, values: &[f32]) -> Result<()> {
         self.require_gradients()?;
         let specs = self.config.tensors(self.len());
@@ -139,11 +141,11 @@ impl DeviceScene {
         Self { ray_steps, ..self.view() }
     }
 
-    /// The same scene, on the same memory, as early steps of a training see it: in images that are `factor` times smaller,
-    /// and with steps of T that are `ray_steps` times as long as sigma.
+    /// The same scene, on the same memory, as early steps of a training see it: in images that are `factor` times
+    /// smaller, and with steps of T that are `ray_steps` times as long as sigma.
     ///
-    /// A pixel is the mean of a square of `factor` by `factor` pixels, whose places have a variance of `(factor^2 - 1) / 12`
-    /// along each axis. The blur has this variance, too, in square pixels of the smaller image.
+    /// A pixel is the mean of a square of `factor` by `factor` pixels, whose places have a variance of `(factor^2 - 1)
+    /// / 12` along each axis. The blur has this variance, too, in square pixels of the smaller image.
     pub fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
         let square = f64::from(factor).powi(2);
         let mut seen = self.with_ray_steps(ray_steps);

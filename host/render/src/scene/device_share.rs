@@ -9,7 +9,7 @@ use organza_core::error::{Error, Result};
 use organza_core::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig};
 
 /// A scene on a device as training has it: the fields, and the Gaussians in blocks. A whole scene is one block. A
-/// [share](SceneShare) of one has a block for each [slice](organza_core::scene::SLICE).
+/// [share](organza_core::scene::SceneShare) of one has a block for each [slice](organza_core::scene::SLICE).
 #[derive(Debug)]
 pub struct DeviceShare {
     /// The fields, with a Gaussian that is never rendered: a share may have none.
@@ -58,7 +58,7 @@ impl DeviceShare {
     /// The share has these Gaussians from now on.
     ///
     /// # Errors
-    /// As [`Device::upload`]. Some Gaussians are missing then.
+    /// The same errors as [`Device::upload`]. Some Gaussians are missing then.
     pub fn replace_gaussians(&mut self, device: &Device, gaussians: &Gaussians) -> Result<()> {
         // not both at once
         self.blocks.clear();
@@ -84,7 +84,7 @@ impl DeviceShare {
     /// The fields and the share's Gaussians as they are now.
     ///
     /// # Errors
-    /// As [`DeviceScene::download`].
+    /// The same errors as [`DeviceScene::download`].
     pub fn download(&self, device: &Device) -> Result<Scene> {
         let mut scene = self.fields.download(device)?;
         scene.gaussians = Gaussians::zeros(self.config(), self.len())?;

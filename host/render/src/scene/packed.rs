@@ -27,7 +27,7 @@ pub fn pack_field(field: &Field) -> FieldTensors<Cow<'_, [f32]>> {
 /// Copies tensors to a device.
 ///
 /// # Errors
-/// As [`Device::upload`].
+/// The same errors as [`Device::upload`].
 pub fn upload(
     device: &Device,
     tensors: Tensors<Cow<'_, [f32]>>,
@@ -51,7 +51,7 @@ fn field_targets(field: &mut Field) -> FieldTensors<Target<'_>> {
 /// The scene of `gaussians` Gaussians whose tensors `read` fills in as kernels read them.
 ///
 /// # Errors
-/// As [`Scene::zeros`]; those of `read`.
+/// The same errors as [`Scene::zeros`]; those of `read`.
 pub fn unpack<T>(
     config: &SceneConfig,
     gaussians: usize,

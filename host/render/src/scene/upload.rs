@@ -24,10 +24,10 @@ impl Renderer {
         self.upload_with(scene, UploadOptions::default())
     }
 
-    /// As [`Renderer::upload`], with choices that are for rendering alone.
+    /// Like [`Renderer::upload`], with choices that are for rendering alone.
     ///
     /// # Errors
-    /// As [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
+    /// The same errors as [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
     pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
         scene.validate()?;
         let (device, config) = (self.device(), &scene.config);
@@ -82,7 +82,7 @@ impl DeviceShare {
     /// The Gaussians of `scene`, which are a share, and its fields.
     ///
     /// # Errors
-    /// As [`Renderer::upload_with`].
+    /// The same errors as [`Renderer::upload_with`].
     pub fn upload(renderer: &Renderer, scene: &Scene, options: UploadOptions) -> Result<Self> {
         let Scene { config, gaussians, color, transmittance } = scene;
         if !gaussians.is_empty() {
@@ -101,7 +101,7 @@ impl Renderer {
     /// Copies a share to the device.
     ///
     /// # Errors
-    /// As [`Renderer::upload_with`].
+    /// The same errors as [`Renderer::upload_with`].
     pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
         DeviceShare::upload(self, &share.scene, options)
     }

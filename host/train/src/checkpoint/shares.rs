@@ -1,5 +1,5 @@
-//! The checkpoint of a training whose Gaussians are dealt to ranks. In memory, each rank has its share. The file is that of
-//! any run: rank 0 writes it, and has the others' rows one tensor of one rank at a time.
+//! The checkpoint of a training whose Gaussians are dealt to ranks. In memory, each rank has its share. The file is
+//! that of any run: rank 0 writes it, and has the others' rows one tensor of one rank at a time.
 
 use std::path::Path;
 
@@ -44,8 +44,8 @@ impl Checkpoint {
         for rank in 1..ranks.size() {
             let mut for_each = vec![Vec::new(); ranks.size()];
             for_each[rank] = match rank % shares {
-                0 => self.to_values(),
-                other => share(other)?.to_values(),
+                0 => self.bytes_of_values(),
+                other => share(other)?.bytes_of_values(),
             };
             ranks.exchange(for_each)?;
         }
@@ -79,7 +79,7 @@ impl Checkpoint {
     }
 
     /// All its values, one after the other.
-    fn to_values(&mut self) -> Vec<u8> {
+    fn bytes_of_values(&mut self) -> Vec<u8> {
         self.values_mut()
             .into_iter()
             .flat_map(|values| bytemuck::cast_slice(values))
@@ -98,16 +98,16 @@ impl Checkpoint {
     /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
     ///
     /// # Errors
-    /// As [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
+    /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
         self.save_shares(path, binding, &ThreadRanks::alone())
     }
 
-    /// Writes the checkpoint of all ranks, as [`Checkpoint::save`] does: the file does not depend on the number of ranks, and
-    /// every command reads it. Rank 0 calls this, and all others [`Checkpoint::hand_over`].
+    /// Writes the checkpoint of all ranks, as [`Checkpoint::save`] does: the file does not depend on the number of
+    /// ranks, and every command reads it. Rank 0 calls this, and all others [`Checkpoint::hand_over`].
     ///
     /// # Errors
-    /// As [`Checkpoint::save`]; [`Error::Rank`] where another rank has failed.
+    /// The same errors as [`Checkpoint::save`]; [`Error::Rank`] where another rank has failed.
     pub fn save_shares(
         &self,
         path: impl AsRef<Path>,
@@ -132,7 +132,7 @@ impl Checkpoint {
     /// Takes part in [`Checkpoint::save_shares`] of rank 0.
     ///
     /// # Errors
-    /// As [`Checkpoint::save_shares`].
+    /// The same errors as [`Checkpoint::save_shares`].
     pub fn hand_over(&self, ranks: &dyn Ranks) -> Result<()> {
         self.stream(ranks, &mut |_| Ok(()))
     }

@@ -45,12 +45,12 @@ macro_rules! define {
 gaussian_tensors!(define);
 
 impl OptimizerConfig {
-    /// A rate after the part `share` of the run, 0 to 1: see [`RunConfig::share`](super::RunConfig::share).
+    /// A rate after the part `fraction` of the run, 0 to 1: see [`RunConfig::fraction`](super::RunConfig::fraction).
     #[must_use]
-    pub fn rate_at(&self, rate: Rate, share: f64) -> f64 {
-        let share = share.min(1.0);
-        let left = if self.cooldown > 0.0 { (1.0 - share) / self.cooldown } else { 1.0 };
-        rate.first * (rate.last / rate.first).powf(share) * left.clamp(COOLED, 1.0)
+    pub fn rate_at(&self, rate: Rate, fraction: f64) -> f64 {
+        let fraction = fraction.min(1.0);
+        let left = if self.cooldown > 0.0 { (1.0 - fraction) / self.cooldown } else { 1.0 };
+        rate.first * (rate.last / rate.first).powf(fraction) * left.clamp(COOLED, 1.0)
     }
 
     /// Checks the rates. The error is a sentence about the first value out of range.

@@ -67,8 +67,8 @@ fn rates_fall_by_the_same_factor() {
     let mut config = OptimizerConfig::default();
     let rate = Rate { first: 1e-2, last: 1e-4 };
     config.cooldown = 0.0;
-    for (share, expected) in [(0.0, 1e-2), (0.5, 1e-3), (1.0, 1e-4), (2.0, 1e-4)] {
-        assert!((config.rate_at(rate, share) / expected - 1.0).abs() < 1e-12);
+    for (fraction, expected) in [(0.0, 1e-2), (0.5, 1e-3), (1.0, 1e-4), (2.0, 1e-4)] {
+        assert!((config.rate_at(rate, fraction) / expected - 1.0).abs() < 1e-12);
     }
 }
 
@@ -77,24 +77,24 @@ fn rates_cool_down_at_the_end() {
     let mut config = OptimizerConfig::default();
     let rate = Rate { first: 1e-2, last: 1e-2 };
     config.cooldown = 0.5;
-    for (share, expected) in [(0.0, 1e-2), (0.5, 1e-2), (0.75, 5e-3), (1.0, 2e-4), (2.0, 2e-4)] {
-        assert!((config.rate_at(rate, share) / expected - 1.0).abs() < 1e-12);
+    for (fraction, expected) in [(0.0, 1e-2), (0.5, 1e-2), (0.75, 5e-3), (1.0, 2e-4), (2.0, 2e-4)] {
+        assert!((config.rate_at(rate, fraction) / expected - 1.0).abs() < 1e-12);
     }
 }
 
 #[test]
 fn a_plan_spreads_what_is_left_over_the_steps_that_are_left() {
     let mut run = RunConfig { steps: 80, ..RunConfig::default() };
-    assert_eq!([0, 20, 80, 90].map(|step| run.share(step)), [0.0, 0.25, 1.0, 1.0]);
+    assert_eq!([0, 20, 80, 90].map(|step| run.fraction(step)), [0.0, 0.25, 1.0, 1.0]);
     run.replan(0, 100);
     run.replan(50, 150);
-    let shares = [0, 25, 50, 100, 150].map(|step| run.share(step));
-    assert_eq!(shares, [0.0, 0.25, 0.5, 0.75, 1.0]);
-    // a later plan must not change earlier shares by a single bit
-    let before: Vec<_> = (0..=60).map(|step| run.share(step).to_bits()).collect();
+    let fractions = [0, 25, 50, 100, 150].map(|step| run.fraction(step));
+    assert_eq!(fractions, [0.0, 0.25, 0.5, 0.75, 1.0]);
+    // a later plan must not change earlier fractions by a single bit
+    let before: Vec<_> = (0..=60).map(|step| run.fraction(step).to_bits()).collect();
     run.replan(61, 90);
-    assert!((0..=60).map(|step| run.share(step).to_bits()).eq(before));
-    assert_eq!(run.share(90), 1.0);
+    assert!((0..=60).map(|step| run.fraction(step).to_bits()).eq(before));
+    assert_eq!(run.fraction(90), 1.0);
 }
 
 #[test]

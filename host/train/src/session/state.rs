@@ -157,10 +157,12 @@ impl State<'_, '_, '_> {
     fn rates(&self) -> BTreeMap<String, f32> {
         let config = self.trainer.config();
         let at = self.trainer.steps().saturating_sub(1);
-        let share = config.run.share(at);
+        let fraction = config.run.fraction(at);
         let optimizer = &config.optimizer;
         let rates = config.optimizer.named_rates();
-        rates.map(|(name, rate)| (name.to_owned(), optimizer.rate_at(rate, share) as f32)).collect()
+        rates
+            .map(|(name, rate)| (name.to_owned(), optimizer.rate_at(rate, fraction) as f32))
+            .collect()
     }
 
     fn step(&mut self) -> Result<()> {

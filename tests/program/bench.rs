@@ -143,7 +143,7 @@ fn kernels_of_a_gpu_have_times() {
     assert!(gpu["device"].as_str().unwrap().starts_with("gpu: "), "{gpu}");
     assert_shares(&gpu["forward_kernels"]);
     assert_shares(&gpu["kernels"]);
-    assert_peaks(&gpu);
+    assert_peaks(gpu);
     for kernel in cpu["kernels"].as_array().unwrap() {
         let name = kernel["name"].as_str().unwrap();
         assert!(dispatches(&gpu["kernels"], name).is_some(), "{name}: {gpu}");

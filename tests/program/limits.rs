@@ -56,8 +56,9 @@ mod memory {
     #[test]
     fn a_list_that_does_not_fit() {
         let sandbox = Sandbox::new("tiny");
-        let tile = json!({"camera": 0, "origin": [0, 0]});
-        sandbox.edit_json("tiles.json", "/tiles", json!(vec![tile; 400_000]));
+        let tiles = r#"{"camera": 0, "origin": [0, 0]}, "#.repeat(400_000);
+        let text = format!(r#"{{"side": 8, "tiles": [{}]}}"#, tiles.trim_end_matches(", "));
+        fs::write(sandbox.path("tiles.json"), text).unwrap();
         let outcome = sandbox.shell("ulimit -v 100000; \"$ORGANZA\" info tiles.json");
         outcome.assert_refused(&["out of memory"]);
     }

@@ -88,7 +88,8 @@ fn a_recording_has_the_bits_of_rendering_and_of_rendering_again() {
 fn longer_steps_have_gradients_of_their_own() {
     const STEP: f32 = 0.02;
     let renderer = Renderer::new(all_devices().remove(0));
-    let scene = some();
+    let mut scene = some();
+    scene.config.step /= 4.0;
     let loss = |shift: f32, ray_steps| {
         let mut moved = scene.clone();
         moved.transmittance.network.layers.last_mut().expect("a layer").bias[0] += shift;

@@ -1,9 +1,9 @@
 //! Three kernels. Each is an ordinary function: the CPU runs it, and `cargo xtask kernels` compiles it for every GPU.
 #![no_std]
 
-use organza_kernel::{math, prelude::*};
 #[cfg(not(target_arch = "spirv"))]
 use organza_kernel::work::{NUMBER, Shape, Work};
+use organza_kernel::{math, prelude::*};
 
 /// Parameters of all kernels: `pixels` is `side * side`.
 #[params]

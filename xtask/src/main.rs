@@ -6,7 +6,7 @@ muslin_build::xtask!(
     sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
     kernels: "host/render/kernels".into(),
     wgsl: true,
-    parity: "run -- parity",
+    parity: "test --workspace --test kernels is_right_on_every_device -- --nocapture",
     bench: "run --release -- bench --every-device",
     coverage: "test --workspace --test kernels is_right_on_every_device",
     snapshots: "test --workspace --test pictures snapshots",

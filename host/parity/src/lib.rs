@@ -15,6 +15,7 @@ pub mod count;
 pub mod dense;
 pub mod dense_backward;
 pub mod distortion;
+pub mod elementary;
 pub mod exact;
 pub mod exposure;
 pub mod hash_grid;
@@ -103,5 +104,6 @@ pub fn cases() -> Vec<Case> {
         Case::of::<statistics::Statistics>(),
         Case::of::<peak::PeakMultiplyAdd>(),
         Case::of::<peak::PeakRead>(),
+        Case::of::<elementary::Elementary>(),
     ]
 }

@@ -38,7 +38,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
             bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.source());
         };
         let context = || format!("{}: kernel `{name}`", kernel.source());
-        let spirv = lower(&spirv, kernel.fused).with_context(context)?;
+        let spirv = lower(&spirv, kernel.fused, kernel.workgroup_size).with_context(context)?;
         module::check(kernel, &point, &spirv).with_context(context)?;
         naga_check::check(&spirv).with_context(context)?;
         let wgsl = match project.wgsl && point.name == kernel.name {

@@ -2,23 +2,36 @@
 
 use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble;
-use rspirv::dr;
+use rspirv::dr::{self, Module, Operand};
+use rspirv::spirv::ExecutionMode;
 
 use crate::{atomic_arguments, contraction, declarations, ids, loops, memory_model};
 
-/// The module for drivers. With `fused`, they may regroup its arithmetic.
+/// The module for drivers, with the size of its workgroups. With `fused`, they may regroup its arithmetic.
 ///
 /// # Errors
 /// If the module has something that it must not have.
-pub fn lower(spirv: &[u8], fused: bool) -> Result<Vec<u8>> {
+pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
     memory_model::lower(&mut module)?;
     loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module)?;
+    set_workgroup_size(&mut module, size);
     if !fused {
         contraction::forbid(&mut module)?;
     }
     declarations::sort(&mut module);
     ids::renumber(&mut module);
     Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
+}
+
+/// Writes the size of a workgroup: in the source it is an expression, which the compiler's attribute does not take.
+fn set_workgroup_size(module: &mut Module, size: [u32; 3]) {
+    for mode in &mut module.execution_modes {
+        if let [_, Operand::ExecutionMode(ExecutionMode::LocalSize), sizes @ ..] =
+            &mut mode.operands[..]
+        {
+            sizes.iter_mut().zip(size).for_each(|(to, size)| *to = Operand::LiteralBit32(size));
+        }
+    }
 }

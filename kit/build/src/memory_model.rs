@@ -122,7 +122,7 @@ mod tests {
     use rspirv::dr::{self, Builder};
 
     fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
-        crate::lower::lower(spirv, true)
+        crate::lower::lower(spirv, true, [1; 3])
     }
 
     /// A module with one atomic addition, in Rust-GPU's style.

@@ -131,6 +131,7 @@ mod casts;
 pub mod count;
 #[cfg(not(target_arch = "spirv"))]
 pub mod dual;
+pub mod elementary;
 pub mod fixed;
 #[cfg(not(target_arch = "spirv"))]
 mod fused;

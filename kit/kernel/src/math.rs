@@ -1,7 +1,8 @@
 //! Elementary functions, the same for every kernel.
 //!
-//! A GPU uses the instructions of GLSL.std.450. The CPU uses the crate `libm`, so its results do not depend on the system's C
-//! library.
+//! For [`exp`], [`sqrt`] and [`ceil`] a GPU uses the instructions of GLSL.std.450. The CPU uses the crate `libm`, so its results do not
+//! depend on the system's C library. All others are sums, products and quotients that every device computes: the errors that
+//! they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. The kernel `elementary` tests them.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
@@ -101,6 +102,99 @@ pub fn clamp(x: f32, low: f32, high: f32) -> f32 {
     min(max(x, low), high)
 }
 
+/// a + t (b - a): a for t = 0, and b for t = 1, but for a rounding of both sizes.
+#[inline(always)]
+pub fn mix<L: Lane>(a: L, b: L, t: L) -> L {
+    a + t * (b - a)
+}
+
+/// Largest integer that is not greater than x, for |x| below 2^31. A GPU may take a negative denormal for 0.
+#[inline(always)]
+pub fn floor<L: Lane>(x: L) -> L {
+    let whole = x.truncate();
+    L::select(x.less(whole), whole - L::splat(1.0), whole)
+}
+
+/// Nearest integer, for |x| below 2^31; halves away from 0.
+#[inline(always)]
+pub fn round<L: Lane>(x: L) -> L {
+    let (whole, half) = (x.truncate(), L::splat(0.5));
+    let rest = x - whole;
+    let up = L::select(half.at_most(rest), whole + L::splat(1.0), whole);
+    L::select(rest.at_most(-half), whole - L::splat(1.0), up)
+}
+
+/// The largest angle of [`sin`], [`cos`] and [`tan`].
+pub const MAX_ANGLE: f32 = 8192.0;
+
+/// Sine, to 1.2e-7, for |x| up to [`MAX_ANGLE`].
+#[inline(always)]
+pub fn sin<L: Lane>(x: L) -> L {
+    of_quarter(quarter(x), 0.0)
+}
+
+/// Cosine, to 1.2e-7, for |x| up to [`MAX_ANGLE`].
+#[inline(always)]
+pub fn cos<L: Lane>(x: L) -> L {
+    of_quarter(quarter(x), 1.0)
+}
+
+/// Tangent, to 5e-7 (1 + tan^2), for |x| up to [`MAX_ANGLE`].
+#[inline(always)]
+pub fn tan<L: Lane>(x: L) -> L {
+    let angle = quarter(x);
+    of_quarter(angle, 0.0) / of_quarter(angle, 1.0)
+}
+
+/// n and r of x = n pi/2 + r, |r| <= pi/4: Cody and Waite's reduction. The first two parts of pi/2 have so few bits that their products
+/// with n are exact.
+#[inline(always)]
+fn quarter<L: Lane>(x: L) -> (L, L) {
+    let number = L::splat;
+    let n = round(x * number(core::f32::consts::FRAC_2_PI));
+    let rest = (x - n * number(1.570_312_5)) - n * number(4.837_513e-4);
+    (n, rest - n * number(7.549_79e-8))
+}
+
+/// sin((n + ahead) pi/2 + r): Cephes' polynomials.
+#[inline(always)]
+fn of_quarter<L: Lane>((n, r): (L, L), ahead: f32) -> L {
+    let number = L::splat;
+    let n = n + number(ahead);
+    let z = r * r;
+    let sine = (number(-1.951_529_6e-4) * z + number(8.332_161e-3)) * z - number(1.666_665_5e-1);
+    let sine = sine * z * r + r;
+    let cosine = (number(2.443_315_7e-5) * z - number(1.388_731_6e-3)) * z + number(4.166_664_6e-2);
+    let cosine = cosine * z * z - number(0.5) * z + number(1.0);
+    let half = n * number(0.5);
+    let is_odd = number(0.25).less(half - floor(half));
+    let fourth = half * number(0.5);
+    let is_negative = number(0.5).at_most(fourth - floor(fourth));
+    let value = L::select(is_odd, cosine, sine);
+    L::select(is_negative, -value, value)
+}
+
+/// Natural logarithm, to 5e-7 of its size, for positive numbers from [`TINY`] on.
+#[inline(always)]
+pub fn ln(x: f32) -> f32 {
+    // x = 2^n m with m in [1/sqrt 2, sqrt 2]
+    let bits = x.to_bits().wrapping_sub(0x3f35_04f3);
+    let n = (bits as i32 >> 23) as f32;
+    let m = f32::from_bits((bits & 0x7f_ffff) + 0x3f35_04f3);
+    // ln m = 2 atanh(s), by its series
+    let s = (m - 1.0) / (m + 1.0);
+    let t = s * s;
+    let series = t * (1.0 / 3.0 + t * (1.0 / 5.0 + t * (1.0 / 7.0 + t * (1.0 / 9.0))));
+    // the first part of ln 2 has few bits
+    n * 0.693_359_4 + (2.0 * s + (2.0 * s * series - n * 2.121_944_4e-4))
+}
+
+/// x^y for positive x from [`TINY`] on, to 1e-6 (1 + |y ln x|) of its size, as long as it is from [`TINY`] to [`HUGE`].
+#[inline(always)]
+pub fn pow(x: f32, y: f32) -> f32 {
+    exp(y * ln(x))
+}
+
 /// Whether x is neither infinite nor NaN.
 #[inline(always)]
 pub fn is_finite(x: f32) -> bool {
@@ -167,6 +261,7 @@ pub fn normalize(v: Vec3) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lane::Wide;
 
     #[test]
     fn sigmoids_match_f64_from_end_to_end() {
@@ -184,6 +279,23 @@ mod tests {
         assert_eq!(sigmoid(-HUGE), 0.0);
         assert_eq!(sigmoid(HUGE), 1.0);
         assert_eq!(log_sigmoid(HUGE), 0.0);
+    }
+
+    #[test]
+    fn lanes_have_the_same_functions() {
+        let mut worst = 0.0_f64;
+        for step in -80_000..=80_000 {
+            let x = step as f32 * 0.1023;
+            let exact = f64::from(x);
+            for (found, exact) in [(sin(x), libm::sin(exact)), (cos(x), libm::cos(exact))] {
+                worst = worst.max((f64::from(found) - exact).abs());
+            }
+            let wide = Wide::<8, false>::splat(x);
+            assert_eq!((sin(wide).0[3], tan(wide).0[7]), (sin(x), tan(x)), "{x}");
+            assert_eq!((floor(wide).0[0], round(wide).0[0]), (floor(x), round(x)), "{x}");
+            assert_eq!((floor(x), round(x)), (libm::floorf(x), libm::roundf(x)), "{x}");
+        }
+        assert!(worst < 1.2e-7, "{worst:e}");
     }
 
     #[test]

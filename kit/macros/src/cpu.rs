@@ -141,7 +141,7 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
 /// Parameters and body of a function that runs a workgroup, or the part of it from `part_begin` to `part_end`: `step` runs the invocation `id`, or several from it on, and
 /// adds their number to `local_x`.
 fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> TokenStream {
-    let [x, y, z] = kernel.threads;
+    let [x, y, z] = &kernel.threads;
     hygienic! {
         (
             bindings: &[::muslin::kernel::CpuBinding],
@@ -160,7 +160,7 @@ fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> Toke
                     while local_x < part_end.x {
                         let local = ::muslin::dependencies::glam::UVec3::new(local_x, local_y, local_z);
                         let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, size);
-                        ::muslin::kernel::enter(local_x + #x * (local_y + #y * local_z));
+                        ::muslin::kernel::enter(local_x + size.x * (local_y + size.y * local_z));
                         #step
                     }
                 }
@@ -173,8 +173,7 @@ fn workgroup(kernel: &Kernel, views: &[TokenStream], step: &TokenStream) -> Toke
 fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
-    let [x, y, z] = kernel.threads;
-    let flat = y == 1 && z == 1;
+    let [x, y, z] = &kernel.threads;
     let uniform = kernel.uniform().map(|parameter| &parameter.name);
     let step = match lanes {
         Lanes::Inside => hygienic! {
@@ -182,10 +181,11 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
             local_x += 1;
         },
         Lanes::Invocations(end) => {
-            let at = if flat { hygienic!(id.index()) } else { hygienic!(id.global().x) };
+            let at = hygienic!(if #y == 1 && #z == 1 { id.index() } else { id.global().x });
             hygienic! {
                 let part_items: u32 = #uniform.#end;
-                if part_items >= L::WIDTH && #at <= part_items - L::WIDTH {
+                let part_at = #at;
+                if part_items >= L::WIDTH && part_at <= part_items - L::WIDTH {
                     self::#name::<L>(id, #(#names),*);
                     local_x += L::WIDTH;
                 } else {
@@ -199,7 +199,7 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
     let whole = match lanes {
         Lanes::Inside => hygienic!(),
         Lanes::Invocations(_) => hygienic! {
-            const _: () = ::core::assert!(#x % ::muslin::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
+            const _: () = ::core::assert!((#x) % ::muslin::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
     let body = workgroup(kernel, views, &step);

@@ -121,12 +121,13 @@ fn entry_name(kernel: &Kernel, shared: bool) -> String {
     if shared { format!("{name}_shared") } else { name.to_string() }
 }
 
-/// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function.
+/// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function. The attribute takes literals alone, so the
+/// kernel builder writes the size of the workgroup.
 fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let entry_point_name = entry_name(kernel, shared);
     let entry = format_ident!("{entry_point_name}_entry_point");
-    let [x, y, z] = kernel.threads.map(Literal::u32_unsuffixed);
+    let [x, y, z] = &kernel.threads;
     let mut binding = 0;
     let parameters = kernel.parameters.iter().filter_map(|parameter| {
         let (name, element) = (&parameter.name, &parameter.element);
@@ -156,7 +157,7 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
-        #[::muslin::dependencies::spirv_std::spirv(compute(threads(#x, #y, #z), entry_point_name = #entry_point_name))]
+        #[::muslin::dependencies::spirv_std::spirv(compute(threads(1), entry_point_name = #entry_point_name))]
         pub fn #entry(
             #[spirv(local_invocation_id)] local: ::muslin::dependencies::glam::UVec3,
             #[spirv(workgroup_id)] workgroup: ::muslin::dependencies::glam::UVec3,
@@ -193,7 +194,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let name_text = name.to_string();
     let info_name = info_name(kernel);
-    let [x, y, z] = kernel.threads;
+    let [x, y, z] = &kernel.threads;
     let bindings = kernel.parameters.iter().filter_map(|parameter| {
         let (name, element) = (parameter.name.to_string(), &parameter.element);
         let access = match parameter.role {
@@ -259,6 +260,11 @@ fn info(kernel: &Kernel) -> TokenStream {
             use ::muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
             #limit
+            // what every implementation of WebGPU offers
+            const SIZE: [u32; 3] = [#x, #y, #z];
+            const INVOCATIONS: u32 = SIZE[0].saturating_mul(SIZE[1]).saturating_mul(SIZE[2]);
+            ::core::assert!(INVOCATIONS > 0 && INVOCATIONS <= 256 && SIZE[2] <= 64, "a workgroup has 1 to 256 invocations");
+            ::core::assert!(!#z_serial || SIZE[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
         };
     }

@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
 use syn::{
-    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, LitInt, Pat, Path, PathArguments,
-    PathSegment, Result, Type, TypeParamBound,
+    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, Pat, Path, PathArguments, PathSegment,
+    Result, Type, TypeParamBound, parse_quote,
 };
 
 use crate::checks::first_loop;
@@ -55,7 +55,8 @@ pub enum Lanes {
 /// A kernel's declaration.
 pub struct Kernel {
     pub function: ItemFn,
-    pub threads: [u32; 3],
+    /// Invocations of a workgroup: constant expressions.
+    pub threads: [Expr; 3],
     pub fused: bool,
     /// On the CPU the workgroups of one z run one after another, on one thread.
     pub z_serial: bool,
@@ -175,7 +176,7 @@ impl Kernel {
 }
 
 struct Attribute {
-    threads: [u32; 3],
+    threads: [Expr; 3],
     fused: bool,
     z_serial: bool,
     z_innermost: bool,
@@ -246,30 +247,17 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
         }
         let content;
         syn::parenthesized!(content in meta.input);
-        let sizes = content.parse_terminated(LitInt::parse, syn::Token![,])?;
-        let mut size = [1; 3];
+        let sizes = content.parse_terminated(Expr::parse, syn::Token![,])?;
         if sizes.is_empty() || sizes.len() > 3 {
             return Err(meta.error("expected one to three sizes"));
         }
-        for (axis, value) in sizes.iter().enumerate() {
-            size[axis] = value.base10_parse()?;
-        }
-        // what every implementation of WebGPU offers
-        if size.iter().product::<u32>() > 256 || size[2] > 64 || size.contains(&0) {
-            return Err(meta.error("a workgroup has 1 to 256 invocations"));
-        }
-        threads = Some(size);
+        let mut sizes = sizes.into_iter();
+        threads = Some([(); 3].map(|()| sizes.next().unwrap_or_else(|| parse_quote!(1))));
         Ok(())
     });
     parser.parse2(attribute.clone())?;
     let threads = threads
         .ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))?;
-    if z_serial && threads[2] != 1 {
-        return Err(Error::new(
-            attribute.span(),
-            "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`",
-        ));
-    }
     if z_serial && z_innermost {
         return Err(Error::new(
             attribute.span(),

@@ -1,22 +1,15 @@
 //! Three kernels. Each is an ordinary function: the CPU runs it, and `cargo xtask kernels` compiles it for every GPU.
 #![no_std]
 
-use muslin::{math, prelude::*};
 #[cfg(not(target_arch = "spirv"))]
 use muslin::work::{NUMBER, Shape, Work};
+use muslin::{math, prelude::*};
 
 /// Parameters of all kernels: `pixels` is `side * side`.
 #[params]
 pub struct Picture {
     pub side: u32,
     pub pixels: u32,
-}
-
-/// What [`tint`] computes and moves: `cargo xtask bench` compares it with what the device could.
-#[cfg(not(target_arch = "spirv"))]
-fn tint_work(params: &Picture, _: Shape<'_>) -> Work {
-    let pixels = u64::from(params.pixels);
-    Work { flops: 3 * pixels, bytes: 4 * pixels * NUMBER }
 }
 
 /// A plain kernel. `gray [side, side]`: ripples around the middle, 0.2 to 1.
@@ -55,6 +48,13 @@ pub fn histogram(
     if id.local.x < BINS as u32 {
         bins.atomic_add(id.local.x, counts.read(id.local.x));
     }
+}
+
+/// What [`tint`] computes and moves: `cargo xtask bench` compares it with what the device could.
+#[cfg(not(target_arch = "spirv"))]
+fn tint_work(params: &Picture, _: Shape<'_>) -> Work {
+    let pixels = u64::from(params.pixels);
+    Work { flops: 3 * pixels, bytes: 4 * pixels * NUMBER }
 }
 
 /// With lanes: the CPU computes several pixels at once. `color [3, pixels]`: dark is blue, bright is yellow.

@@ -1,0 +1,67 @@
+//! The case of `elementary`: the errors that the kit's functions state.
+
+use muslin::elementary::{ElementaryInputs, ElementaryParams};
+use muslin::math::MAX_ANGLE;
+use muslin_check::prelude::*;
+
+case!(pub Elementary(ElementaryInputs));
+
+impl Elementary {
+    /// The function of an element, its arguments, and what it is in f64.
+    fn at(&self, index: usize) -> (usize, [f64; 3], f64) {
+        let (row, at) = (index / self.x.len(), index % self.x.len());
+        let [x, y, p] = [&self.x, &self.y, &self.positive].map(|values| f64::from(values[at]));
+        let all = [x.sin(), x.cos(), x.tan(), p.ln(), p.powf(y), x.floor(), x.round(), x.abs()];
+        let exact = match row {
+            8 => x.clamp(0.0, 1.0),
+            9 => x + p * (y - x),
+            row => all[row],
+        };
+        (row, [x, y, p], exact)
+    }
+}
+
+impl Parity for Elementary {
+    const KERNEL: &'static str = "elementary";
+    const TOLERANCE: f64 = 1e-7;
+    const WHY: &'static str = "what each function states: sin and cos 1.2e-7, tan 5e-7 (1 + tan^2), ln 5e-7 of its size, pow 1e-6 (1 + \
+        abs(y ln x)) of its size, mix three roundings; floor, round, abs and clamp are equal";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, fill, random| {
+            let len = count as usize;
+            let x = fill.values(random, len, [-50.0, 50.0], MAX_ANGLE);
+            let y = fill.values(random, len, [-3.0, 3.0], 8.0);
+            let sizes = fill.values(random, len, [-10.0, 10.0], 10.0);
+            // of all sizes, and many about 1
+            let positive = sizes
+                .iter()
+                .map(|size| if count % 2 == 0 { size.exp() } else { 1.0 + 0.01 * size });
+            let (positive, output) = (positive.collect(), unwritten(10 * len));
+            Self(ElementaryInputs { params: ElementaryParams { count }, x, y, positive, output })
+        })
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        runner.run(&self.kernel(), self.params.count, 1)
+    }
+
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        Some(self.at(index).2)
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let (row, [x, y, p], exact) = self.at(index);
+        match row {
+            0 | 1 => Bound::of(1.2),
+            2 => Bound::of(5.0 * (1.0 + exact * exact)),
+            3 => Bound::of(5.0 * exact.abs()),
+            4 => Bound::of(10.0 * (1.0 + (y * p.ln()).abs()) * exact),
+            // a GPU may take a denormal for 0
+            5 if x != 0.0 && x.abs() < f64::from(TINY) => Bound { scale: 0.0, floor: 1.0 },
+            5 | 6 => Bound::EXACT,
+            7 | 8 => Bound::of(0.0),
+            _ => Bound::of(3.0 * (x.abs() + p.abs() * (x.abs() + y.abs()))),
+        }
+    }
+}

@@ -5,11 +5,11 @@
 mod atomic_file;
 pub mod camera;
 pub mod demo;
-mod digits;
 pub mod edit;
 pub mod error;
 mod folder_lock;
 pub mod halves;
+mod hex;
 pub mod image;
 pub mod input;
 pub mod metrics;
@@ -23,10 +23,11 @@ pub mod tile;
 
 pub use atomic_file::{check_inside, check_writable, remove_leftovers, write_atomic, write_inside};
 pub use camera::Camera;
-pub use digits::{grouped, hex};
 pub use error::{Error, Result};
 pub use folder_lock::FolderLock;
+pub use hex::hex;
 pub use image::Image;
+pub use muslin_device::grouped;
 pub use random::random;
 pub use rendered::{Channel, RenderReport, RenderedTiles};
 pub use scene::{Gradient, Scene};

@@ -4,7 +4,6 @@ use std::time::Instant;
 
 pub use muslin_device::grouped;
 use organza::{RenderReport, Renderer};
-pub use organza_core::grouped;
 use serde::Serialize;
 
 /// The cost of rendering, as `--json` prints it.

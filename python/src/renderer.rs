@@ -3,13 +3,13 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use muslin_check::Report;
+use muslin_device::adapters;
 use numpy::{IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
 use organza::bench::{BenchOptions, measure};
 use organza::error::DeviceError;
 use organza::render::SceneGradient;
 use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles, SpirvPath};
-use muslin_check::Report;
-use muslin_device::adapters;
 use organza_parity::cases;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

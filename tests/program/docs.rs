@@ -41,7 +41,7 @@ const NOT_RUN: &[(&str, &str)] = &[
 ];
 
 /// Pages whose trainings show the built-in scene, as they say.
-const BUILT_IN: [&str; 2] = ["README.md", "docs/splats.md"];
+const BUILT_IN: [&str; 3] = ["README.md", "docs/editing.md", "docs/splats.md"];
 
 /// The program, with options that make it quick.
 const ORGANZA: &str = r#"#!/bin/sh

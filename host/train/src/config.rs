@@ -66,6 +66,10 @@ impl RunConfig {
 
     /// Sets the total number of steps of the run, from `step` on.
     pub(super) fn replan(&mut self, step: u32, steps: u32) {
+        // a run without a plan that goes on: what is done is a part of the new number
+        if self.plan.is_empty() && step > 0 {
+            self.plan.push([0, steps]);
+        }
         self.plan.push([step, steps]);
         self.steps = steps;
     }

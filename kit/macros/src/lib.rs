@@ -33,7 +33,7 @@
 //! | `lanes`             | generic over `Lane`: each invocation is one call, and has all lanes |
 //! | `fused`             | drivers may fuse and regroup arithmetic. Otherwise they compute what is written, so devices agree |
 //! | `counts(field, ..)` | fields of the parameters that another kernel can have written on the device: the dispatch gets `counted(&field, ..)` |
-//! | `work(square_work)` | `fn square_work(params: &SquareParams, shape: Shape<'_>) -> Work` counts operations and bytes for `organza bench` |
+//! | `work(square_work)` | `fn square_work(params: &SquareParams, shape: Shape<'_>) -> Work` counts operations and bytes for `cargo xtask bench` |
 //! | `unordered(binding, ..)` | the elements of these bindings come in any order: they are where tickets of atomics say |
 //! | `z_serial`          | the CPU runs the workgroups of one z one after another, on one thread: `atomic::add_wide` can then change what only they touch |
 //! | `z_innermost`       | the CPU runs the workgroups of one x and y one after another: they find in a cache what the first has read |

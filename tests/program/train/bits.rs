@@ -45,7 +45,7 @@ fn a_run_of_so_many_minutes_is_repeated_from_its_settings() {
     sandbox.run("train --resume five --minutes 0.01 --backend cpu").assert_ok();
     let longer = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
     let checkpoint = Checkpoint::load(sandbox.path("five").join(CHECKPOINT)).expect("a checkpoint");
-    assert!(longer.run.steps > 5 && longer.run.plan[0][0] == 5, "{:?}", longer.run);
+    assert!(longer.run.steps > 5 && longer.run.plan[1][0] == 5, "{:?}", longer.run);
     assert_eq!(checkpoint.progress.step, longer.run.steps);
     sandbox.assert_refuses(&format!("{TINY} no --minutes 0"), &["minutes, such as 10"]);
 }

@@ -78,7 +78,9 @@ fn every_address_needs_a_token() {
     // another user of this machine
     let head =
         format!("GET /scene.json HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", viewer.host);
-    assert!(viewer.send(head.as_bytes()).starts_with(b"HTTP/1.1 403"));
+    let answer = viewer.send(head.as_bytes());
+    let answer = String::from_utf8_lossy(&answer);
+    assert!(answer.starts_with("HTTP/1.1 403"), "{answer:?}");
     let mut command = sandbox.command(&format!("{VIEW} --bind 0.0.0.0"));
     let mut child = command.stderr(std::process::Stdio::piped()).spawn().expect("it starts");
     let mut said = String::new();

@@ -10,7 +10,7 @@ use crate::devices;
 use crate::measure::Worst;
 
 /// A kernel, an invocation and a set of inputs.
-const STOP: &str = "ORGANZA_STOP";
+const STOP: &str = "MUSLIN_STOP";
 
 /// The command that stops in the invocation that has written an element, if the CPU run knows it.
 pub fn command(case: &Case, worst: &Worst) -> Option<String> {
@@ -22,7 +22,7 @@ pub fn command(case: &Case, worst: &Worst) -> Option<String> {
     let program = env::current_exe().ok()?;
     let test = std::thread::current().name().unwrap_or_default().to_owned();
     Some(format!(
-        "  its invocation [{x}, {y}, {z}] in a debugger: {STOP}='{kernel} {x} {y} {z} {set}' rust-gdb -ex 'break organza_stop' \
+        "  its invocation [{x}, {y}, {z}] in a debugger: {STOP}='{kernel} {x} {y} {z} {set}' rust-gdb -ex 'break muslin_stop' \
          -ex run -ex 'up 2' --args {} {test}",
         program.display()
     ))

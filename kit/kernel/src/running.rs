@@ -117,7 +117,7 @@ impl PanicContext {
 /// The invocation that calls [`stop`]; none exists at this place.
 static STOP_AT: [AtomicU32; 3] = [const { AtomicU32::new(u32::MAX) }; 3];
 
-/// From now on, the invocation at this place of a dispatch calls `organza_stop`, where a debugger can wait, before it does anything
+/// From now on, the invocation at this place of a dispatch calls `muslin_stop`, where a debugger can wait, before it does anything
 /// else. In debug builds.
 pub fn stop_at(invocation: [u32; 3]) {
     for (axis, place) in invocation.into_iter().enumerate() {
@@ -127,7 +127,7 @@ pub fn stop_at(invocation: [u32; 3]) {
 
 /// Does nothing. A debugger that stops here finds the kernel two frames above.
 // SAFETY: no other symbol has this name, which a debugger finds without the types of this crate
-#[unsafe(export_name = "organza_stop")]
+#[unsafe(export_name = "muslin_stop")]
 #[inline(never)]
 extern "C" fn stop() {
     core::hint::black_box(());

@@ -91,7 +91,7 @@ fn every_kernel_is_right_on_every_device() {
 #[test]
 #[ignore = "`cargo xtask bench` runs it"]
 fn bench() {
-    muslin_check::bench::bench(&MODULES, |device| picture(device, 2048).map(drop));
+    muslin::check::bench::bench(&MODULES, |device| picture(device, 2048).map(drop));
 }
 
 #[test]

@@ -272,7 +272,7 @@ fn photographs(
 ) -> Result<Option<Dataset>> {
     let named = args.data.as_deref();
     let has_photographs = match named {
-        Some(named) => named.is_dir() || args.data_args.is_given(),
+        Some(named) => args.data_args.names_photographs(named),
         None => source.settings()?.is_some(),
     };
     if !has_photographs {

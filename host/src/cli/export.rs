@@ -108,7 +108,7 @@ fn load_views(
 ) -> Result<(Views, Option<Dataset>)> {
     let named = args.cameras.as_deref();
     let has_photographs = match named {
-        Some(named) => named.is_dir() || args.data.is_given(),
+        Some(named) => args.data.names_photographs(named),
         None => args.data.is_given() || source.settings()?.is_some(),
     };
     if !has_photographs {

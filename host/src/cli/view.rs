@@ -199,7 +199,7 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
         return Ok(nothing());
     }
     let usage = "organza view SCENE DATA";
-    if let Some(file) = named.filter(|file| !file.is_dir() && !args.data_args.is_given()) {
+    if let Some(file) = named.filter(|file| !args.data_args.names_photographs(file)) {
         let cameras = Cameras::load(source, Some(file), &args.data_args, usage, console)?;
         // a data set's file means that data set; another file has just cameras
         if !cameras.has_photographs() {

@@ -20,7 +20,7 @@ use organza_core::error::Result;
 use organza_core::image::{TILE_SIDE, bands};
 use organza_core::tile::Tile;
 
-/// Surfaces are found at every so manieth pixel of every so manieth row.
+/// Surfaces are found at every fourth pixel of every fourth row.
 const STRIDE: i32 = 4;
 
 /// What the Gaussians of a scene contribute to some views.
@@ -37,7 +37,7 @@ struct Sums {
     pixels: f64,
     /// Of the squares of what each view has of `pixels`.
     squares: f64,
-    /// As `pixels`, over the pixels whose surface was looked for.
+    /// Like `pixels`, over the pixels whose surface was looked for.
     measured: f64,
     /// The part of `measured` that lies in front of the surface.
     in_front: f64,
@@ -88,7 +88,7 @@ impl Renderer {
     /// front of surfaces, at every fourth pixel of every fourth row.
     ///
     /// # Errors
-    /// As [`Renderer::render`].
+    /// The same errors as [`Renderer::render`].
     ///
     /// # Panics
     /// If `contributions` are those of another number of Gaussians.
@@ -187,8 +187,7 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
 
 /// What the Gaussians of a pixel contribute to it, and whether in front of its surface.
 fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, Sums)> {
-    let Some(surface) = surface(&mut members) else { return Vec::new() };
-    let sum: f64 = members.iter().map(|member| member.weight).sum();
+    let Some((surface, sum)) = surface(&mut members) else { return Vec::new() };
     if sum < OPEN {
         // it shows the background
         return Vec::new();

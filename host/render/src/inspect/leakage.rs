@@ -36,8 +36,7 @@ pub struct Leakage {
 impl Leakage {
     /// That of one pixel.
     fn of(members: &mut [Member]) -> Self {
-        let Some(surface) = surface(members) else { return Self::default() };
-        let sum: f64 = members.iter().map(|member| member.weight).sum();
+        let Some((surface, sum)) = surface(members) else { return Self::default() };
         let share = |is_there: &dyn Fn(f64) -> bool| {
             let there = members.iter().filter(|member| is_there(member.depth));
             there.map(|member| member.weight).sum::<f64>() / sum

@@ -57,9 +57,9 @@ impl Members {
     }
 }
 
-/// The depth of a pixel's surface, the median of its weights: Gaussians with half of the weight are nearer. Sorts the
-/// members by depth. None without any weight.
-pub fn surface(members: &mut [Member]) -> Option<f64> {
+/// The depth of a pixel's surface, the median of its weights: Gaussians with half of the weight are nearer. And S, the sum of
+/// the weights. Sorts the members by depth. None without any weight.
+pub fn surface(members: &mut [Member]) -> Option<(f64, f64)> {
     members.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     let sum: f64 = members.iter().map(|member| member.weight).sum();
     let mut before = 0.0;
@@ -67,7 +67,7 @@ pub fn surface(members: &mut [Member]) -> Option<f64> {
         before += member.weight;
         before >= 0.5 * sum
     });
-    half.filter(|_| sum > 0.0).map(|member| member.depth)
+    half.filter(|_| sum > 0.0).map(|member| (member.depth, sum))
 }
 
 /// Depths of points `[N, 3]` along a camera's axis.

@@ -61,6 +61,11 @@ impl DataArgs {
         split.is_some() || hold_out_every.is_some() || downscale.is_some() || *allow_outside
     }
 
+    /// Whether a named data set is read with its photographs. A file alone is one of cameras, unless an option is given.
+    pub fn names_photographs(&self, named: &Path) -> bool {
+        named.is_dir() || self.is_given()
+    }
+
     /// The frames to use; `default` is the command's own.
     pub fn split(&self, default: Split) -> Split {
         self.split.unwrap_or(default)

@@ -8,8 +8,8 @@ const NEAR = 12; // CSS pixels from a handle
 const number = new Intl.NumberFormat("en");
 
 export class Edit {
-  constructor(view, overlay, frames) {
-    Object.assign(this, { view, overlay, frames, tool: null, places: [], stroke: null, handle: null });
+  constructor(view, overlay, frames, controls) {
+    Object.assign(this, { view, overlay, frames, controls, tool: null, places: [], stroke: null, handle: null });
     overlay.edit = this;
     $("edit").hidden = false;
     const far = length(sub(view.center, eyeOf(view.camera.camera_to_world))) / 4;
@@ -65,14 +65,9 @@ export class Edit {
 
   // --- the mouse
 
-  pixel(event) {
-    const box = $("overlay").getBoundingClientRect(), { w, h } = this.view.camera;
-    return [((event.clientX - box.left) / box.width) * w, ((event.clientY - box.top) / box.height) * h];
-  }
-
   down(event) {
     if (event.target.id !== "overlay" || event.button !== 0 || event.shiftKey || event.altKey || event.ctrlKey) return;
-    const at = this.pixel(event);
+    const at = this.controls.pixel(event);
     if (this.tool === "brush") this.stroke = [at];
     else if (this.tool === "box") this.handle = this.nearest(at);
     if (!this.stroke && !this.handle) return;
@@ -83,7 +78,7 @@ export class Edit {
 
   move(event) {
     if (event.target.id !== "overlay") return;
-    this.at = this.pixel(event);
+    this.at = this.controls.pixel(event);
     if (this.tool) this.overlay.draw();
     if (!this.stroke && !this.handle) return;
     event.stopPropagation();

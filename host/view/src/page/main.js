@@ -93,7 +93,7 @@ const overlay = new Overlay($("overlay"), view);
 const controls = new Controls($("overlay"), view);
 const explain = new Explain(view, overlay);
 const keyframes = new Keyframes(view, overlay, frames);
-const edit = scene.purpose === "edit" ? new Edit(view, overlay, frames) : null;
+const edit = scene.purpose === "edit" ? new Edit(view, overlay, frames, controls) : null;
 const training = scene.purpose === "train" ? new Training(frames) : null;
 frames.refines = !training;
 frames.idle = say;

@@ -6,8 +6,9 @@
 
 extern crate std;
 
-use core::cell::Cell;
+use core::cell::RefCell;
 use core::fmt;
+use core::mem::{self, ManuallyDrop};
 use core::panic::Location;
 use std::vec::Vec;
 
@@ -29,24 +30,18 @@ impl fmt::Display for Step {
 }
 
 std::thread_local! {
-    /// The path of the thread's invocation.
-    static PATH: Cell<Vec<Step>> = const { Cell::new(Vec::new()) };
+    /// The path of the thread's invocation. A thread-local value without a destructor is reached without a call, and [`take`] frees it.
+    static PATH: RefCell<ManuallyDrop<Vec<Step>>> = const { RefCell::new(ManuallyDrop::new(Vec::new())) };
 }
 
 /// Takes the path of the thread's invocation. The next one starts without any.
 pub(crate) fn take() -> Vec<Step> {
-    PATH.take()
+    PATH.with_borrow_mut(|path| mem::take(&mut **path))
 }
 
 /// Sets the path of the thread's invocation.
 pub(crate) fn set(path: Vec<Step>) {
-    PATH.set(path);
-}
-
-fn change(change: impl FnOnce(&mut Vec<Step>)) {
-    let mut path = PATH.take();
-    change(&mut path);
-    PATH.set(path);
+    PATH.with_borrow_mut(|current| **current = path);
 }
 
 /// While it lives, its invocation is in a branch or a loop. It does nothing in a function without barriers.
@@ -64,19 +59,17 @@ impl Scope {
     }
 
     fn enter(place: &'static Location<'static>) -> Self {
-        let mut before = 0;
-        change(|path| {
-            before = path.len();
+        PATH.with_borrow_mut(|path| {
             path.push(Step { place, round: 0 });
-        });
-        Self { before: Some(before) }
+            Self { before: Some(path.len() - 1) }
+        })
     }
 
     /// A round of the loop begins.
     #[inline(always)]
     pub fn round(&mut self) {
         if let Some(before) = self.before {
-            change(|path| path[before].round += 1);
+            PATH.with_borrow_mut(|path| path[before].round += 1);
         }
     }
 }
@@ -85,7 +78,7 @@ impl Drop for Scope {
     #[inline(always)]
     fn drop(&mut self) {
         if let Some(before) = self.before {
-            change(|path| path.truncate(before));
+            PATH.with_borrow_mut(|path| path.truncate(before));
         }
     }
 }

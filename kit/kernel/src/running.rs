@@ -4,7 +4,7 @@ extern crate std;
 
 use core::cell::Cell;
 use core::fmt;
-use core::sync::atomic::{AtomicU32, Ordering};
+use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use glam::UVec3;
 
@@ -105,14 +105,20 @@ pub struct PanicContext(RunningInvocation);
 
 impl PanicContext {
     /// The context of an invocation.
+    #[inline(always)]
     pub fn new(kernel: &'static str, id: Invocation) -> Self {
-        let at = id.global().to_array();
-        if (0..3).all(|axis| STOP_AT[axis].load(Ordering::Relaxed) == at[axis]) {
-            stop();
+        if STOPS.load(Ordering::Relaxed) {
+            let at = id.global().to_array();
+            if (0..3).all(|axis| STOP_AT[axis].load(Ordering::Relaxed) == at[axis]) {
+                stop();
+            }
         }
         Self(RunningInvocation { kernel, id, is_checked: false })
     }
 }
+
+/// Whether [`STOP_AT`] is set. Every invocation of a debug build looks here first.
+static STOPS: AtomicBool = AtomicBool::new(false);
 
 /// The invocation that calls [`stop`]; none exists at this place.
 static STOP_AT: [AtomicU32; 3] = [const { AtomicU32::new(u32::MAX) }; 3];
@@ -123,6 +129,7 @@ pub fn stop_at(invocation: [u32; 3]) {
     for (axis, place) in invocation.into_iter().enumerate() {
         STOP_AT[axis].store(place, Ordering::Relaxed);
     }
+    STOPS.store(true, Ordering::Relaxed);
 }
 
 /// Does nothing. A debugger that stops here finds the kernel two frames above.

@@ -234,6 +234,7 @@ fn run_to_end(
     for invocation in invocations {
         STACKS.with_borrow_mut(|stacks| stacks.push(invocation.into_stack()));
     }
+    path::take();
     Ok(())
 }
 

@@ -227,6 +227,12 @@ pub fn exp_backward<L: Lane>(power: L, gradient: L) -> L {
     gradient * power
 }
 
+/// Of [`Lane::truncate`]: 0. A vector's method of this name has another gradient, so it is no lane's.
+#[inline(always)]
+pub fn truncate_backward<L: Lane>(whole: L, _: L) -> L {
+    whole.zero()
+}
+
 /// Of [`Lane::settled`].
 #[inline(always)]
 pub fn settled_backward<L: Lane>(_: L, gradient: L) -> L {

@@ -9,13 +9,12 @@ use syn::{BinOp, Block, Error, Expr, ExprIf, Lit, Macro, Path, Result, Stmt, UnO
 use super::reverse::{Operand, Place, Reverse, Term};
 
 /// Functions and methods whose value stays the same around almost every number.
-const FLAT: [&str; 12] = [
+const FLAT: [&str; 11] = [
     "less",
     "at_most",
     "both",
     "any",
     "index",
-    "truncate",
     "floor",
     "round",
     "ceil",
@@ -25,7 +24,8 @@ const FLAT: [&str; 12] = [
 ];
 
 /// Functions and methods of every [`Lane`], with their numbers of arguments.
-const LANE: [(&str, usize); 7] = [
+const LANE: [(&str, usize); 8] = [
+    ("truncate", 1),
     ("sqrt", 1),
     ("exp", 1),
     ("settled", 1),

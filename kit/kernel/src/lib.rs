@@ -137,6 +137,7 @@ pub mod fixed;
 mod fused;
 #[cfg(not(target_arch = "spirv"))]
 pub mod given;
+pub mod gradient;
 pub mod half;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]

@@ -12,6 +12,7 @@ use glam::Vec3;
 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
 use crate::casts::check_cast;
 use crate::lane::Lane;
+use muslin_macros::gradient;
 
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
 pub const HUGE: f32 = 3.402_823_5e38;
@@ -79,6 +80,7 @@ pub fn to_u32(x: f32) -> u32 {
 }
 
 /// |x|
+#[gradient]
 #[inline(always)]
 pub fn abs(x: f32) -> f32 {
     if x < 0.0 { -x } else { x }
@@ -97,12 +99,14 @@ pub fn max(a: f32, b: f32) -> f32 {
 }
 
 /// x, clamped to `[low, high]`.
+#[gradient]
 #[inline(always)]
 pub fn clamp(x: f32, low: f32, high: f32) -> f32 {
     min(max(x, low), high)
 }
 
 /// a + t (b - a): a for t = 0, and b for t = 1, but for a rounding of both sizes.
+#[gradient]
 #[inline(always)]
 pub fn mix<L: Lane>(a: L, b: L, t: L) -> L {
     a + t * (b - a)
@@ -190,6 +194,7 @@ pub fn ln(x: f32) -> f32 {
 }
 
 /// x^y for positive x from [`TINY`] on, to 1e-6 (1 + |y ln x|) of its size, as long as it is from [`TINY`] to [`HUGE`].
+#[gradient]
 #[inline(always)]
 pub fn pow(x: f32, y: f32) -> f32 {
     exp(y * ln(x))
@@ -234,25 +239,66 @@ fn ln_1p<L: Lane>(x: L) -> L {
     number(2.0) * s * (number(1.0) + t * (number(1.0 / 3.0) + t * series))
 }
 
+/// Of [`sin`].
+#[inline(always)]
+pub fn sin_backward<L: Lane>(x: L, gradient: L) -> L {
+    gradient * cos(x)
+}
+
+/// Of [`cos`].
+#[inline(always)]
+pub fn cos_backward<L: Lane>(x: L, gradient: L) -> L {
+    -(gradient * sin(x))
+}
+
+/// Of [`tan`].
+#[inline(always)]
+pub fn tan_backward<L: Lane>(x: L, gradient: L) -> L {
+    let value = tan(x);
+    gradient * (L::splat(1.0) + value * value)
+}
+
+/// Of [`ln`].
+#[inline(always)]
+pub fn ln_backward(x: f32, gradient: f32) -> f32 {
+    gradient / x
+}
+
+/// Of [`sigmoid`]. 1 - sigmoid(x) = sigmoid(-x), without its cancellation.
+#[inline(always)]
+pub fn sigmoid_backward<L: Lane>(x: L, gradient: L) -> L {
+    gradient * sigmoid(x) * sigmoid(-x)
+}
+
+/// Of [`log_sigmoid`].
+#[inline(always)]
+pub fn log_sigmoid_backward<L: Lane>(x: L, gradient: L) -> L {
+    gradient * sigmoid(-x)
+}
+
 /// Dot product.
+#[gradient]
 #[inline(always)]
 pub fn dot(a: Vec3, b: Vec3) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
 /// Cross product.
+#[gradient]
 #[inline(always)]
 pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
     Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }
 
 /// Euclidean length.
+#[gradient]
 #[inline(always)]
 pub fn length(v: Vec3) -> f32 {
     sqrt(dot(v, v))
 }
 
 /// v / |v|; zero for zero.
+#[gradient]
 #[inline(always)]
 pub fn normalize(v: Vec3) -> Vec3 {
     v * (1.0 / max(length(v), TINY))

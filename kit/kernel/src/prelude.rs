@@ -1,7 +1,7 @@
 //! Everything that a kernel and the test beside it need: `use muslin::prelude::*`.
 
 pub use bytemuck::{Pod, Zeroable};
-pub use muslin_macros::{kernel, loops, params};
+pub use muslin_macros::{gradient, kernel, loops, params};
 
 #[cfg(target_arch = "spirv")]
 pub use crate::atomic::AtomicBuffer;

@@ -84,7 +84,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     };
     let scene = source.load(console)?;
     let renderer = args.device.open(console)?;
-    let options = args.options(args.title.clone().unwrap_or_else(|| title(source.named())));
+    let options = args.options(args.title.clone().unwrap_or_else(|| page_title(&source)));
     let page = make(&scene, &cameras, &renderer, &options, console)?;
     let (file, bytes) = match &folder {
         None => {
@@ -111,6 +111,12 @@ impl Args {
     }
 }
 
+/// A scene's name, without the extension of a file.
+fn page_title(source: &SceneSource) -> String {
+    let name = title(source.named());
+    name.strip_suffix(".safetensors").map_or_else(|| name.clone(), str::to_owned)
+}
+
 /// A page's path from the folder that holds the page.
 fn shown_path(file: &Path) -> String {
     let name = title(file);
@@ -128,7 +134,7 @@ fn write_gallery(args: &Args, console: Console) -> Result<()> {
     let mut cards: Vec<Card> = Vec::new();
     let mut folders = Vec::new();
     for source in &sources {
-        let title = title(source.named());
+        let title = page_title(source);
         let name = folder_name(&title, &cards);
         folders.push(folder(&outer.join(&name))?);
         cards.push(Card { title, folder: name });
@@ -151,9 +157,8 @@ fn write_gallery(args: &Args, console: Console) -> Result<()> {
 
 /// A name for a page's folder that no card has yet.
 fn folder_name(title: &str, cards: &[Card]) -> String {
-    let stem = title.strip_suffix(".safetensors").unwrap_or(title);
     let plain = |letter: char| if letter.is_alphanumeric() { letter } else { '-' };
-    let stem: String = stem.chars().map(plain).collect();
+    let stem: String = title.chars().map(plain).collect();
     let is_free = |name: &String| cards.iter().all(|card| card.folder != *name);
     let numbered = (2..).map(|number| format!("{stem}-{number}"));
     [stem.clone()].into_iter().chain(numbered).find(is_free).unwrap_or(stem)

@@ -112,7 +112,7 @@ impl Args {
 }
 
 /// A scene's name, without the extension of a file.
-fn page_title(source: &SceneSource) -> String {
+pub fn page_title(source: &SceneSource) -> String {
     let name = title(source.named());
     name.strip_suffix(".safetensors").map_or_else(|| name.clone(), str::to_owned)
 }

@@ -255,7 +255,7 @@ fn a_page_renders_by_itself() {
     );
     page.go(&viewer.url());
     page.wait(AT_REST);
-    assert_eq!(page.eval("document.title"), "thin.safetensors \u{b7} organza");
+    assert_eq!(page.eval("document.title"), "thin \u{b7} organza");
     assert_same(&mut page, &scene, &cameras[0], 1);
     assert_eq!(page.eval("organza.errors"), json!([]));
 

@@ -4,11 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use organza::error::format_bytes;
-use organza::web::{PageOptions, WebPage};
+use organza::web::{Card, PageOptions, WebPage, embedding, gallery};
 use organza::{Camera, Renderer, Result, Scene};
 use organza_core::write_atomic;
 
-use super::console::Console;
+use super::console::{Console, print_as_is};
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{Folder, check_file};
@@ -24,16 +24,20 @@ Examples:
   organza export-web run --single-file -o page.html  one file, to open or to send
   organza export-web scene.safetensors transforms.json -o page
   organza export-web run -o page --size 1920x1080    images of at most this size
+  organza export-web run -o page --embed             also print the element that shows the page within another
+  organza export-web --gallery fox garden -o site    a page for each scene, and one that leads to them
 
 The page renders with the visitor's GPU. It needs a browser with WebGPU, and no program and no server: it also opens from \
-a folder. It begins at the first camera and turns around what the cameras look at; without cameras, around the scene's box.";
+a folder. Until it is ready, and where there is no WebGPU, it shows a picture. Until the visitor touches it, it turns slowly \
+where the cameras stood; without cameras, around the scene's box.";
 
 /// Write a page that renders a scene in a browser, by itself
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
-    scene: PathBuf,
+    #[arg(required_unless_present = "gallery")]
+    scene: Option<PathBuf>,
     /// The cameras to start from: nerfstudio's transforms.json, or a data set [default: those of the run, or views
     /// around the scene's box]
     cameras: Option<PathBuf>,
@@ -43,10 +47,16 @@ pub struct Args {
     /// Write a single file that contains everything
     #[arg(long)]
     single_file: bool,
+    /// Print the HTML element that shows the page within another one, without title and help
+    #[arg(long)]
+    embed: bool,
+    /// Write a page for each of these scenes, with a page of pictures that lead to them
+    #[arg(long, value_name = "SCENE", num_args = 1.., conflicts_with_all = ["scene", "cameras", "single_file", "embed"])]
+    gallery: Vec<PathBuf>,
     /// The most pixels that the page renders; a larger window shows them enlarged
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = size)]
     size: [u32; 2],
-    /// The name of the page [default: the scene's]
+    /// The title of the page [default: the scene's name; with --gallery, Scenes]
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
     /// Keep both hash grids in full precision: the page is larger, and its images are those of `render`. Without
@@ -60,7 +70,8 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = SceneSource::find(&args.scene)?;
+    let Some(scene) = &args.scene else { return write_gallery(args, console) };
+    let source = SceneSource::find(scene)?;
     let cameras = cameras(&source, args.cameras.as_deref(), &args.data, USAGE, console)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     // checked before anything is computed
@@ -73,32 +84,93 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     };
     let scene = source.load(console)?;
     let renderer = args.device.open(console)?;
-    let options = PageOptions {
-        title: args.title.clone().unwrap_or_else(|| title(source.named())),
-        size: args.size,
-        half_grids: !args.full_grids,
-    };
+    let options = args.options(args.title.clone().unwrap_or_else(|| page_title(&source)));
     let page = make(&scene, &cameras, &renderer, &options, console)?;
     let (file, bytes) = match &folder {
         None => {
             let text = page.single_file();
-            write(&args.output, &text)?;
+            write(&args.output, text.as_bytes())?;
             (args.output.clone(), text.len())
         }
-        Some(folder) => {
-            let files = page.files();
-            for (name, text) in &files {
-                write(&folder.file(name)?, text)?;
-            }
-            (folder.join(WebPage::FILES[0]), files.iter().map(|(_, text)| text.len()).sum())
-        }
+        Some(folder) => (folder.join(WebPage::FILES[0]), write_page(&page, folder)?),
     };
     console.note(&format!(
         "wrote a page of {}: open {} in a browser with WebGPU",
         format_bytes(bytes as u64),
         file.display()
     ));
+    if args.embed {
+        print_as_is(&format!("{}\n", embedding(&options.title, &shown_path(&file))))?;
+    }
     Ok(())
+}
+
+impl Args {
+    fn options(&self, title: String) -> PageOptions {
+        PageOptions { title, size: self.size, half_grids: !self.full_grids }
+    }
+}
+
+/// A scene's name, without the extension of a file.
+pub fn page_title(source: &SceneSource) -> String {
+    let name = title(source.named());
+    name.strip_suffix(".safetensors").map_or_else(|| name.clone(), str::to_owned)
+}
+
+/// A page's path from the folder that holds the page.
+fn shown_path(file: &Path) -> String {
+    let name = title(file);
+    match file.parent().filter(|_| name == WebPage::FILES[0]) {
+        Some(folder) => format!("{}/{name}", title(folder)),
+        None => name,
+    }
+}
+
+/// Writes the pages of several scenes, and the page that leads to them.
+fn write_gallery(args: &Args, console: Console) -> Result<()> {
+    let sources = args.gallery.iter().map(|scene| SceneSource::find(scene));
+    let sources = sources.collect::<Result<Vec<_>>>()?;
+    let outer = folder(&args.output)?;
+    let mut cards: Vec<Card> = Vec::new();
+    let mut folders = Vec::new();
+    for source in &sources {
+        let title = page_title(source);
+        let name = folder_name(&title, &cards);
+        folders.push(folder(&outer.join(&name))?);
+        cards.push(Card { title, folder: name });
+    }
+    let renderer = args.device.open(console)?;
+    for ((source, card), folder) in sources.iter().zip(&cards).zip(&folders) {
+        let cameras = cameras(source, None, &args.data, USAGE, console)?;
+        let scene = source.load(console)?;
+        let options = args.options(card.title.clone());
+        write_page(&make(&scene, &cameras, &renderer, &options, console)?, folder)?;
+    }
+    let title = args.title.as_deref().unwrap_or("Scenes");
+    let [index, ..] = WebPage::FILES;
+    write(&outer.file(index)?, gallery(title, &cards).as_bytes())?;
+    let count = cards.len();
+    let file = outer.join(index);
+    console.note(&format!("wrote {count} pages: open {} in a browser with WebGPU", file.display()));
+    Ok(())
+}
+
+/// A name for a page's folder that no card has yet.
+fn folder_name(title: &str, cards: &[Card]) -> String {
+    let plain = |letter: char| if letter.is_alphanumeric() { letter } else { '-' };
+    let stem: String = title.chars().map(plain).collect();
+    let is_free = |name: &String| cards.iter().all(|card| card.folder != *name);
+    let numbered = (2..).map(|number| format!("{stem}-{number}"));
+    [stem.clone()].into_iter().chain(numbered).find(is_free).unwrap_or(stem)
+}
+
+/// Writes the files of a page, and returns their bytes.
+fn write_page(page: &WebPage, folder: &Folder) -> Result<usize> {
+    let files = page.files();
+    for (name, bytes) in &files {
+        write(&folder.file(name)?, bytes)?;
+    }
+    Ok(files.iter().map(|(_, bytes)| bytes.len()).sum())
 }
 
 /// Makes a page, and reports its contents.
@@ -154,8 +226,8 @@ fn is_own(text: &str) -> bool {
     text.contains("<meta name=\"generator\" content=\"organza ")
 }
 
-fn write(path: &Path, text: &str) -> Result<()> {
-    write_atomic(path, |file| file.write_all(text.as_bytes()))
+fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    write_atomic(path, |file| file.write_all(bytes))
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {

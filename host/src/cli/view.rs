@@ -162,7 +162,7 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
     let server = args.server.listen()?;
     let renderer = args.device.open(console)?;
     let options = PageOptions {
-        title: title(source.named()),
+        title: export_web::page_title(source),
         size: CLIENT_SIZE,
         half_grids: args.scene_args.half_grids,
     };

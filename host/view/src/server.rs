@@ -133,17 +133,20 @@ impl Server {
         Ok(Films(films))
     }
 
-    /// Starts to serve a page that renders by itself: its files by name, of which the first is the page, and the others
-    /// are scripts.
+    /// Starts to serve a page that renders by itself: its files by name.
     ///
     /// # Errors
     /// The same errors as [`Server::start`].
-    pub fn start_page(self, files: impl IntoIterator<Item = (&'static str, String)>) -> Result<()> {
-        let file = |(index, (name, text)): (usize, (&str, String))| match index {
-            0 => ("/".to_owned(), assets::PAGE, text.into()),
-            _ => (format!("/{name}"), assets::SCRIPT, text.into()),
+    pub fn start_page(
+        self,
+        files: impl IntoIterator<Item = (&'static str, Vec<u8>)>,
+    ) -> Result<()> {
+        let file = |(name, bytes): (&str, Vec<u8>)| match name {
+            "index.html" => ("/".to_owned(), assets::PAGE, bytes.into()),
+            _ if name.ends_with(".jpg") => (format!("/{name}"), "image/jpeg", bytes.into()),
+            _ => (format!("/{name}"), assets::SCRIPT, bytes.into()),
         };
-        self.serve(Site::Client(files.into_iter().enumerate().map(file).collect()))
+        self.serve(Site::Client(files.into_iter().map(file).collect()))
     }
 
     fn serve(self, site: Site) -> Result<()> {

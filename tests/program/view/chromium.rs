@@ -69,6 +69,8 @@ impl Page {
             .args(flags)
             .args(["--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars"])
             .args(["--force-color-profile=srgb", "--disable-background-networking"])
+            // pages stand still unless a test asks otherwise
+            .arg("--force-prefers-reduced-motion")
             .arg(format!("--user-data-dir={}", path("profile").display()))
             .env("IN", &pipes[0])
             .env("OUT", &pipes[1])
@@ -96,7 +98,7 @@ impl Page {
     /// Navigates to another address.
     pub fn go(&mut self, url: &str) {
         self.call("Page.navigate", json!({ "url": url }));
-        self.wait("document.documentElement?.dataset.ready !== undefined");
+        self.wait("document.readyState === 'complete' && (document.documentElement.dataset.ready !== undefined || document.scripts.length === 0) && location.href !== 'about:blank'");
     }
 
     pub fn resize(&mut self, [width, height]: [u32; 2]) {

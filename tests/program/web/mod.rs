@@ -175,6 +175,43 @@ fn assert_controls(page: &mut Page) {
     assert_eq!(Place::of(page).eye, stopped.eye);
 }
 
+/// Asserts that the page turns slowly until it is touched, where visitors accept motion.
+fn assert_turns(page: &mut Page, url: &str) {
+    // as on a fast device, which a browser without a GPU is not
+    const REVEAL: &str =
+        "organza.revealed = false, organza.pace.shrink = 1, organza.reveal(), organza.turning";
+    assert_eq!(page.eval(REVEAL), json!(false));
+    assert_eq!(page.eval("document.getElementById('status').hidden"), json!(true));
+    let motion =
+        |value: &str| json!({"features": [{"name": "prefers-reduced-motion", "value": value}]});
+    page.call("Emulation.setEmulatedMedia", motion("no-preference"));
+    page.go(url);
+    page.wait(AT_REST);
+    assert_eq!(page.eval(REVEAL), json!(true));
+    page.wait("organza.camera.camera_to_world[0][3] !== organza.header.way[0][0]");
+    // a third of the way around, it has the distance of the cameras, and looks at the center
+    page.eval("organza.touch(), organza.turnTo(1 / 3), organza.moved()");
+    let place = Place::of(page);
+    let toward = (place.center - place.eye).normalize();
+    assert!(toward.dot(place.forward) > 1.0 - 1e-6, "{place:?}");
+    let place_of = |page: &mut Page| page.eval("organza.camera.camera_to_world");
+    let before = place_of(page);
+    page.wait(AT_REST);
+    assert_eq!(place_of(page), before, "it turns although it was touched");
+    page.screenshot("web-turned");
+    page.call("Emulation.setEmulatedMedia", motion("reduce"));
+    // counters come when they are asked for
+    page.letter("keyDown", 'i');
+    assert_eq!(page.eval("document.getElementById('status').hidden"), json!(false));
+    page.go(&format!("{url}?embed"));
+    page.wait(AT_REST);
+    let title = "getComputedStyle(document.getElementById('title')).display";
+    assert_eq!(page.eval(title), json!("none"));
+    page.go(url);
+    page.wait(AT_REST);
+    assert_ne!(page.eval(title), json!("none"));
+}
+
 /// Asserts that every kernel compiles on a device with the guaranteed limits.
 fn assert_all_compile(page: &mut Page) {
     let kernel = |kernel: muslin_device::CompiledKernel| {
@@ -204,6 +241,7 @@ fn a_page_renders_by_itself() {
         assert_eq!(assert_same(&mut page, &scene, &cameras[0], steps), 0);
     }
     assert_same(&mut page, &scene, &cameras[2].with_size([150, 70]), 1);
+    assert_turns(&mut page, &folder);
 
     assert_controls(&mut page);
     page.wait(AT_REST);
@@ -217,7 +255,7 @@ fn a_page_renders_by_itself() {
     );
     page.go(&viewer.url());
     page.wait(AT_REST);
-    assert_eq!(page.eval("document.title"), "thin.safetensors \u{b7} organza");
+    assert_eq!(page.eval("document.title"), "thin \u{b7} organza");
     assert_same(&mut page, &scene, &cameras[0], 1);
     assert_eq!(page.eval("organza.errors"), json!([]));
 
@@ -241,11 +279,20 @@ fn a_page_renders_by_itself() {
 fn without_webgpu_a_page_says_so() {
     let Some(program) = program() else { return };
     let sandbox = Sandbox::new("tiny");
-    sandbox.run("export-web scene.safetensors -o page.html --single-file").assert_ok();
+    sandbox.run("export-web scene.safetensors -o page.html --single-file --title Mine").assert_ok();
     let mut page = Page::open(program, &url(&sandbox.path("page.html")), WINDOW);
     let message = page.eval("document.getElementById('message').textContent");
     let message = message.as_str().expect("a message");
     assert!(message.contains("WebGPU") && message.contains("browser"), "{message}");
+    assert_eq!(page.eval("document.getElementById('title').textContent"), "Mine");
+    // a browser can show the poster
+    let poster = "(async () => { const image = new Image(); image.src = getComputedStyle(document.getElementById('poster'))\
+        .getPropertyValue('--picture').slice(4, -1); await image.decode(); return image.naturalWidth; })()";
+    assert!(page.eval(poster).as_u64() > Some(100));
+    for (name, size) in [("wide", [1280, 720]), ("narrow", [390, 844])] {
+        page.resize(size);
+        page.screenshot(&format!("web-poster-{name}"));
+    }
     assert!(page.errors.is_empty(), "{:?}", page.errors);
 }
 
@@ -269,9 +316,44 @@ fn a_page_replaces_no_other() {
     let names = fs::read_dir(sandbox.path("page")).unwrap().flatten();
     let mut names: Vec<_> = names.map(|file| file.file_name()).collect();
     names.sort();
-    assert_eq!(names, ["index.html", "page.js", "scene.js"]);
+    assert_eq!(names, ["index.html", "page.js", "poster.jpg", "scene.js"]);
+    // the poster's bytes are those of `view`'s images: JPEG
+    assert!(fs::read(sandbox.path("page/poster.jpg")).unwrap().starts_with(&[0xff, 0xd8]));
     for words in ["--size 5x5", "--size 9000x10", "--size wide"] {
         let words = format!("export-web scene.safetensors -o page {words}");
         assert_eq!(sandbox.run(&words).code, Some(2), "{words}");
     }
+}
+
+#[test]
+fn a_gallery_leads_to_its_pages() {
+    let sandbox = Sandbox::new("tiny");
+    fs::create_dir(sandbox.path("other")).unwrap();
+    fs::copy(sandbox.path("scene.safetensors"), sandbox.path("other/scene.safetensors")).unwrap();
+    let scenes = "scene.safetensors other/scene.safetensors";
+    let words = format!("export-web --gallery {scenes} -o site --size 64x48 --title Mine");
+    sandbox.run(&words).assert_ok();
+    let element =
+        sandbox.run("export-web scene.safetensors -o page --size 64x48 --embed").assert_ok().stdout;
+    assert!(element.starts_with("<iframe src=\"page/index.html?embed\""), "{element}");
+    for (words, parts) in [
+        ("--gallery scene.safetensors none.safetensors -o new", "none.safetensors"),
+        ("scene.safetensors --gallery scene.safetensors -o new", "cannot be used with"),
+        ("-o new", "required"),
+    ] {
+        sandbox.run(&format!("export-web {words}")).assert_refused(&[parts]);
+    }
+    assert!(!sandbox.path("new").exists());
+
+    let Some(program) = program() else { return };
+    let listed = "[...document.querySelectorAll('a')].map((a) => a.getAttribute('href'))";
+    let pictured =
+        "[...document.images].every((image) => image.complete && image.naturalWidth > 0)";
+    let mut page = Page::open(program, &url(&sandbox.path("site/index.html")), WINDOW);
+    assert_eq!(page.eval("document.title"), "Mine \u{b7} organza");
+    assert_eq!(page.eval(listed), json!(["scene/index.html", "scene-2/index.html"]));
+    page.wait(pictured);
+    page.screenshot("web-gallery");
+    page.eval("document.querySelectorAll('a')[1].click()");
+    page.wait("location.pathname.endsWith('scene-2/index.html') && document.documentElement?.dataset.ready !== undefined");
 }

@@ -66,6 +66,7 @@ export class Controls {
   }
 
   wheel(event) {
+    if (this.view.leavesWheel?.()) return;
     event.preventDefault();
     const amount = Math.max(-240, Math.min(240, event.deltaY * (event.deltaMode === 1 ? 30 : 1)));
     if (event.ctrlKey || event.altKey) this.zoom(Math.exp(amount * 0.001));

@@ -1,6 +1,6 @@
 //! The page's own files: plain modules, joined into one script, because browsers load no modules from `file://`.
 
-use maud::{DOCTYPE, PreEscaped, html};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// The modules. Each comes after those that it imports.
 const MODULES: [&str; 6] = [
@@ -27,8 +27,19 @@ pub fn script() -> String {
     format!("\"use strict\";\n(async () => {{\n{}\n}})();\n", own.join("\n"))
 }
 
-/// The document. `scripts` are elements that load the scene and the page's script.
-pub fn html(title: &str, scripts: &str) -> String {
+/// The document. `poster` is the address of the picture to show before the scene; `scripts` are elements that load the scene and
+/// the page's script.
+pub fn html(title: &str, poster: &str, scripts: &str) -> String {
+    let picture = html! {
+        div id="poster" role="img" aria-label=(title) style={ "--picture: url(" (poster) ")" } {}
+        h1 id="title" { (title) }
+    };
+    let body = BODY.replacen("<!-- poster and title -->", &picture.into_string(), 1);
+    document(title, STYLE, &html! { (PreEscaped(body)) (PreEscaped(scripts)) })
+}
+
+/// A document of organza.
+pub fn document(title: &str, style: &str, body: &Markup) -> String {
     use base64::Engine;
     let icon = base64::engine::general_purpose::STANDARD.encode(ICON);
     let page = html! {
@@ -40,12 +51,9 @@ pub fn html(title: &str, scripts: &str) -> String {
                 meta name="generator" content=(concat!("organza ", env!("CARGO_PKG_VERSION")));
                 title { (title) " · organza" }
                 link rel="icon" href={ "data:image/svg+xml;base64," (icon) };
-                style { (PreEscaped(STYLE)) }
+                style { (PreEscaped(style)) }
             }
-            body {
-                (PreEscaped(BODY))
-                (PreEscaped(scripts))
-            }
+            body { (body) }
         }
     };
     page.into_string()
@@ -61,6 +69,9 @@ mod tests {
         for word in ["\nimport ", "\nexport ", "</script", "<!--"] {
             assert!(!script.contains(word), "{word}");
         }
-        assert!(html("<i>&\"", "").contains("<title>&lt;i&gt;&amp;&quot; · organza</title>"));
+        let page = html("<i>&\"", "poster.jpg", "");
+        assert!(page.contains("<title>&lt;i&gt;&amp;&quot; · organza</title>"));
+        assert!(page.contains("<h1 id=\"title\">&lt;i&gt;&amp;&quot;</h1>"));
+        assert!(page.contains("url(poster.jpg)"));
     }
 }

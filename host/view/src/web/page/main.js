@@ -1,6 +1,6 @@
 // The page: what is looked at, and which image comes next.
 
-import { add, eyeOf, forwardOf, length, scale, sub, withSize } from "./camera.js";
+import { add, cross, eyeOf, forwardOf, length, poseOf, scale, sub, withSize } from "./camera.js";
 import { Controls } from "./controls.js";
 import { Pace } from "./pace.js";
 import { Frame, Player, tilesOf, unpack } from "./player.js";
@@ -8,6 +8,8 @@ import { Screen } from "./screen.js";
 
 const REST = 160; // milliseconds without a movement
 const OPEN = 2; // plans whose memory is kept
+const TURN = 80; // seconds of a slow turn
+const BLURRED = 8; // a device that has to divide images' sides by more than this does not turn by itself
 const $ = (id) => document.getElementById(id);
 const number = new Intl.NumberFormat("en");
 
@@ -16,16 +18,24 @@ function say(message) {
   $("message").textContent = message ?? "";
 }
 
+// Whether another page shows this one.
+const EMBEDDED = new URLSearchParams(location.search).has("embed");
+
+function fullScreen() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else document.documentElement.requestFullscreen?.();
+}
+
 // Ends the page with a reason.
 class Missing extends Error {}
 
 async function openDevice() {
   if (!navigator.gpu) {
-    const insecure = !isSecureContext && "Browsers offer WebGPU to pages over https, from localhost and from files alone: this address is none of them.";
-    throw new Missing(insecure || "This page needs WebGPU, which this browser does not have or has turned off. Current versions of Chrome, Edge, Safari and Firefox have it.");
+    if (!isSecureContext) throw new Missing("This is a picture. To turn the scene, open the page over https: browsers offer WebGPU only there.");
+    throw new Missing("This is a picture. To turn the scene, open it in a browser with WebGPU: a current Chrome, Edge, Safari or Firefox.");
   }
   const adapter = await navigator.gpu.requestAdapter({ powerPreference: "high-performance" });
-  if (!adapter) throw new Missing("This browser has WebGPU, but found no GPU that it can use. A newer driver may help, or another browser.");
+  if (!adapter) throw new Missing("This is a picture. To turn the scene, this browser needs a GPU, and WebGPU found none: try another browser.");
   return adapter.requestDevice();
 }
 
@@ -42,7 +52,70 @@ class Viewer {
     this.wanted = null; // "moving" or "rest"
     this.busy = false;
     this.shown = null;
+    this.touched = this.turning = false;
     this.reset();
+  }
+
+  // Learns what images take behind the poster, so that the first ones that are seen are neither blurred nor late.
+  async start() {
+    this.busy = true;
+    this.resize();
+    try {
+      for (let images = 0; images < 24 && this.pace.shrink > this.least && this.pace.shrink <= BLURRED; images++) {
+        const time = await this.image("moving", this.pace.shrink, this.pace.steps[this.pace.coarse]);
+        if (!time) break;
+        this.pace.learn(time, this.least);
+      }
+    } catch (error) {
+      this.fail(error);
+    }
+    this.busy = false;
+    this.next();
+  }
+
+  // The scene replaces the poster, and turns.
+  reveal() {
+    if (this.revealed) return;
+    this.revealed = true;
+    $("poster").classList.add("gone");
+    $("status").hidden = !this.counters;
+    if (!this.touched && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.turn();
+  }
+
+  // --- the slow turn, until the visitor touches the page
+
+  turn() {
+    if (this.header.way.length === 0) return;
+    this.turning = true;
+    let last = performance.now(), part = 0;
+    const step = (now) => {
+      this.turning &&= this.pace.shrink <= BLURRED;
+      if (!this.turning) return;
+      part = (part + Math.max(0, Math.min(0.1, (now - last) / 1000)) / TURN) % 1;
+      last = now;
+      this.turnTo(part);
+      this.moved();
+      requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  turnTo(part) {
+    const { way, center, up } = this.header, at = part * way.length, index = Math.floor(at);
+    const [from, to] = [way[index % way.length], way[(index + 1) % way.length]];
+    const eye = add(from, scale(sub(to, from), at - index)), back = sub(eye, center);
+    this.center = center;
+    this.camera = { ...this.camera, camera_to_world: poseOf(cross(up, back), back, eye) };
+  }
+
+  touch() {
+    this.touched = true;
+    this.turning = false;
+  }
+
+  // Within another page, the wheel scrolls that one until the visitor has clicked on this one.
+  leavesWheel() {
+    return EMBEDDED && !document.hasFocus();
   }
 
   // --- the camera; Controls read and change it
@@ -92,7 +165,8 @@ class Viewer {
       "?": () => $("help").showModal(),
       r: () => { this.reset(); this.moved(); },
       l: () => { this.controls.level(); this.moved(); },
-      f: () => (document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.()),
+      f: fullScreen,
+      i: () => { this.counters = !this.counters; $("status").hidden = !this.counters; },
       "[": () => { this.controls.zoom(0.94); this.moved(); },
       "]": () => { this.controls.zoom(1.06); this.moved(); },
     }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
@@ -128,7 +202,10 @@ class Viewer {
         const time = await this.image("rest", shrink, this.pace.steps[0]);
         const finer = time && this.pace.rest(time, shrink, this.least);
         if (finer < 0.9 * shrink && !this.wanted) await this.image("rest", finer, this.pace.steps[0]);
-        if (!this.wanted) document.documentElement.dataset.quality = "rest";
+        if (!this.wanted) {
+          document.documentElement.dataset.quality = "rest";
+          this.reveal();
+        }
       }
     } catch (error) {
       this.fail(error);
@@ -217,10 +294,14 @@ class Viewer {
 
   fail(error) {
     this.errors.push(error.message);
+    $("status").hidden = true;
     say(`The GPU could not render this: ${error.message}`);
   }
 }
 
+if (EMBEDDED) document.documentElement.classList.add("embed");
+$("full-button").hidden = !document.fullscreenEnabled;
+$("full-button").onclick = fullScreen;
 try {
   const device = await openDevice();
   const content = await unpack(ORGANZA_SCENE);
@@ -231,10 +312,15 @@ try {
   $("help").querySelector("h2").textContent = content.header.title;
   $("help").querySelector("p").textContent = `${number.format(content.header.gaussians)} Gaussians, rendered on this device by organza ${content.header.version}`;
   $("help-button").onclick = () => $("help").showModal();
+  for (const event of ["pointerdown", "keydown", "wheel"]) {
+    addEventListener(event, () => (event === "wheel" && viewer.leavesWheel()) || viewer.touch(), { passive: true });
+  }
+  viewer.start();
   new ResizeObserver(() => viewer.resize()).observe($("stage"));
   window.organza = viewer;
 } catch (error) {
-  $("status").hidden = true;
+  $("status").hidden = $("help-button").hidden = true;
+  $("message").classList.toggle("plain", error instanceof Missing);
   say(error instanceof Missing ? error.message : `The page could not start: ${error.message}`);
 }
 document.documentElement.dataset.ready = "";

@@ -33,6 +33,7 @@
 //!   makes `g` the backward function where numbers demand a better one than the rules give.
 //! - `sqrt`, `exp`, `min`, `max`, `mul_add`, `select` and `settled`, as functions or methods, are those of every [`Lane`].
 //! - Comparisons, casts, `truncate`, `floor`, `round` and `ceil` have the derivative 0, and so has [`constant`].
+//! - The attribute sees names, not definitions. So give none of the names in the last two lines to a function of your own.
 //! - `if` goes back through the branch that was taken. `select` computes both: where the other one is infinite, so is its derivative,
 //!   and 0 times that is NaN.
 //! - A struct in such a function has the attribute, too. It makes sums of it: [`Adjoint`].

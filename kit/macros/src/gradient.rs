@@ -1,5 +1,6 @@
 //! The gradient of a straight-line function: reverse mode, written out as a function.
 
+mod calls;
 mod lower;
 mod reverse;
 #[cfg(test)]

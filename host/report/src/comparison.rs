@@ -61,9 +61,9 @@ pub(super) fn html_of(runs: &[(String, Run)]) -> String {
             h1 { (names.join(", ")) }
         }
         (finals(runs))
+        (views(runs))
         (settings(runs))
         (curves(&charts, &Markup::default()))
-        (views(runs))
     };
     page(&format!("{} – organza", names.join(", ")), &charts, &body)
 }

@@ -39,9 +39,9 @@ pub(super) fn html_of(run: &Run) -> String {
     let last = evaluations.last();
     let body = html! {
         (header(run))
-        (curves(&charts, &growth(run)))
-        (over_time(run, &evaluations))
         @if let Some(last) = last { (views(run, last)) }
+        (over_time(run, &evaluations))
+        (curves(&charts, &growth(run)))
         (scores(&evaluations))
         (sessions(run))
         (timing(run))

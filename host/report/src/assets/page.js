@@ -71,6 +71,9 @@ function series(chart) {
   });
 }
 
+// Distances of labels: whole numbers of what is counted.
+const distances = (least) => Array.from({ length: 15 }, (_, at) => [1, 2, 5].map((digit) => digit * 10 ** (at - 5))).flat().filter((distance) => distance >= least);
+
 function plot(chart, element) {
   const font = `11px ${getComputedStyle(element).fontFamily}`;
   const quiet = () => css("--quiet");
@@ -100,8 +103,8 @@ function plot(chart, element) {
     ...size(),
     scales: { x: { time: false }, y: { distr: isLog ? 3 : 1, range } },
     axes: [
-      { ...axis, grid: { show: false }, size: 26, space: 60, label: () => (over === "step" ? "steps" : unit[1]), labelSize: 18, labelFont: font, labelGap: 0 },
-      { ...axis, size: 46, space: 28, ...ofLog },
+      { ...axis, grid: { show: false }, size: 26, space: 60, incrs: () => distances(over === "step" ? 1 : 0), label: () => (over === "step" ? "steps" : unit[1]), labelSize: 18, labelFont: font, labelGap: 0 },
+      { ...axis, size: 46, space: 28, ...(chart.digits === 0 ? { incrs: distances(1) } : {}), ...ofLog },
     ],
     series: [{ value: (_, x) => (x == null ? "" : over === "step" ? exact(x, 0) : `${exact(x, 2)} ${unit[1]}`) }, ...series(chart)],
     cursor: {

@@ -153,14 +153,20 @@ impl State<'_, '_, '_> {
         Ok(())
     }
 
-    /// The learning rates of the last step.
+    /// The learning rates of the last step, of what is learned.
     fn rates(&self) -> BTreeMap<String, f32> {
         let config = self.trainer.config();
         let at = self.trainer.steps().saturating_sub(1);
         let fraction = config.run.fraction(at);
         let optimizer = &config.optimizer;
+        let is_learned = |name: &str| match name {
+            "exposure" => config.exposure.learn,
+            "pose" => config.poses.refine,
+            _ => true,
+        };
         let rates = config.optimizer.named_rates();
         rates
+            .filter(|(name, _)| is_learned(name))
             .map(|(name, rate)| (name.to_owned(), optimizer.rate_at(rate, fraction) as f32))
             .collect()
     }

@@ -319,7 +319,7 @@ fn the_page_says_what_ran_and_how_far_it_came() {
         ["Photograph", "Rendered image", "Error"].map(|what| format!("{what} of {view}"))
     });
     let views = views.as_flattened().iter().map(String::as_str);
-    assert_eq!(pictures, times.into_iter().chain(views).collect::<Vec<_>>());
+    assert_eq!(pictures, views.chain(times).collect::<Vec<_>>());
 }
 
 #[test]
@@ -385,7 +385,8 @@ fn a_long_run_is_thinned_out() {
 #[test]
 fn runs_are_compared_by_what_differs_and_by_what_they_share() {
     let folder = tempfile::tempdir().unwrap();
-    let text = "[run]\nseed = 7\n[data]\npath = \"garden\"\n";
+    // a plan says what `--minutes` did, not what the user chose
+    let text = "[run]\nseed = 7\nplan = [[0, 2000]]\n[data]\npath = \"garden\"\n";
     let first = run(&folder.path().join("a"), "", &records(&["x", "y"]));
     let second = run(&folder.path().join("b"), text, &records(&["y", "z"]));
     let found: Vec<_> = differences([&first, &second])

@@ -4,11 +4,13 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::time::Duration;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
 
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use organza::{Error, Result};
 
+use super::summary::grouped;
 use super::verbosity::Level;
 
 /// Prints notes for the user.
@@ -17,9 +19,37 @@ pub struct Console {
     level: Level,
 }
 
-/// A bar or a spinner. It disappears when it is dropped. If stderr is no terminal, it never shows.
+/// A bar or a spinner. It disappears when it is dropped. If stderr is no terminal, a bar is a line from time to time.
 #[derive(Debug)]
-pub struct Progress(ProgressBar);
+pub struct Progress {
+    bar: ProgressBar,
+    log: Option<Log>,
+}
+
+/// The lines of a bar in a log.
+#[derive(Debug)]
+struct Log {
+    unit: String,
+    begin: Instant,
+    /// Time of the last line, from `begin`.
+    last: Mutex<Duration>,
+}
+
+/// Bounds of the time between lines in a log. In between, it is a tenth of the time so far.
+const BETWEEN_LINES: [Duration; 2] = [Duration::from_secs(10), Duration::from_secs(60)];
+
+impl Log {
+    /// Whether there is a line now, at this time from `begin`.
+    fn is_due(&self, now: Duration) -> bool {
+        let Ok(mut last) = self.last.try_lock() else { return false };
+        let [shortest, longest] = BETWEEN_LINES;
+        let is_due = now.saturating_sub(*last) >= (now / 10).clamp(shortest, longest);
+        if is_due {
+            *last = now;
+        }
+        is_due
+    }
+}
 
 impl Console {
     pub fn new(level: Level) -> Self {
@@ -58,7 +88,12 @@ impl Console {
     /// A bar over `len` steps.
     pub fn progress(self, len: u64, unit: &str) -> Progress {
         let template = format!("{{msg}} [{{wide_bar}}] {{pos}}/{{len}} {unit}, {{left}} left");
-        self.show(ProgressBar::new(len), &template)
+        let mut progress = self.show(ProgressBar::new(len), &template);
+        if self.level >= Level::Normal && !self.has_terminal() {
+            let unit = unit.to_owned();
+            progress.log = Some(Log { unit, begin: Instant::now(), last: Mutex::default() });
+        }
+        progress
     }
 
     /// Shows a spinner during a task of unknown length.
@@ -70,7 +105,7 @@ impl Console {
 
     /// A progress that never shows.
     pub fn hidden(self) -> Progress {
-        Progress(ProgressBar::hidden())
+        Progress { bar: ProgressBar::hidden(), log: None }
     }
 
     fn show(self, bar: ProgressBar, template: &str) -> Progress {
@@ -88,50 +123,65 @@ impl Console {
             bar.set_style(style.progress_chars("=> ").with_key("left", left));
         }
         bar.enable_steady_tick(Duration::from_millis(100));
-        Progress(bar)
+        Progress { bar, log: None }
     }
 }
 
 impl Progress {
     /// Sets the text beside the bar.
     pub fn say(&self, what: &str) {
-        self.0.set_message(shortened(&plain(what).replace('\n', " "), MAX_NAME));
+        self.bar.set_message(shortened(&plain(what).replace('\n', " "), MAX_NAME));
     }
 
     /// Sets the number of finished steps.
     pub fn set(&self, steps: usize) {
-        self.0.set_position(steps as u64);
+        self.bar.set_position(steps as u64);
+        self.log();
     }
 
     /// Sets the total number of steps.
     pub fn set_length(&self, all: usize) {
-        self.0.set_length(all as u64);
+        self.bar.set_length(all as u64);
     }
 
     /// Sets the number of finished steps, and the total number.
     pub fn set_of(&self, steps: usize, all: usize) {
-        self.0.set_length(all as u64);
+        self.bar.set_length(all as u64);
         self.set(steps);
     }
 
     /// Estimates the remaining time only from steps after this call.
     pub fn restart_clock(&self) {
-        self.0.reset_eta();
+        self.bar.reset_eta();
     }
 
     /// Prints a note above the bar.
     pub fn note(&self, console: Console, text: &str) {
-        self.0.suspend(|| console.note(text));
+        self.bar.suspend(|| console.note(text));
     }
 
     /// Prints a warning above the bar.
     pub fn warn(&self, console: Console, text: &str) {
-        self.0.suspend(|| console.warn(text));
+        self.bar.suspend(|| console.warn(text));
     }
 
     /// Adds to the number of finished steps.
     pub fn advance(&self, steps: usize) {
-        self.0.inc(steps as u64);
+        self.bar.inc(steps as u64);
+        self.log();
+    }
+
+    /// Writes a line if it is time for one.
+    fn log(&self) {
+        let Some(log) = &self.log else { return };
+        if log.is_due(log.begin.elapsed()) {
+            let done = self.bar.position();
+            let all = grouped(self.bar.length().unwrap_or(done));
+            let done = grouped(done);
+            let left = HumanDuration(self.bar.eta());
+            let (what, unit) = (self.bar.message(), &log.unit);
+            write(&format!("{what}: {done} of {all} {unit}, {left:#} left\n"));
+        }
     }
 
     /// A function that advances the bar by a part of the whole. Its arguments are the number of finished steps of the
@@ -144,7 +194,7 @@ impl Progress {
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }
 
@@ -247,6 +297,16 @@ mod tests {
         assert_eq!(plain("\x1b[31m\r\x07\u{9b}"), "\\u{1b}[31m\\r\\u{7}\\u{9b}");
         assert_eq!(plain("exe\u{202e}gnp"), "exe\\u{202e}gnp");
         assert_eq!(plain("\u{61c}a\u{2028}b\u{2069}"), "\\u{61c}a\\u{2028}b\\u{2069}");
+    }
+
+    #[test]
+    fn lines_in_a_log_become_rare() {
+        let log = Log { unit: String::new(), begin: Instant::now(), last: Mutex::default() };
+        let due = (0..7200).filter(|&second| log.is_due(Duration::from_secs(second)));
+        let due: Vec<_> = due.collect();
+        assert_eq!(due[..3], [10, 20, 30]);
+        assert_eq!(due[due.len() - 1] - due[due.len() - 2], 60);
+        assert!((130..160).contains(&due.len()), "{} lines in two hours", due.len());
     }
 
     #[test]

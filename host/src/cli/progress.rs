@@ -35,7 +35,11 @@ pub struct TrainingProgress {
 impl TrainingProgress {
     /// For a training of `steps` steps, including those before a resume.
     pub fn new(console: Console, steps: u32, time_limit: Option<f64>) -> Self {
-        let bar = console.progress(u64::from(steps), "steps");
+        // a log has lines of its own
+        let bar = match console.has_terminal() {
+            true => console.progress(u64::from(steps), "steps"),
+            false => console.hidden(),
+        };
         bar.say("training");
         let pace = Pace::default();
         let lines = Lines::default();

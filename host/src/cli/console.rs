@@ -35,15 +35,20 @@ struct Log {
     last: Mutex<Duration>,
 }
 
-/// Bounds of the time between lines in a log. In between, it is a tenth of the time so far.
-const BETWEEN_LINES: [Duration; 2] = [Duration::from_secs(10), Duration::from_secs(60)];
+/// Seconds until the first line of a bar in a log.
+const FIRST_LINE: f64 = 10.0;
+
+/// Seconds between lines in a log: a tenth of the seconds so far, from `shortest` to a minute. An hour gives about 100 lines.
+pub fn between_lines(so_far: f64, shortest: f64) -> f64 {
+    (0.1 * so_far).clamp(shortest, 60.0)
+}
 
 impl Log {
     /// Whether there is a line now, at this time from `begin`.
     fn is_due(&self, now: Duration) -> bool {
         let Ok(mut last) = self.last.try_lock() else { return false };
-        let [shortest, longest] = BETWEEN_LINES;
-        let is_due = now.saturating_sub(*last) >= (now / 10).clamp(shortest, longest);
+        let wait = between_lines(now.as_secs_f64(), FIRST_LINE);
+        let is_due = now.saturating_sub(*last).as_secs_f64() >= wait;
         if is_due {
             *last = now;
         }

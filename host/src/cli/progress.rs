@@ -8,15 +8,13 @@ use organza::Evaluation;
 use organza::metrics::psnr_of;
 use organza::train::{Change, Event, Outcome, StepReport};
 
-use super::console::{Console, Progress};
+use super::console::{Console, Progress, between_lines};
 use super::summary::{count, grouped};
 
 /// Seconds of training over which the speed is measured.
 const WINDOW: f64 = 15.0;
-/// Seconds between lines, as a part of the seconds so far, within bounds. An hour gives about 100 lines.
-const SHARE: f64 = 0.1;
+/// Fewest seconds between lines.
 const SHORTEST: f64 = 2.0;
-const LONGEST: f64 = 60.0;
 
 /// Shows a training to the user.
 #[derive(Debug)]
@@ -203,7 +201,7 @@ impl Lines {
         if seconds < due {
             return None;
         }
-        let wait = (SHARE * (seconds - begin)).clamp(SHORTEST, LONGEST);
+        let wait = between_lines(seconds - begin, SHORTEST);
         self.times = Some([begin, seconds + wait]);
         let [loss, squared] = self.sums.map(|sum| sum / self.count);
         self.sums = [0.0; 2];

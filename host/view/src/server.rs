@@ -142,7 +142,9 @@ impl Server {
         files: impl IntoIterator<Item = (&'static str, Vec<u8>)>,
     ) -> Result<()> {
         let file = |(name, bytes): (&str, Vec<u8>)| match name {
-            "index.html" => ("/".to_owned(), assets::PAGE, bytes.into()),
+            _ if name == super::web::WebPage::FILES[0] => {
+                ("/".to_owned(), assets::PAGE, bytes.into())
+            }
             _ if name.ends_with(".jpg") => (format!("/{name}"), "image/jpeg", bytes.into()),
             _ => (format!("/{name}"), assets::SCRIPT, bytes.into()),
         };

@@ -57,21 +57,43 @@ pub trait Adjoint: Copy {
     fn minus(self, other: Self) -> Self;
 }
 
+/// Sums and differences, where the operators are those of each part.
+macro_rules! sums {
+    () => {
+        #[inline(always)]
+        fn plus(self, other: Self) -> Self {
+            self + other
+        }
+
+        #[inline(always)]
+        fn minus(self, other: Self) -> Self {
+            self - other
+        }
+    };
+}
+
+/// The gradients of a product of two values of one type, part by part.
+macro_rules! products {
+    () => {
+        #[inline(always)]
+        fn by_left(self, other: Self, gradient: Self) -> Self {
+            gradient * other
+        }
+
+        #[inline(always)]
+        fn by_right(self, _: Self, gradient: Self) -> Self {
+            gradient * self
+        }
+    };
+}
+
 impl<L: Lane> Adjoint for L {
     #[inline(always)]
     fn zero(self) -> Self {
         L::splat(0.0)
     }
 
-    #[inline(always)]
-    fn plus(self, other: Self) -> Self {
-        self + other
-    }
-
-    #[inline(always)]
-    fn minus(self, other: Self) -> Self {
-        self - other
-    }
+    sums!();
 }
 
 macro_rules! sum {
@@ -87,15 +109,7 @@ macro_rules! vectors {
                 Self::ZERO
             }
 
-            #[inline(always)]
-            fn plus(self, other: Self) -> Self {
-                self + other
-            }
-
-            #[inline(always)]
-            fn minus(self, other: Self) -> Self {
-                self - other
-            }
+            sums!();
         }
 
         impl Product<f32> for $vector {
@@ -123,15 +137,7 @@ macro_rules! vectors {
         }
 
         impl Product<Self> for $vector {
-            #[inline(always)]
-            fn by_left(self, other: Self, gradient: Self) -> Self {
-                gradient * other
-            }
-
-            #[inline(always)]
-            fn by_right(self, _: Self, gradient: Self) -> Self {
-                gradient * self
-            }
+            products!();
         }
     )*};
 }
@@ -199,15 +205,7 @@ pub trait Product<B>: Mul<B> + Sized {
 }
 
 impl<L: Lane> Product<L> for L {
-    #[inline(always)]
-    fn by_left(self, other: L, gradient: L) -> L {
-        gradient * other
-    }
-
-    #[inline(always)]
-    fn by_right(self, _: L, gradient: L) -> L {
-        gradient * self
-    }
+    products!();
 }
 
 /// `x`, as if it did not depend on anything.

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::io::{self, BufReader, Read};
 use std::path::Path;
+use std::rc::Rc;
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
@@ -32,40 +33,81 @@ pub(super) fn read(path: &Path) -> Result<Vec<Point>> {
 
 /// [`read`] from a reader of `length` bytes. Errors name `path`.
 pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<Vec<Point>> {
-    let (vertices, _) = vertices(source, length, path, &POSITION)?;
-    points(&vertices, path)
+    let mut file = Ply::open(source, length, path)?;
+    points(&file.element("vertex", &POSITION)?, path)
 }
 
-/// Reads the vertices of a PLY file of `length` bytes, and the names of their properties, some of which are required.
-/// Errors name `path`.
-///
-/// # Errors
-/// [`Error::ReadFile`]; [`Error::Invalid`] for a file that is no PLY or is truncated; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-pub fn vertices<V: PropertyAccess>(
-    source: impl Read,
-    length: u64,
-    path: &Path,
-    needed: &[&str],
-) -> Result<(Vec<V>, Vec<String>)> {
-    let limit = Cell::new(Some(Limit::Header));
-    let since = Cell::new(0);
-    let limited = Limited { source, limit: &limit, since: &since };
-    let mut reader = Reader::new(BufReader::new(limited));
-    let parser = Parser::<V>::new();
-    let broken = |error: ParseError| broken(path, &error);
-    let header = parser.read_header(&mut reader).map_err(broken)?;
-    limit.set((header.encoding == Encoding::Ascii).then_some(Limit::Line));
-    since.set(0);
-    check(&header, length, path, needed, size_of::<V>())?;
-    for element in header.elements.values() {
-        // Elements are stored one after the other, so those before the vertices must be read, too.
-        let vertices =
-            parser.read_payload_for_element(&mut reader, element, &header).map_err(broken)?;
-        if element.name == "vertex" {
-            return Ok((vertices, element.properties.keys().cloned().collect()));
-        }
+/// A PLY file of `length` bytes whose header has been read. Its elements follow, each after the other.
+pub struct Ply<'a, R: Read> {
+    reader: Reader<BufReader<Limited<R>>>,
+    header: Header,
+    /// Number of elements that have been read.
+    passed: usize,
+    path: &'a Path,
+}
+
+impl<'a, R: Read> Ply<'a, R> {
+    /// Reads the header. Errors name `path`.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a file that is no PLY, or that is shorter than its header says.
+    pub fn open(source: R, length: u64, path: &'a Path) -> Result<Self> {
+        let limit = Rc::new(Cell::new(Some(Limit::Header)));
+        let since = Rc::new(Cell::new(0));
+        let limited = Limited { source, limit: Rc::clone(&limit), since: Rc::clone(&since) };
+        let mut reader = Reader::new(BufReader::new(limited));
+        let header = Parser::<Skipped>::new().read_header(&mut reader);
+        let header = header.map_err(|error| broken(path, &error))?;
+        limit.set((header.encoding == Encoding::Ascii).then_some(Limit::Line));
+        since.set(0);
+        check(&header, length, path)?;
+        Ok(Self { reader, header, passed: 0, path })
     }
-    invalid(path, "the PLY file has no `vertex` element; is it a point cloud?".to_owned())
+
+    /// The names of an element's properties; none without that element.
+    pub fn properties(&self, name: &str) -> impl Iterator<Item = &str> {
+        let element = self.header.elements.get(name);
+        element.into_iter().flat_map(|element| element.properties.keys().map(String::as_str))
+    }
+
+    /// Reads all of an element, whose properties must include those of `needed`. Elements before it are skipped; a call
+    /// for one of them, or for this one again, is an error.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a file without the element or its properties, and for a truncated one;
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
+    pub fn element<V: PropertyAccess>(&mut self, name: &str, needed: &[&str]) -> Result<Vec<V>> {
+        let path = self.path;
+        let broken = |error: ParseError| broken(path, &error);
+        let place = self.header.elements.keys().position(|found| found == name);
+        let Some(place) = place.filter(|&place| place >= self.passed) else {
+            let hint = if name == "vertex" { "; is it a point cloud?" } else { "" };
+            return invalid(path, format!("the PLY file has no `{name}` element{hint}"));
+        };
+        let passed = self.header.elements.values().take(place).skip(self.passed);
+        let element = &self.header.elements[name];
+        check_properties(element, needed, path)?;
+        // the elements as read, and the result
+        let bytes = 2 * size_of::<V>() as u64;
+        memory::check((element.count as u64).saturating_mul(bytes), "the elements of a PLY file")?;
+        for skipped in passed {
+            let parser = Parser::<Skipped>::new();
+            let read = parser.read_payload_for_element(&mut self.reader, skipped, &self.header);
+            read.map_err(broken)?;
+        }
+        self.passed = place + 1;
+        let parser = Parser::<V>::new();
+        parser.read_payload_for_element(&mut self.reader, element, &self.header).map_err(broken)
+    }
+}
+
+/// An element that is not kept.
+struct Skipped;
+
+impl PropertyAccess for Skipped {
+    fn new() -> Self {
+        Self
+    }
 }
 
 /// The bytes that a reader counts. A line or a header without an end would otherwise fill the memory.
@@ -78,13 +120,13 @@ enum Limit {
 }
 
 /// Reads at most [`MAX_LINE`] bytes, counted according to `limit`.
-struct Limited<'a, R> {
+struct Limited<R> {
     source: R,
-    limit: &'a Cell<Option<Limit>>,
-    since: &'a Cell<u64>,
+    limit: Rc<Cell<Option<Limit>>>,
+    since: Rc<Cell<u64>>,
 }
 
-impl<R: Read> Read for Limited<'_, R> {
+impl<R: Read> Read for Limited<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let read = self.source.read(buffer)?;
         let Some(limit) = self.limit.get() else { return Ok(read) };
@@ -105,13 +147,7 @@ impl<R: Read> Read for Limited<'_, R> {
 const TOO_LONG: &str = "a line is too long";
 
 /// Checks the header against the file: it must not promise more than there is.
-fn check(
-    header: &Header,
-    length: u64,
-    path: &Path,
-    needed: &[&str],
-    vertex_bytes: usize,
-) -> Result<()> {
+fn check(header: &Header, length: u64, path: &Path) -> Result<()> {
     for element in header.elements.values() {
         let count = element.count as u64;
         let name = &element.name;
@@ -128,21 +164,23 @@ fn check(
             );
             return invalid(path, reason);
         }
-        // the vertices as read, and the result
-        memory::check(count.saturating_mul(2 * vertex_bytes as u64), "the vertices")?;
-    }
-    let vertex = header.elements.get("vertex");
-    let missing =
-        vertex.and_then(|vertex| needed.iter().find(|key| !vertex.properties.contains_key(**key)));
-    if let Some(key) = missing {
-        let is_packed = vertex.is_some_and(|v| v.properties.contains_key("packed_position"));
-        let hint =
-            if is_packed { "; it is packed, as SuperSplat does: write it unpacked" } else { "" };
-        let needed = needed.join(", ");
-        let reason = format!("vertices have no property `{key}`, expected {needed}{hint}");
-        return invalid(path, reason);
     }
     Ok(())
+}
+
+fn check_properties(element: &ElementDef, needed: &[&str], path: &Path) -> Result<()> {
+    let has = |key: &str| element.properties.contains_key(key);
+    let Some(key) = needed.iter().find(|key| !has(key)) else { return Ok(()) };
+    let name = match element.name.as_str() {
+        "vertex" => "vertices",
+        name => &format!("`{name}` elements"),
+    };
+    let hint = match has("packed_position") {
+        true => "; it is packed, as SuperSplat does: write it unpacked",
+        false => "",
+    };
+    let needed = needed.join(", ");
+    invalid(path, format!("{name} have no property `{key}`, expected {needed}{hint}"))
 }
 
 /// Least number of bytes of one element in a file.

@@ -12,6 +12,7 @@ use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::check_file;
+use super::refuse;
 use super::summary::count;
 
 const USAGE: &str = "organza export SCENE CAMERAS -o FILE";
@@ -20,6 +21,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza export run -o scene.ply            for SuperSplat, Blender's add-ons and many others
   organza export run -o scene.spz            a tenth of the size
+  organza export run -o scene.sog            PlayCanvas' images, smaller still
   organza export run -o scene.glb            glTF, with KHR_gaussian_splatting
   organza export scene.safetensors transforms.json -o scene.ply
   organza export run -o scene.ply --steps 2000
@@ -29,7 +31,7 @@ opacities to the visibility. Then it renders as those viewers do, from the camer
 compares with the scene's own images, and corrects all values of the Gaussians, step by step. It prints how close it came, \
 in views that the fit has not seen.";
 
-/// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .spz, .glb or .splat
+/// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -38,8 +40,8 @@ pub struct Args {
     /// The views to compare: nerfstudio's transforms.json, or a data set [default: those of the run, or views from
     /// all around the scene's box]
     cameras: Option<PathBuf>,
-    /// The file. Its extension chooses the format: .ply has all values, .spz rounds them, .splat has one color for
-    /// all directions
+    /// The file. Its extension chooses the format: .ply has all values; .compressed.ply, .spz and .sog round them; .splat has
+    /// one color for all directions
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Number of times that views are compared and the Gaussians corrected; 0 fits only to the networks
@@ -50,6 +52,9 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = Fit::default().side)]
     #[arg(value_parser = clap::value_parser!(u32).range(Fit::SIDES))]
     side: u32,
+    /// Version of an .spz file: 4, or 2 for a viewer that does not open that
+    #[arg(long, value_name = "V", value_parser = ["2", "4"])]
+    spz_version: Option<String>,
     #[command(flatten)]
     data: DataArgs,
     #[command(flatten)]
@@ -57,7 +62,11 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let format = Format::of(&args.output)?;
+    let format = match (Format::of(&args.output)?, args.spz_version.as_deref()) {
+        (Format::Spz, Some("2")) => Format::Spz2,
+        (format @ Format::Spz, _) | (format, None) => format,
+        (_, Some(_)) => return refuse("`--spz-version` is for a file that ends in .spz"),
+    };
     let source = SceneSource::find(&args.scene)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_file(&args.output, &inputs)?;

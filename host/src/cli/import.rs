@@ -26,7 +26,7 @@ views that training has not seen. If you have the photographs, `organza train --
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The Gaussians: a .ply or an .spz file
+    /// The Gaussians: a .ply, a .compressed.ply or an .spz file
     file: PathBuf,
     /// The views to train on: nerfstudio's transforms.json, or a data set, whose photographs are not read [default:
     /// views from all around the Gaussians]

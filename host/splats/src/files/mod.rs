@@ -1,9 +1,14 @@
 //! Reads and writes files of other programs.
 
+mod clusters;
 mod gltf;
+mod order;
+mod packed_ply;
 mod ply;
+mod sog;
 mod spz;
 
+use std::cmp::Ordering;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
 
@@ -14,6 +19,7 @@ use super::harmonics::{FIRST, MIDDLE};
 use super::{Splat, VALUES};
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
+use organza_core::scene::logit;
 use organza_core::write_atomic;
 
 /// A file format.
@@ -21,8 +27,14 @@ use organza_core::write_atomic;
 pub enum Format {
     /// PLY with the properties of 3D Gaussian Splatting: all values as 32-bit floats.
     Ply,
-    /// Niantic's SPZ: quantized and compressed, a tenth of a PLY's size.
+    /// PlayCanvas' compressed PLY: values are rounded within chunks of 256 neighbors.
+    CompressedPly,
+    /// Niantic's SPZ, version 4: quantized and compressed, a tenth of a PLY's size.
     Spz,
+    /// SPZ of version 2, for programs that do not read version 4. It rounds rotations more.
+    Spz2,
+    /// PlayCanvas' SOG, version 2: images of quantized values, the smallest of all.
+    Sog,
     /// Binary glTF with the extension `KHR_gaussian_splatting`.
     Glb,
     /// 32 bytes for each Gaussian, with one color for all directions.
@@ -35,15 +47,18 @@ impl Format {
     /// # Errors
     /// [`Error::Invalid`] for any other extension.
     pub fn of(path: &Path) -> Result<Self> {
-        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-        match ending.as_ref().and_then(|ending| ending.to_str()) {
-            Some("ply") => Ok(Self::Ply),
-            Some("spz") => Ok(Self::Spz),
-            Some("glb") => Ok(Self::Glb),
-            Some("splat") => Ok(Self::Splat),
+        let name = path.file_name().unwrap_or_default().to_ascii_lowercase();
+        let name = name.to_string_lossy();
+        match name.rsplit_once('.') {
+            Some((name, "ply")) if name.ends_with(".compressed") => Ok(Self::CompressedPly),
+            Some((_, "ply")) => Ok(Self::Ply),
+            Some((_, "spz")) => Ok(Self::Spz),
+            Some((_, "sog")) => Ok(Self::Sog),
+            Some((_, "glb")) => Ok(Self::Glb),
+            Some((_, "splat")) => Ok(Self::Splat),
             _ => invalid(
                 path,
-                "the ending of the file says how it is written: .ply, .spz, .glb or .splat",
+                "the ending of the file says how it is written: .ply, .spz, .sog, .compressed.ply, .glb or .splat",
             ),
         }
     }
@@ -57,7 +72,10 @@ pub fn save(splats: &[Splat], path: impl AsRef<Path>, format: Format, up: [f64; 
     check(splats, path.as_ref(), "no viewer can show it; do the scene's networks overflow?")?;
     write_atomic(path, |file| match format {
         Format::Ply => ply::write(splats, file),
+        Format::CompressedPly => packed_ply::write(splats, file),
         Format::Spz => spz::write(splats, file),
+        Format::Spz2 => spz::write_2(splats, file),
+        Format::Sog => sog::write(splats, file),
         Format::Glb => gltf::write(splats, DVec3::from(up).as_vec3(), file),
         Format::Splat => write_splat(splats, file),
     })
@@ -66,7 +84,7 @@ pub fn save(splats: &[Splat], path: impl AsRef<Path>, format: Format, up: [f64; 
 /// Largest absolute logarithm of a scale: beyond it, the scale is not an f32.
 const LARGEST_LOG_SCALE: f32 = 80.0;
 
-/// Reads the Gaussians of a PLY or an SPZ file.
+/// Reads the Gaussians of a PLY, a compressed PLY or an SPZ file.
 ///
 /// # Errors
 /// [`Error::ReadFile`]; [`Error::Invalid`] for another kind of file, a truncated one, or values that are not valid
@@ -103,7 +121,8 @@ fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
 pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let begin = source.fill_buf().map_err(|error| Error::read(path, error))?;
     let splats = match begin {
-        [0x1f, 0x8b, ..] => spz::read(source, length, path)?,
+        [0x1f, 0x8b, ..] => spz::read_packed(source, length, path)?,
+        [b'N', b'G', b'S', b'P', ..] => spz::read(source, length, path)?,
         [b'p', b'l', b'y', ..] => ply::read(source, length, path)?,
         _ => {
             return invalid(
@@ -149,6 +168,44 @@ fn turned(splat: &Splat) -> [f32; 4] {
     if length > 0.0 { splat.rotation.map(|part| part / length) } else { [1.0, 0.0, 0.0, 0.0] }
 }
 
+/// The index of the quaternion's largest part, and the others, with the sign that makes the largest positive. `quaternion` has
+/// length 1.
+fn smallest_three(quaternion: [f32; 4]) -> (usize, [f32; 3]) {
+    let size = |at: &usize| quaternion[*at].abs();
+    let largest = (0..4).rev().max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(0);
+    let sign = quaternion[largest].signum();
+    (largest, std::array::from_fn(|at| sign * quaternion[if at < largest { at } else { at + 1 }]))
+}
+
+/// The quaternion of length 1 whose largest part is positive and has this index.
+fn with_largest(largest: usize, others: [f32; 3]) -> [f32; 4] {
+    let rest = 1.0 - others.iter().map(|part| part * part).sum::<f32>();
+    std::array::from_fn(|at| match at.cmp(&largest) {
+        Ordering::Less => others[at],
+        Ordering::Equal => rest.max(0.0).sqrt(),
+        Ordering::Greater => others[at - 1],
+    })
+}
+
+/// The lowest and the highest of some values.
+fn ends(values: impl Iterator<Item = f32>) -> [f32; 2] {
+    let all = [f32::INFINITY, f32::NEG_INFINITY];
+    values.fold(all, |[low, high], value| [low.min(value), high.max(value)])
+}
+
+/// The nearest of the levels 0 to `most` for a value in a range.
+fn level(value: f32, [low, high]: [f32; 2], most: u32) -> u32 {
+    // a range as wide as f32 has no width in f32
+    let width = f64::from(high) - f64::from(low);
+    let part = if width > 0.0 { (f64::from(value) - f64::from(low)) / width } else { 0.0 };
+    (part * f64::from(most)).round().clamp(0.0, f64::from(most)) as u32
+}
+
+/// The logit of an opacity of 256 levels. Opacities of 0 and 1 have no finite one.
+fn logit_of(opacity: u8) -> f32 {
+    logit(f32::from(opacity).clamp(0.25, 254.75) / 255.0)
+}
+
 /// Rounds to the nearest byte.
 fn byte(value: f32) -> u8 {
     value.round() as u8
@@ -174,6 +231,35 @@ mod tests {
                 }),
             })
             .collect()
+    }
+
+    pub fn read_bytes(bytes: &[u8]) -> Result<Vec<Splat>> {
+        read_from(bytes, bytes.len() as u64, Path::new("a.file"))
+    }
+
+    /// Compares with largest errors: of positions, of logarithms of scales, of the first harmonic, of the others, and of
+    /// the parts of unit quaternions. Opacities have 256 levels.
+    #[track_caller]
+    pub fn assert_close(found: &[Splat], expected: &[Splat], most: [f32; 5]) {
+        assert_eq!(found.len(), expected.len());
+        let apart =
+            |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+        for (found, expected) in found.iter().zip(expected) {
+            let opacities = [sigmoid(found.opacity), sigmoid(expected.opacity)];
+            assert!((opacities[0] - opacities[1]).abs() < 0.51 / 255.0, "{opacities:?}");
+            let turns = [turned(found), turned(expected)];
+            let sign = turns[0].iter().zip(turns[1]).map(|(a, b)| a * b).sum::<f32>().signum();
+            let errors = [
+                apart(&found.position, &expected.position),
+                apart(&found.log_scale, &expected.log_scale),
+                apart(&found.color[0], &expected.color[0]),
+                apart(found.color[1..].as_flattened(), expected.color[1..].as_flattened()),
+                apart(&turns[0].map(|part| sign * part), &turns[1]),
+            ];
+            let is_close =
+                errors.iter().zip(most).all(|(error, most)| *error <= 1.01 * most + 1e-6);
+            assert!(is_close, "{errors:?}, at most {most:?}");
+        }
     }
 
     #[track_caller]

@@ -5,10 +5,10 @@ use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::{Splat, invalid, turned};
+use super::{Splat, invalid, packed_ply, turned};
 use crate::harmonics::HARMONICS;
 use organza_core::error::Result;
-use organza_data::ply::{number, vertices};
+use organza_data::ply::{Ply, number};
 
 /// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
 const REST: usize = 3 * (HARMONICS - 1);
@@ -87,8 +87,12 @@ impl PropertyAccess for Row {
 }
 
 pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
-    let (rows, properties) = vertices::<Row>(source, length, path, &NEEDED)?;
-    let rest = properties.iter().filter(|name| name.starts_with("f_rest_")).count();
+    let mut file = Ply::open(source, length, path)?;
+    if file.properties("vertex").any(|name| name == "packed_position") {
+        return packed_ply::read(file, path);
+    }
+    let rest = file.properties("vertex").filter(|name| name.starts_with("f_rest_")).count();
+    let rows: Vec<Row> = file.element("vertex", &NEEDED)?;
     if ![0, 9, 24, 45].contains(&rest) {
         return invalid(
             path,
@@ -178,7 +182,7 @@ mod tests {
         assert_refused(with("1 2 3", "1 1e39 3").as_bytes(), &["Gaussian 0", "inf"]);
         assert_refused(with("vertex 1", "vertex 0").as_bytes(), &["no Gaussians"]);
         let packed = with("property float x", "property float packed_position");
-        assert_refused(packed.as_bytes(), &["no property `x`", "SuperSplat"]);
+        assert_refused(packed.as_bytes(), &["no `chunk` element"]);
         assert_refused(b"solid cube", &["neither a PLY nor an SPZ"]);
     }
 }

@@ -1,0 +1,261 @@
+//! PlayCanvas' SOG, "spatially ordered Gaussians", version 2: lossless WebP images with a pixel for each Gaussian, and a
+//! `meta.json` that says what their levels mean, in a ZIP archive.
+//! <https://developer.playcanvas.com/user-manual/gaussian-splatting/formats/sog/>
+
+use std::io::{self, Cursor, Seek, Write};
+
+use image_webp::{ColorType, WebPEncoder};
+use muslin::math::sigmoid;
+use serde_json::{Value, json};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+use super::clusters::{Clusters, clusters};
+use super::order::along_a_curve;
+use super::{Splat, byte, ends, level, smallest_three, turned};
+use crate::harmonics::{DEGREE, HARMONICS};
+
+/// Values that a code book has.
+const CODES: usize = 256;
+/// Harmonics but the first, and their numbers.
+const OTHERS: usize = HARMONICS - 1;
+const REST: usize = 3 * OTHERS;
+/// Sets of harmonics in a row of their image.
+const ROW: usize = 64;
+/// The image of a palette has at most this number of rows of [`ROW`], as a label has 16 bits.
+const MOST_ROWS: usize = 1024;
+/// Largest side of a WebP image, in pixels.
+const MOST_SIDE: usize = 16_383;
+/// Value of a quaternion's pixel that says that its first part is the largest.
+const LARGEST: u8 = 252;
+
+/// The archive while it is written.
+struct Archive<W: Write + Seek>(ZipWriter<W>);
+
+impl<W: Write + Seek> Archive<W> {
+    fn add(&mut self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        // the images are compressed already
+        let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+        self.0.start_file(name, stored)?;
+        self.0.write_all(bytes)
+    }
+
+    /// Writes an image of `N` bytes a pixel. Pixels that are missing at its end are zeros.
+    fn image<const N: usize>(
+        &mut self,
+        name: &str,
+        mut pixels: Vec<[u8; N]>,
+        [width, height]: [usize; 2],
+    ) -> io::Result<()> {
+        pixels.resize(width * height, [0; N]);
+        let color = if N == 4 { ColorType::Rgba8 } else { ColorType::Rgb8 };
+        let mut bytes = Vec::new();
+        WebPEncoder::new(&mut bytes)
+            .encode(pixels.as_flattened(), width as u32, height as u32, color)
+            .map_err(io::Error::other)?;
+        self.add(name, &bytes)
+    }
+}
+
+pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
+    // the archive's index has places of files, so it is put together first
+    let mut archive = Archive(ZipWriter::new(Cursor::new(Vec::new())));
+    let order = along_a_curve(splats);
+    let splats: Vec<Splat> = order.into_iter().map(|index| splats[index]).collect();
+    let side = (splats.len() as f64).sqrt().ceil() as usize;
+    let width = side.next_multiple_of(4);
+    let size = [width, splats.len().div_ceil(width).next_multiple_of(4)];
+    if width > MOST_SIDE {
+        return Err(io::Error::other("a SOG file has at most 268 million Gaussians; write a .ply"));
+    }
+    let means = means(&splats, size, &mut archive)?;
+    let quats = splats.iter().map(|splat| {
+        let (largest, parts) = smallest_three(turned(splat));
+        let [a, b, c] = parts.map(|part| byte(255.0 * (part / std::f32::consts::SQRT_2 + 0.5)));
+        [a, b, c, LARGEST + largest as u8]
+    });
+    archive.image("quats.webp", quats.collect(), size)?;
+    let (scale_codes, scales) = codes(splats.iter().map(|splat| splat.log_scale));
+    archive.image("scales.webp", scales, size)?;
+    let (color_codes, colors) = codes(splats.iter().map(|splat| splat.color[0]));
+    let colors = colors
+        .iter()
+        .zip(&splats)
+        .map(|(&[r, g, b], splat)| [r, g, b, byte(255.0 * sigmoid(splat.opacity))]);
+    archive.image("sh0.webp", colors.collect(), size)?;
+    let harmonics = harmonics(&splats, size, &mut archive)?;
+    let meta = json!({
+        "version": 2,
+        "asset": {"generator": concat!("organza ", env!("CARGO_PKG_VERSION"))},
+        "count": splats.len(),
+        "means": means,
+        "scales": {"codebook": scale_codes, "files": ["scales.webp"]},
+        "quats": {"files": ["quats.webp"]},
+        "sh0": {"codebook": color_codes, "files": ["sh0.webp"]},
+        "shN": harmonics,
+    });
+    archive.add("meta.json", &serde_json::to_vec(&meta)?)?;
+    file.write_all(&archive.0.finish()?.into_inner())
+}
+
+/// Positions: 16 bits over the range of `sign(x) ln(1 + abs(x))`.
+fn means<W: Write + Seek>(
+    splats: &[Splat],
+    size: [usize; 2],
+    archive: &mut Archive<W>,
+) -> io::Result<Value> {
+    let log = |value: f32| value.abs().ln_1p().copysign(value);
+    let logs: Vec<_> = splats.iter().map(|splat| splat.position.map(log)).collect();
+    let ranges = [0, 1, 2].map(|axis| ends(logs.iter().map(|log| log[axis])));
+    let levels =
+        |log: &[f32; 3]| [0, 1, 2].map(|axis| level(log[axis], ranges[axis], 65_535).to_le_bytes());
+    let levels: Vec<_> = logs.iter().map(levels).collect();
+    for (part, name) in ["means_l.webp", "means_u.webp"].into_iter().enumerate() {
+        archive.image(
+            name,
+            levels.iter().map(|axes| axes.map(|bytes| bytes[part])).collect(),
+            size,
+        )?;
+    }
+    Ok(json!({"mins": ranges.map(|[low, _]| low), "maxs": ranges.map(|[_, high]| high),
+        "files": ["means_l.webp", "means_u.webp"]}))
+}
+
+/// A code book for values, in ascending order, and the code of each.
+fn codes<const N: usize>(values: impl Iterator<Item = [f32; N]>) -> (Vec<f32>, Vec<[u8; N]>) {
+    let values: Vec<_> = values.flatten().map(|value| [value]).collect();
+    let Clusters { centers, labels } = clusters(&values, CODES);
+    let mut book: Vec<f32> = centers.into_iter().flatten().collect();
+    let last = book.last().copied().unwrap_or_default();
+    book.resize(CODES, last);
+    let labels: Vec<u8> = labels.into_iter().map(|label| label as u8).collect();
+    (book, labels.as_chunks().0.to_vec())
+}
+
+/// All harmonics but the first: each Gaussian has the number of a set of a palette.
+fn harmonics<W: Write + Seek>(
+    splats: &[Splat],
+    size: [usize; 2],
+    archive: &mut Archive<W>,
+) -> io::Result<Value> {
+    let rest = |splat: &Splat| -> [f32; REST] {
+        std::array::from_fn(|at| splat.color[1 + at / 3][at % 3])
+    };
+    let values: Vec<_> = splats.iter().map(rest).collect();
+    let Clusters { centers, labels } = clusters(&values, ROW * rows(splats.len()));
+    let (book, codes) = codes(centers.iter().copied());
+    let pixels = codes.as_flattened().as_chunks::<3>().0.to_vec();
+    let palette = [ROW * OTHERS, centers.len().div_ceil(ROW)];
+    archive.image("shN_centroids.webp", pixels, palette)?;
+    let labels = labels.iter().map(|label| {
+        let [low, high, ..] = label.to_le_bytes();
+        [low, high, 0]
+    });
+    archive.image("shN_labels.webp", labels.collect(), size)?;
+    Ok(json!({"count": centers.len(), "bands": DEGREE, "codebook": book,
+        "files": ["shN_centroids.webp", "shN_labels.webp"]}))
+}
+
+/// Rows of the palette's image for a number of Gaussians: between a half and one set for each, as PlayCanvas has them.
+fn rows(count: usize) -> usize {
+    (1 << (count / ROW).max(1).ilog2()).min(MOST_ROWS)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+
+    use image_webp::WebPDecoder;
+    use zip::ZipArchive;
+
+    use super::super::tests::{assert_close, splats};
+    use super::super::{logit_of, with_largest};
+    use super::*;
+
+    /// The files of an archive.
+    fn files(bytes: Vec<u8>) -> impl FnMut(&str) -> Vec<u8> {
+        let mut archive = ZipArchive::new(Cursor::new(bytes)).unwrap();
+        move |name| {
+            let mut bytes = Vec::new();
+            archive.by_name(name).unwrap().read_to_end(&mut bytes).unwrap();
+            bytes
+        }
+    }
+
+    /// The pixels of an image, and its width.
+    fn pixels(bytes: &[u8]) -> (Vec<[u8; 4]>, usize) {
+        let mut decoder = WebPDecoder::new(Cursor::new(bytes)).unwrap();
+        assert!(!decoder.is_lossy());
+        let width = decoder.dimensions().0 as usize;
+        let mut pixels = vec![0; decoder.output_buffer_size().unwrap()];
+        decoder.read_image(&mut pixels).unwrap();
+        let size = if decoder.has_alpha() { 4 } else { 3 };
+        let pixel = |pixel: &[u8]| [pixel[0], pixel[1], pixel[2], *pixel.get(3).unwrap_or(&255)];
+        (pixels.chunks(size).map(pixel).collect(), width)
+    }
+
+    /// Reads as PlayCanvas' description says.
+    fn read(bytes: Vec<u8>) -> Vec<Splat> {
+        let mut file = files(bytes);
+        let meta: Value = serde_json::from_slice(&file("meta.json")).unwrap();
+        assert_eq!(meta["version"], 2);
+        let number = |value: &Value| value.as_f64().unwrap();
+        let book = |value: &Value| {
+            value["codebook"].as_array().unwrap().iter().map(number).collect::<Vec<_>>()
+        };
+        let [scales, colors, rest] = ["scales", "sh0", "shN"].map(|name| book(&meta[name]));
+        assert!([&scales, &colors, &rest].iter().all(|book| book.len() == 256));
+        let mut image = |path: &str| {
+            let name = meta.pointer(path).and_then(Value::as_str).unwrap();
+            pixels(&file(name))
+        };
+        let (low, _) = image("/means/files/0");
+        let (high, _) = image("/means/files/1");
+        let (quats, _) = image("/quats/files/0");
+        let (scale, _) = image("/scales/files/0");
+        let (color, _) = image("/sh0/files/0");
+        let (sets, width) = image("/shN/files/0");
+        let (labels, _) = image("/shN/files/1");
+        assert_eq!(width, 64 * 15);
+        let splat = |at: usize| {
+            let position = [0, 1, 2].map(|axis| {
+                let ends = ["mins", "maxs"].map(|end| number(&meta["means"][end][axis]));
+                let level =
+                    f64::from(u16::from_le_bytes([low[at][axis], high[at][axis]])) / 65_535.0;
+                let log = ends[0] + (ends[1] - ends[0]) * level;
+                (log.signum() * (log.abs().exp() - 1.0)) as f32
+            });
+            let [a, b, c, largest] = quats[at];
+            let parts = [a, b, c].map(|part| (f32::from(part) / 255.0 - 0.5) * 2.0 / 2_f32.sqrt());
+            let set = usize::from(u16::from_le_bytes([labels[at][0], labels[at][1]]));
+            assert!(set < meta["shN"]["count"].as_u64().unwrap() as usize);
+            let first = set / 64 * width + set % 64 * 15;
+            let three = |pixel: [u8; 4], book: &[f64]| {
+                [0, 1, 2].map(|channel| book[usize::from(pixel[channel])] as f32)
+            };
+            Splat {
+                position,
+                rotation: with_largest(usize::from(largest - 252), parts),
+                log_scale: three(scale[at], &scales),
+                opacity: logit_of(color[at][3]),
+                color: std::array::from_fn(|harmonic| match harmonic {
+                    0 => three(color[at], &colors),
+                    _ => three(sets[first + harmonic - 1], &rest),
+                }),
+            }
+        };
+        (0..meta["count"].as_u64().unwrap() as usize).map(splat).collect()
+    }
+
+    /// Few values are exact in the code books, and few Gaussians have a set of harmonics each.
+    #[test]
+    fn what_was_written_is_what_the_description_says() {
+        let splats = splats();
+        let mut bytes = Vec::new();
+        write(&splats, &mut bytes).unwrap();
+        let expected: Vec<_> = along_a_curve(&splats).into_iter().map(|at| splats[at]).collect();
+        // 16 bits of the logarithms between -1.1 and 1.1, and parts of quaternions in steps of sqrt(2) / 255
+        let most = [3.0 * 0.5 * 2.2 / 65_535.0, 1e-6, 1e-6, 0.01, 3.0 * 0.71 / 255.0];
+        assert_close(&read(bytes), &expected, most);
+    }
+}

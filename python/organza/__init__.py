@@ -12,14 +12,18 @@ there `FileNotFoundError`, too little memory `MemoryError`, and all else that st
 
 import os
 
-# Without a desktop, Mesa's layer that chooses among its devices writes a complaint for each device that is opened.
-if not os.environ.get("XDG_RUNTIME_DIR"):
-    os.environ.setdefault("NODEVICE_SELECT", "1")
+# Without a desktop, Mesa's layer that chooses among its devices writes a complaint for each device that is opened. It stays if the user asks
+# it for a device, as in the program.
+_asks = os.environ.get("MESA_VK_DEVICE_SELECT") or os.environ.get("DRI_PRIME")
+if not os.path.isabs(os.environ.get("XDG_RUNTIME_DIR", "")) and not _asks:
+    os.environ["NODEVICE_SELECT"] = "1"
 
 from ._organza import DeviceScene, Error, Recording, Scene, __version__
 from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset
+from ._film import film
 from ._images import Images
+from ._metrics import Lpips, psnr, ssim
 from ._renderer import Renderer, parity
 from ._splats import Exported, Imported, export, import_splats
 from ._training import Evaluation, Step, TrainConfig, Training, train
@@ -33,6 +37,7 @@ __all__ = [
     "Exported",
     "Images",
     "Imported",
+    "Lpips",
     "Recording",
     "Renderer",
     "Scene",
@@ -42,8 +47,11 @@ __all__ = [
     "Training",
     "__version__",
     "export",
+    "film",
     "import_splats",
     "load_dataset",
     "parity",
+    "psnr",
+    "ssim",
     "train",
 ]

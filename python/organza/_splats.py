@@ -36,6 +36,7 @@ def export(
     *,
     steps: int = 500,
     side: int = 480,
+    spz_version: int = 4,
     renderer: Renderer | None = None,
 ) -> Exported:
     """Writes a scene as Gaussians for 3D Gaussian Splatting viewers. They know no networks: harmonics are fitted to the colors, and opacities to
@@ -43,8 +44,8 @@ def export(
 
         organza.export(scene, "scene.ply", dataset)
 
-    The ending of `path` says how the file is written: ".ply" has all values, ".spz" rounds them, ".glb" is glTF, ".splat" has one color
-    for all directions. The fit compares the images of `cameras`: every eighth is only measured. Of a data set, the photographs that are
+    The ending of `path` says how the file is written: ".ply" has all values; ".compressed.ply", ".spz" and ".sog" round them; ".glb" is glTF;
+    ".splat" has one color for all directions. `spz_version` 2 is for viewers that do not open version 4. The fit compares the images of `cameras`: every eighth is only measured. Of a data set, the photographs that are
     held out are only measured; the result then says what the file loses beside them. Without `cameras`, 48 stand all around the
     scene's box.
 
@@ -60,7 +61,7 @@ def export(
         scene = scene.download()
     dataset = cameras._core if isinstance(cameras, Dataset) else None
     views = cameras._core if isinstance(cameras, Cameras) else None
-    return Exported(**_organza.export(renderer, scene, uploaded, path, views, dataset, steps, side))
+    return Exported(**_organza.export(renderer, scene, uploaded, path, views, dataset, steps, side, spz_version))
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,7 @@ def import_splats(
     background: str | Sequence[float] = "black",
     renderer: Renderer | None = None,
 ) -> Imported:
-    """Makes a scene of a file of 3D Gaussian Splatting, ".ply" or ".spz".
+    """Makes a scene of a file of 3D Gaussian Splatting: ".ply", ".compressed.ply" or ".spz".
 
     Such a file has no networks. So the Gaussians are rendered as a viewer that sorts, and the scene is trained on these images for
     `steps`, 1 to 10,000,000. `cameras` are best those that the Gaussians were trained with (`dataset.cameras`); every eighth is only

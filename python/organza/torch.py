@@ -100,10 +100,10 @@ def _array(tensor: torch.Tensor) -> np.ndarray:
 
 
 class _Render(torch.autograd.Function):
-    """Y `[K, 3, S, S]`, then a tensor for each channel."""
+    """Y `[K, 3, S, S]`, then a tensor for each channel. `viewmats` are the cameras' own, or None."""
 
     @staticmethod
-    def forward(ctx, places, cameras, tiles, channels, keep, names, *tensors):
+    def forward(ctx, places, cameras, tiles, channels, keep, names, viewmats, *tensors):
         place = places.place(dict(zip(names, tensors)))
         if keep:
             ctx.place, ctx.recording = place, place.record(cameras, tiles, channels)
@@ -113,6 +113,8 @@ class _Render(torch.autograd.Function):
                 place.scene, cameras._core, tiles._core, list(channels)
             )
         ctx.names, ctx.like = names, [(tensor.device, tensor.dtype) for tensor in tensors]
+        # a copy: the caller may change theirs before the backward pass
+        ctx.viewmats = None if viewmats is None else viewmats.detach().clone()
         device = tensors[0].device
         found = [torch.from_numpy(beside[name]).to(device) for name in channels]
         ctx.mark_non_differentiable(*found)
@@ -121,13 +123,36 @@ class _Render(torch.autograd.Function):
     @staticmethod
     @once_differentiable
     def backward(ctx, slopes, *_):
-        found = ctx.recording.backward(_array(slopes))
+        by_pose = None
+        if ctx.needs_input_grad[6]:
+            found, poses = ctx.recording.backward_with_poses(_array(slopes))
+            by_pose = _by_matrix(ctx.viewmats, poses)
+        else:
+            found = ctx.recording.backward(_array(slopes))
         ctx.place.end(ctx.recording)
         gradients = [
             torch.from_numpy(found[name]).to(*like) if needed else None
-            for name, like, needed in zip(ctx.names, ctx.like, ctx.needs_input_grad[6:])
+            for name, like, needed in zip(ctx.names, ctx.like, ctx.needs_input_grad[7:])
         ]
-        return None, None, None, None, None, None, *gradients
+        return None, None, None, None, None, None, by_pose, *gradients
+
+
+def _by_matrix(viewmats: torch.Tensor, poses: np.ndarray) -> torch.Tensor:
+    """The gradient by matrices `[C, 4, 4]` of one by poses `[C, 6]`, a rotation vector w and a shift v in a camera's space.
+
+    A small motion changes a matrix (R, t) by dR = [w]x R and dt = w x t + v. With g = dL/dv and h = dL/dw - t x g, the gradient
+    dL/dt = g and dL/dR = [h]x R / 2 gives dL/dw . w + dL/dv . v for all of these. It lies along the motions: changes that would shear or
+    scale have none.
+    """
+    matrices = _matrices(viewmats)
+    rotation, shift = matrices[:, :3, :3], matrices[:, :3, 3]
+    turn, slope = np.split(poses.astype(np.float64), 2, axis=1)
+    turn = turn - np.cross(shift, slope)
+    gradient = np.zeros_like(matrices)
+    # a column of [h]x R is the cross product of h and a column of R
+    gradient[:, :3, :3] = 0.5 * np.cross(turn[:, :, None], rotation, axis=1)
+    gradient[:, :3, 3] = slope
+    return torch.from_numpy(gradient).to(viewmats.device, viewmats.dtype)
 
 
 def _render(
@@ -136,10 +161,14 @@ def _render(
     cameras: Cameras,
     tiles: Tiles,
     channels: Sequence[Channel],
+    viewmats: torch.Tensor | None = None,
 ) -> tuple[torch.Tensor, ...]:
     # in `forward` torch has switched gradients off
-    keep = torch.is_grad_enabled() and any(tensor.requires_grad for tensor in tensors.values())
-    return _Render.apply(places, cameras, tiles, tuple(channels), keep, tuple(tensors), *tensors.values())
+    wanted = [*tensors.values()] if viewmats is None else [viewmats, *tensors.values()]
+    keep = torch.is_grad_enabled() and any(tensor.requires_grad for tensor in wanted)
+    return _Render.apply(
+        places, cameras, tiles, tuple(channels), keep, tuple(tensors), viewmats, *tensors.values()
+    )
 
 
 def _images(
@@ -148,10 +177,11 @@ def _images(
     cameras: Cameras,
     channels: Sequence[Channel],
     tile_size: int,
+    viewmats: torch.Tensor | None = None,
 ) -> tuple[torch.Tensor, dict[str, torch.Tensor]]:
     width, height = one_size(cameras)
     tiles = Tiles.cover(cameras, tile_size)
-    rendered, *beside = _render(places, tensors, cameras, tiles, channels)
+    rendered, *beside = _render(places, tensors, cameras, tiles, channels, viewmats)
     images = whole(rendered, len(cameras), width, height)
     more = {name: whole(values, len(cameras), width, height) for name, values in zip(channels, beside)}
     return images, more
@@ -239,7 +269,8 @@ def rasterization(
 
     Returns the images `[C, height, width, 3]`, the sum of the weights `[C, height, width, 1]` (S of Eq. 12; it can exceed 1 and has no
     gradient), and a dictionary with the `channels` that were asked for, `[C, height, width, planes]`, which have none either. The scene's
-    background shows through where the weight is below 1. All but `viewmats` and `Ks` have gradients.
+    background shows through where the weight is below 1. All but `Ks` have gradients. That of `viewmats` is along the motions of rigid cameras,
+    through the projection alone: the networks see a camera's center as a constant.
 
     Raises `ValueError` where a shape is wrong, or a value is not finite: an opacity of 0 or 1, or a scale of 0, has no logit or logarithm.
     """
@@ -254,7 +285,7 @@ def rasterization(
     }
     cameras = Cameras.from_matrices(_matrices(viewmats), _matrices(Ks), width, height)
     wanted = tuple(dict.fromkeys(("alpha", *channels)))
-    images, beside = _images(fields._places, tensors, cameras, wanted, tile_size)
+    images, beside = _images(fields._places, tensors, cameras, wanted, tile_size, viewmats)
     meta = {name: beside[name] for name in channels}
     return images, beside["alpha"], meta
 

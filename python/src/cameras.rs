@@ -4,9 +4,13 @@ use std::path::PathBuf;
 
 use numpy::ndarray::{Array2, Array3};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
+use organza::camera::{CameraPath, Orbit};
 use pyo3::prelude::*;
 
 use crate::error::{invalid, raise};
+
+/// Width and height in pixels if no camera has any, as in `organza film`.
+const SIZE: [u32; 2] = [640, 480];
 
 /// Pinhole cameras.
 #[pyclass(frozen, module = "organza")]
@@ -79,6 +83,64 @@ impl Cameras {
         self.0.iter().map(|camera| camera.file_path.clone()).collect()
     }
 
+    /// `count` cameras on an arc or a ring that stays where these stand.
+    fn among(&self, count: usize, size: Option<[u32; 2]>) -> PyResult<Self> {
+        let found = Orbit::among(&self.0, frames(count)?).map_err(raise)?;
+        Self(found.iter().map(|camera| sized(camera, size)).collect()).checked()
+    }
+
+    /// `count` cameras on a smooth path through these.
+    fn between(&self, count: usize, is_closed: bool, size: Option<[u32; 2]>) -> PyResult<Self> {
+        let size = size.or(self.0.first().map(|camera| [camera.width, camera.height]));
+        let keys: Vec<_> = self.0.iter().map(|camera| sized(camera, size)).collect();
+        let path = CameraPath::through(&keys, is_closed).map_err(raise)?;
+        Self(path.cameras(frames(count)?)).checked()
+    }
+
+    /// `count` cameras once around what these look at, or around a box without them. What is given replaces what was
+    /// found; angles are in degrees.
+    #[staticmethod]
+    #[expect(clippy::too_many_arguments, reason = "the package names them")]
+    fn orbit(
+        count: usize,
+        cameras: Option<&Self>,
+        aabb: [[f64; 3]; 2],
+        center: Option<[f64; 3]>,
+        up: Option<[f64; 3]>,
+        distance: Option<f64>,
+        elevation: Option<f64>,
+        field_of_view: Option<f64>,
+        size: Option<[u32; 2]>,
+    ) -> PyResult<Self> {
+        let found = match cameras {
+            Some(cameras) => Orbit::around(&cameras.0).map_err(raise)?,
+            None => Orbit::of_box(aabb, size.unwrap_or(SIZE)),
+        };
+        let within = |name: &str, value: Option<f64>, low: f64, high: f64| match value {
+            Some(value) if !(low..=high).contains(&value) => {
+                Err(invalid(format!("`{name}` is {value}, expected {low:e} to {high:e}")))
+            }
+            value => Ok(value),
+        };
+        let distance = within("distance", distance, f64::MIN_POSITIVE, 1e30)?;
+        let elevation = within("elevation", elevation, -89.0, 89.0)?.map(f64::to_radians);
+        let field_of_view = within("field_of_view", field_of_view, 1.0, 170.0)?;
+        let mut orbit = Orbit {
+            center: center.unwrap_or(found.center),
+            up: up.unwrap_or(found.up),
+            distance: distance.unwrap_or(found.distance),
+            elevation: elevation.unwrap_or(found.elevation),
+            ..found
+        };
+        if let Some(degrees) = field_of_view {
+            // a field of view that was given is that of the images
+            orbit.angle = degrees.to_radians();
+            orbit.size = size.unwrap_or(orbit.size);
+        }
+        let found = orbit.cameras(frames(count)?).map_err(raise)?;
+        Self(found.iter().map(|camera| sized(camera, size)).collect()).checked()
+    }
+
     /// The cameras with these indices.
     fn select(&self, indices: Vec<usize>) -> Self {
         Self(indices.into_iter().map(|index| self.0[index].clone()).collect())
@@ -86,6 +148,18 @@ impl Cameras {
 
     fn __len__(&self) -> usize {
         self.0.len()
+    }
+}
+
+/// The same view in another size, if one is given.
+fn sized(camera: &organza::Camera, size: Option<[u32; 2]>) -> organza::Camera {
+    size.map_or_else(|| camera.clone(), |size| camera.with_size(size))
+}
+
+fn frames(count: usize) -> PyResult<usize> {
+    match count {
+        1..=99_999 => Ok(count),
+        _ => Err(invalid(format!("`frames` is {count}, expected 1 to 99,999"))),
     }
 }
 

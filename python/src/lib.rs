@@ -4,7 +4,9 @@
 mod cameras;
 mod data;
 mod error;
+mod film;
 mod job;
+mod metrics;
 mod ranks;
 mod renderer;
 mod run;
@@ -28,6 +30,10 @@ fn _organza(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<training::TrainConfig>()?;
     module.add_class::<training::Training>()?;
     module.add_function(wrap_pyfunction!(renderer::parity, module)?)?;
+    module.add_class::<metrics::Lpips>()?;
+    module.add_function(wrap_pyfunction!(metrics::psnr, module)?)?;
+    module.add_function(wrap_pyfunction!(metrics::ssim, module)?)?;
+    module.add_function(wrap_pyfunction!(film::film, module)?)?;
     module.add_function(wrap_pyfunction!(splats::export, module)?)?;
     module.add_function(wrap_pyfunction!(splats::import_splats, module)?)
 }

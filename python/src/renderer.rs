@@ -5,10 +5,12 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use muslin_check::Report;
 use muslin_device::adapters;
-use numpy::{IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
+use numpy::{
+    IntoPyArray, PyArray2, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods,
+};
 use organza::bench::{BenchOptions, measure};
 use organza::error::DeviceError;
-use organza::render::SceneGradient;
+use organza::render::{POSE, SceneGradient};
 use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles, SpirvPath};
 use organza_parity::cases;
 use pyo3::prelude::*;
@@ -45,6 +47,7 @@ pub struct Recording {
     held: Arc<Mutex<Held>>,
     recording: Arc<Mutex<organza::Recording<'static>>>,
     shape: [usize; 4],
+    cameras: usize,
 }
 
 pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -129,13 +132,15 @@ impl Renderer {
         let cameras = cameras.0.clone();
         let batch = tiles.0.clone();
         let shape = batch.output_shape();
+        let number = cameras.len();
         let channels = channels_of(&channels)?;
         let recording = job::run(py, move || {
             renderer.record_channels(&lock(&held).scene, &cameras, &batch, &channels)
         })?;
         let renderer = self.0.clone();
         let held = Arc::clone(&scene.held);
-        Ok(Recording { renderer, held, recording: Arc::new(Mutex::new(recording)), shape })
+        let recording = Arc::new(Mutex::new(recording));
+        Ok(Recording { renderer, held, recording, shape, cameras: number })
     }
 
     /// Explains a pixel, Gaussian by Gaussian.
@@ -261,17 +266,7 @@ impl Recording {
         py: Python<'py>,
         grad_output: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let numpy = py.import("numpy")?;
-        let grad_output = numpy.call_method1("ascontiguousarray", (grad_output, "float32"))?;
-        let Ok(grad_output) = grad_output.extract::<PyReadonlyArray4<'py, f32>>() else {
-            return Err(invalid(format!("the gradient must be {:?}", self.shape)));
-        };
-        if grad_output.shape() != self.shape {
-            let found = grad_output.shape();
-            let expected = self.shape;
-            return Err(invalid(format!("the gradient is {found:?}, expected {expected:?}")));
-        }
-        let slopes = grad_output.as_slice()?.to_vec();
+        let slopes = self.slopes(grad_output)?;
         let held = Arc::clone(&self.held);
         let renderer = self.renderer.clone();
         let recording = Arc::clone(&self.recording);
@@ -291,6 +286,32 @@ impl Recording {
         into_arrays(py, values)
     }
 
+    /// Like `backward`, with the gradients of the cameras' poses `[C, 6]`: by a rotation vector w in radians, then by a
+    /// shift v in world units, in the camera's space with OpenCV's axes. A point t moves to `exp([w]x) t + v`, and both
+    /// are 0. The networks see the camera's center as a constant.
+    fn backward_with_poses<'py>(
+        &self,
+        py: Python<'py>,
+        grad_output: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray2<f32>>)> {
+        let slopes = self.slopes(grad_output)?;
+        let held = Arc::clone(&self.held);
+        let renderer = self.renderer.clone();
+        let recording = Arc::clone(&self.recording);
+        let cameras = self.cameras;
+        let (values, poses) = job::run(py, move || {
+            let held = &*lock(&held);
+            let device = renderer.device();
+            let gradient = SceneGradient::new(device, &held.scene)?.with_poses(device, cameras)?;
+            lock(&recording).backward_into(&gradient, &slopes)?;
+            let config = held.scene.config();
+            let values = gradient.download(device, config, held.scene.len())?.into_values();
+            Ok((values, gradient.read_poses(device)?))
+        })?;
+        let poses = poses.into_flattened().into_pyarray(py).reshape([self.cameras, POSE])?;
+        Ok((into_arrays(py, values)?, poses))
+    }
+
     /// Frees the recorded data. `backward` then renders again.
     fn release(&self, py: Python<'_>) {
         py.detach(|| lock(&self.recording).release());
@@ -299,6 +320,23 @@ impl Recording {
     #[getter]
     fn shape(&self) -> [usize; 4] {
         self.shape
+    }
+}
+
+impl Recording {
+    /// The values of dL/dY `[K, 3, S, S]`, checked.
+    fn slopes(&self, grad_output: &Bound<'_, PyAny>) -> PyResult<Vec<f32>> {
+        let numpy = grad_output.py().import("numpy")?;
+        let grad_output = numpy.call_method1("ascontiguousarray", (grad_output, "float32"))?;
+        let Ok(grad_output) = grad_output.extract::<PyReadonlyArray4<'_, f32>>() else {
+            return Err(invalid(format!("the gradient must be {:?}", self.shape)));
+        };
+        if grad_output.shape() != self.shape {
+            let found = grad_output.shape();
+            let expected = self.shape;
+            return Err(invalid(format!("the gradient is {found:?}, expected {expected:?}")));
+        }
+        Ok(grad_output.as_slice()?.to_vec())
     }
 }
 

@@ -31,10 +31,18 @@ pub fn export<'py>(
     dataset: Option<&Dataset>,
     steps: i64,
     side: i64,
+    spz_version: i64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let fit =
         Fit { steps: within("steps", steps, Fit::STEPS)?, side: within("side", side, Fit::SIDES)? };
-    let format = Format::of(&path).map_err(raise)?;
+    let format = match (Format::of(&path).map_err(raise)?, spz_version) {
+        (Format::Spz, 2) => Format::Spz2,
+        (format, 4) => format,
+        _ => {
+            let reason = format!("`spz_version` is {spz_version}, expected 4, or 2 for an .spz");
+            return Err(invalid(reason));
+        }
+    };
     check_writable(&path).map_err(raise)?;
     let held = renderer.own(uploaded)?;
     let renderer = renderer.0.clone();

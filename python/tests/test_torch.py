@@ -12,6 +12,8 @@ torch = pytest.importorskip("torch", reason="torch is not installed: pip install
 
 import organza.torch  # noqa: E402
 
+# a logit whose logistic function is 1 in float32
+OPEN = 40.0
 CASES = Path(__file__).parents[2] / "tests" / "cases"
 REFERENCE = sorted(path.parent.name for path in CASES.glob("*/expected.safetensors"))
 
@@ -107,6 +109,85 @@ def test_rasterization_has_the_pictures_and_slopes_of_the_scene(renderer, scene,
     for found, truth in pairs:
         assert torch.linalg.norm(truth) > 0
         assert torch.linalg.norm(found - truth) <= 5e-3 * torch.linalg.norm(truth)
+
+
+def without_directions(scene):
+    """The scene with one color and full transmittance for each Gaussian, from wherever it is seen: what a camera's center changes is then
+    the projection alone."""
+    tensors = {name: np.array(values) for name, values in scene.tensors().items()}
+    last = max(name for name in tensors if name.startswith("transmittance.mlp") and name.endswith("bias"))
+    for name, values in tensors.items():
+        if not name.startswith("gaussians."):
+            values[...] = 0
+    tensors[last][...] = OPEN
+    return organza.Scene.from_tensors(tensors, scene.config)
+
+
+def test_rasterization_has_the_slopes_of_poses(renderer, scene, cameras):
+    plain = without_directions(scene)
+    fields = organza.torch.Fields(plain, renderer)
+    # a few that reach beyond the image, for a derivative does not see the ends of a Gaussian's support; their weights add up to less than 1
+    arguments = {name: tensor.detach()[::170] for name, tensor in activated(plain).items()}
+    arguments["means"] = 0.5 * arguments["means"]
+    arguments["scales"] = 1.8 + 0.4 * torch.sin(torch.arange(36.0).reshape(12, 3))
+    arguments["opacities"] = torch.full((12,), 0.05)
+    Ks = torch.from_numpy(cameras.Ks)
+    # a smooth loss, whose slopes differ from pixel to pixel
+    y, x = np.mgrid[:40, :40] / 40
+    slopes = np.stack([np.sin(3 * x + channel) * np.cos(4 * y + channel) for channel in range(3)], axis=2)
+    slopes = torch.from_numpy(np.stack([slopes, slopes[::-1]]).astype(np.float32))
+
+    def loss(motions):
+        """`motions [C, 6]` are rotation vectors and shifts in the cameras' spaces."""
+        w, v = motions[:, :3], motions[:, 3:]
+        zero = torch.zeros_like(w[:, 0])
+        rows = [[zero, -w[:, 2], w[:, 1]], [w[:, 2], zero, -w[:, 0]], [-w[:, 1], w[:, 0], zero]]
+        turn = torch.matrix_exp(torch.stack([torch.stack(row, 1) for row in rows], 1))
+        bottom = torch.tensor([[[0.0, 0.0, 0.0, 1.0]]], dtype=torch.float64).expand(len(w), 1, 4)
+        motion = torch.cat([torch.cat([turn, v[:, :, None]], 2), bottom], 1)
+        viewmats = motion @ torch.from_numpy(cameras.viewmats)
+        image, _, _ = organza.torch.rasterization(
+            **arguments, fields=fields, viewmats=viewmats, Ks=Ks, width=40, height=40
+        )
+        return (image * slopes).double().sum()
+
+    # where the motion is not 0, the chain rule goes through the matrices' rotations, too
+    motions = torch.tensor([[0.0] * 6, [0.02, -0.01, 0.03, 0.05, -0.02, 0.04]], dtype=torch.float64, requires_grad=True)
+    loss(motions).backward()
+    step = 2e-3
+    with torch.no_grad():
+        for place in range(12):
+            change = torch.zeros(12, dtype=torch.float64)
+            change[place] = step
+            change = change.reshape(2, 6)
+            expected = float(loss(motions + change) - loss(motions - change)) / (2 * step)
+            found = float(motions.grad.reshape(-1)[place])
+            assert abs(found - expected) <= 1e-3 * float(motions.grad.abs().max()), (place, found, expected)
+
+
+def test_a_camera_finds_back(renderer, scene, cameras):
+    fields = organza.torch.Fields(scene, renderer)
+    arguments = {name: tensor.detach() for name, tensor in activated(scene).items()}
+    viewmats, Ks = torch.from_numpy(cameras.viewmats), torch.from_numpy(cameras.Ks)
+
+    def image(viewmats):
+        return organza.torch.rasterization(**arguments, fields=fields, viewmats=viewmats, Ks=Ks, width=40, height=40)[0]
+
+    with torch.no_grad():
+        target = image(viewmats)
+    shift = torch.full((2, 3), 0.03, dtype=torch.float64, requires_grad=True)
+    optimizer = torch.optim.Adam([shift], lr=4e-3)
+    losses = []
+    for _ in range(16):
+        optimizer.zero_grad()
+        moved = torch.cat([viewmats[:, :, :3], viewmats[:, :, 3:] + torch.cat([shift, torch.zeros(2, 1)], 1)[:, :, None]], 2)
+        loss = (image(moved) - target).square().mean()
+        loss.backward()
+        optimizer.step()
+        losses.append(float(loss.detach()))
+    # depth has little to do with an image, so only the shifts across it must have become small
+    assert losses[-1] < 0.2 * losses[0], losses
+    assert shift.detach()[:, :2].abs().max() < 0.015, shift
 
 
 def test_several_pictures_may_wait_for_one_backward_pass(renderer, scene, cameras):

@@ -8,6 +8,7 @@ mod film;
 mod job;
 mod metrics;
 mod ranks;
+mod recording;
 mod renderer;
 mod run;
 mod scene;
@@ -25,7 +26,7 @@ fn _organza(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<cameras::Tiles>()?;
     module.add_class::<renderer::Renderer>()?;
     module.add_class::<renderer::DeviceScene>()?;
-    module.add_class::<renderer::Recording>()?;
+    module.add_class::<recording::Recording>()?;
     module.add_class::<data::Dataset>()?;
     module.add_class::<training::TrainConfig>()?;
     module.add_class::<training::Training>()?;

@@ -52,7 +52,7 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = Fit::default().side)]
     #[arg(value_parser = clap::value_parser!(u32).range(Fit::SIDES))]
     side: u32,
-    /// Version of an .spz file: 4, or 2 for a viewer that does not open that
+    /// Version of an .spz file; 2 is for viewers that do not open version 4, and rounds rotations more [default: 4]
     #[arg(long, value_name = "V", value_parser = ["2", "4"])]
     spz_version: Option<String>,
     #[command(flatten)]

@@ -21,7 +21,7 @@ const MAGIC: u32 = 0x5053_474e;
 const HEADER: usize = 32;
 /// Bytes of a stream in version 4's table: its length, and that of what it unpacks to.
 const ENTRY: usize = 16;
-/// How hard Zstandard tries, of 1 to 22.
+/// Zstandard's level, of 1 to 22.
 const LEVEL: i32 = 12;
 /// Most bits in the fraction of a coordinate, which is an integer of 24 bits.
 const MOST_FRACTION: i32 = 20;
@@ -65,7 +65,6 @@ pub fn write_2(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     for word in [MAGIC, 2, splats.len() as u32] {
         file.write_all(&word.to_le_bytes())?;
     }
-    // degree, bits of a coordinate's fraction, flags, reserved
     file.write_all(&[DEGREE as u8, fraction as u8, 0, 0])?;
     arrays(splats, fraction, 2).iter().try_for_each(|array| file.write_all(array))?;
     file.finish().map(drop)
@@ -180,12 +179,10 @@ impl Header {
             splat.opacity = logit_of(*byte);
         }
         let number = |byte: u8, [factor, offset]: [f32; 2]| (f32::from(byte) - offset) / factor;
-        for (value, byte) in values(&mut splats, |splat| &mut splat.color[0]).zip(colors) {
-            *value = number(*byte, COLOR);
-        }
-        for (value, byte) in values(&mut splats, |splat| &mut splat.log_scale).zip(scales) {
-            *value = number(*byte, SCALE);
-        }
+        let first = values(&mut splats, |splat| &mut splat.color[0]).zip(colors);
+        first.for_each(|(value, byte)| *value = number(*byte, COLOR));
+        let log_scales = values(&mut splats, |splat| &mut splat.log_scale).zip(scales);
+        log_scales.for_each(|(value, byte)| *value = number(*byte, SCALE));
         for (splat, bytes) in splats.iter_mut().zip(rotations.chunks(self.widths()[4])) {
             splat.rotation = match *bytes {
                 [x, y, z] => rotation([x, y, z]),

@@ -1,0 +1,120 @@
+//! Recorded batches, and their gradients.
+
+use std::sync::{Arc, Mutex};
+
+use numpy::{
+    IntoPyArray, PyArray2, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods,
+};
+use organza::render::{POSE, SceneGradient};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::invalid;
+use crate::job;
+use crate::renderer::{Held, into_batch, lock};
+use crate::scene::into_arrays;
+
+/// A rendered batch that keeps what its gradient needs: `Renderer.record` makes one.
+#[pyclass(frozen, weakref, module = "organza")]
+pub struct Recording {
+    pub renderer: organza::Renderer,
+    pub held: Arc<Mutex<Held>>,
+    pub recording: Arc<Mutex<organza::Recording<'static>>>,
+    pub shape: [usize; 4],
+    pub cameras: usize,
+}
+
+#[pymethods]
+impl Recording {
+    /// The tiles Y `[K, 3, S, S]`, and a dictionary of the requested channels, `[K, planes, S, S]`.
+    fn tiles<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
+        let rendered = py.detach(|| lock(&self.recording).tiles().clone());
+        into_batch(py, rendered)
+    }
+
+    /// The gradient of a loss L with respect to every tensor, by name, given dL/dY `[K, 3, S, S]`. Nothing is
+    /// rendered again.
+    ///
+    /// Raises `ValueError` if the shape differs or the scene has been written to since, and `organza.Error` if a
+    /// gradient is not finite.
+    fn backward<'py>(
+        &self,
+        py: Python<'py>,
+        grad_output: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let slopes = self.slopes(grad_output)?;
+        let held = Arc::clone(&self.held);
+        let renderer = self.renderer.clone();
+        let recording = Arc::clone(&self.recording);
+        let values = job::run(py, move || {
+            let held = &mut *lock(&held);
+            let device = renderer.device();
+            let gradient = match held.gradient.take() {
+                Some(gradient) => gradient,
+                None => SceneGradient::new(device, &held.scene)?,
+            };
+            let gradient = held.gradient.insert(gradient);
+            lock(&recording).backward_into(gradient, &slopes)?;
+            let config = held.scene.config();
+            let len = held.scene.len();
+            Ok(gradient.download(device, config, len)?.into_values())
+        })?;
+        into_arrays(py, values)
+    }
+
+    /// Like `backward`, with the gradients of the cameras' poses `[C, 6]`: by a rotation vector w in radians, then by a
+    /// shift v in world units, in the camera's space with OpenCV's axes. A point t moves to `exp([w]x) t + v`, and both
+    /// are 0. The networks see the camera's center as a constant.
+    fn backward_with_poses<'py>(
+        &self,
+        py: Python<'py>,
+        grad_output: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray2<f32>>)> {
+        let slopes = self.slopes(grad_output)?;
+        let held = Arc::clone(&self.held);
+        let renderer = self.renderer.clone();
+        let recording = Arc::clone(&self.recording);
+        let cameras = self.cameras;
+        let (values, poses) = job::run(py, move || {
+            let held = &*lock(&held);
+            let device = renderer.device();
+            let gradient = SceneGradient::new(device, &held.scene)?.with_poses(device, cameras)?;
+            lock(&recording).backward_into(&gradient, &slopes)?;
+            let config = held.scene.config();
+            let values = gradient.download(device, config, held.scene.len())?.into_values();
+            Ok((values, gradient.read_poses(device)?))
+        })?;
+        let poses = poses.into_flattened().into_pyarray(py).reshape([self.cameras, POSE])?;
+        Ok((into_arrays(py, values)?, poses))
+    }
+
+    /// Frees the recorded data. `backward` then renders again.
+    fn release(&self, py: Python<'_>) {
+        py.detach(|| lock(&self.recording).release());
+    }
+
+    #[getter]
+    fn shape(&self) -> [usize; 4] {
+        self.shape
+    }
+}
+
+impl Recording {
+    /// The values of dL/dY `[K, 3, S, S]`, checked.
+    fn slopes(&self, grad_output: &Bound<'_, PyAny>) -> PyResult<Vec<f32>> {
+        let numpy = grad_output.py().import("numpy")?;
+        let grad_output = numpy.call_method1("ascontiguousarray", (grad_output, "float32"))?;
+        let Ok(grad_output) = grad_output.extract::<PyReadonlyArray4<'_, f32>>() else {
+            return Err(invalid(format!("the gradient must be {:?}", self.shape)));
+        };
+        if grad_output.shape() != self.shape {
+            let found = grad_output.shape();
+            let expected = self.shape;
+            return Err(invalid(format!("the gradient is {found:?}, expected {expected:?}")));
+        }
+        Ok(grad_output.as_slice()?.to_vec())
+    }
+}

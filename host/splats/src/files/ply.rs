@@ -73,7 +73,7 @@ impl PropertyAccess for Row {
             "opacity" => Some(OPACITY),
             _ => NUMBERED.iter().find_map(|(name, count, first)| {
                 let index: usize = key.strip_prefix(name)?.parse().ok()?;
-                (index < *count).then_some(first + index)
+                (index < *count).then(|| first + index)
             }),
         };
         if let Some(place) = place {
@@ -173,6 +173,8 @@ mod tests {
         assert_refused(with("opacity", "alpha").as_bytes(), &["no property `opacity`", "rot_3"]);
         assert_refused(with("f_rest_8", "other").as_bytes(), &["8 properties `f_rest_*`"]);
         assert_refused(with("-1.5", "nan").as_bytes(), &["does not parse"]);
+        // a number that has no successor names no coefficient
+        read_text(&with("f_rest_8", &format!("f_rest_{}", usize::MAX))).expect("one Gaussian");
         let mut splats = splats();
         let mut bytes = Vec::new();
         splats[3].opacity = f32::NAN;

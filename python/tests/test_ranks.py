@@ -129,8 +129,7 @@ for step in run:
     steps.append(step.step)
     if step.step == last:
         run.stop()
-# in one piece: torchrun switches buffers off
-sys.stdout.write(f"{ranks.rank} {steps} {run.outcome}\\n")
+print(ranks.rank, steps, run.outcome)
 """
     settings = json.dumps(SETTINGS)
     assert torchrun(1, code, tmp_path / "one", settings, "9") == ["0 [1, 2, 3, 4, 5] finished"]

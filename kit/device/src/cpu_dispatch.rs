@@ -116,7 +116,16 @@ impl Launch<'_> {
             // SAFETY: as above, and the workgroup memory is what this kernel declares
             CpuRun::Invocation(run) => unsafe {
                 let places = [place, self.workgroups];
-                workgroup::run_bound(self.shared, size, run, self.bindings, places, order)
+                let is_watched = self.is_checked || cfg!(debug_assertions);
+                workgroup::run_bound(
+                    self.shared,
+                    size,
+                    run,
+                    self.bindings,
+                    places,
+                    order,
+                    is_watched,
+                )
             },
         }
     }

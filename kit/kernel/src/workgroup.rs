@@ -40,13 +40,16 @@ use glam::UVec3;
 
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
-use crate::memory::Shared;
+use crate::memory::{AccessMonitor, Shared};
 use crate::path::{self, Step};
 use crate::running::{self, unlinear};
 use crate::workgroup_memory::WorkgroupMemory;
 
 /// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
 const STACK: usize = 64 << 10;
+
+/// Workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
+const UNWRITTEN: u128 = u128::MAX;
 
 /// The barrier that an invocation waits at.
 #[derive(Clone, Copy, PartialEq)]
@@ -124,7 +127,8 @@ fn wait(at: &'static Location<'static>) {
 }
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
-/// `shared` after the bindings. `order` has the indices of the invocations, if it is not the usual one.
+/// `shared` after the bindings, and every access to it is checked if it `is_watched`. `order` has the indices of the invocations, if it
+/// is not the usual one.
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.
@@ -140,11 +144,13 @@ pub unsafe fn run_bound(
     bindings: &[CpuBinding],
     [workgroup, workgroups]: [UVec3; 2],
     order: Option<&[u64]>,
+    is_watched: bool,
 ) -> Result<(), String> {
-    let watches: Vec<_> = shared.iter().map(|shared| WorkgroupMemory::new(shared.len)).collect();
+    let watch = |shared: &SharedInfo| is_watched.then(|| WorkgroupMemory::new(shared.len));
+    let watches: Vec<_> = shared.iter().map(watch).collect();
     let words: usize = shared.iter().map(|shared| shared.bytes.div_ceil(16) as usize).sum();
-    // no kernel can see the zeros: it must not read unwritten elements
-    let mut memory = vec![0_u128; words];
+    // where it is watched, no kernel can see what is there: it must not read unwritten elements
+    let mut memory = vec![UNWRITTEN; words];
     let mut bindings = bindings.to_vec();
     let mut rest = memory.as_mut_slice();
     for (shared, monitor) in shared.iter().zip(&watches) {
@@ -152,7 +158,7 @@ pub unsafe fn run_bound(
         bindings.push(CpuBinding {
             data: head.as_mut_ptr().cast(),
             bytes: shared.bytes as usize,
-            monitor: Some(monitor),
+            monitor: monitor.as_ref().map(|monitor| monitor as &dyn AccessMonitor),
         });
         rest = tail;
     }

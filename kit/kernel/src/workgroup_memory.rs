@@ -1,4 +1,5 @@
 //! Watches workgroup memory: between two barriers, only the invocation that writes an element may read it.
+//! Debug builds do so, and devices that check races: it takes most of the time of a kernel that hardly does anything else.
 
 extern crate std;
 

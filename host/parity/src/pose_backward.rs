@@ -16,7 +16,7 @@ const POSE: usize = VALUES as usize;
 
 /// Inputs of `pose_backward`: those of `project_backward`.
 #[derive(Clone)]
-pub struct PoseBackward(ProjectBackward);
+pub struct PoseBackward(pub(super) ProjectBackward);
 
 /// A pair's camera, Gaussian and number.
 type Pair = [usize; 3];
@@ -34,12 +34,12 @@ impl PoseBackward {
     }
 
     /// Each camera's place: backwards, with one between two.
-    fn places(&self) -> Vec<u32> {
+    pub(super) fn places(&self) -> Vec<u32> {
         (0..self.0.forward.cameras.len() as u32).rev().map(|camera| 2 * camera).collect()
     }
 
     /// What other parts have added to the poses of all places.
-    fn before(&self) -> Vec<f32> {
+    pub(super) fn before(&self) -> Vec<f32> {
         let values = POSE * 2 * self.0.forward.cameras.len();
         (0..values).map(|value| value as f32 / 8.0 - 1.0).collect()
     }

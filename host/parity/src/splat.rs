@@ -150,7 +150,7 @@ impl SplatBackward {
     }
 
     /// Members that a pair is.
-    fn members(&self, slot: u32) -> Vec<usize> {
+    pub(super) fn members(&self, slot: u32) -> Vec<usize> {
         let words = self.params.gaussians.div_ceil(32);
         let (camera, gaussian) =
             ((slot / self.params.gaussians) as usize, slot % self.params.gaussians);

@@ -13,7 +13,7 @@ use super::exact::transmittance::{log_rho, transmittance};
 use super::transmittance::{counts, head_params, head_sets, points, prefix};
 
 /// Samples before the chunk.
-const FIRST_SAMPLE: u32 = 3;
+pub(super) const FIRST_SAMPLE: u32 = 3;
 
 /// Samples behind the chunk.
 const AFTER: u32 = 2;
@@ -61,7 +61,7 @@ impl Chunk {
     }
 
     /// The pair of a sample of the chunk.
-    fn owner(&self, sample: usize) -> usize {
+    pub(super) fn owner(&self, sample: usize) -> usize {
         let sample = FIRST_SAMPLE + sample as u32;
         self.first_sample.partition_point(|&first| first <= sample) - 1
     }

@@ -1,5 +1,4 @@
-//! Holds backward kernels to their forward kernels, whatever the equations: `<J v, u> = <v, J^T u>`, where both have the inputs of
-//! the backward kernel's case. Those are here whose forward kernel takes all that it differentiates through lanes.
+//! The rows whose forward kernel takes all that it differentiates through lanes: its slopes are computed in f64.
 
 use muslin::dual::{Dual, Slopes};
 use muslin::prelude::{Invocation, Read, Workgroup, Write};
@@ -10,12 +9,12 @@ use organza_shaders::hash_grid::hash_grid;
 use organza_shaders::resolve::resolve;
 use organza_shaders::transmittance::transmittance_head;
 
-use super::dense_backward::DenseBackward;
-use super::hash_grid::{HashGrid, features};
-use super::hash_grid_backward::HashGridBackward;
-use super::resolve::ResolveBackward;
-use super::transmittance::{head_params, points};
-use super::transmittance_backward::TransmittanceHeadBackward;
+use crate::dense_backward::DenseBackward;
+use crate::hash_grid::{HashGrid, features};
+use crate::hash_grid_backward::HashGridBackward;
+use crate::resolve::ResolveBackward;
+use crate::transmittance::{head_params, points};
+use crate::transmittance_backward::TransmittanceHeadBackward;
 
 /// The random sets of a case, and the first output that the CPU gives for each.
 fn sets<P: Parity>() -> impl Iterator<Item = (String, P, Vec<f64>)> {

@@ -1,0 +1,433 @@
+//! Rows of the [table](super::table) for the projection, images and their loss: what moves, what the forward kernel makes of it, and
+//! where both gradients lie.
+
+use glam::{Mat3, Quat, Vec3, Vec4};
+use muslin_check::prelude::*;
+use muslin_device::Device;
+use organza_shaders::exposure::ExposeInputs;
+use organza_shaders::loss::{LossParams, LossRowsInputs, LossTermsInputs};
+use organza_shaders::splat::{SplatInputs, SplatParams};
+use organza_shaders::ssim::{
+    SsimColumnsInputs, SsimParams, SsimRowsBackwardInputs, SsimRowsInputs,
+};
+
+use super::table::{Row, flat, output, vectors, wide};
+use crate::composite_backward::CompositeBackward;
+use crate::exposure::{Expose, ExposeBackward};
+use crate::loss::{LossGradient, LossRows, LossTerms, TILES};
+use crate::pose_backward::PoseBackward;
+use crate::project::Project;
+use crate::project_backward::ProjectBackward;
+use crate::splat::{Splat, SplatBackward};
+use crate::ssim::{SsimColumns, SsimRows, SsimRowsBackward};
+
+/// The image, and then gain and offset of each plane.
+impl Row for ExposeBackward {
+    fn point(&self) -> Vec<f32> {
+        [&self.image[..], &self.exposure].concat()
+    }
+
+    fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
+        let (image, exposure) = point.split_at(self.image.len());
+        let (image, exposure) = (image.to_vec(), exposure.to_vec());
+        let exposed = unwritten(image.len());
+        let set = Expose(ExposeInputs { params: self.params, image, exposure, exposed });
+        output(cpu, &set, "exposed").split_at(self.image.len()).0.to_vec()
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        wide(self.gradient.iter().copied())
+    }
+
+    fn gradient(&self, cpu: &Device) -> Vec<f64> {
+        let (mut gradient, rows) = (output(cpu, self, "gradient"), output(cpu, self, "row_sum"));
+        let of_plane = |rows: &[f64]| -> [f64; 2] {
+            [0, 1].map(|part| rows.iter().skip(part).step_by(2).sum())
+        };
+        gradient.truncate(self.image.len());
+        let planes = rows.chunks_exact(2 * self.params.side as usize).map(of_plane);
+        gradient.extend(planes.flatten().take(self.exposure.len()));
+        gradient
+    }
+}
+
+/// The splats: a support's extent has no gradient, and a needle's conic none that a difference finds.
+impl Row for CompositeBackward {
+    const STEP: f64 = 1.0 / 512.0;
+    const ALLOWED: f64 = 1e-3;
+
+    fn is_usual(&self, name: &str) -> bool {
+        // one pixel may have a jump, at the end of a support
+        self.forward.side > 1 && (name.starts_with("random") || name.starts_with("few"))
+    }
+
+    fn point(&self) -> Vec<f32> {
+        flat(self.forward.splat.as_flattened()).collect()
+    }
+
+    fn reach(&self, index: usize) -> f64 {
+        let [_, conic, _] = self.forward.splat[index / 12];
+        let is_needle = conic.y * conic.y > 0.9 * conic.x * conic.z;
+        match index % 12 {
+            4..7 if is_needle => 0.0,
+            4..7 => 0.1 * f64::from(conic.x.min(conic.z)),
+            // the extents, and what is padding
+            3 | 7 | 11 => 0.0,
+            _ => 1.0,
+        }
+    }
+
+    fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
+        let mut set = self.forward.clone();
+        set.splat = vectors(point).as_chunks::<3>().0.to_vec();
+        output(cpu, &set, "sum").split_at(4 * set.sum.len()).0.to_vec()
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        (0..self.sum_gradient.len())
+            .map(|at| f64::from(self.sum_gradient[self.plane(at)]))
+            .collect()
+    }
+
+    fn leave_out(&mut self, output: usize) {
+        let at = self.plane(output);
+        self.sum_gradient[at] = 0.0;
+    }
+
+    fn gradient(&self, cpu: &Device) -> Vec<f64> {
+        let mut gradient = vec![0.0; 12 * self.forward.splat.len()];
+        let found = output(cpu, self, "member_gradient");
+        let before = flat(&self.member_gradient);
+        for (index, (found, before)) in found.into_iter().zip(before).enumerate() {
+            let splat = self.forward.member[index / 12] as usize;
+            gradient[12 * splat + index % 12] += found - f64::from(before);
+        }
+        gradient
+    }
+}
+
+impl CompositeBackward {
+    /// Where the case has the gradient of a pixel's channel.
+    fn plane(&self, index: usize) -> usize {
+        let area = (self.forward.side * self.forward.side) as usize;
+        let (tile, at, channel) = (index / 4 / area, index / 4 % area, index % 4);
+        (4 * tile + channel) * area + at
+    }
+}
+
+/// Positions, rotations and the logarithms of axes.
+impl Row for ProjectBackward {
+    const STEP: f64 = 1.0 / 1024.0;
+    const ALLOWED: f64 = 1e-3;
+
+    fn point(&self) -> Vec<f32> {
+        let set = &self.forward;
+        [&set.position[..], &set.rotation, &set.log_scale].concat()
+    }
+
+    fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
+        let mut set = self.forward.clone();
+        let (position, rest) = point.split_at(set.position.len());
+        let (rotation, log_scale) = rest.split_at(set.rotation.len());
+        set.position = position.to_vec();
+        set.rotation = rotation.to_vec();
+        set.log_scale = log_scale.to_vec();
+        self.of_pairs(cpu, &set)
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        self.pair_gradient.iter().flat_map(|[a, b, _]| wide([a.x, a.y, b.x, b.y, b.z])).collect()
+    }
+
+    fn leave_out(&mut self, output: usize) {
+        let [center, conic, _] = &mut self.pair_gradient[output / 5];
+        match output % 5 {
+            part @ 0..2 => center[part] = 0.0,
+            part => conic[part - 2] = 0.0,
+        }
+    }
+
+    fn gradient(&self, cpu: &Device) -> Vec<f64> {
+        let found = output(cpu, self, "gradient");
+        let added = found.iter().zip(&self.gradient).map(|(found, &x)| found - f64::from(x));
+        added.take(self.point().len()).collect()
+    }
+}
+
+impl ProjectBackward {
+    /// Center and conic of every pair, as `project` projects a scene.
+    fn of_pairs(&self, cpu: &Device, scene: &Project) -> Vec<f64> {
+        let (mean, conic) = (output(cpu, scene, "mean2d"), output(cpu, scene, "conic"));
+        let count = scene.gaussians as usize;
+        let mut pairs = vec![[0.0; 5]; self.pair_gradient.len()];
+        for slot in 0..scene.cameras.len() * count {
+            if let Some(pair) = self.pair(slot / count, slot % count) {
+                pairs[pair][..2].copy_from_slice(&mean[2 * slot..][..2]);
+                pairs[pair][2..].copy_from_slice(&conic[3 * slot..][..3]);
+            }
+        }
+        pairs.into_flattened()
+    }
+}
+
+/// The six values of each camera's pose.
+impl Row for PoseBackward {
+    const STEP: f64 = 1.0 / 1024.0;
+    const ALLOWED: f64 = 1e-3;
+
+    fn point(&self) -> Vec<f32> {
+        vec![0.0; 6 * self.0.forward.cameras.len()]
+    }
+
+    fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
+        let mut scene = self.0.forward.clone();
+        for (camera, pose) in scene.cameras.iter_mut().zip(point.chunks_exact(6)) {
+            let turn = Mat3::from_quat(Quat::from_scaled_axis(Vec3::from_slice(pose)));
+            // W' = exp([w]x) W, and the eye is where t' is 0
+            let rows = Mat3::from_cols_array_2d(&camera.rotation.map(|row| row.to_array()));
+            let turned = rows * turn.transpose();
+            camera.rotation = [turned.x_axis, turned.y_axis, turned.z_axis];
+            camera.eye -= turned * Vec3::from_slice(&pose[3..]);
+        }
+        self.0.of_pairs(cpu, &scene)
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        self.0.slopes()
+    }
+
+    fn leave_out(&mut self, output: usize) {
+        self.0.leave_out(output);
+    }
+
+    fn gradient(&self, cpu: &Device) -> Vec<f64> {
+        let (found, before) = (output(cpu, self, "sum"), self.before());
+        let of = |value: usize| found[value] - f64::from(before[value]);
+        let places = self.places().into_iter();
+        places.flat_map(|place| (6 * place as usize..6 * place as usize + 6).map(of)).collect()
+    }
+}
+
+/// Centers and conics of the projection, opacities, transmittances and colors.
+impl Row for SplatBackward {
+    fn point(&self) -> Vec<f32> {
+        let slots = 2 * self.params.gaussians as usize;
+        let mut random = Random::new(8);
+        let projection = random.values(8 * slots, -10.0, 10.0);
+        let color = random.values(3 * self.pair.len(), 0.0, 1.0);
+        [&projection[..], &self.opacity, &self.transmittance, &color].concat()
+    }
+
+    fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
+        let SplatParts { projection, opacity, transmittance, color } = self.parts(point);
+        let set = Splat(SplatInputs {
+            params: SplatParams { pairs: self.params.pairs, gaussians: self.params.gaussians },
+            pair: self.pair.clone(),
+            projection: vectors(projection),
+            opacity: opacity.to_vec(),
+            transmittance: transmittance.to_vec(),
+            color: color.to_vec(),
+            splat: unwritten(3 * self.pair.len()),
+        });
+        let splats = output(cpu, &set, "splat");
+        let mut members = vec![0.0; 4 * self.member_gradient.len()];
+        for (pair, &slot) in self.pair.iter().enumerate() {
+            for member in self.members(slot) {
+                let member = &mut members[12 * member..][..12];
+                member.copy_from_slice(&splats[12 * pair..][..12]);
+                // the extents have no gradient
+                member[3] = 0.0;
+                member[7] = 0.0;
+            }
+        }
+        members
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        wide(flat(&self.member_gradient))
+    }
+
+    fn gradient(&self, cpu: &Device) -> Vec<f64> {
+        let found = output(cpu, self, "pair_gradient");
+        let gaussians = self.params.gaussians as usize;
+        let mut projection = vec![0.0; 16 * gaussians];
+        let mut opacity = vec![0.0; gaussians];
+        let (mut transmittance, mut color) = (Vec::new(), Vec::new());
+        for (pair, &slot) in found.chunks_exact(12).zip(&self.pair) {
+            let to = 8 * slot as usize;
+            projection[to..to + 2].copy_from_slice(&pair[..2]);
+            projection[to + 4..to + 7].copy_from_slice(&pair[4..7]);
+            opacity[slot as usize % gaussians] += pair[2];
+            transmittance.push(pair[3]);
+            color.extend_from_slice(&pair[8..11]);
+        }
+        [projection, opacity, transmittance, color].concat()
+    }
+}
+
+/// What `splat` gathers.
+struct SplatParts<'a> {
+    projection: &'a [f32],
+    opacity: &'a [f32],
+    transmittance: &'a [f32],
+    color: &'a [f32],
+}
+
+impl SplatBackward {
+    fn parts<'a>(&self, point: &'a [f32]) -> SplatParts<'a> {
+        let (projection, rest) = point.split_at(16 * self.params.gaussians as usize);
+        let (opacity, rest) = rest.split_at(self.opacity.len());
+        let (transmittance, color) = rest.split_at(self.transmittance.len());
+        SplatParts { projection, opacity, transmittance, color }
+    }
+}
+
+/// Three images, each the sums of its rows' windows: one of each kind of slope.
+impl Row for SsimRowsBackward {
+    fn point(&self) -> Vec<f32> {
+        Random::new(9).values(4 * self.slopes.len(), -1.0, 1.0)
+    }
+
+    fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
+        let images = vectors(point);
+        let image =
+            |part: usize| -> Vec<Vec4> { images.iter().skip(part).step_by(3).copied().collect() };
+        let sums = |part: usize| {
+            let set = SsimRows(SsimRowsInputs {
+                params: self.params,
+                window: self.window.clone(),
+                difference: image(part),
+                sum: image(part),
+                moments: unwritten(4 * self.slopes.len() / 3),
+            });
+            output(cpu, &set, "moments")
+        };
+        let parts = [0, 1, 2].map(sums);
+        // the first moment is the weighted sum
+        let pixel = |at: usize| parts.iter().flat_map(move |sums| sums[16 * at..][..4].to_vec());
+        (0..self.slopes.len() / 3).flat_map(pixel).collect()
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        wide(flat(&self.slopes))
+    }
+
+    fn gradient(&self, cpu: &Device) -> Vec<f64> {
+        output(cpu, self, "row_slopes")[..4 * self.slopes.len()].to_vec()
+    }
+}
+
+/// The image, through all kernels of the loss and back. Where it hardly differs from the photograph, its difference has a kink.
+impl Row for LossGradient {
+    const STEP: f64 = 1.0 / 256.0;
+
+    fn point(&self) -> Vec<f32> {
+        self.colors(1.0)
+    }
+
+    fn reach(&self, index: usize) -> f64 {
+        let (pixel, channel) = self.pixel(index);
+        f64::from(u8::from(self.difference[pixel][channel].abs() > 0.02))
+    }
+
+    fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
+        let terms = self.terms(point.to_vec());
+        let (difference, sum) = of_terms(cpu, &terms);
+        let columns = self.columns(cpu, &difference, &sum);
+        let dissimilarity = output(cpu, &columns, "dissimilarity");
+        let rows = LossRows(LossRowsInputs {
+            params: terms.params,
+            dissimilarity: dissimilarity[..difference.len()].iter().map(|&x| x as f32).collect(),
+            difference,
+            row_sum: unwritten((TILES * self.params.side) as usize),
+        });
+        let rows = output(cpu, &rows, "row_sum");
+        rows.chunks_exact(4)
+            .take((TILES * self.params.side) as usize)
+            .flat_map(|row| [row[0], row[1]])
+            .collect()
+    }
+
+    fn slopes(&self) -> Vec<f64> {
+        wide(
+            [self.params.absolute_scale, self.params.ssim_scale]
+                .repeat((TILES * self.params.side) as usize),
+        )
+    }
+
+    fn gradient(&self, cpu: &Device) -> Vec<f64> {
+        let (difference, sum) = of_terms(cpu, &self.terms(self.point()));
+        let slopes = output(cpu, &self.columns(cpu, &difference, &sum), "slopes");
+        let rows = SsimRowsBackward(SsimRowsBackwardInputs {
+            params: SsimParams { side: self.params.side },
+            window: self.window.clone(),
+            slopes: vectors_of(&slopes, 3 * difference.len()),
+            row_slopes: unwritten(3 * difference.len()),
+        });
+        let mut set = self.clone();
+        set.row_slopes = vectors_of(&output(cpu, &rows, "row_slopes"), 3 * difference.len());
+        set.difference = difference;
+        set.sum = sum;
+        output(cpu, &set, "grad_image")[..self.grad_image.len()].to_vec()
+    }
+}
+
+/// The first of an output's vectors.
+fn vectors_of(output: &[f64], count: usize) -> Vec<Vec4> {
+    let numbers: Vec<_> = output[..4 * count].iter().map(|&x| x as f32).collect();
+    vectors(&numbers)
+}
+
+/// What `loss_terms` leaves: d and s.
+fn of_terms(cpu: &Device, terms: &LossTerms) -> (Vec<Vec4>, Vec<Vec4>) {
+    let of = |name| vectors_of(&output(cpu, terms, name), terms.valid.len());
+    (of("difference"), of("sum"))
+}
+
+impl LossGradient {
+    /// Pixel and channel of a value of an image.
+    fn pixel(&self, index: usize) -> (usize, usize) {
+        let area = (self.params.side * self.params.side) as usize;
+        (index / 3 / area * area + index % area, index / area % 3)
+    }
+
+    /// The image, for a sign of 1, or the photograph, for -1: what the case has are their difference and their sum.
+    fn colors(&self, sign: f32) -> Vec<f32> {
+        let color = |index| {
+            let (pixel, channel) = self.pixel(index);
+            0.5 * (self.sum[pixel][channel] + 1.0 + sign * self.difference[pixel][channel])
+        };
+        (0..self.grad_image.len()).map(color).collect()
+    }
+
+    fn terms(&self, image: Vec<f32>) -> LossTerms {
+        LossTerms(LossTermsInputs {
+            params: LossParams { side: self.params.side, tiles: TILES },
+            image,
+            target: self.colors(-1.0),
+            valid: self.difference.iter().map(|d| d.w).collect(),
+            difference: unwritten(self.difference.len()),
+            sum: unwritten(self.difference.len()),
+        })
+    }
+
+    /// The windows of both images, along rows, and ready to be completed along columns.
+    fn columns(&self, cpu: &Device, difference: &[Vec4], sum: &[Vec4]) -> SsimColumns {
+        let params = SsimParams { side: self.params.side };
+        let rows = SsimRows(SsimRowsInputs {
+            params,
+            window: self.window.clone(),
+            difference: difference.to_vec(),
+            sum: sum.to_vec(),
+            moments: unwritten(4 * sum.len()),
+        });
+        SsimColumns(SsimColumnsInputs {
+            params,
+            window: self.window.clone(),
+            difference: difference.to_vec(),
+            moments: vectors_of(&output(cpu, &rows, "moments"), 4 * sum.len()),
+            dissimilarity: unwritten(sum.len()),
+            slopes: unwritten(3 * sum.len()),
+        })
+    }
+}

@@ -8,7 +8,6 @@
 //!
 //! - `distortion_backward` has no forward kernel: nobody needs the distortion itself.
 //! - `hash_grid_gradient` and `binned_gradient` turn sums of integers into floats, and `adam` takes a step: none is a derivative.
-//! - `composite_backward` has a row in [`images`] that the table leaves out: the jump at the end of a support spoils its differences.
 //! - `hash_grid_peak`, `hash_grid_norm` and `hash_grid_scale` find a bound.
 
 mod images;

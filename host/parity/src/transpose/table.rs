@@ -122,4 +122,5 @@ table! {
     splat: crate::splat::SplatBackward;
     ssim_rows: crate::ssim::SsimRowsBackward;
     loss: crate::loss::LossGradient;
+    composite: crate::composite_backward::CompositeBackward;
 }

@@ -2,7 +2,7 @@
 //! the backward kernel's case. [`table`] has a row for each of them.
 //!
 //! Four forward kernels take all that they differentiate through lanes: [`lanes`] has their slopes in f64, and holds them to 1e-6.
-//! The others read vectors, or share a number among all pixels: [`networks`] and [`images`] have their slopes by differences of the kernel itself.
+//! The others read vectors, or share a number among all pixels: [`networks`], [`splats`] and [`images`] have their slopes by differences of the kernel itself.
 //!
 //! Some kernels of gradients have no row:
 //!
@@ -13,4 +13,5 @@
 mod images;
 mod lanes;
 mod networks;
+mod splats;
 mod table;

@@ -1,4 +1,4 @@
-//! What a pair adds to the channels beside color: depth, visibility and normal. [`splat`](crate::splat) takes these three
+//! The values that a pair adds to the channels beside color: depth, visibility and normal. [`splat`](crate::splat) takes these three
 //! values in the place of a color, so that the same sums are taken of them (Eq. 12).
 
 use glam::{Vec3, Vec4};
@@ -35,7 +35,7 @@ pub fn normal(rotation: Vec4, log_scale: Vec3, offset: Vec3) -> Vec3 {
     if dot(axis, offset) > 0.0 { -axis } else { axis }
 }
 
-/// What [`pair_channels`] computes and moves.
+/// Operations and bytes of [`pair_channels`].
 #[cfg(not(target_arch = "spirv"))]
 fn pair_channels_work(params: &PairChannelsParams, _: Shape<'_>) -> Work {
     // the pair, its Gaussian and transmittance; both outputs

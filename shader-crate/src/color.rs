@@ -38,7 +38,7 @@ pub struct ColorInputsParams {
     pub contracted: u32,
 }
 
-/// What [`color_inputs`] computes and moves.
+/// Operations and bytes of [`color_inputs`].
 #[cfg(not(target_arch = "spirv"))]
 fn color_inputs_work(params: &ColorInputsParams, _: Shape<'_>) -> Work {
     let [pairs, degree, material] = wide([params.pairs, params.sh_degree, params.material]);
@@ -89,7 +89,7 @@ pub fn color_inputs(
     }
 }
 
-/// What [`color_head`] computes and moves.
+/// Operations and bytes of [`color_head`].
 #[cfg(not(target_arch = "spirv"))]
 fn color_head_work(params: &ColorHeadParams, _: Shape<'_>) -> Work {
     head_work(params.samples, params.inputs, 3, 3)

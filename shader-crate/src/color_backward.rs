@@ -19,7 +19,7 @@ pub struct ColorHeadBackwardParams {
     pub stride: u32,
 }
 
-/// What [`color_head_backward`] computes and moves.
+/// Operations and bytes of [`color_head_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn color_head_backward_work(params: &ColorHeadBackwardParams, _: Shape<'_>) -> Work {
     let samples = u64::from(params.samples);
@@ -63,7 +63,7 @@ pub struct MaterialBackwardParams {
     pub material_row: u32,
 }
 
-/// What [`material_backward`] computes and moves.
+/// Operations and bytes of [`material_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn material_backward_work(params: &MaterialBackwardParams, _: Shape<'_>) -> Work {
     let [samples, material] = wide([params.samples, params.material]);

@@ -166,7 +166,7 @@ fn all_moments<L: Lane>(
     sum
 }
 
-/// What [`composite_backward`] computes and moves. At most: every member at every pixel of its tile.
+/// Operations and bytes of [`composite_backward`]. At most: every member at every pixel of its tile.
 #[cfg(not(target_arch = "spirv"))]
 fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Work {
     /// Operations of a member at a pixel.

@@ -70,7 +70,7 @@ pub(crate) fn head_work(samples: u32, inputs: u32, outputs: u64, more: u64) -> W
     }
 }
 
-/// What [`dense`] computes and moves.
+/// Operations and bytes of [`dense`].
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) fn dense_work(params: &DenseParams, _: Shape<'_>) -> Work {
     let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);

@@ -77,7 +77,7 @@ fn least(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
-/// What [`dense_backward`] computes and moves.
+/// Operations and bytes of [`dense_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn dense_backward_work(params: &DenseBackwardParams, _: Shape<'_>) -> Work {
     let inputs = params.end_input - params.first_input;
@@ -277,7 +277,7 @@ pub fn add<L: Lane>(sum: LaneVec4<L>, g: LaneVec4<L>) -> LaneVec4<L> {
     LaneVec4 { x: sum.x + g.x, y: sum.y + g.y, z: sum.z + g.z, w: sum.w + g.w }
 }
 
-/// What all lanes have, and what was left over.
+/// The sum of all lanes, and of the samples that were left over.
 #[inline(always)]
 fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
     Vec4::new(
@@ -288,7 +288,7 @@ fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
     )
 }
 
-/// What [`dense_weight_backward`] computes and moves.
+/// Operations and bytes of [`dense_weight_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'_>) -> Work {
     let [samples, inputs, outputs] = wide([params.samples, params.inputs, 4 * params.columns]);
@@ -480,7 +480,7 @@ fn add_sum(
     }
 }
 
-/// What a sum begins with: zeros, or what it has of the chunk before.
+/// The start of a sum: zeros, or the sum of the chunk before.
 #[inline(always)]
 fn begin_sum<L: Lane>(carry: Write<Vec4>, at: u32, continues: bool) -> LaneVec4<L> {
     LaneVec4::<L>::splat(if continues { carry.read(at) } else { Vec4::ZERO })

@@ -29,7 +29,7 @@ pub struct PairInverseDistanceParams {
     pub gaussians: u32,
 }
 
-/// What [`pair_inverse_distance`] computes and moves.
+/// Operations and bytes of [`pair_inverse_distance`].
 #[cfg(not(target_arch = "spirv"))]
 fn pair_inverse_distance_work(params: &PairInverseDistanceParams, _: Shape<'_>) -> Work {
     // the pair and its Gaussian's center
@@ -68,7 +68,7 @@ pub struct DistortionParams {
     pub scale: f32,
 }
 
-/// What [`distortion_backward`] computes and moves.
+/// Operations and bytes of [`distortion_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn distortion_backward_work(params: &DistortionParams, shape: Shape<'_>) -> Work {
     let pixels = shape.workgroups_z * u64::from(params.side).pow(2);

@@ -140,7 +140,7 @@ impl GridLevel {
     }
 }
 
-/// What the lower and the upper corners of a cell have of their entries, for each axis; y and z have factors.
+/// The terms of the lower and the upper corners of a cell in their entries, for each axis; y and z have factors.
 #[inline(always)]
 fn axes<I: LaneIndex>([x, y, z]: [I; 3], [row, layer]: [u32; 2]) -> [[I; 2]; 3] {
     let number = I::splat;
@@ -276,7 +276,7 @@ pub fn write_point<L: Lane>(
     z.fine.write(buffer, 5 * stride + column);
 }
 
-/// What [`write_point`] wrote.
+/// The output of [`write_point`].
 #[inline(always)]
 pub fn read_point<L: Lane>(buffer: Read<f32>, stride: u32, column: u32) -> [Split<L>; 3] {
     [
@@ -300,7 +300,7 @@ pub(crate) const POINT: u64 = 6 * NUMBER;
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) const CELL: u64 = 3 * 9 + 15;
 
-/// What [`hash_grid`] computes and moves.
+/// Operations and bytes of [`hash_grid`].
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) fn hash_grid_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
     let [points, features] = wide([params.points, params.features]);

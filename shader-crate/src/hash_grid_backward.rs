@@ -20,7 +20,7 @@ use muslin::work::{NUMBER, Shape, Work, wide};
 /// skips the others.
 pub const VALUES_PER_FLAG: u32 = 64;
 
-/// What [`hash_grid_backward`] computes and moves.
+/// Operations and bytes of [`hash_grid_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
     let [points, features] = wide([params.points, params.features]);

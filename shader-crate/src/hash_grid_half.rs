@@ -14,7 +14,7 @@ use muslin::work::{NUMBER, Shape, Work, wide};
 /// The largest number that a table may hold.
 pub const MAX_HALF: f32 = 65_504.0;
 
-/// What [`hash_grid_half`] computes and moves.
+/// Operations and bytes of [`hash_grid_half`].
 #[cfg(not(target_arch = "spirv"))]
 fn hash_grid_half_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
     let [points, features] = wide([params.points, params.features]);

@@ -47,7 +47,7 @@ pub struct PoseBackwardParams {
     pub words: u32,
     /// The camera's number in the part.
     pub camera: u32,
-    /// Its place in `sum`.
+    /// Place in `sum`.
     pub place: u32,
     /// Blocks of [`BLOCK`] pairs: enough for a camera with all Gaussians.
     pub blocks: u32,

@@ -186,7 +186,7 @@ pub struct ProjectParams {
     pub blur: f32,
 }
 
-/// What [`project`] computes and moves.
+/// Operations and bytes of [`project`].
 #[cfg(not(target_arch = "spirv"))]
 fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
     let gaussians = u64::from(params.gaussians);

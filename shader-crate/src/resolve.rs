@@ -93,7 +93,7 @@ impl ResolveParams {
     }
 }
 
-/// What [`resolve`] computes and moves.
+/// Operations and bytes of [`resolve`].
 #[cfg(not(target_arch = "spirv"))]
 fn resolve_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
     let pixels = shape.workgroups_z * u64::from(params.side).pow(2);
@@ -126,7 +126,7 @@ pub fn resolve<L: Lane>(
     }
 }
 
-/// What [`resolve_backward`] computes and moves.
+/// Operations and bytes of [`resolve_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn resolve_backward_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
     let pixels = shape.workgroups_z * u64::from(params.side).pow(2);

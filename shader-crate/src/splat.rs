@@ -24,7 +24,7 @@ pub struct SplatParams {
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) const SPLAT: u64 = VECTORS as u64 * VECTOR;
 
-/// What [`splat`] computes and moves.
+/// Operations and bytes of [`splat`].
 #[cfg(not(target_arch = "spirv"))]
 fn splat_work(params: &SplatParams, _: Shape<'_>) -> Work {
     // the pair, its projection, opacity, transmittance and color

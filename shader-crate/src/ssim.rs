@@ -114,9 +114,9 @@ pub struct Similarity {
     pub dissimilarity: Vec4,
     /// The slope's part that all pixels share.
     pub constant: Vec4,
-    /// What d of the pixel is multiplied by.
+    /// The factor of d of the pixel.
     pub by_difference: Vec4,
-    /// What s of the pixel is multiplied by.
+    /// The factor of s of the pixel.
     pub by_sum: Vec4,
 }
 

@@ -1,4 +1,4 @@
-//! What growth decides by: how far a Gaussian's images are pulled, in how many cameras, and how large they are.
+//! Statistics that growth decides by: how far a Gaussian's images are pulled, in how many cameras, and how large they are.
 
 use glam::{Vec3, Vec4};
 

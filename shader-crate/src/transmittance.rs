@@ -57,7 +57,7 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
     low
 }
 
-/// What [`transmittance_inputs`] computes and moves. Values that are written alone: what they come from has many samples.
+/// Operations and bytes of [`transmittance_inputs`]. Values that are written alone: what they come from has many samples.
 #[cfg(not(target_arch = "spirv"))]
 fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -> Work {
     let [samples, extra] = wide([params.samples, params.extra]);
@@ -120,7 +120,7 @@ pub fn transmittance_inputs<L: Lane>(
     }
 }
 
-/// What [`transmittance_inputs`] writes for the samples of the lanes from `index` on, which the same pair owns.
+/// The outputs of [`transmittance_inputs`] for the samples of the lanes from `index` on, which the same pair owns.
 #[loops]
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
@@ -201,7 +201,7 @@ pub fn logit_and_factor<L: Lane>(
     (a, L::read(point, POINT_ROWS * params.stride + sample))
 }
 
-/// What [`transmittance_head`] computes and moves.
+/// Operations and bytes of [`transmittance_head`].
 #[cfg(not(target_arch = "spirv"))]
 fn transmittance_head_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
     head_work(params.samples, params.inputs, 1, 2)

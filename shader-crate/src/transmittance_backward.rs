@@ -64,7 +64,7 @@ pub fn segment_product_backward(
     }
 }
 
-/// What [`transmittance_head_backward`] computes and moves.
+/// Operations and bytes of [`transmittance_head_backward`].
 #[cfg(not(target_arch = "spirv"))]
 fn transmittance_head_backward_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
     head_work(params.samples, params.inputs, 1, 3)

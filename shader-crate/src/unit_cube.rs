@@ -47,7 +47,7 @@ impl<L: Lane> Split<L> {
         Self { coarse: L::splat(x.coarse), fine: L::splat(x.fine) }
     }
 
-    /// What one number holds of it.
+    /// The value, as far as one number can hold it.
     #[inline(always)]
     pub fn value(self) -> L {
         self.coarse + self.fine

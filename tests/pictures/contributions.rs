@@ -1,4 +1,4 @@
-//! What Gaussians contribute to whole views, on every device: compared with the equations in f64, and with a scene whose
+//! Contributions of Gaussians to whole views, on every device: compared with the equations in f64, and with a scene whose
 //! weights are known.
 
 use organza::render::Contributions;

@@ -17,9 +17,9 @@ pub enum Region {
     },
     /// A ball.
     Sphere {
-        /// Its center.
+        /// Center of the ball.
         center: [f32; 3],
-        /// Its radius.
+        /// Radius of the ball.
         radius: f32,
     },
 }

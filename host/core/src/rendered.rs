@@ -27,7 +27,7 @@ impl Channel {
     /// Every channel.
     pub const ALL: [Self; 4] = [Self::Depth, Self::Alpha, Self::Visibility, Self::Normal];
 
-    /// Its name: `depth`, `alpha`, `visibility` or `normal`.
+    /// Name: `depth`, `alpha`, `visibility` or `normal`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -56,11 +56,11 @@ pub struct RenderedTiles {
     pub data: Vec<f32>,
     /// `[K, planes, S, S]` of each channel that was asked for.
     pub channels: BTreeMap<Channel, Vec<f32>>,
-    /// What was done to render it.
+    /// The work of rendering it.
     pub report: RenderReport,
 }
 
-/// What rendering a batch took.
+/// The work of rendering a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderReport {
     /// Parts that the batch was rendered in.

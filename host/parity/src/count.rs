@@ -101,7 +101,7 @@ impl Parity for CountFill {
         runner.run(&self.kernel(), self.placement[0], 1)
     }
 
-    /// What is left of each total behind `first`, at most `most`; nothing where something did not fit.
+    /// The rest of each total behind `first`, at most `most`; nothing where something did not fit.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let number = |&[_, slot, first, most]: &[u32; 4]| match self.counts[..] {
             [0, ref counts @ ..] => {

@@ -97,7 +97,7 @@ impl Parity for PairInverseDistance {
 pub struct DistortionBackward {
     /// S
     pub side: u32,
-    /// What a pixel counts.
+    /// Weight of a pixel.
     pub scale: f32,
     /// The tiles.
     pub tiles: Vec<Tile>,
@@ -132,7 +132,7 @@ impl DistortionBackward {
         (self.side * self.side) as usize
     }
 
-    /// What a pixel's distortion is multiplied by.
+    /// The factor of a pixel's distortion.
     fn factor(&self, pixel: usize) -> f64 {
         let area = self.area();
         let output = self.tiles[pixel / area].output as usize;

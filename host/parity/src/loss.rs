@@ -33,7 +33,7 @@ fn mask(side: u32, random: &mut Random) -> Vec<bool> {
     (0..TILES * area).map(|at| at < area || at < 2 * area && random.below(3) > 0).collect()
 }
 
-/// What `loss_terms` leaves: inputs of the other kernels.
+/// The outputs of `loss_terms`: inputs of the other kernels.
 #[derive(Clone, Debug)]
 pub struct Terms {
     /// `[tiles, S, S]`: d and the mask.

@@ -72,7 +72,7 @@ impl PeakRead {
         })
     }
 
-    /// What an invocation reads.
+    /// The values that an invocation reads.
     fn read_by(&self, index: u32) -> impl Iterator<Item = f64> {
         let (rows, local) = (self.params.steps * READS, index % WORKGROUP);
         let first = index / WORKGROUP * rows;

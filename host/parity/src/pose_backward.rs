@@ -38,7 +38,7 @@ impl PoseBackward {
         (0..self.0.forward.cameras.len() as u32).rev().map(|camera| 2 * camera).collect()
     }
 
-    /// What other parts have added to the poses of all places.
+    /// The sums that other parts have added to the poses of all places.
     pub(super) fn before(&self) -> Vec<f32> {
         let values = POSE * 2 * self.0.forward.cameras.len();
         (0..values).map(|value| value as f32 / 8.0 - 1.0).collect()

@@ -131,7 +131,7 @@ impl Project {
         Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
     }
 
-    /// What is projected, in f64.
+    /// The projected Gaussian, in f64.
     pub fn gaussian(&self, gaussian: usize) -> Gaussian<f64> {
         Gaussian {
             position: self.center(gaussian).to_array(),
@@ -140,7 +140,7 @@ impl Project {
         }
     }
 
-    /// What becomes of a Gaussian; `None` where it depends on how far the kernel's numbers reach.
+    /// The projection of a Gaussian; `None` where it depends on how far the kernel's numbers reach.
     pub(super) fn fate(&self, camera: usize, gaussian: usize) -> Option<Fate> {
         let view = View::of(&self.cameras[camera]);
         let Some(found) = project(&view, f64::from(self.blur), &self.gaussian(gaussian)) else {
@@ -289,7 +289,7 @@ impl Parity for Project {
     }
 }
 
-/// What becomes of a Gaussian in a camera.
+/// The projection of a Gaussian in a camera.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Fate {
     /// It lies behind the near plane.

@@ -16,7 +16,7 @@ fn place(pixel: usize, side: usize) -> [usize; 3] {
     [pixel / (side * side) * side * side, pixel / side % side, pixel % side]
 }
 
-/// What a pixel adds to each sum, in f64.
+/// The terms that a pixel adds to each sum, in f64.
 fn moment([d, s]: [&[Vec4]; 2], pixel: usize, part: usize, channel: usize) -> f64 {
     let [d, s] = [d, s].map(|values| f64::from(values[pixel][channel]));
     [d, s, d * d, s * s][part]

@@ -111,7 +111,7 @@ fn parse_reach(text: &str) -> Result<f64, String> {
     reach.map(|[reach]| reach).ok_or_else(|| "expected a number from 0.001 to 1000".to_owned())
 }
 
-/// What a rule has removed.
+/// The Gaussians that a rule has removed.
 #[derive(Debug, Serialize)]
 struct Removed {
     rule: String,

@@ -90,7 +90,7 @@ impl Written {
         Ok(missing)
     }
 
-    /// What is in the place of an image.
+    /// The file in the place of an image.
     pub fn found(&self, path: &Path) -> Result<Found> {
         Ok(match marked(path)? {
             Some(Marked { origin, unchanged: true }) if origin == self.origin => Found::Image,

@@ -20,7 +20,7 @@ use organza_core::scene::{Scene, SceneShare, Tensor, TensorSpec, read_tensor};
 const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
 /// `[N, 4]`: what growth goes by, gathered since the last time.
 const STATISTICS: &str = "train.statistics";
-/// What the tensors of exposures are called, after their prefixes.
+/// Names of the tensors of exposures, after their prefixes.
 const EXPOSURE: &str = "exposure";
 /// Those of poses.
 const POSE: &str = "pose";
@@ -127,7 +127,7 @@ impl Checkpoint {
         tensors
     }
 
-    /// What a file tells beside the scene's configuration.
+    /// The metadata of a file beside the scene's configuration.
     fn metadata(&self, binding: Option<&Binding>) -> Result<Vec<(&'static str, String)>> {
         let no_json = |error: serde_json::Error| Error::Argument { reason: error.to_string() };
         let mut metadata =
@@ -191,7 +191,7 @@ impl Checkpoint {
         Ok(checkpoint)
     }
 
-    /// What is learned of each photograph, by the names of the tensors.
+    /// The learned values of each photograph, by the names of the tensors.
     fn of_photographs(&self) -> Vec<(String, Tensor)> {
         let exposures = self.exposures.iter().flat_map(|found| found.tensors(EXPOSURE, &[3, 2]));
         exposures.chain(self.poses.iter().flat_map(|found| found.tensors(POSE, &[6]))).collect()

@@ -12,7 +12,7 @@ const SPLIT_SCALE: f32 = 0.65;
 /// and so much less opaque: together they have its weight at its center, and 0.98 of its sum.
 const SPLIT_OPACITY: f32 = 0.75;
 
-/// What became of the Gaussians.
+/// The fates of the Gaussians.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Grown {
     /// Split in two.
@@ -36,7 +36,7 @@ impl Child {
     }
 }
 
-/// What becomes of each Gaussian. It follows from few numbers of each, so that ranks that hold shares of a scene can find
+/// The fate of each Gaussian. It follows from few numbers of each, so that ranks that hold shares of a scene can find
 /// the same plan.
 #[derive(Debug)]
 pub struct GrowthPlan {

@@ -39,7 +39,7 @@ impl Progress {
     }
 }
 
-/// What is a scene, but no checkpoint.
+/// A file that is a scene, but no checkpoint.
 fn lacks(path: &Path, what: &str) -> Error {
     let reason = format!("it lacks {what}: it is a scene, but not a checkpoint to resume from");
     Error::Invalid { origin: path.to_owned(), reason }

@@ -13,7 +13,7 @@ use organza_core::ranks::{self, Grid, Ranks};
 use organza_data::{Dataset, Frame};
 use organza_render::{DeviceScene, Renderer};
 
-/// What ranks share of a training.
+/// The parts of a training that ranks share.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Split {
     /// Each rank has the whole scene, and computes some of a step's views.
@@ -24,7 +24,7 @@ pub enum Split {
     Gaussians,
 }
 
-/// What rank 0 has all ranks do next.
+/// The next action of all ranks, which rank 0 chooses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Order {
     /// A step, of a run of so many.

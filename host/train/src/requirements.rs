@@ -1,4 +1,4 @@
-//! What a run needs, checked before it begins: settings in range, frames, and the least memory.
+//! The needs of a run, checked before it begins: settings in range, frames, and the least memory.
 
 use std::path::Path;
 

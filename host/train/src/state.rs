@@ -1,4 +1,4 @@
-//! What a step changes: the scene on the device, the moments of Adam and the gradient.
+//! The state that a step changes: the scene on the device, the moments of Adam and the gradient.
 
 use glam::Vec4;
 
@@ -9,7 +9,7 @@ use muslin_device::Device;
 use organza_core::error::Result;
 use organza_render::{DeviceShare, Renderer, SceneGradient, ShareGradient};
 
-/// What a step changes.
+/// The state that a step changes.
 #[derive(Debug)]
 pub(super) struct State {
     /// The whole scene, or a share of it.

@@ -348,7 +348,7 @@ impl Trainer {
         Ok((StepReport::of(&losses, target.ssim_weight), exposures))
     }
 
-    /// What hooks cannot be used with.
+    /// The settings that hooks cannot be used with.
     fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
         let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS

@@ -15,7 +15,7 @@ const MAX_POINTS: usize = 20_000;
 /// Size of the first image of a scene without cameras, in pixels.
 const SIZE: [u32; 2] = [960, 640];
 
-/// What a page is for.
+/// The purpose of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Purpose {

@@ -1,4 +1,4 @@
-//! What a page removes from a scene.
+//! Removes parts of a scene for a page.
 //!
 //! The scene on the device is replaced by one of the Gaussians that are left. So every image, number and film is of them.
 
@@ -82,7 +82,7 @@ pub struct Crop {
     outside: bool,
 }
 
-/// What the page is told.
+/// The answer to the page.
 #[derive(Debug, Serialize)]
 struct Answer<'a> {
     left: usize,
@@ -107,7 +107,7 @@ pub struct Editor {
     left: Vec<usize>,
     /// Which of them are selected.
     selected: Vec<bool>,
-    /// What each removal took, the last one last.
+    /// The Gaussians of each removal, the last one last.
     removals: Vec<Vec<usize>>,
     /// Number of changes to what is shown.
     version: u64,

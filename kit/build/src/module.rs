@@ -210,7 +210,7 @@ mod tests {
         b.module().assemble().into_iter().flat_map(u32::to_le_bytes).collect()
     }
 
-    /// What is wrong with a module.
+    /// A mistake in a module.
     fn wrong(module: &[u8]) -> String {
         let mut kernels = muslin::kernels();
         let kernel = kernels.find(|kernel| kernel.name == "count_fill").expect("a kernel");

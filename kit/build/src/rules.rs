@@ -185,7 +185,7 @@ impl<'ast> Visit<'ast> for Rules<'_> {
 mod tests {
     use super::*;
 
-    /// What is wrong with a source.
+    /// A mistake in a source.
     fn broken(source: &str) -> String {
         let folder = tempfile::tempdir().unwrap();
         fs::create_dir(folder.path().join("src")).unwrap();

@@ -53,7 +53,7 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// What the CPUs find that look for mistakes.
+/// The mistakes that the checked CPUs find.
 fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<String>) {
     let scalar = devices::with(InstructionSet::Scalar);
     let checked = [

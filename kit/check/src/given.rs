@@ -8,7 +8,7 @@ use muslin_device::{Buffer, Host};
 use super::measure::{Output, Values};
 use super::runner::Canary;
 
-/// What a kernel's storage buffers hold, as words.
+/// The contents of a kernel's storage buffers, as words.
 pub(super) fn words<'a>(
     kernel: &impl Dispatch<'a, Given>,
 ) -> Vec<(&'static BindingInfo, Vec<u32>)> {
@@ -32,7 +32,7 @@ pub(super) fn canaries(binding: &BindingInfo) -> [u32; 2] {
     }
 }
 
-/// What a kernel has written, by the name of its binding.
+/// The outputs of a kernel, by the names of their bindings.
 pub(super) fn output(binding: &BindingInfo, words: Vec<u32>) -> Output {
     let float = |word| f64::from(f32::from_bits(word));
     let values = match is_float(binding) {

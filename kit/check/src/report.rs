@@ -187,7 +187,7 @@ fn size(value: f64) -> String {
 }
 
 impl Measure {
-    /// What is too far from something else, and where most: without a line's end.
+    /// The values that are too far apart, and where they are farthest: without a line's end.
     #[must_use]
     pub fn describe(&self, kernel: &str, beside: &str, why: &str) -> String {
         let Worst { set, output, index, cpu, found, .. } = &self.share;

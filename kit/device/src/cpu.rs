@@ -43,7 +43,7 @@ const NOT_A_NUMBER: u8 = 0xff;
 #[derive(Debug)]
 pub struct Watch {
     pub binding: String,
-    /// Its first word, or another one of it.
+    /// The first word, or another one of the same value.
     pub word: usize,
     pub writer: Option<UVec3>,
 }

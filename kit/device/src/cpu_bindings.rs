@@ -1,4 +1,4 @@
-//! What the CPU backend binds to a kernel: memory, and monitors of its use.
+//! The CPU backend's bindings of a kernel: memory, and monitors of its use.
 
 use muslin::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
 use muslin::memory::AccessMonitor;

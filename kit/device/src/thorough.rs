@@ -10,7 +10,7 @@ use crate::cpu_dispatch::{Job, Way};
 use crate::order::Order;
 use crate::written::Written;
 
-/// What a kernel can write of one binding.
+/// The elements of one binding that a kernel can write.
 struct Output<'a> {
     /// Number of the binding.
     index: usize,
@@ -27,12 +27,12 @@ struct Content {
     flags: Option<Vec<u8>>,
 }
 
-/// What a run has in place of the usual.
+/// How a run differs from the usual one.
 #[derive(Clone, Copy)]
 enum Other {
     /// The reverse order of invocations.
     Order(Order),
-    /// What is smaller than any normal number counts as zero.
+    /// Numbers smaller than any normal number count as zero.
     Flushing(Order),
     /// A multiplication and an addition round once.
     Fused(Order),

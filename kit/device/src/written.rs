@@ -21,7 +21,7 @@ pub struct Written {
     kernel: Mutex<Option<[&'static str; 2]>>,
 }
 
-/// What nothing has written.
+/// Elements that nothing has written.
 pub struct Missing {
     /// Offset of its first byte.
     pub at: usize,

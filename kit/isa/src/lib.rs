@@ -1,4 +1,4 @@
-//! What a GPU's compiler makes of compiled kernels, without the GPU.
+//! Machine code and register counts of compiled kernels, from a GPU's compiler, without the GPU.
 //!
 //! RADV, Mesa's driver for AMD GPUs, reads the environment variable `RADV_FORCE_FAMILY` when it is loaded. So each family gets a process
 //! of its own: [`compile`] starts it, and [`answer`] is what it does.
@@ -30,7 +30,7 @@ pub enum Error {
     NoDriver {
         /// The family of GPUs.
         family: String,
-        /// What is missing.
+        /// The missing program or file.
         reason: String,
     },
     /// A kernel could not be read or compiled.
@@ -38,7 +38,7 @@ pub enum Error {
     Failed(String),
 }
 
-/// What the compiler for a family of GPUs makes of all kernels.
+/// The compiled code of all kernels for a family of GPUs.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Report {
     /// The family, as RADV names it.
@@ -49,7 +49,7 @@ pub struct Report {
     pub kernels: Vec<Kernel>,
 }
 
-/// What the compiler makes of a kernel.
+/// The compiled code of a kernel.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Kernel {
     /// The name of the entry point.
@@ -68,7 +68,7 @@ pub struct Kernel {
     pub instructions: u64,
     /// Multiplications of 32-bit integers of the whole kernel: they take four times as long as other instructions.
     pub integer_multiplies: usize,
-    /// Its innermost loops, the one with the most instructions first.
+    /// The innermost loops, the one with the most instructions first.
     pub loops: Vec<Loop>,
     /// The text of the whole kernel.
     pub text: String,

@@ -9,9 +9,9 @@ use crate::running;
 pub trait Integer {
     /// Name of the type.
     const NAME: &'static str;
-    /// What is above this number is not too small, without its fraction.
+    /// Numbers above this one are not too small after their fraction is cut off.
     const ABOVE: f64;
-    /// What is below this number is not too large.
+    /// Numbers below this one are not too large.
     const BELOW: f64;
 }
 

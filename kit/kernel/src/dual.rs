@@ -43,7 +43,7 @@ use crate::memory::{Read, Write};
 pub struct Dual {
     /// The number.
     pub value: f32,
-    /// Its slope.
+    /// Derivative of the value.
     pub slope: f64,
 }
 

@@ -44,7 +44,7 @@ use glam::{Vec2, Vec3, Vec4};
 
 use crate::lane::Lane;
 
-/// What has a gradient: a number, or several of them.
+/// A type with a gradient: a number, or several of them.
 pub trait Adjoint: Copy {
     /// The gradient of what has no influence on the loss.
     #[must_use]

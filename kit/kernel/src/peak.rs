@@ -25,7 +25,7 @@ pub struct PeakMultiplyAddParams {
     pub steps: u32,
     /// The factor of a sum: its size is below 1, so nothing grows.
     pub factor: f32,
-    /// What is added to it.
+    /// The summand.
     pub addend: f32,
 }
 
@@ -65,7 +65,7 @@ pub const FIRST_SUMS: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
 /// Factor of the invocation's number in the start values of its sums.
 pub const INVOCATION_SHARE: f32 = 1.0 / 4_194_304.0;
 
-/// What [`peak_multiply_add`] computes and moves.
+/// Operations and bytes of [`peak_multiply_add`].
 #[cfg(not(target_arch = "spirv"))]
 fn peak_multiply_add_work(params: &PeakMultiplyAddParams, _: Shape<'_>) -> Work {
     let [count, steps, each] = wide([params.count, params.steps, MULTIPLY_ADDS]);
@@ -112,7 +112,7 @@ pub struct PeakReadParams {
     pub steps: u32,
 }
 
-/// What [`peak_read`] computes and moves.
+/// Operations and bytes of [`peak_read`].
 #[cfg(not(target_arch = "spirv"))]
 fn peak_read_work(params: &PeakReadParams, _: Shape<'_>) -> Work {
     let [count, steps, each] = wide([params.count, params.steps, READS]);

@@ -54,7 +54,7 @@ const UNWRITTEN: u128 = u128::MAX;
 /// The barrier that an invocation waits at.
 #[derive(Clone, Copy, PartialEq)]
 struct Barrier {
-    /// Its place in the source.
+    /// Place in the source.
     at: &'static Location<'static>,
     /// The branches and loops around it. The waiting coroutine owns it, so it lives until that is resumed or dropped.
     path: &'static [Step],

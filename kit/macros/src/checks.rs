@@ -98,7 +98,7 @@ impl Checks {
         cast.expr = parse_quote! {{ let _value = #value; #check _value }};
     }
 
-    /// What begins a branch.
+    /// The beginning of a branch.
     fn branch(span: Span) -> Stmt {
         parse_quote_spanned! { span =>
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]

@@ -180,7 +180,7 @@ fn each(kernel: &Kernel) -> TokenStream {
     }
 }
 
-/// What the plain entry point and the CPU pass for a parameter.
+/// The argument that the plain entry point and the CPU pass for a parameter.
 pub fn plain_argument(parameter: &Parameter) -> TokenStream {
     let name = &parameter.name;
     match parameter.role {
@@ -281,7 +281,7 @@ fn limit(kernel: &Kernel) -> Option<TokenStream> {
     Some(quote!(::core::assert!((#iterations) <= ::muslin::MAX_ITERATIONS, #message);))
 }
 
-/// What counts a dispatch: the declared function, of the parameters' bytes.
+/// The function that counts a dispatch's work: the declared function, of the parameters' bytes.
 fn work(kernel: &Kernel) -> TokenStream {
     let (Some(count), Some(Parameter { element, .. })) = (&kernel.work, kernel.uniform()) else {
         return quote!(::core::option::Option::None);
@@ -316,7 +316,7 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
     quote!([#(#arrays),*])
 }
 
-/// What the registry says of the second entry point.
+/// The registry's record of the second entry point.
 fn variant(kernel: &Kernel) -> TokenStream {
     if !kernel.has_shared_tiles() {
         return quote!(::core::option::Option::None);

@@ -80,13 +80,13 @@ fn adjoint(item: &ItemStruct) -> Result<TokenStream> {
     })
 }
 
-/// What a parameter's gradient is.
+/// The gradient of a parameter.
 struct Parameter {
-    /// What the backward function calls it.
+    /// Name in the backward function.
     name: TokenStream,
-    /// What the declaration calls it, where that is a pattern.
+    /// Name in the declaration, where that is a pattern.
     pattern: Option<syn::Pat>,
-    /// Its type, unless it takes no gradient.
+    /// Type, unless it takes no gradient.
     gradient: Option<Type>,
 }
 

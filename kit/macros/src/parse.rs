@@ -10,7 +10,7 @@ use syn::{
 
 use crate::checks::first_loop;
 
-/// What a parameter of a kernel stands for.
+/// The role of a kernel's parameter.
 pub enum Role {
     /// `&P`
     Uniform,
@@ -73,7 +73,7 @@ pub struct Kernel {
     pub work: Option<Path>,
     /// Bindings whose elements come in any order.
     pub unordered: Vec<Ident>,
-    /// What the kernel calls its invocation.
+    /// Name of the invocation in the kernel.
     pub id: Ident,
     pub parameters: Vec<Parameter>,
 }
@@ -156,7 +156,7 @@ impl Kernel {
         self.parameters.iter().find(|parameter| matches!(parameter.role, Role::Uniform))
     }
 
-    /// What a kernel with `lanes` calls their type.
+    /// Name of the type of lanes in the kernel.
     pub fn lanes_type(&self) -> Option<&Ident> {
         self.function.sig.generics.type_params().next().map(|parameter| &parameter.ident)
     }
@@ -348,7 +348,7 @@ const WITH_ANOTHER_LAYOUT: [(&str, &str); 9] = [
     ("usize", "`u32`"),
 ];
 
-/// What a parameter's type stands for, and the type of its elements.
+/// The role of a parameter's type, and the type of its elements.
 fn role(ty: &Type) -> Option<(Role, Type)> {
     if let Type::Reference(reference) = ty {
         if reference.mutability.is_none() {

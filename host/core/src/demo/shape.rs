@@ -1,4 +1,4 @@
-//! What the pieces of the built-in scene have in common: their sizes, and how a Gaussian of each kind looks.
+//! The common parts of the built-in scene's pieces: their sizes, and how a Gaussian of each kind looks.
 
 use glam::Vec3;
 

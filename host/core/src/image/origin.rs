@@ -1,4 +1,4 @@
-//! What an image's file says of its origin. So a later call knows the images that the program wrote, and of what.
+//! The origin of an image, in its file. So a later call knows the images that the program wrote, and of what.
 //!
 //! A PNG has it as a text chunk, an EXR file as an attribute. Both have the key `organza`, and the text
 //! `origin 1 SOURCE OPTIONS CONTENT`: three SHA-256 sums.
@@ -34,7 +34,7 @@ pub struct Origin {
 /// A file that says where it is from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Marked {
-    /// What it was made from.
+    /// The sources of the image.
     pub origin: Origin,
     /// Whether the file is as it was written, and has its name still.
     pub unchanged: bool,

@@ -17,7 +17,7 @@ pub struct Batch {
     pub valid: Vec<f32>,
 }
 
-/// What the device computes.
+/// The results of the device.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sums {
     /// The sum of `|x - y|`.

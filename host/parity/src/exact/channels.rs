@@ -1,4 +1,4 @@
-//! What a Gaussian adds to depth and normal.
+//! The values that a Gaussian adds to depth and normal.
 
 use super::project::{Gaussian, View, unit_axes};
 

@@ -8,7 +8,7 @@ use super::project::cutoff;
 /// A pair in the image.
 #[derive(Clone, Copy, Debug)]
 pub struct Splat<N> {
-    /// Its center, in pixels.
+    /// Center, in pixels.
     pub mean: [N; 2],
     /// `opacity T`
     pub weight: N,

@@ -9,9 +9,9 @@ pub struct Level {
     pub scale: f64,
     /// `ceil(scale) + 1`
     pub resolution: u64,
-    /// Its first entry.
+    /// First entry.
     pub first: u64,
-    /// Its entries: `min(round_up(resolution^3, 8), 2^log2_table)`.
+    /// Number of entries: `min(round_up(resolution^3, 8), 2^log2_table)`.
     pub count: u64,
 }
 

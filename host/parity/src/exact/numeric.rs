@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What the equations compute with: an f64, or a [`Dual`] where their derivatives are wanted.
+/// The number type of the equations: an f64, or a [`Dual`] where their derivatives are wanted.
 pub trait Number:
     Copy
     + From<f64>

@@ -5,9 +5,9 @@ use super::numeric::{Number, dot};
 /// A camera.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// Its axes in the world: right, down, forward.
+    /// Axes in the world: right, down, forward.
     pub axes: [[f64; 3]; 3],
-    /// Its center in the world.
+    /// Center in the world.
     pub eye: [f64; 3],
     /// Focal lengths, in pixels.
     pub focal: [f64; 2],
@@ -37,7 +37,7 @@ impl View {
         self.axes.map(|axis| dot(axis.map(N::from), offset))
     }
 
-    /// What x/z (axis 0) and y/z (axis 1) are clamped to in J: the image's border, and 0.3 of half its size.
+    /// The bounds of x/z (axis 0) and y/z (axis 1) in J: the image's border, and 0.3 of half its size.
     pub fn limits(&self, axis: usize) -> [f64; 2] {
         let (focal, center, size) = (self.focal[axis], self.center[axis], self.size[axis]);
         let margin = 0.3 * 0.5 * size / focal;
@@ -45,7 +45,7 @@ impl View {
     }
 }
 
-/// What is projected.
+/// The projected Gaussian.
 #[derive(Clone, Copy, Debug)]
 pub struct Gaussian<N> {
     /// In the world.
@@ -66,13 +66,13 @@ impl Gaussian<f64> {
 /// Where a Gaussian lies in an image.
 #[derive(Clone, Copy, Debug)]
 pub struct Projected<N> {
-    /// Its center in the camera's space.
+    /// Center in the camera's space.
     pub place: [N; 3],
     /// Rows of J W.
     pub jacobian: [[N; 3]; 2],
     /// Rows of J W R S, of which cov2d is the Gram matrix but for the blur.
     pub footprint: [[N; 3]; 2],
-    /// Its center, in pixels.
+    /// Center, in pixels.
     pub mean: [N; 2],
     /// xx, xy, yy of cov2d, the blur included.
     pub covariance: [N; 3],

@@ -6,9 +6,9 @@ use super::unit_cube::contract;
 /// The part of a ray in the unit cube.
 #[derive(Clone, Copy, Debug)]
 pub struct Segment {
-    /// Its begin, s.
+    /// Begin, s.
     pub start: [f64; 3],
-    /// Its way, w.
+    /// Way, w.
     pub way: [f64; 3],
     /// K; 0 where the ray misses the cube.
     pub count: f64,
@@ -56,7 +56,7 @@ pub fn segment(p: [f64; 3], eye: [f64; 3], step: f64) -> Segment {
 /// A ray from a Gaussian to a camera in contracted space. The cube's center is the origin.
 #[derive(Clone, Copy, Debug)]
 pub struct ContractedRay {
-    /// Its point nearest to the origin.
+    /// The point nearest to the origin.
     pub foot: [f64; 3],
     /// Toward the camera, a unit vector.
     pub direction: [f64; 3],

@@ -206,7 +206,7 @@ fn vectors_of(output: &[f64], count: usize) -> Vec<Vec4> {
     vectors(&numbers)
 }
 
-/// What `loss_terms` leaves: d and s.
+/// The outputs of `loss_terms`: d and s.
 fn of_terms(cpu: &Device, terms: &LossTerms) -> (Vec<Vec4>, Vec<Vec4>) {
     let of = |name| vectors_of(&output(cpu, terms, name), terms.valid.len());
     (of("difference"), of("sum"))

@@ -162,7 +162,7 @@ impl Row for SplatBackward {
     }
 }
 
-/// What `splat` gathers.
+/// The inputs of `splat`, apart.
 struct SplatParts<'a> {
     projection: &'a [f32],
     opacity: &'a [f32],

@@ -26,7 +26,7 @@ pub trait Row: Parity {
         1.0
     }
 
-    /// What the forward kernel makes of these numbers.
+    /// The outputs of the forward kernel for these numbers.
     fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64>;
 
     /// u: the derivatives by what the forward kernel makes.

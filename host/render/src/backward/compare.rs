@@ -22,7 +22,7 @@ pub struct Comparison {
     pub output: LossOutput,
     /// Of the exposures, if they are learned: see [`exposure::gradients`].
     row_sum: Option<Buffer<f32>>,
-    /// What the loss has beside the image.
+    /// The terms of the loss beside the image.
     pub distortion: Option<Distortion>,
 }
 
@@ -112,7 +112,7 @@ impl Found {
         (self.losses.into_iter().map(|(_, loss)| loss).collect(), self.exposures)
     }
 
-    /// What all ranks have of a batch.
+    /// The results of all ranks for a batch.
     pub fn gather(
         &self,
         batch: &TileBatch,

@@ -16,7 +16,7 @@ use muslin_device::{Buffer, Result};
 pub struct Distortion {
     /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
     pub valid: Buffer<f32>,
-    /// Its weight, divided by the number of valid pixels of the batch.
+    /// The term's weight, divided by the number of valid pixels of the batch.
     pub scale: f32,
 }
 

@@ -1,4 +1,4 @@
-//! What photographs' exposures do to rendered tiles, and back. [`organza_shaders::exposure`] has the formula.
+//! Photographs' exposures applied to rendered tiles, and their gradients. [`organza_shaders::exposure`] has the formula.
 
 use organza_shaders::exposure::{ExposeBackwardKernel, ExposeKernel, ExposureParams};
 
@@ -24,7 +24,7 @@ pub(crate) struct Exposed {
 pub struct ExposureGradient {
     /// The tile's place in the batch.
     pub place: usize,
-    /// Its camera.
+    /// Camera of the photograph.
     pub camera: usize,
     /// `[3, 2]`
     pub gradient: [[f64; 2]; 3],

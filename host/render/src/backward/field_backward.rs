@@ -40,7 +40,7 @@ impl CameraSamples {
     }
 }
 
-/// What going back through a field takes that its chunks share: each writes its own part.
+/// Memory of a field's backward pass that chunks share: each writes its own part.
 #[derive(Debug)]
 pub struct GroupScratch {
     /// Gradients of a group's inputs: `[chunks, rows, stride]`.
@@ -75,7 +75,7 @@ impl GroupScratch {
     }
 }
 
-/// What going back through a chunk takes: the activations of its layers and their gradients.
+/// Memory of a chunk's backward pass: the activations of its layers and their gradients.
 #[derive(Debug)]
 pub struct ChunkScratch {
     /// Each hidden layer's output: `[rows, stride]` each.

@@ -54,7 +54,7 @@ pub struct LossInputs<'a> {
     pub ssim_weight: f32,
 }
 
-/// What [`Loss::evaluate`] leaves on the device.
+/// The outputs of [`Loss::evaluate`] on the device.
 #[derive(Debug)]
 pub struct LossOutput {
     /// `[K, 3, S, S]`: the derivative of the loss with respect to each value of the image; 0 at masked pixels.
@@ -99,7 +99,7 @@ impl TileLoss {
     }
 }
 
-/// What both terms are multiplied by: `(1 - w) / 3n` and `w / 3n`.
+/// The factors of both terms: `(1 - w) / 3n` and `w / 3n`.
 fn scales(valid_pixels: f64, ssim_weight: f32) -> [f64; 2] {
     let share = if valid_pixels > 0.0 { 1.0 / (3.0 * valid_pixels) } else { 0.0 };
     let weight = f64::from(ssim_weight);

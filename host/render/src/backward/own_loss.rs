@@ -29,7 +29,7 @@ pub struct LossBatch<'a> {
     pub target: LossTarget<'a>,
 }
 
-/// What a loss on the host returns.
+/// The result of a loss on the host.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LossGradient {
     /// The loss of the batch.
@@ -50,7 +50,7 @@ pub struct DeviceLossBatch<'a> {
     pub inputs: LossInputs<'a>,
 }
 
-/// What a loss on the device returns.
+/// The result of a loss on the device.
 #[derive(Debug)]
 pub struct DeviceLossGradient {
     /// The loss of these tiles. The losses of a batch's parts are added.

@@ -156,7 +156,7 @@ pub(crate) fn of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec
     tiles.iter().flat_map(|tile| &values[tile.place * len..][..len]).copied().collect()
 }
 
-/// What tiles are compared with: K tiles of S x S pixels.
+/// The ground truth of tiles: K tiles of S x S pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct LossTarget<'a> {
     /// `[K, 3, S, S]`: the photographs; 0 where there is no pixel.
@@ -175,7 +175,7 @@ pub struct LossTarget<'a> {
 }
 
 impl LossTarget<'_> {
-    /// What the loss has beside the image, of a part with this mask `[K, S, S]`.
+    /// The terms of the loss beside the image, of a part with this mask `[K, S, S]`.
     pub(crate) fn distortion(&self, valid: &Buffer<f32>) -> Option<Distortion> {
         let scale = f64::from(self.distortion_weight) / self.valid_pixels.max(1.0);
         (scale > 0.0).then(|| Distortion { valid: valid.view(), scale: scale as f32 })

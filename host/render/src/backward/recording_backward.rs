@@ -67,7 +67,7 @@ impl Recording<'_> {
         })
     }
 
-    /// What this rank has, and then the sums of all.
+    /// The sums of this rank, and then of all.
     fn add_shared(
         &self,
         grad_output: &[f32],

@@ -27,7 +27,7 @@ struct Held<'a> {
     tensors: Vec<&'a TensorGradient>,
     /// Their places among those of all scenes.
     range: Range<usize>,
-    /// What the statistics were before the step.
+    /// The statistics before the step.
     before: Vec<Vec4>,
 }
 

@@ -13,7 +13,7 @@ const LEAST: f64 = 1024.0;
 /// Kernels count items in 32 bits, and some of them in steps of three.
 const MOST: f64 = (u32::MAX / 4) as f64;
 
-/// What recent batches have needed, per tile.
+/// The room that recent batches needed, per tile.
 #[derive(Debug, Default, PartialEq)]
 pub struct CapacityPredictor {
     /// The scene's Gaussians and the tiles' side: other kinds of batches need other capacities.

@@ -1,4 +1,4 @@
-//! What is kept of one place: colors and transmittances depend on where the eye is, and on nothing else of a camera.
+//! The fields as seen from one place: colors and transmittances depend on where the eye is, and on nothing else of a camera.
 //!
 //! Looking around, zooming and resizing then take the projection and the composite alone.
 
@@ -38,7 +38,7 @@ pub struct EyeCache {
     steps: Vec<u16>,
     transmittance: Vec<f32>,
     color: Vec<[f32; 3]>,
-    /// What evaluating them took for the last image.
+    /// The time that they took for the last image.
     seconds: f64,
 }
 

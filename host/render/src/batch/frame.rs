@@ -11,7 +11,7 @@ use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
 use organza_core::error::Result;
 use organza_core::tile::{Tile, TileBatch};
 
-/// What all frames of a plan have in common.
+/// The parts that all frames of a plan share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameShape {
     /// Tiles of a frame at most. Those that a frame does not need are far outside of its image.
@@ -20,7 +20,7 @@ pub struct FrameShape {
     pub side: u32,
     /// The length of T's steps in multiples of sigma, Eq. 8.
     pub steps: u16,
-    /// What its tables have room for. A frame that needs more comes out empty, and its counts say so.
+    /// The room in the tables. A frame that needs more comes out empty, and its counts say so.
     pub capacity: Capacity,
 }
 
@@ -28,20 +28,20 @@ pub struct FrameShape {
 /// it writes and reads.
 #[derive(Clone, Debug)]
 pub struct Frame {
-    /// Its buffers and steps.
+    /// Buffers and steps.
     pub plan: muslin_device::Plan,
     /// `[18]`: the camera, as [`organza_shaders::camera::Camera`] packs it.
     pub camera: u32,
     /// `[tiles, 4]`: as [`organza_shaders::tile::Tile`] packs them.
     pub tiles: u32,
-    /// What the frame needed: the flag of an overflow, pairs, members and samples.
+    /// The room that the frame needed: the flag of an overflow, pairs, members and samples.
     pub counts: u32,
     /// `[tiles, 3, S, S]`
     pub image: u32,
 }
 
 impl Renderer {
-    /// What an image of a camera needs in tiles of a side, with each of some [steps](FrameShape::steps).
+    /// The room that an image of a camera needs in tiles of a side, with each of some [steps](FrameShape::steps).
     pub fn capacities(
         &self,
         scene: &DeviceScene,

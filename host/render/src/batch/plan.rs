@@ -8,7 +8,7 @@ use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Error, Result};
 use organza_core::tile::{Tile, TileBatch};
 
-/// What one part's tables may take, unless told otherwise.  Parts of this size keep every device busy.
+/// The memory of one part's tables, unless told otherwise. Parts of this size keep every device busy.
 pub const PART_BYTES: u64 = 512 << 20;
 
 /// One part of a batch: tiles ordered by camera.

@@ -126,7 +126,7 @@ pub struct Chunk {
     /// Their number, or the capacity.
     pub samples: u32,
     pub count: Count,
-    /// Its place in its block or group.
+    /// Place in the block or group.
     pub index: u32,
     /// `[7, stride]`
     pub point: Buffer<f32>,
@@ -149,7 +149,7 @@ pub struct Blocks {
 #[derive(Clone, Debug)]
 pub struct BlockOf<'a> {
     all: &'a Blocks,
-    /// Its memory.
+    /// Memory of the block.
     pub block: &'a Block,
     /// Whether what was written there before is still there.
     pub is_kept: bool,
@@ -223,7 +223,7 @@ impl Blocks {
 }
 
 impl<'a> BlockOf<'a> {
-    /// Its first sample, counted from the first block's.
+    /// First sample, counted from the first block's.
     pub fn first(&self) -> u32 {
         self.all.first[self.chunks.start]
     }
@@ -243,12 +243,12 @@ impl<'a> BlockOf<'a> {
         (self.chunks.start - self.first_of_group) as u32
     }
 
-    /// Its points: `[chunks, 7, stride]`.
+    /// Points: `[chunks, 7, stride]`.
     pub fn point(&self) -> Buffer<f32> {
         self.of_block(&self.block.point, ROWS_OF_POINT)
     }
 
-    /// Its inputs: `[chunks, rows, stride]`.
+    /// Inputs: `[chunks, rows, stride]`.
     pub fn input(&self) -> Buffer<f32> {
         self.of_block(&self.block.input, self.block.rows)
     }
@@ -262,14 +262,14 @@ impl<'a> BlockOf<'a> {
         Self { first_of_group, chunks, ..self.clone() }
     }
 
-    /// Its groups, in order.
+    /// The block's groups, in order.
     pub fn groups(&self) -> impl Iterator<Item = BlockOf<'a>> {
         let (size, end) = (self.block.layout.group as usize, self.chunks.end);
         let begins = self.chunks.clone().step_by(size);
         begins.map(move |begin| self.with(begin, begin..end.min(begin + size)))
     }
 
-    /// Its pieces, in order: all chunks of a piece are full, except for the last one.
+    /// The pieces, in order: all chunks of a piece are full, except for the last one.
     pub fn pieces(&self) -> impl Iterator<Item = BlockOf<'a>> {
         let (full, first) = (self.block.layout.chunk, &self.all.first);
         let mut rest = self.chunks.clone();
@@ -283,7 +283,7 @@ impl<'a> BlockOf<'a> {
         })
     }
 
-    /// Its chunks, in order.
+    /// The chunks, in order.
     pub fn chunks(&self) -> impl Iterator<Item = Chunk> {
         let layout = self.block.layout;
         self.chunks.clone().map(move |index| {

@@ -61,7 +61,7 @@ fn resolve(channel: Channel, sum: &[f32], area: usize) -> Vec<f32> {
     }
 }
 
-/// What a part's stages have written, as far as channels need it.
+/// The outputs of a part's stages that channels need.
 #[derive(Clone, Copy)]
 pub struct Seen<'a> {
     pub bins: &'a Bins,

@@ -80,7 +80,7 @@ fn encode(scene: &DeviceScene, pairs: &Pairs, block: &BlockOf<'_>) -> Result<()>
     scene.color.encode(scene.device(), block, scene.config.sh_width() as u32)
 }
 
-/// What does not come from the hash grid, for a chunk of pairs: `point [6, stride]`, `input [rows, stride]`.
+/// The inputs that do not come from the hash grid, for a chunk of pairs: `point [6, stride]`, `input [rows, stride]`.
 fn inputs(scene: &DeviceScene, pairs: &Pairs, chunk: &Chunk) -> Result<()> {
     let config = &scene.config;
     let kernel = ColorInputsKernel {

@@ -24,7 +24,7 @@ pub struct Composite {
     pub image: Buffer<f32>,
     /// `[pairs, 3]`
     pub splat: Buffer<Vec4>,
-    /// What the loss has beside the image: see [`Distortion`].
+    /// The terms of the loss beside the image: see [`Distortion`].
     pub distortion: Option<Distortion>,
 }
 

@@ -64,7 +64,7 @@ impl DeviceField {
         }
     }
 
-    /// What it takes beside its tensors.
+    /// Memory beside the tensors.
     pub fn bytes_beside_tensors(&self) -> u64 {
         self.levels.bytes() + self.half_table.as_ref().map_or(0, Buffer::bytes)
     }

@@ -67,7 +67,7 @@ impl Part {
     }
 }
 
-/// What rendering a part gives.
+/// The result of rendering a part.
 #[derive(Debug)]
 pub struct RenderedPart {
     /// `[tiles, 3, S, S]`

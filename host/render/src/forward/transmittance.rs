@@ -206,7 +206,7 @@ fn encode(
     scene.transmittance.encode(scene.device(), block, 0)
 }
 
-/// What does not come from the hash grid, for a chunk of samples.
+/// The inputs that do not come from the hash grid, for a chunk of samples.
 fn inputs(
     scene: &DeviceScene,
     pairs: &Pairs,
@@ -352,7 +352,7 @@ impl Transmittance {
     }
 }
 
-/// What going back through a chunk of samples takes.
+/// Memory of the backward pass of a chunk of samples.
 #[derive(Debug)]
 struct TransmittanceScratch {
     network: ChunkScratch,

@@ -1,4 +1,4 @@
-//! What each Gaussian contributes to whole views.
+//! The contribution of each Gaussian to whole views.
 //!
 //! A pixel is a sum, so the part of a Gaussian in it is exact: `alpha / max(S, 1)` (Eq. 12 and 13). Its sum over a view's
 //! pixels is a gradient. With dL/dI = (1, 0, 0) at each pixel, dL/d(red of the Gaussian) is that sum. So the kernels of
@@ -23,7 +23,7 @@ use organza_core::tile::Tile;
 /// Surfaces are found at every fourth pixel of every fourth row.
 const STRIDE: i32 = 4;
 
-/// What the Gaussians of a scene contribute to some views.
+/// The contributions of a scene's Gaussians to some views.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contributions {
     /// `[N]`
@@ -50,7 +50,7 @@ impl Contributions {
         Self { sums: vec![Sums::default(); gaussians] }
     }
 
-    /// What a Gaussian contributes, in pixels: 2.5 is as much as all of two pixels and half of a third.
+    /// The contribution of a Gaussian, in pixels: 2.5 is as much as all of two pixels and half of a third.
     #[must_use]
     pub fn pixels(&self, gaussian: usize) -> f64 {
         self.sums[gaussian].pixels

@@ -20,7 +20,7 @@ use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::tile::{Tile, TileBatch};
 
-/// What each stage gives for every Gaussian in one camera, N Gaussians.
+/// The outputs of each stage for every Gaussian in one camera, N Gaussians.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stages {
     /// Spherical harmonics of the view direction, `[N, (degree + 1)^2]`.
@@ -136,7 +136,7 @@ impl Renderer {
         })
     }
 
-    /// What the networks say of every Gaussian in `camera`, needed by a tile or not: colors c (Eq. 3), and T (Eq. 11).
+    /// The networks' values of every Gaussian in `camera`, needed by a tile or not: colors c (Eq. 3), and T (Eq. 11).
     pub fn shades(
         &self,
         scene: &DeviceScene,

@@ -1,4 +1,4 @@
-//! What single stages give, where the weight of a pixel lies, and what Gaussians contribute.
+//! The outputs of single stages, where the weight of a pixel lies, and what Gaussians contribute.
 
 pub mod contribution;
 pub mod inspection;

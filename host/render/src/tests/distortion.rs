@@ -73,7 +73,7 @@ fn gradients(renderer: &Renderer, scene: &Scene, weight: f32) -> [Vec<f32>; 3] {
     ["gaussians.opacity", "gaussians.log_scale", &bias].map(of)
 }
 
-/// What the distortion adds to the gradients.
+/// The terms that the distortion adds to the gradients.
 fn added(renderer: &Renderer, scene: &Scene) -> [Vec<f64>; 3] {
     let with = gradients(renderer, scene, WEIGHT);
     let without = gradients(renderer, scene, 0.0);

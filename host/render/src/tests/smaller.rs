@@ -1,4 +1,4 @@
-//! What training sees in smaller images, held to the footprint of a Gaussian in closed form.
+//! Smaller images, as training sees them, held to the footprint of a Gaussian in closed form.
 
 use crate::Renderer;
 use muslin_check::devices;

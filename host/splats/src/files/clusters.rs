@@ -13,7 +13,7 @@ pub struct Clusters<const D: usize> {
 
 /// A cluster while it may still be split.
 struct Cell<const D: usize> {
-    /// Its part of the sorted indices.
+    /// The cluster's part of the sorted indices.
     begin: usize,
     end: usize,
     mean: [f64; D],

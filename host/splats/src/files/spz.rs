@@ -111,7 +111,7 @@ fn fraction(splats: &[Splat]) -> i32 {
     (0..=MOST_FRACTION).rev().find(|&bits| largest * 2_f32.powi(bits) < 8_388_607.0).unwrap_or(0)
 }
 
-/// What all versions have in their headers.
+/// The header fields of all versions.
 struct Header {
     version: u32,
     count: usize,

@@ -66,7 +66,7 @@ const WORK: &str = ".organza-capture";
 /// File in it that says what its steps are made from.
 const KEY: &str = "key";
 
-/// What a data set was made from.
+/// The source of a data set.
 #[derive(Debug, Serialize, Deserialize)]
 struct Done {
     /// SHA-256 of the inputs' names, sizes and times, and of the options.
@@ -77,7 +77,7 @@ struct Done {
     posed: usize,
 }
 
-/// What to take images from.
+/// The source of the images.
 enum Source<'a> {
     Video(&'a Path),
     /// Photographs, by name.

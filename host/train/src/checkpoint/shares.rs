@@ -14,7 +14,7 @@ use organza_core::ranks::{Grid, Ranks, ThreadRanks};
 use organza_core::scene::{Scene, SceneConfig, SceneShare, Tensor, TensorSpec, range_of};
 use organza_core::scene::{scene_metadata, write_streamed};
 
-/// What all ranks know of a scene.
+/// The parts of a scene that all ranks know.
 #[derive(Debug, Serialize, Deserialize)]
 struct Outline {
     config: SceneConfig,

@@ -28,9 +28,9 @@ pub struct Rate {
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Setting {
-    /// Its group and its name, such as `run.steps`.
+    /// Group and name, such as `run.steps`.
     pub name: &'static str,
-    /// What it means: a sentence, and perhaps more.
+    /// Meaning: a sentence, and perhaps more.
     doc: &'static str,
     /// The option of `organza train` that sets it, as its help shows it: `--steps <N>`. Empty without one.
     pub option: &'static str,
@@ -39,7 +39,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Its meaning in one line, without the last period.
+    /// Meaning in one line, without the last period.
     #[must_use]
     pub fn text(&self) -> &'static str {
         let text = self.doc.trim();

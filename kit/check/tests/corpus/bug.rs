@@ -60,7 +60,7 @@ impl From<Error> for Found {
     }
 }
 
-/// What does not end takes as long.
+/// Time after which a run that does not end is stopped.
 const LIMIT: Duration = Duration::from_millis(500);
 
 /// A device, and the functions that tests of kernels need.
@@ -91,7 +91,7 @@ impl Bench {
         Self { device: Device::open(&options, Modules::none()).expect("the CPU") }
     }
 
-    /// What looks behind outputs.
+    /// Checks behind the outputs.
     fn runner(&self) -> KernelRunner<'_> {
         KernelRunner::new(&self.device, "")
     }

@@ -90,7 +90,7 @@ fn find(bug: &'static Bug) -> Finding {
     finding(bug, check, &text)
 }
 
-/// What a message says.
+/// The text of a message.
 fn finding(bug: &'static Bug, check: Check, text: &str) -> Finding {
     let (message, mut line) = shorten(bug, text);
     let marked = marked(bug);

@@ -87,7 +87,7 @@ fn is_assignment(op: BinOp) -> bool {
     )
 }
 
-/// What no gradient has, even where it does not depend on a parameter: it changes what runs.
+/// Constructs without a gradient, even where it does not depend on a parameter: it changes what runs.
 fn refuse(expression: &Expr) -> Result<()> {
     struct Control(Option<(proc_macro2::Span, &'static str)>);
     impl<'ast> Visit<'ast> for Control {

@@ -39,7 +39,7 @@ impl Place {
     }
 }
 
-/// What an expression came to.
+/// The value of an expression.
 pub enum Operand {
     /// Something without a gradient.
     Constant(TokenStream),
@@ -56,7 +56,7 @@ impl Operand {
     }
 }
 
-/// What a value adds to the gradient of a part that it was computed from.
+/// The term that a value adds to the gradient of a part that it was computed from.
 pub struct Term {
     pub to: Place,
     pub is_negative: bool,

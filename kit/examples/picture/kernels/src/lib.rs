@@ -50,7 +50,7 @@ pub fn histogram(
     }
 }
 
-/// What [`tint`] computes and moves: `cargo xtask bench` compares it with what the device could.
+/// Operations and bytes of [`tint`]: `cargo xtask bench` compares it with what the device could.
 #[cfg(not(target_arch = "spirv"))]
 fn tint_work(params: &Picture, _: Shape<'_>) -> Work {
     let pixels = u64::from(params.pixels);

@@ -1,9 +1,9 @@
 //! Values kept for one eye position, on every device: images must equal those rendered without them.
 
 use organza::render::{EyeCache, EyeOptions};
-use organza::{Camera, Channel, RenderedTiles, TileBatch};
-use organza_tests::cases;
+use organza::{Camera, Channel, RenderedTiles, Renderer, TileBatch, demo};
 use organza_tests::compare::bits;
+use organza_tests::{cases, devices};
 
 /// The image of a camera in tiles of 16 pixels.
 fn whole(camera: &Camera) -> TileBatch {
@@ -77,6 +77,39 @@ fn long_steps_change_little() {
         let many = exact.report.samples;
         assert!(few < many || many < 8, "{device}, {}: {few} of {many} samples", case.name);
     });
+}
+
+/// The largest difference between the means of blocks of 8 x 8 pixels, in levels of 255. Tiles have 16 x 16 pixels.
+fn levels_apart(found: &RenderedTiles, expected: &RenderedTiles) -> f64 {
+    let block = |plane: &[f32], at: usize| {
+        let corner = (at / 2) * 8 * 16 + (at % 2) * 8;
+        let rows = (0..8).map(|row| &plane[corner + 16 * row..][..8]);
+        rows.flatten().map(|value| f64::from(*value)).sum::<f64>() / 64.0
+    };
+    let planes = found.data.chunks_exact(256).zip(expected.data.chunks_exact(256));
+    let differences =
+        planes.flat_map(|(a, b)| (0..4).map(move |at| (block(a, at) - block(b, at)).abs()));
+    255.0 * differences.fold(0.0, f64::max)
+}
+
+/// The viewer's steps while the camera moves, on all but very slow devices: the built-in scene stays as opaque as it is.
+#[test]
+fn steps_of_two_sigma_keep_thin_surfaces() {
+    let renderer = Renderer::new(devices::cpu(None));
+    let scene = renderer.upload(&demo::scene()).expect("a scene");
+    for camera in demo::turntable(3, 128) {
+        let batch = whole(&camera);
+        let render = |steps| {
+            let options = EyeOptions { channels: &[], steps, ..EXACT };
+            let mut cache = EyeCache::default();
+            let tiles = renderer.render_from_eye(&scene, &camera, &batch, &mut cache, &options);
+            tiles.expect("an image").expect("nobody has cancelled it")
+        };
+        let apart = levels_apart(&render(2), &render(1));
+        assert!(apart < 10.0, "{apart} levels");
+        // the measure can see it: longer steps make the pearl transparent
+        assert!(levels_apart(&render(16), &render(1)) > 20.0);
+    }
 }
 
 #[test]

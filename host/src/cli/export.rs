@@ -21,7 +21,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza export run -o scene.ply            for SuperSplat, Blender's add-ons and many others
   organza export run -o scene.spz            a tenth of the size
-  organza export run -o scene.sog            PlayCanvas' images, smaller still
+  organza export run -o scene.sog            PlayCanvas' format, as images
   organza export run -o scene.glb            glTF, with KHR_gaussian_splatting
   organza export scene.safetensors transforms.json -o scene.ply
   organza export run -o scene.ply --steps 2000

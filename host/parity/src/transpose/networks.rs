@@ -98,6 +98,11 @@ impl Row for MaterialBackward {
 
 /// The logarithms of a chunk's factors: those of a pair share what its transmittance is.
 impl Row for SegmentProductBackward {
+    fn is_usual(&self, name: &str) -> bool {
+        let is_random = name.starts_with("random") && !name.contains(" 0 items");
+        is_random || name.starts_with("steps")
+    }
+
     fn point(&self) -> Vec<f32> {
         let owner = |sample: usize| self.chunk.owner(sample);
         let of = |sample: usize| {

@@ -1,5 +1,6 @@
 //! Cameras and batches of tiles.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use numpy::ndarray::{Array2, Array3};
@@ -8,9 +9,6 @@ use organza::camera::{CameraPath, Orbit};
 use pyo3::prelude::*;
 
 use crate::error::{invalid, raise};
-
-/// Width and height in pixels if no camera has any, as in `organza film`.
-const SIZE: [u32; 2] = [640, 480];
 
 /// Pinhole cameras.
 #[pyclass(frozen, module = "organza")]
@@ -114,17 +112,19 @@ impl Cameras {
     ) -> PyResult<Self> {
         let found = match cameras {
             Some(cameras) => Orbit::around(&cameras.0).map_err(raise)?,
-            None => Orbit::of_box(aabb, size.unwrap_or(SIZE)),
+            None => Orbit::of_box(aabb, size.unwrap_or(Orbit::SIZE)),
         };
-        let within = |name: &str, value: Option<f64>, low: f64, high: f64| match value {
-            Some(value) if !(low..=high).contains(&value) => {
+        let within = |name: &str, value: Option<f64>, range: RangeInclusive<f64>| match value {
+            Some(value) if !range.contains(&value) => {
+                let low = range.start();
+                let high = range.end();
                 Err(invalid(format!("`{name}` is {value}, expected {low:e} to {high:e}")))
             }
             value => Ok(value),
         };
-        let distance = within("distance", distance, f64::MIN_POSITIVE, 1e30)?;
-        let elevation = within("elevation", elevation, -89.0, 89.0)?.map(f64::to_radians);
-        let field_of_view = within("field_of_view", field_of_view, 1.0, 170.0)?;
+        let distance = within("distance", distance, Orbit::DISTANCES)?;
+        let elevation = within("elevation", elevation, Orbit::ELEVATIONS)?.map(f64::to_radians);
+        let field_of_view = within("field_of_view", field_of_view, Orbit::FIELDS_OF_VIEW)?;
         let mut orbit = Orbit {
             center: center.unwrap_or(found.center),
             up: up.unwrap_or(found.up),

@@ -1,7 +1,7 @@
 //! Values kept for one eye position, on every device: images must equal those rendered without them.
 
 use organza::render::{EyeCache, EyeOptions};
-use organza::{Camera, Channel, RenderedTiles, Renderer, TileBatch, demo};
+use organza::{Camera, Channel, DeviceScene, RenderedTiles, Renderer, TileBatch, demo};
 use organza_tests::compare::bits;
 use organza_tests::{cases, devices};
 
@@ -12,6 +12,18 @@ fn whole(camera: &Camera) -> TileBatch {
 
 const EXACT: EyeOptions<'_> =
     EyeOptions { channels: &Channel::ALL, steps: 1, background: None, is_cancelled: &|| false };
+
+/// The image of a camera, with nothing kept from before.
+fn render_anew(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    camera: &Camera,
+    options: &EyeOptions<'_>,
+) -> RenderedTiles {
+    let mut cache = EyeCache::default();
+    let tiles = renderer.render_from_eye(scene, camera, &whole(camera), &mut cache, options);
+    tiles.expect("an image").expect("nobody has cancelled it")
+}
 
 #[test]
 fn images_are_the_same_bits_whatever_was_kept() {
@@ -62,11 +74,7 @@ fn long_steps_change_little() {
     cases::on_every_device(|device, renderer, case, scene| {
         let camera = &case.cameras[0];
         let render = |steps| {
-            let options = EyeOptions { channels: &[], steps, ..EXACT };
-            let mut cache = EyeCache::default();
-            let tiles =
-                renderer.render_from_eye(scene, camera, &whole(camera), &mut cache, &options);
-            tiles.expect("an image").expect("nobody has cancelled it")
+            render_anew(renderer, scene, camera, &EyeOptions { channels: &[], steps, ..EXACT })
         };
         let exact = render(1);
         let coarse = render(4);
@@ -98,12 +106,8 @@ fn steps_of_two_sigma_keep_thin_surfaces() {
     let renderer = Renderer::new(devices::cpu(None));
     let scene = renderer.upload(&demo::scene()).expect("a scene");
     let camera = &demo::turntable(1, 128)[0];
-    let batch = whole(camera);
     let render = |steps| {
-        let options = EyeOptions { channels: &[], steps, ..EXACT };
-        let mut cache = EyeCache::default();
-        let tiles = renderer.render_from_eye(&scene, camera, &batch, &mut cache, &options);
-        tiles.expect("an image").expect("nobody has cancelled it")
+        render_anew(&renderer, &scene, camera, &EyeOptions { channels: &[], steps, ..EXACT })
     };
     let exact = render(1);
     let apart = levels_apart(&render(2), &exact);
@@ -136,10 +140,7 @@ fn another_background_is_where_weights_leave_room() {
         let camera = &case.cameras[0];
         let render = |background| {
             let options = EyeOptions { channels: &[Channel::Alpha], background, ..EXACT };
-            let mut cache = EyeCache::default();
-            let batch = whole(camera);
-            let tiles = renderer.render_from_eye(scene, camera, &batch, &mut cache, &options);
-            tiles.expect("an image").expect("nobody has cancelled it")
+            render_anew(renderer, scene, camera, &options)
         };
         let own = case.scene.config.background;
         assert!(bits(&render(Some(own)).data) == bits(&render(None).data), "{device}");

@@ -33,7 +33,7 @@ pub enum Format {
     Spz,
     /// SPZ of version 2, for programs that do not read version 4. It rounds rotations more.
     Spz2,
-    /// PlayCanvas' SOG, version 2: images of quantized values, the smallest of all.
+    /// PlayCanvas' SOG, version 2: images of quantized values.
     Sog,
     /// Binary glTF with the extension `KHR_gaussian_splatting`.
     Glb,

@@ -1,5 +1,6 @@
 //! The path of a film's camera.
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use organza::camera::{CameraPath, MAX_IMAGE_SIDE, Orbit};
@@ -15,8 +16,6 @@ use crate::cli::views::ViewList;
 const USAGE: &str = "organza film SCENE CAMERAS -o FILE";
 /// Longer side of a film by default, in pixels: photographs may be several times as large.
 const LONGEST_SIDE: u32 = 1920;
-/// Default width and height if no camera has a size.
-const SIZE: [u32; 2] = [640, 480];
 
 /// Options of the camera's path.
 #[derive(Debug, clap::Args)]
@@ -106,7 +105,7 @@ impl PathArgs {
             }
             None => {
                 let aabb = inputs.scene.config.aabb;
-                self.orbit(Orbit::of_box(aabb, self.size.unwrap_or(SIZE)), frames, size)?
+                self.orbit(Orbit::of_box(aabb, self.size.unwrap_or(Orbit::SIZE)), frames, size)?
             }
         };
         Ok(FilmPath { frames, cameras })
@@ -183,19 +182,19 @@ fn vector(text: &str) -> Result<[f64; 3], String> {
 }
 
 fn distance(text: &str) -> Result<f64, String> {
-    within(text, f64::MIN_POSITIVE, 1e30).ok_or_else(|| "expected a number above 0".to_owned())
+    within(text, Orbit::DISTANCES).ok_or_else(|| "expected a number above 0".to_owned())
 }
 
 fn elevation(text: &str) -> Result<f64, String> {
-    within(text, -89.0, 89.0).ok_or_else(|| "expected degrees from -89 to 89".to_owned())
+    within(text, Orbit::ELEVATIONS).ok_or_else(|| "expected degrees from -89 to 89".to_owned())
 }
 
 fn field_of_view(text: &str) -> Result<f64, String> {
-    within(text, 1.0, 170.0).ok_or_else(|| "expected degrees from 1 to 170".to_owned())
+    within(text, Orbit::FIELDS_OF_VIEW).ok_or_else(|| "expected degrees from 1 to 170".to_owned())
 }
 
-fn within(text: &str, low: f64, high: f64) -> Option<f64> {
-    text.trim().parse().ok().filter(|value| (low..=high).contains(value))
+fn within(text: &str, range: RangeInclusive<f64>) -> Option<f64> {
+    text.trim().parse().ok().filter(|value| range.contains(value))
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {

@@ -55,7 +55,7 @@ pub use organza_data as data;
 #[cfg(feature = "ndarray")]
 pub use organza_render::ndarray;
 pub use organza_render::{
-    self as render, DeviceScene, DeviceShare, Inspection, MODULES, Recording, Renderer, Stages,
+    self as render, DeviceScene, DeviceShard, Inspection, MODULES, Recording, Renderer, Stages,
     UploadOptions, open_device,
 };
 pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
@@ -64,7 +64,7 @@ pub use organza_view::{self as view, film, web};
 /// Gaussians for 3D Gaussian Splatting viewers: their files, the fit of a scene's Gaussians, and scenes made of such files.
 pub mod splats {
     pub use organza_splats::*;
-    pub use organza_train::evaluate::{Beside, beside};
+    pub use organza_train::evaluate::{SplatComparison, compare_splats};
     pub use organza_train::{Import, Imported, import};
 }
 

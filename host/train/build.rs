@@ -9,14 +9,14 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=ORGANZA_COMMIT");
     if std::env::var_os("ORGANZA_COMMIT").is_none()
-        && let Some(commit) = of_package(train).or_else(|| of_repository(train))
+        && let Some(commit) = package_commit(train).or_else(|| repository_commit(train))
     {
         println!("cargo::rustc-env=ORGANZA_COMMIT={commit}");
     }
 }
 
 /// The commit that cargo recorded when it made the package: the same for everyone who builds it.
-fn of_package(train: &Path) -> Option<String> {
+fn package_commit(train: &Path) -> Option<String> {
     let text = fs::read_to_string(train.join(".cargo_vcs_info.json")).ok()?;
     let info: serde_json::Value = serde_json::from_str(&text).ok()?;
     let commit = info["git"]["sha1"].as_str()?;
@@ -26,7 +26,7 @@ fn of_package(train: &Path) -> Option<String> {
 
 /// The commit of this repository, from git. Only release builds ask: otherwise, each commit would recompile
 /// everything.
-fn of_repository(train: &Path) -> Option<String> {
+fn repository_commit(train: &Path) -> Option<String> {
     const SOURCES: [&str; 5] = ["Cargo.toml", "Cargo.lock", "host", "kit", "shader-crate"];
     if std::env::var("PROFILE").is_ok_and(|profile| profile != "release") {
         return None;

@@ -112,7 +112,7 @@ impl Cameras {
     ) -> PyResult<Self> {
         let found = match cameras {
             Some(cameras) => Orbit::around(&cameras.0).map_err(raise)?,
-            None => Orbit::of_box(aabb, size.unwrap_or(Orbit::SIZE)),
+            None => Orbit::from_box(aabb, size.unwrap_or(Orbit::SIZE)),
         };
         let within = |name: &str, value: Option<f64>, range: RangeInclusive<f64>| match value {
             Some(value) if !range.contains(&value) => {

@@ -21,7 +21,7 @@ pub fn film(
     cameras: &Cameras,
     fps: u32,
 ) -> PyResult<()> {
-    let kind = Kind::of(&path).map_err(raise)?;
+    let kind = Kind::from_path(&path).map_err(raise)?;
     let cameras = cameras.0.clone();
     let Some(first) = cameras.first() else { return Err(invalid("a film needs a camera")) };
     let size = [first.width, first.height];

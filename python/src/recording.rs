@@ -11,14 +11,14 @@ use pyo3::types::PyDict;
 
 use crate::error::invalid;
 use crate::job;
-use crate::renderer::{Held, into_batch, lock};
+use crate::renderer::{SceneOnDevice, into_batch, lock};
 use crate::scene::into_arrays;
 
 /// A rendered batch that keeps what its gradient needs: `Renderer.record` makes one.
 #[pyclass(frozen, weakref, module = "organza")]
 pub struct Recording {
     pub renderer: organza::Renderer,
-    pub held: Arc<Mutex<Held>>,
+    pub held: Arc<Mutex<SceneOnDevice>>,
     pub recording: Arc<Mutex<organza::Recording<'static>>>,
     pub shape: [usize; 4],
     pub cameras: usize,

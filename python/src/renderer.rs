@@ -25,7 +25,7 @@ use crate::scene::{Scene, array, json};
 pub struct Renderer(pub organza::Renderer);
 
 /// A scene on a device, with data that belongs to it.
-pub struct Held {
+pub struct SceneOnDevice {
     pub scene: organza::DeviceScene,
     /// Created by the first backward pass.
     pub gradient: Option<SceneGradient>,
@@ -35,7 +35,7 @@ pub struct Held {
 #[pyclass(frozen, module = "organza")]
 pub struct DeviceScene {
     renderer: organza::Renderer,
-    held: Arc<Mutex<Held>>,
+    held: Arc<Mutex<SceneOnDevice>>,
     gaussians: usize,
 }
 
@@ -83,7 +83,7 @@ impl Renderer {
         let scene = Arc::clone(&scene.0);
         let gaussians = scene.gaussians.len();
         let uploaded = job::run(py, move || renderer.upload(&scene))?;
-        let held = Arc::new(Mutex::new(Held { scene: uploaded, gradient: None }));
+        let held = Arc::new(Mutex::new(SceneOnDevice { scene: uploaded, gradient: None }));
         Ok(DeviceScene { renderer: self.0.clone(), held, gaussians })
     }
 
@@ -193,7 +193,7 @@ impl Renderer {
 
 impl Renderer {
     /// The scene, which must be on this device.
-    pub fn own(&self, scene: &DeviceScene) -> PyResult<Arc<Mutex<Held>>> {
+    pub fn own(&self, scene: &DeviceScene) -> PyResult<Arc<Mutex<SceneOnDevice>>> {
         if !std::ptr::eq(self.0.device(), scene.renderer.device()) {
             return Err(invalid("the scene is on another renderer's device: upload it here"));
         }
@@ -277,7 +277,7 @@ pub fn parity<'py>(py: Python<'py>, backend: &str) -> PyResult<Bound<'py, PyAny>
 fn reports(on_gpu: bool) -> organza::Result<Vec<Report>> {
     let cpu = organza::open_device(&DeviceOptions::cpu(None))?;
     if !on_gpu {
-        return Ok(vec![Report::of_cpu(&cases(), &cpu, |_| ())?]);
+        return Ok(vec![Report::run_on_cpu(&cases(), &cpu, |_| ())?]);
     }
     let mut reports = Vec::new();
     for adapter in adapters() {
@@ -285,7 +285,7 @@ fn reports(on_gpu: bool) -> organza::Result<Vec<Report>> {
             if path == SpirvPath::Passthrough && !adapter.passes_through {
                 continue;
             }
-            match Report::of_gpu(&cases(), &organza::MODULES, &cpu, &adapter, path, |_| ()) {
+            match Report::run_on_gpu(&cases(), &organza::MODULES, &cpu, &adapter, path, |_| ()) {
                 Ok(report) => reports.push(report),
                 // another GPU may be usable
                 Err(DeviceError::NoGpu { .. }) => {}

@@ -112,7 +112,7 @@ impl Scene {
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
         let scene = Arc::clone(&self.0);
         let png = job::run(py, move || {
-            let Ok(cameras) = Orbit::of_box(scene.config.aabb, PICTURE).cameras(1) else {
+            let Ok(cameras) = Orbit::from_box(scene.config.aabb, PICTURE).cameras(1) else {
                 return Ok(None);
             };
             let renderer = organza::Renderer::new(organza::open_device(&DeviceOptions::default())?);

@@ -35,7 +35,7 @@ pub fn export<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let fit =
         Fit { steps: within("steps", steps, Fit::STEPS)?, side: within("side", side, Fit::SIDES)? };
-    let format = match (Format::of(&path).map_err(raise)?, spz_version) {
+    let format = match (Format::from_path(&path).map_err(raise)?, spz_version) {
         (Format::Spz, 2) => Format::Spz2,
         (format, 4) => format,
         _ => {
@@ -51,15 +51,15 @@ pub fn export<'py>(
     let cameras = cameras.map(|cameras| cameras.0.clone());
     let (found, beside) = job::run_while_awaited(py, move |awaited| {
         let views = match (cameras, &dataset) {
-            (Some(cameras), _) => Views::of_cameras(cameras),
-            (None, Some(data)) => Views::of_data_set(data),
+            (Some(cameras), _) => Views::from_cameras(cameras),
+            (None, Some(data)) => Views::from_data_set(data),
             (None, None) => Views::around(scene.config.aabb)?,
         };
         let uploaded = &lock(&held).scene;
-        let mut go_on = |_| awaited();
-        let found = splats::distill(&renderer, &scene, uploaded, &views, fit, &mut go_on)?;
+        let mut check_signals = |_| awaited();
+        let found = splats::distill(&renderer, &scene, uploaded, &views, fit, &mut check_signals)?;
         let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
-        let beside = splats::beside(&renderer, uploaded, &found.splats, &frames)?;
+        let beside = splats::compare_splats(&renderer, uploaded, &found.splats, &frames)?;
         awaited()?;
         splats::save(&found.splats, &path, format, Orbit::around(&views.fitted)?.up)?;
         Ok((found, beside))
@@ -94,7 +94,7 @@ pub fn import_splats(
     let imported = job::run_while_awaited(py, move |awaited| {
         let splats = splats::load(path)?;
         let views = match cameras {
-            Some(cameras) => Views::of_cameras(cameras),
+            Some(cameras) => Views::from_cameras(cameras),
             None => Views::around(splats::bounds(&splats))?,
         };
         let options = Import { steps, side, background };

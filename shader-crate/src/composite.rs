@@ -170,7 +170,7 @@ pub fn composite<L: Lane>(
             blue = L::read_written(sum, at + 2 * area);
             weight = L::read_written(sum, at + 3 * area);
         }
-        let cell = Cells::of(params.side).bit(place.x, place.y);
+        let cell = Cells::new(params.side).bit(place.x, place.y);
         let mut next = begin;
         while next < end {
             let cells = MemberCells { cells, first: next };

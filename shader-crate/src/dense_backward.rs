@@ -417,8 +417,8 @@ fn add_slice<L: Lane>(
         let sums = begin_sums::<L>(carry, from, of_lanes);
         let ([sum0, sum1, sum2, sum3], sample) =
             sum_products::<L>(sums, input, rows, output_gradient, g, stride, range);
-        let (sum0, sum1) = (sum0.settled(), sum1.settled());
-        let (sum2, sum3) = (sum2.settled(), sum3.settled());
+        let (sum0, sum1) = (sum0.materialize(), sum1.materialize());
+        let (sum2, sum3) = (sum2.materialize(), sum3.materialize());
         let rests = begin_sums::<L::One>(carry, from, of_rest);
         let range = [sample, end];
         let (rests, _) = sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range);
@@ -453,7 +453,7 @@ fn sum_column<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> Vec4 {
     let (lanes, sample) = sum_lanes::<L>(lanes, rows, first, stride, [begin, end]);
-    let lanes = lanes.settled();
+    let lanes = lanes.materialize();
     let (rest, _) = sum_each_lane::<L::One>(rest, rows, first, stride, [sample, end]);
     total(lanes, rest)
 }
@@ -706,11 +706,17 @@ mod tests {
             let gradient = Read::from(&gradient[..]);
             for id in [0, 1].into_iter().flat_map(invocations) {
                 dense::<f32>(id, &params, weights, input, Write::from(&mut one[..]));
-                dense::<Four>(id.of(4), &params, weights, input, Write::from(&mut four[..]));
+                dense::<Four>(
+                    id.with_items(4),
+                    &params,
+                    weights,
+                    input,
+                    Write::from(&mut four[..]),
+                );
                 let output = Write::from(&mut back_one[..]);
                 dense_backward::<f32>(id, &back, weights, input, gradient, output);
                 let output = Write::from(&mut back_four[..]);
-                dense_backward::<Four>(id.of(4), &back, weights, input, gradient, output);
+                dense_backward::<Four>(id.with_items(4), &back, weights, input, gradient, output);
             }
             assert_eq!(one, four, "{samples} samples");
             assert_eq!(back_one, back_four, "{samples} samples on the way back");

@@ -101,7 +101,7 @@ pub fn distortion_backward<L: Lane>(
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         // without a weight nothing is divided
         let tiny = L::splat(TINY);
-        let is_seen = L::both(tiny.at_most(weight), tiny.at_most(m1));
+        let is_seen = L::both(tiny.less_equal(weight), tiny.less_equal(m1));
         let per_weight = one / L::select(is_seen, weight, one);
         let distance = one / L::select(is_seen, m1 * per_weight, one);
         let scale = L::select(is_seen, counts * L::splat(params.scale), zero);

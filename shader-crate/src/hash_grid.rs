@@ -176,7 +176,7 @@ pub struct Corners<L: Lane> {
 impl<L: Lane> Corners<L> {
     /// The corners of a cell.  All eight are written out: a local array that is indexed would stay in memory.
     #[inline(always)]
-    pub fn of(level: &GridLevel, cell: Cell<L>) -> Self {
+    pub fn new(level: &GridLevel, cell: Cell<L>) -> Self {
         let [upper_x, upper_y, upper_z] = cell.weight;
         let one = L::splat(1.0);
         let (lower_x, lower_y, lower_z) = (one - upper_x, one - upper_y, one - upper_z);
@@ -330,7 +330,7 @@ pub fn hash_grid<L: Lane>(
         let stride = params.stride;
         let x = read_point::<L>(position, stride, params.point_column(id));
         let features = params.features;
-        let corners = Corners::of(&level, level.cell(x)).places(features);
+        let corners = Corners::new(&level, level.cell(x)).places(features);
         let mut row = params.feature_column(id, id.workgroup.z);
         let mut f = 0;
         while f < features {

@@ -64,7 +64,7 @@ pub fn hash_grid_backward<L: Lane>(
             let size = size(L::read(feature_gradient, row));
             largest = largest.max(size);
             // NaN is not at most anything
-            excess = L::select(size.at_most(limit), excess, one);
+            excess = L::select(size.less_equal(limit), excess, one);
             row += params.stride;
             f += 1;
         }
@@ -72,11 +72,11 @@ pub fn hash_grid_backward<L: Lane>(
             atomic::raise(status, 0, STATUS_LIMIT);
         }
         // what a GPU may flush counts as zero
-        let active = L::both(tiny.at_most(largest), excess.less(one));
+        let active = L::both(tiny.less_equal(largest), excess.less(one));
         if L::any(active) {
             let level = levels.read(id.workgroup.z);
             let x = read_point::<L>(position, params.stride, params.point_column(id));
-            let corners = Corners::of(&level, level.cell(x)).places(features);
+            let corners = Corners::new(&level, level.cell(x)).places(features);
             // the CPU does not look so far ahead by itself
             of_corners!(each corners, |place, _weight| L::expect_fixed(sum, place));
             // one flag for each corner: a block holds whole entries
@@ -117,7 +117,7 @@ fn size<L: Lane>(x: L) -> L {
 /// A gradient in units of the sums; 0 if a GPU can flush it.
 #[inline(always)]
 fn scaled<L: Lane>(gradient: L, unit: L) -> L {
-    L::select(L::splat(TINY).at_most(size(gradient)), gradient * unit, L::splat(0.0))
+    L::select(L::splat(TINY).less_equal(size(gradient)), gradient * unit, L::splat(0.0))
 }
 
 /// Parameters of [`hash_grid_gradient`].

@@ -41,7 +41,7 @@ pub fn hash_grid_half<L: Lane>(
         let level = levels.read(id.workgroup.z);
         let x = read_point::<L>(position, params.stride, params.point_column(id));
         let words = params.features.div_ceil(2);
-        let corners = Corners::of(&level, level.cell(x)).places(words);
+        let corners = Corners::new(&level, level.cell(x)).places(words);
         let mut row = params.feature_column(id, id.workgroup.z);
         let mut word = 0;
         while word < words {

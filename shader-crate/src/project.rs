@@ -165,7 +165,7 @@ pub fn mahalanobis<L: Lane>(conic: Vec3, dx: L, dy: L) -> L {
 /// Whether a pixel lies in a Gaussian's support: `q <= 2 ln 255`.
 #[inline(always)]
 pub fn in_support<L: Lane>(q: L) -> L::Mask {
-    q.at_most(L::splat(FALLOFF_CUTOFF))
+    q.less_equal(L::splat(FALLOFF_CUTOFF))
 }
 
 /// `exp(-q/2)` in the support, and 0 elsewhere.
@@ -260,7 +260,7 @@ fn cull<L: Lane>(
     let elsewhere = is_elsewhere(camera, t, blur, gather3(log_scale, first), window);
     let in_front = L::Index::select(elsewhere, L::Index::splat(-ELSEWHERE as u32), zero);
     let [_, _, z] = t;
-    let is_number = L::both(z.at_most(L::splat(HUGE)), L::splat(-HUGE).at_most(z));
+    let is_number = L::both(z.less_equal(L::splat(HUGE)), L::splat(-HUGE).less_equal(z));
     let behind = L::Index::select(is_number, L::Index::splat(-BEHIND as u32), zero);
     L::Index::select(Lens::sees(t), in_front, behind)
 }

@@ -87,7 +87,7 @@ fn stretch<L: Lane>(r: L, radius: f32) -> L {
     let size = L::select(r.less(zero), -r, r);
     let beyond = number(radius) / (number(2.0) - size.max(number(radius)) / number(radius));
     let signed = L::select(r.less(zero), -beyond, beyond);
-    L::select(size.at_most(number(radius)), r, signed)
+    L::select(size.less_equal(number(radius)), r, signed)
 }
 
 /// The ray between a Gaussian and a camera, both from the cube's center, in steps of about `step` (sigma).

@@ -28,7 +28,7 @@ pub struct Cells {
 impl Cells {
     /// Of a tile of a side, in pixels.
     #[inline(always)]
-    pub fn of(side: u32) -> Self {
+    pub fn new(side: u32) -> Self {
         // the widest lanes
         let lanes = 16;
         Self { width: side.div_ceil(COLUMNS * lanes) * lanes, height: side.div_ceil(ROWS) }
@@ -70,7 +70,7 @@ pub fn tile_cells(
         let tile = Tile::read(tile, owner(tile_first, params.tiles, index));
         let first = member.read(index) * VECTORS;
         let (placed, conic) = (splat.read(first), splat.read(first + 1));
-        let grid = Cells::of(params.side);
+        let grid = Cells::new(params.side);
         let mut bits = 0;
         let mut cell = 0;
         while cell < COLUMNS * ROWS {

@@ -85,7 +85,7 @@ impl<L: Lane> Split<L> {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let x = self.coarse + self.fine;
         let inside = L::both(zero.less(x), x.less(one));
-        let border = L::select(one.at_most(x), one, zero);
+        let border = L::select(one.less_equal(x), one, zero);
         Self {
             coarse: L::select(inside, self.coarse, border),
             fine: L::select(inside, self.fine, zero),

@@ -31,7 +31,7 @@ fn every_kernel_is_compiled_as_it_is_declared() {
             };
             assert_eq!(
                 entry.interface,
-                Interface::of(kernel, &point),
+                Interface::new(kernel, &point),
                 "the compiled kernel `{name}` (left) is not the declared one (right): {REMEDY}"
             );
             assert_eq!(entry.file, kernel.source(), "`{name}` has moved: {REMEDY}");

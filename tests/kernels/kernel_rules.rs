@@ -152,7 +152,7 @@ fn loops_end_at_their_conditions() {
 #[test]
 fn plain_entry_points_have_no_barriers() {
     for (kernel, point) in entry_points() {
-        let words = MODULES.of(kernel, &point).unwrap().spirv_words();
+        let words = MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words();
         let barriers = instructions(&words).any(|i| is(&i, op::BARRIER));
         assert_eq!(barriers, !point.shared.is_empty(), "{}", point.name);
     }
@@ -161,7 +161,7 @@ fn plain_entry_points_have_no_barriers() {
 #[test]
 fn naga_takes_every_entry_point() {
     for (kernel, point) in entry_points() {
-        let words = MODULES.of(kernel, &point).unwrap().spirv_words();
+        let words = MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words();
         let module = naga_module(&words).unwrap_or_else(|error| panic!("{}: {error}", point.name));
         assert_eq!(module.entry_points.len(), 1, "{}", point.name);
     }
@@ -199,7 +199,7 @@ fn naga_drops_no_contraction() {
             .count()
     };
     for (kernel, point) in entry_points() {
-        let words = MODULES.of(kernel, &point).unwrap().spirv_words();
+        let words = MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words();
         let arithmetic = instructions(&words).any(|i| matches!(i.opcode, 129 | 131 | 133 | 136));
         assert_eq!(decorated(&words) > 0, !kernel.fused && arithmetic, "{}", point.name);
     }

@@ -11,7 +11,7 @@ mod loss;
 mod properties;
 mod reference_cases;
 mod reproducible;
-mod shares;
+mod shards;
 #[path = "../support/snapshot/mod.rs"]
 mod snapshot;
 mod snapshots;

@@ -55,7 +55,7 @@ fn operations(kernels: &Value, name: &str) -> f64 {
 
 /// Asserts that times are positive and sorted, the slowest first, and that shares add up to 1.
 #[track_caller]
-fn assert_shares(kernels: &Value) {
+fn assert_shards(kernels: &Value) {
     let values = |key: &str| -> Vec<f64> {
         kernels.as_array().unwrap().iter().map(|kernel| kernel[key].as_f64().unwrap()).collect()
     };
@@ -82,8 +82,8 @@ fn a_batch_is_measured() {
         assert!(found[key].as_f64().is_some_and(|seconds| seconds > 0.0), "{key}: {found}");
     }
     let forward = found["forward_kernels"].clone();
-    assert_shares(&forward);
-    assert_shares(&found["kernels"]);
+    assert_shards(&forward);
+    assert_shards(&found["kernels"]);
     assert_peaks(&found);
     assert_eq!(number(&forward, "scan_add", "gflops"), None, "nobody counts that");
     for (name, expected) in
@@ -141,8 +141,8 @@ fn kernels_of_a_gpu_have_times() {
     }
     let [cpu, gpu, ..] = every_device() else { panic!("a GPU is missing") };
     assert!(gpu["device"].as_str().unwrap().starts_with("gpu: "), "{gpu}");
-    assert_shares(&gpu["forward_kernels"]);
-    assert_shares(&gpu["kernels"]);
+    assert_shards(&gpu["forward_kernels"]);
+    assert_shards(&gpu["kernels"]);
     assert_peaks(gpu);
     for kernel in cpu["kernels"].as_array().unwrap() {
         let name = kernel["name"].as_str().unwrap();

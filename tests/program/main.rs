@@ -24,11 +24,11 @@ mod outputs;
 mod parity;
 mod results;
 mod sandbox;
-mod shards;
-mod shares;
+mod scene_shards;
 mod splats;
 mod stale;
 mod train;
 mod view;
+mod view_shards;
 #[cfg(target_os = "linux")]
 mod web;

@@ -106,7 +106,7 @@ impl Camera {
     /// [`Error::WriteFile`]; [`Error::Invalid`] without cameras; [`Error::Camera`] for the first camera that is not
     /// valid.
     pub fn save_all(path: impl AsRef<Path>, cameras: &[Self]) -> Result<()> {
-        let file = file_of(cameras)?;
+        let file = encode(cameras)?;
         write_atomic(path, |writer| writer.write_all(&file))
     }
 
@@ -337,7 +337,7 @@ impl Camera {
 }
 
 /// The bytes of a `transforms.json`: see [`Camera::save_all`].
-pub fn file_of(cameras: &[Camera]) -> Result<Vec<u8>> {
+pub fn encode(cameras: &[Camera]) -> Result<Vec<u8>> {
     let invalid = |reason| Error::Invalid { origin: IN_MEMORY.into(), reason };
     let Some(first) = cameras.first() else {
         return Err(invalid("there are no cameras to write".to_owned()));

@@ -77,7 +77,7 @@ impl Image {
     /// # Panics
     /// Where there are not width times height pixels.
     #[must_use]
-    pub fn of_pixels([width, height]: [u32; 2], pixels: &[[u8; 3]]) -> Self {
+    pub fn from_pixels([width, height]: [u32; 2], pixels: &[[u8; 3]]) -> Self {
         assert_eq!(pixels.len(), width as usize * height as usize, "pixels of an image");
         Self { width, height, pixels: pixels.to_vec(), not_finite: 0 }
     }

@@ -17,7 +17,7 @@ pub(super) struct Access {
 
 impl Access {
     /// For a data set: a folder, or a file in it.
-    pub fn of(data: &Path, allow_outside: bool) -> Result<Self> {
+    pub fn new(data: &Path, allow_outside: bool) -> Result<Self> {
         let folder = match data.parent() {
             _ if data.is_dir() => data,
             Some(folder) if folder != Path::new("") => folder,

@@ -27,11 +27,11 @@ impl Budget {
     /// A budget of the memory that is free now, without `results` bytes that are kept.
     pub fn beside(results: u64) -> Self {
         let free = memory::available().map(|bytes| bytes.saturating_sub(results));
-        Self::of(free.map_or(u64::MAX, |bytes| (bytes as f64 * PART) as u64))
+        Self::new(free.map_or(u64::MAX, |bytes| (bytes as f64 * PART) as u64))
     }
 
     /// A budget of exactly `total` bytes.
-    pub fn of(total: u64) -> Self {
+    pub fn new(total: u64) -> Self {
         Self { total, used: Mutex::new(0), returned: Condvar::new() }
     }
 
@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn what_cannot_fit_is_refused_at_once() {
-        let budget = Budget::of(10);
+        let budget = Budget::new(10);
         let _all = budget.take(10, String::new).unwrap();
         let error = budget.take(11, || "the photograph".to_owned()).unwrap_err().to_string();
         assert!(error.contains("the photograph needs 11 bytes but 10 bytes are"), "{error}");
@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn threads_never_hold_more_than_there_is() {
-        let budget = Budget::of(100);
+        let budget = Budget::new(100);
         let held = AtomicU64::new(0);
         thread::scope(|scope| {
             for thread in 0..8 {

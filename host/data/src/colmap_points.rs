@@ -35,8 +35,9 @@ pub(super) fn points(
         .iter()
         .filter_map(|shot| Some((*by_name.get(file_name(&shot.name))?, &shot.camera)))
         .collect();
-    let Some(way) = Similarity::between(&pairs) else { return Ok(Vec::new()) };
-    let moved = |point: Point| Point { position: way.apply(point.position).to_array(), ..point };
+    let Some(similarity) = Similarity::between(&pairs) else { return Ok(Vec::new()) };
+    let moved =
+        |point: Point| Point { position: similarity.apply(point.position).to_array(), ..point };
     Ok(found.points.into_iter().map(moved).collect())
 }
 
@@ -68,10 +69,11 @@ impl Similarity {
         let scale = spread_to / spread_from;
         // every pair of poses has the same rotation
         let turn = to_world(pairs[0].1) * to_world(pairs[0].0).transpose();
-        let way = Self { turn, scale, from, to };
-        let is_there =
-            |&(a, b): &(&Camera, &Camera)| way.apply(a.eye()).distance(eye(b)) <= CLOSE * spread_to;
-        (scale.is_finite() && scale > 0.0 && pairs.iter().all(is_there)).then_some(way)
+        let similarity = Self { turn, scale, from, to };
+        let is_there = |&(a, b): &(&Camera, &Camera)| {
+            similarity.apply(a.eye()).distance(eye(b)) <= CLOSE * spread_to
+        };
+        (scale.is_finite() && scale > 0.0 && pairs.iter().all(is_there)).then_some(similarity)
     }
 
     fn apply(&self, place: [f64; 3]) -> DVec3 {

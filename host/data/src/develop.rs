@@ -45,7 +45,7 @@ impl Shot {
         let mask = self.mask.as_deref();
         let (bytes, _share) = decode::read(&self.path, mask, [width, height], budget)?;
         let mask = mask.map(|path| self.read_mask(path)).transpose()?;
-        let digest = Digest::of(&bytes, mask.as_ref().map(|mask| &*mask.file));
+        let digest = Digest::new(&bytes, mask.as_ref().map(|mask| &*mask.file));
         let decoded = decode::decode(&bytes, [width, height], &self.path)?;
         let alpha_hides = options.alpha == Alpha::Mask && decoded.has_alpha();
         let is_used = |x: u32, y: u32, alpha: f32| {
@@ -134,8 +134,8 @@ impl Shot {
         let size = [self.camera.width, self.camera.height];
         let sample = |x: u32, y: u32| match &undistortion {
             None => texel(x, y),
-            Some(way) => {
-                let source = way.source([f64::from(x) + 0.5, f64::from(y) + 0.5])?;
+            Some(undistortion) => {
+                let source = undistortion.source([f64::from(x) + 0.5, f64::from(y) + 0.5])?;
                 bilinear(source, size, &texel)
             }
         };

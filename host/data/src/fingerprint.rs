@@ -13,7 +13,7 @@ use organza_core::hex;
 pub(super) struct Digest([u8; 32]);
 
 impl Digest {
-    pub fn of(photograph: &[u8], mask: Option<&[u8]>) -> Self {
+    pub fn new(photograph: &[u8], mask: Option<&[u8]>) -> Self {
         let hash = Sha256::new().chain_update(photograph);
         Self(hash.chain_update(mask.unwrap_or_default()).finalize().into())
     }
@@ -45,7 +45,7 @@ impl Fingerprint {
         parts.into_iter().find(|(now, then, _)| now != then).map(|(_, _, what)| what)
     }
 
-    pub(super) fn of<'a>(
+    pub(super) fn new<'a>(
         frames: impl Iterator<Item = (&'a str, &'a Camera, Lens, bool)>,
         photographs: &[Digest],
         points: &[Point],

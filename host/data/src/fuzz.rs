@@ -22,7 +22,7 @@ pub fn transforms(bytes: &[u8], path: &Path) {
         },
         size: |_| Ok([64, 48]),
     };
-    let Ok(mut access) = Access::of(Path::new("/"), false) else { return };
+    let Ok(mut access) = Access::new(Path::new("/"), false) else { return };
     let mut listing = Listing::new(DatasetKind::Nerfstudio);
     let options = DatasetOptions::default();
     let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut access, &photographs);
@@ -42,7 +42,7 @@ pub fn ply(bytes: &[u8], path: &Path) {
 pub fn photograph(bytes: &[u8], path: &Path) {
     let length = bytes.len() as u64;
     let Ok(size) = decode::size_from(Cursor::new(bytes), length, path) else { return };
-    let budget = Budget::of(PHOTOGRAPH_BYTES);
+    let budget = Budget::new(PHOTOGRAPH_BYTES);
     let needed = decode::bytes_to_decode(length, size);
     let Ok(_share) = budget.take(needed, String::new) else { return };
     if let Ok(decoded) = decode::decode(bytes, size, path) {

@@ -82,11 +82,11 @@ pub(super) struct Undistortion<'a> {
 impl<'a> Undistortion<'a> {
     pub fn new(camera: &'a Camera, lens: &'a Lens) -> Self {
         let [width, height] = [camera.width, camera.height].map(f64::from);
-        let mut way = Self { camera, lens, fold: f64::INFINITY };
+        let mut undistortion = Self { camera, lens, fold: f64::INFINITY };
         let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]];
-        let farthest = corners.map(|corner| square_length(way.plane(corner)));
-        way.fold = lens.fold(farthest.into_iter().fold(0.0, f64::max));
-        way
+        let farthest = corners.map(|corner| square_length(undistortion.plane(corner)));
+        undistortion.fold = lens.fold(farthest.into_iter().fold(0.0, f64::max));
+        undistortion
     }
 
     /// The place in the photograph of a place in the undistorted image. Both are in pixels from the upper left

@@ -207,7 +207,7 @@ impl Dataset {
         }
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
-        let fingerprint = Fingerprint::of(known, &digests, &points);
+        let fingerprint = Fingerprint::new(known, &digests, &points);
         let background = background.map(f64::from);
         Ok(Self {
             frames,
@@ -246,7 +246,7 @@ impl Dataset {
             let held_out = is_held_out(index, hold_out_every);
             (&*frame.name, &frame.camera, Lens::default(), held_out)
         });
-        let fingerprint = Fingerprint::of(known, &[], &[]);
+        let fingerprint = Fingerprint::new(known, &[], &[]);
         Self {
             frames,
             train,
@@ -280,7 +280,7 @@ enum Layout {
 
 impl Layout {
     /// The layout of a folder.
-    fn of(folder: &Path) -> Option<Self> {
+    fn detect(folder: &Path) -> Option<Self> {
         let file = |name: &str| Some(folder.join(name)).filter(|path| path.exists());
         file(transforms::NERFSTUDIO)
             .map(Self::Nerfstudio)
@@ -306,7 +306,7 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
             transforms::nerfstudio(path, options, access)
         };
     }
-    match Layout::of(path) {
+    match Layout::detect(path) {
         Some(Layout::Nerfstudio(file)) => transforms::nerfstudio(&file, options, access),
         Some(Layout::Blender(file)) => transforms::blender(&file, options, access),
         Some(Layout::Colmap(model)) => colmap::list(path, &model, options, access),
@@ -339,7 +339,7 @@ fn hint(path: &Path) -> Option<String> {
     }
     let dense = ["dense/0", "dense"].map(|name| path.join(name));
     let mut nested = dense.into_iter().chain(folders);
-    if let Some(nested) = nested.find(|folder| Layout::of(folder).is_some()) {
+    if let Some(nested) = nested.find(|folder| Layout::detect(folder).is_some()) {
         return Some(format!("; {} is a data set", nested.display()));
     }
     let mut files = fs::read_dir(path).ok()?.flatten();
@@ -355,7 +355,7 @@ fn folder_of(path: &Path) -> PathBuf {
         _ => Path::new("."),
     };
     let is_images = path.is_dir() && path.file_name().is_some_and(|name| name == "images");
-    if is_images && Layout::of(path).is_none() && Layout::of(parent).is_some() {
+    if is_images && Layout::detect(path).is_none() && Layout::detect(parent).is_some() {
         return parent.to_owned();
     }
     path.to_owned()

@@ -50,7 +50,7 @@ impl Poses {
         options.check()?;
         fs::metadata(path).map_err(|source| Error::read(path, source))?;
         let path = &folder_of(path);
-        let mut access = Access::of(path, options.allow_outside)?;
+        let mut access = Access::new(path, options.allow_outside)?;
         let mut listing = list(path, options, &mut access)?;
         let missing = std::mem::take(&mut listing.missing);
         if let ([], [first, ..]) = (&*listing.shots, &*missing) {
@@ -151,7 +151,7 @@ impl Poses {
 /// The format of the data set in a folder, by the names of its files; `None` if there is no data set.
 #[must_use]
 pub fn kind_of(folder: &Path) -> Option<DatasetKind> {
-    Layout::of(&folder_of(folder)).map(|layout| match layout {
+    Layout::detect(&folder_of(folder)).map(|layout| match layout {
         Layout::Nerfstudio(_) => DatasetKind::Nerfstudio,
         Layout::Blender(_) => DatasetKind::Blender,
         Layout::Colmap(_) => DatasetKind::Colmap,

@@ -38,7 +38,7 @@ const SOLID: f32 = 0.5;
 
 /// Finds at most `count` points; `distance` is that of the cameras from their target.
 pub fn points(frames: &[&Frame], distance: f64, count: usize, seed: u64) -> Vec<Point> {
-    let views: Vec<View> = frames.par_iter().map(|frame| View::of(frame)).collect();
+    let views: Vec<View> = frames.par_iter().map(|frame| View::new(frame)).collect();
     let neighbors: Vec<_> =
         views.par_iter().map(|view| neighbors(view, &views, distance)).collect();
     let all = 0..count as u64;
@@ -68,7 +68,7 @@ struct View {
 }
 
 impl View {
-    fn of(frame: &Frame) -> Self {
+    fn new(frame: &Frame) -> Self {
         let camera = &frame.camera;
         let image = &frame.image;
         let factor = image.width().max(image.height()).div_ceil(SIDE).max(1);

@@ -68,12 +68,12 @@ impl Parity for Adam {
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         if !self.is_touched(index) || cpu.name == "gradient" {
-            return Bound::of(0.0);
+            return Bound::relative_to(0.0);
         }
         let g = f64::from(self.gradient[index + self.params.first_gradient as usize]);
         let m = f64::from(self.first_moment[index].abs()) + g.abs();
         let v = cpu.floats()[index];
-        Bound::of(match cpu.name {
+        Bound::relative_to(match cpu.name {
             "first_moment" => m,
             "second_moment" => v,
             // the terms of m may cancel

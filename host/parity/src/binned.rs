@@ -74,7 +74,7 @@ impl Parity for BinnedGradient {
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let sums = read_sums(&self.sum, self.gradient.len());
         let before = self.gradient.get(index).map_or(0.0, |value| f64::from(value.abs()));
-        Bound::of(sums.get(index).map_or(0.0, |sum| sum.abs()) + before)
+        Bound::relative_to(sums.get(index).map_or(0.0, |sum| sum.abs()) + before)
     }
 
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {

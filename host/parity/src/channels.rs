@@ -32,10 +32,10 @@ impl PairChannels {
     }
 
     /// The camera and the Gaussian of a pair.
-    fn of(&self, pair: usize) -> (View, usize) {
+    fn camera_and_gaussian(&self, pair: usize) -> (View, usize) {
         let slot = self.pair[pair] as usize;
         let gaussians = self.scene.gaussians as usize;
-        (View::of(&self.scene.cameras[slot / gaussians]), slot % gaussians)
+        (View::from_camera(&self.scene.cameras[slot / gaussians]), slot % gaussians)
     }
 }
 
@@ -68,7 +68,7 @@ impl Parity for PairChannels {
         // a normal across the ray has two sides
         let mut found = outputs[1].floats().to_vec();
         for pair in 0..pairs {
-            let (view, gaussian) = self.of(pair);
+            let (view, gaussian) = self.camera_and_gaussian(pair);
             if normal(&view, &self.scene.gaussian(gaussian)).1 < 1e-5 {
                 found[3 * pair..][..3].fill(0.0);
             }
@@ -79,7 +79,7 @@ impl Parity for PairChannels {
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
         let of = |pair: usize| {
-            let (view, gaussian) = self.of(pair);
+            let (view, gaussian) = self.camera_and_gaussian(pair);
             let gaussian = self.scene.gaussian(gaussian);
             if output == "measure" {
                 let transmittance = f64::from(self.transmittance[pair]);
@@ -97,13 +97,13 @@ impl Parity for PairChannels {
             return Bound::EXACT;
         }
         if cpu.name == "normals" {
-            return Bound::of(1.0);
+            return Bound::relative_to(1.0);
         }
-        let (view, gaussian) = self.of(pair);
+        let (view, gaussian) = self.camera_and_gaussian(pair);
         let terms = (0..3).map(|i| {
             let size = self.scene.center(gaussian)[i].abs() + view.eye[i].abs();
             size * view.axes[2][i].abs()
         });
-        Bound::of(terms.sum())
+        Bound::relative_to(terms.sum())
     }
 }

@@ -89,7 +89,7 @@ impl ColorInputs {
     }
 
     /// Camera and Gaussian of a column.
-    pub fn of(&self, column: usize) -> (&Camera, Vec3, usize) {
+    pub fn camera_and_gaussian(&self, column: usize) -> (&Camera, Vec3, usize) {
         let slot = self.pair[FIRST_PAIR as usize + column] as usize;
         let gaussian = slot % self.gaussians as usize;
         let center = Vec3::from_slice(&self.position[3 * gaussian..]);
@@ -174,17 +174,17 @@ impl Parity for ColorInputs {
             let is_sh = row < self.sh_rows();
             let band = (row as f64).sqrt().floor();
             let harmonic = if row == 0 { 0.06 } else { 1.0 + band };
-            return Bound::of(if is_sh { harmonic } else { 0.0 });
+            return Bound::relative_to(if is_sh { harmonic } else { 0.0 });
         }
         let x = cpu.floats()[index].abs();
-        let (_, center, _) = self.of(column);
+        let (_, center, _) = self.camera_and_gaussian(column);
         if self.is_contracted {
             // of the farthest axis, which decides how near all come
             let apart = |axis: usize| {
                 let world = f64::from(center[axis].abs()) + self.aabb[0][axis].abs();
                 world / (self.aabb[1][axis] - self.aabb[0][axis])
             };
-            return Bound::of(match rounding {
+            return Bound::relative_to(match rounding {
                 Rounding::AsWritten => 0.5,
                 Rounding::Regrouped => 0.5 + (0..3).map(apart).fold(0.0, f64::max),
             });
@@ -196,7 +196,7 @@ impl Parity for ColorInputs {
             Rounding::AsWritten => x,
             Rounding::Regrouped => 0.5 * (1.0 + x + world / extent),
         };
-        Bound::of(scale)
+        Bound::relative_to(scale)
     }
 
     /// A Gaussian at the camera has no direction, nor has one so far away that the squared distance overflows an f32.
@@ -205,7 +205,7 @@ impl Parity for ColorInputs {
         let stride = self.stride as usize;
         let mut exact = vec![None; len];
         for column in 0..self.pairs as usize {
-            let (camera, center, gaussian) = self.of(column);
+            let (camera, center, gaussian) = self.camera_and_gaussian(column);
             let eye = camera.eye.as_dvec3();
             let has_direction = (1e-15..1e18).contains(&center.as_dvec3().distance(eye));
             let (eye, center) = (eye.to_array(), center.as_dvec3().to_array());

@@ -47,7 +47,7 @@ impl Parity for ColorHeadBackward {
         }
         let pair = sample + FIRST_PAIR as usize;
         let gradient = f64::from(self.pair_gradient[3 * pair + 2][channel]).abs();
-        let bound = Bound::of(gradient * f64::from(self.color[3 * pair + channel]));
+        let bound = Bound::relative_to(gradient * f64::from(self.color[3 * pair + channel]));
         // a color that may be flushed
         Bound { floor: bound.floor * (1.0 + gradient), ..bound }
     }
@@ -69,7 +69,7 @@ case!(pub MaterialBackward(MaterialBackwardInputs));
 
 impl MaterialBackward {
     /// The gradient of a pair's material.  The network's input is a copy of the material, so this copies its gradient.
-    fn of(&self, index: usize) -> Option<f64> {
+    fn gradient_at(&self, index: usize) -> Option<f64> {
         let (material, stride) = (self.params.material as usize, self.params.stride as usize);
         let (pair, value) = (index / material, index % material);
         let sample = pair.checked_sub(FIRST_PAIR as usize);
@@ -114,10 +114,10 @@ impl Parity for MaterialBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         // a GPU may flush it
-        self.of(index).map_or(Bound::EXACT, |_| Bound::of(0.0))
+        self.gradient_at(index).map_or(Bound::EXACT, |_| Bound::relative_to(0.0))
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        self.of(index)
+        self.gradient_at(index)
     }
 }

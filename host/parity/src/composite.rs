@@ -182,7 +182,7 @@ impl Parity for Composite {
             let (tile, place) = self.pixel(at);
             let mut sum = before.as_dvec4().to_array();
             for &member in self.members(tile) {
-                let term = Splat::of(&self.splat[member as usize]).term(place);
+                let term = Splat::from_vectors(&self.splat[member as usize]).term(place);
                 sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
             }
             sum

@@ -55,7 +55,7 @@ impl CompositeBackward {
         let (set, tile) = (&self.forward, self.tile(index));
         let area = (set.side * set.side) as usize;
         let Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] } =
-            Splat::of(&set.splat[set.member[index] as usize]);
+            Splat::from_vectors(&set.splat[set.member[index] as usize]);
         gradient([x, y, weight, xx, xy, yy, r, g, b], |[x, y, weight, xx, xy, yy, r, g, b]| {
             let splat = Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] };
             let band = self.first_row * set.side..(self.first_row + self.rows) * set.side;

@@ -179,10 +179,10 @@ impl DenseWeightBackward {
 
     fn new(layer: Layer, slice: u32, fill: Fill, random: &mut Random) -> Self {
         let first = vec![0, layer.samples];
-        Self::of_cameras(layer, first, slice, 0, fill, random)
+        Self::from_cameras(layer, first, slice, 0, fill, random)
     }
 
-    fn of_cameras(
+    fn from_cameras(
         layer: Layer,
         first: Vec<u32>,
         slice: u32,
@@ -244,7 +244,7 @@ impl DenseWeightBackward {
     }
 
     /// The slices that are added to a value of an output, the parameter's value, and what was there before.
-    fn of_output(&self, output: &str, index: usize) -> Option<(Vec<Range<u32>>, usize, f64)> {
+    fn slices_added(&self, output: &str, index: usize) -> Option<(Vec<Range<u32>>, usize, f64)> {
         let values = self.before.len();
         if output == "sum" {
             let before = f64::from(*self.before.get(index)?);
@@ -295,7 +295,7 @@ impl Parity for DenseWeightBackward {
                 let first = vec![0, 50, 131, 131, 131, 200, 420];
                 let mut random = Random::new(19);
                 let layer = Self::layer(300, 6, 2, fill, &mut random);
-                let set = Self::of_cameras(layer, first, slice, first_sample, fill, &mut random);
+                let set = Self::from_cameras(layer, first, slice, first_sample, fill, &mut random);
                 sets.push((format!("{name}, slices of {slice}, from {first_sample} on"), set));
             }
         }
@@ -343,7 +343,7 @@ impl Parity for DenseWeightBackward {
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let layer = &self.layer;
-        let Some((slices, value, _)) = self.of_output(output.name, index) else {
+        let Some((slices, value, _)) = self.slices_added(output.name, index) else {
             return Bound::EXACT;
         };
         let Some((input, row)) = self.place(value) else { return Bound::EXACT };
@@ -370,7 +370,7 @@ impl Parity for DenseWeightBackward {
             false => affine(&[parameter], Dual::from(0.0), &[layer.value(input, sample).into()]),
         };
         let exact = |index| {
-            let (slices, value, before) = self.of_output(output, index)?;
+            let (slices, value, before) = self.slices_added(output, index)?;
             let Some((input, row)) = self.place(value) else { return Some(before) };
             let sum_of = |slice: &Range<u32>| {
                 let (samples, carried) = self.terms(slice, value);

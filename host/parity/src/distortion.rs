@@ -38,7 +38,7 @@ impl PairInverseDistance {
     fn distance(&self, pair: usize) -> [f64; 2] {
         let slot = self.pair[pair] as usize;
         let gaussians = self.scene.gaussians as usize;
-        let eye = View::of(&self.scene.cameras[slot / gaussians]).eye;
+        let eye = View::from_camera(&self.scene.cameras[slot / gaussians]).eye;
         let center = self.scene.center(slot % gaussians);
         let offset = [0, 1, 2].map(|i| center[i] - eye[i]);
         let sizes = (0..3).map(|i| center[i].abs() + eye[i].abs());
@@ -88,7 +88,7 @@ impl Parity for PairInverseDistance {
         }
         let [distance, sizes] = self.distance(index / 3);
         let (u, error) = (1.0 / distance, 1.0 + sizes / distance);
-        Bound::of(if index.is_multiple_of(3) { u * error } else { 2.0 * u * u * error })
+        Bound::relative_to(if index.is_multiple_of(3) { u * error } else { 2.0 * u * u * error })
     }
 }
 

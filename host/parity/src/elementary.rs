@@ -53,15 +53,15 @@ impl Parity for Elementary {
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let (row, [x, y, p], exact) = self.at(index);
         match row {
-            0 | 1 => Bound::of(1.2),
-            2 => Bound::of(5.0 * (1.0 + exact * exact)),
-            3 => Bound::of(5.0 * exact.abs()),
-            4 => Bound::of(10.0 * (1.0 + (y * p.ln()).abs()) * exact),
+            0 | 1 => Bound::relative_to(1.2),
+            2 => Bound::relative_to(5.0 * (1.0 + exact * exact)),
+            3 => Bound::relative_to(5.0 * exact.abs()),
+            4 => Bound::relative_to(10.0 * (1.0 + (y * p.ln()).abs()) * exact),
             // a GPU may take a denormal for 0
             5 if x != 0.0 && x.abs() < f64::from(TINY) => Bound { scale: 0.0, floor: 1.0 },
             5 | 6 => Bound::EXACT,
-            7 | 8 => Bound::of(0.0),
-            _ => Bound::of(3.0 * (x.abs() + p.abs() * (x.abs() + y.abs()))),
+            7 | 8 => Bound::relative_to(0.0),
+            _ => Bound::relative_to(3.0 * (x.abs() + p.abs() * (x.abs() + y.abs()))),
         }
     }
 }

@@ -6,7 +6,7 @@ use organza_shaders::exposure::{ExposeBackwardInputs, ExposeInputs, ExposurePara
 use super::loss::{TILES, sets};
 
 /// Gain and offset of a plane.
-fn of_plane(exposure: &[f32], plane: usize) -> [f64; 2] {
+fn gain_and_offset(exposure: &[f32], plane: usize) -> [f64; 2] {
     [0, 1].map(|part| f64::from(exposure[2 * plane + part]))
 }
 
@@ -44,14 +44,14 @@ impl Parity for Expose {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let x = self.image[index];
-        let [gain, offset] = of_plane(&self.exposure, index / self.area());
+        let [gain, offset] = gain_and_offset(&self.exposure, index / self.area());
         let scale = (gain * f64::from(x)).abs() + offset.abs();
         Bound { scale, floor: f64::from(TINY) * (1.0 + gain.abs() + f64::from(x.abs())) }
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let x = f64::from(self.image[index]);
-        let [gain, offset] = of_plane(&self.exposure, index / self.area());
+        let [gain, offset] = gain_and_offset(&self.exposure, index / self.area());
         Some(gain * x + offset)
     }
 }
@@ -96,11 +96,11 @@ impl Parity for ExposeBackward {
         let tiny = f64::from(TINY);
         if output.name == "gradient" {
             let slope = self.gradient[index];
-            let [gain, _] = of_plane(&self.exposure, index / self.area());
+            let [gain, _] = gain_and_offset(&self.exposure, index / self.area());
             let slope = f64::from(slope.abs());
             return Bound { scale: gain.abs() * slope, floor: tiny * (1.0 + gain.abs() + slope) };
         }
-        let Some(row) = self.row(index / 2) else { return Bound::of(0.0) };
+        let Some(row) = self.row(index / 2) else { return Bound::relative_to(0.0) };
         let roundings = f64::from(self.params.side + 1);
         let (mut scale, mut floor) = (0.0, 0.0);
         for [x, slope] in row {
@@ -115,7 +115,7 @@ impl Parity for ExposeBackward {
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         if output == "gradient" {
             let slope = f64::from(self.gradient[index]);
-            return Some(slope * of_plane(&self.exposure, index / self.area())[0]);
+            return Some(slope * gain_and_offset(&self.exposure, index / self.area())[0]);
         }
         let by = |[x, slope]: [f64; 2]| if index.is_multiple_of(2) { slope * x } else { slope };
         Some(self.row(index / 2)?.map(by).sum::<f64>())

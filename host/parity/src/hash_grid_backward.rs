@@ -49,10 +49,15 @@ impl HashGridBackward {
         let gradient = gradient.values(random, rows, [-1.0, 1.0], 1e30);
         let largest = gradient.iter().fold(TINY, |a, b| a.max(b.abs()));
         let scale = 2_f32.powi((50 - largest.log2().ceil() as i32).min(126));
-        Self::of(grid, points.to_vec(), gradient, scale)
+        Self::with_points(grid, points.to_vec(), gradient, scale)
     }
 
-    fn of(grid: GridConfig, points: Vec<[Split; 3]>, gradient: Vec<f32>, scale: f32) -> Self {
+    fn with_points(
+        grid: GridConfig,
+        points: Vec<[Split; 3]>,
+        gradient: Vec<f32>,
+        scale: f32,
+    ) -> Self {
         let mut set = Self {
             grid,
             points,
@@ -90,14 +95,14 @@ impl HashGridBackward {
                 let grid = Self::grid_of_whole_scale(log2_table);
                 let points = (0..count).map(|_| unrounded_point(7, &mut random)).collect();
                 let gradient = gradients(grid.width() * count, &mut random);
-                let set = Self::of(grid, points, gradient, 2_f32.powi(40));
+                let set = Self::with_points(grid, points, gradient, 2_f32.powi(40));
                 (format!("unrounded, {count} points, 2^{log2_table}"), set)
             })
             .collect();
         let grid = Self::grid_of_whole_scale(9);
         let points = vec![unrounded_point(7, &mut random); 777];
         let gradient = (0..grid.width() * 777).map(|at| (at / 777) as f32 + 0.25).collect();
-        let set = Self::of(grid, points, gradient, 2_f32.powi(40));
+        let set = Self::with_points(grid, points, gradient, 2_f32.powi(40));
         sets.push(("777 points at one place".into(), set));
         sets.extend(Self::largest());
         sets.iter_mut().for_each(|(_, set)| set.is_unrounded = true);
@@ -113,7 +118,8 @@ impl HashGridBackward {
             // on a grid point, as the scale is 3
             let points = vec![[Split::new(0.5, 0.0); 3]; SAMPLES as usize];
             let gradient = vec![sign * limit; SAMPLES as usize];
-            let set = Self { limit, ..Self::of(grid, points, gradient, 2_f32.powi(exponent)) };
+            let set =
+                Self { limit, ..Self::with_points(grid, points, gradient, 2_f32.powi(exponent)) };
             (format!("{SAMPLES} of {:e}", sign * limit), set)
         };
         let bounds = [1e-31, 3.7, 3e37];
@@ -178,7 +184,7 @@ impl HashGridBackward {
         let mut sizes = vec![0.0; self.values()];
         for (index, level) in self.grid.levels_for_kernels().iter().enumerate() {
             for (column, &point) in self.points.iter().enumerate() {
-                let entries = Corners::of(level, level.cell::<f32>(point)).entry;
+                let entries = Corners::new(level, level.cell::<f32>(point)).entry;
                 if self.gradients(index, column).is_none() {
                     continue;
                 }
@@ -314,7 +320,7 @@ impl Parity for HashGridGradient {
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let sum = self.integer(index) as f64 / f64::from(self.scale[0]);
         let before = f64::from(self.gradient[index]);
-        Bound::of(sum.abs() + before.abs())
+        Bound::relative_to(sum.abs() + before.abs())
     }
 
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {

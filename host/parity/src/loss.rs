@@ -43,7 +43,7 @@ pub struct Terms {
 }
 
 /// d and s of a pixel's channel; `None` for masked pixels.
-fn of_pixel(d: &[Vec4], s: &[Vec4], pixel: usize, channel: usize) -> Option<[f64; 2]> {
+fn pixel_slopes(d: &[Vec4], s: &[Vec4], pixel: usize, channel: usize) -> Option<[f64; 2]> {
     let is_valid = d[pixel].w > 0.0;
     is_valid.then(|| [d, s].map(|values| f64::from(values[pixel][channel])))
 }
@@ -259,7 +259,7 @@ impl Parity for LossGradient {
         let area = side * side;
         let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
         let pixel = tile * area + at;
-        let Some([d, s]) = of_pixel(&self.difference, &self.sum, pixel, channel) else {
+        let Some([d, s]) = pixel_slopes(&self.difference, &self.sum, pixel, channel) else {
             return Some(0.0);
         };
         let (row, column) = (at / side, at % side);

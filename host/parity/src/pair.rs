@@ -128,7 +128,7 @@ case!(pub PairSum(PairSumInputs));
 
 impl PairSum {
     /// The vectors of a Gaussian's pairs, by camera.
-    fn of(&self, gaussian: u32) -> Vec<&[f32]> {
+    fn vectors_of_gaussian(&self, gaussian: u32) -> Vec<&[f32]> {
         let (word, bit) = ((gaussian / 32) as usize, gaussian % 32);
         (word..self.mask.len())
             .step_by(self.params.words as usize)
@@ -196,7 +196,8 @@ impl Parity for PairSum {
         let before = self.vector[index];
         let (gaussian, value) =
             (index / self.params.width as usize, index % self.params.width as usize);
-        let terms = self.of(gaussian as u32).into_iter().map(|vector| vector[value]);
+        let terms =
+            self.vectors_of_gaussian(gaussian as u32).into_iter().map(|vector| vector[value]);
         let sum: f64 = terms.chain([before]).map(|x| f64::from(x.abs())).sum();
         Bound { scale: 4.0 * sum, floor: 4.0 * f64::from(TINY) }
     }

@@ -50,7 +50,7 @@ impl PoseBackward {
         if !matches!(set.fate(camera, gaussian), Some(Fate::Projected(_))) {
             return None;
         }
-        let view = View::of(&set.cameras[camera]);
+        let view = View::from_camera(&set.cameras[camera]);
         let still = set.gaussian(gaussian);
         let [center, shape, _] = pair.map(|v| v.as_dvec4().to_array());
         let weights: Vec<_> = center[..2].iter().chain(&shape[..3]).copied().collect();
@@ -67,7 +67,7 @@ impl PoseBackward {
     fn sizes(&self, [camera, gaussian, pair]: Pair) -> [f64; 2] {
         let set = &self.0;
         let [position, _, shape, _] = set.sizes(camera, gaussian, &set.pair_gradient[pair]);
-        let view = View::of(&set.forward.cameras[camera]);
+        let view = View::from_camera(&set.forward.cameras[camera]);
         let t = DVec3::from(view.place(set.forward.center(gaussian).to_array())).length();
         [t * position + 2.0 * shape, position]
     }

@@ -142,7 +142,7 @@ impl Project {
 
     /// The projection of a Gaussian; `None` where it depends on how far the kernel's numbers reach.
     pub(super) fn fate(&self, camera: usize, gaussian: usize) -> Option<Fate> {
-        let view = View::of(&self.cameras[camera]);
+        let view = View::from_camera(&self.cameras[camera]);
         let Some(found) = project(&view, f64::from(self.blur), &self.gaussian(gaussian)) else {
             return Some(Fate::Behind);
         };
@@ -179,7 +179,7 @@ impl Project {
 
     pub(super) fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
         let gaussian = self.limited(gaussian);
-        Sensitivity::new(&View::of(&self.cameras[camera]), f64::from(self.blur), &gaussian)
+        Sensitivity::new(&View::from_camera(&self.cameras[camera]), f64::from(self.blur), &gaussian)
     }
 
     /// A Gaussian whose axes f64 can multiply: far beyond f32 they are all the same.
@@ -281,7 +281,7 @@ impl Parity for Project {
         let (slot, part) = (index / width, index % width);
         let gaussians = self.gaussians as usize;
         let sensitivity = self.sensitivity(slot / gaussians, slot % gaussians);
-        Bound::of(match cpu.name {
+        Bound::relative_to(match cpu.name {
             "radius" | "extent" => sensitivity.radius,
             "mean2d" => sensitivity.mean2d[part],
             _ => sensitivity.conic,

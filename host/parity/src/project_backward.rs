@@ -71,7 +71,7 @@ impl ProjectBackward {
 
     /// Not culled, and no ratio so near its limit that rounding decides whether it is clamped.
     fn is_usable(&self, camera: usize, gaussian: usize) -> bool {
-        let view = View::of(&self.forward.cameras[camera]);
+        let view = View::from_camera(&self.forward.cameras[camera]);
         let center = self.forward.center(gaussian);
         let t = DVec3::from(view.place(center.to_array()));
         let offset = center - DVec3::from(view.eye);
@@ -110,7 +110,7 @@ impl ProjectBackward {
         let set = &self.forward;
         let [geometry, shape, _] = pair.map(|v| v.as_dvec4().abs());
         let sensitivity = set.sensitivity(camera, gaussian);
-        let (view, limited) = (View::of(&set.cameras[camera]), set.limited(gaussian));
+        let (view, limited) = (View::from_camera(&set.cameras[camera]), set.limited(gaussian));
         let blur = f64::from(set.blur);
         let found = project(&view, blur, &limited).expect("it has a pair");
         let t = DVec3::from(found.place);
@@ -146,7 +146,7 @@ impl ProjectBackward {
             return None;
         }
         let of = |camera: usize, pair: &[Vec4; 3], moved: &Gaussian<Dual>| {
-            let view = View::of(&set.cameras[camera]);
+            let view = View::from_camera(&set.cameras[camera]);
             let [center, shape, _] = pair.map(|v| v.as_dvec4().to_array());
             let found = project(&view, f64::from(set.blur), moved).expect("it has a pair");
             let weights = center[..2].iter().chain(&shape[..3]);

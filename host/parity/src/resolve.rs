@@ -97,7 +97,11 @@ impl Parity for Resolve {
         let sum = weighted_sum(&self.sum, area, tile * area + at);
         let color = sum[channel].abs();
         let background = background(&self.params)[channel];
-        if sum.w > 1.0 { Bound::of(color / sum.w) } else { Bound::of(color + background) }
+        if sum.w > 1.0 {
+            Bound::relative_to(color / sum.w)
+        } else {
+            Bound::relative_to(color + background)
+        }
     }
 }
 
@@ -166,9 +170,9 @@ impl Parity for ResolveBackward {
                 // dL/dC may be flushed
                 floor: tiny * (1.0 + (sum.x + sum.y + sum.z) / sum.w),
             },
-            (true, _) => Bound::of(gradient(channel) / sum.w),
-            (false, 3) => Bound::of(by_weight(&background)),
-            (false, _) => Bound::of(gradient(channel)),
+            (true, _) => Bound::relative_to(gradient(channel) / sum.w),
+            (false, 3) => Bound::relative_to(by_weight(&background)),
+            (false, _) => Bound::relative_to(gradient(channel)),
         }
     }
 }

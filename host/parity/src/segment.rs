@@ -267,12 +267,12 @@ impl Parity for Segment {
             let [p, eye] = self.ends(slot);
             let ray = exact::contracted_ray(p, eye, f64::from(self.step));
             let steps = f64::from(self.step) * ray.count.max(1.0);
-            return Bound::of(if index % 16 == 3 { scale / steps } else { scale });
+            return Bound::relative_to(if index % 16 == 3 { scale / steps } else { scale });
         }
         let ray = self.ray(slot);
         let size = 1.0 + ray.p.length() + ray.v.length();
         let scale = size + self.world(slot);
-        Bound::of(match rounding {
+        Bound::relative_to(match rounding {
             // s_factor is L / K / sigma
             _ if index % 8 == 3 => {
                 let steps = (ray.length() / f64::from(self.step)).ceil().max(1.0);

@@ -75,11 +75,11 @@ impl Parity for Splat {
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let vectors = (4 * VECTORS) as usize;
         if index % vectors != 2 {
-            return Bound::of(0.0);
+            return Bound::relative_to(0.0);
         }
         let gaussian = self.pair[index / vectors] % self.params.gaussians;
         let size = f64::from(self.opacity[gaussian as usize].abs());
-        Bound::of(cpu.floats()[index].abs() * (1.0 + size))
+        Bound::relative_to(cpu.floats()[index].abs() * (1.0 + size))
     }
 }
 

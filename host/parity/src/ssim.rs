@@ -95,7 +95,7 @@ impl SsimColumns {
     }
 
     /// A window's sums of d, s, d^2, s^2 and the mask in f64, and of their terms' sizes.
-    fn of_window(&self, pixel: usize, channel: usize) -> [[f64; 5]; 2] {
+    fn window_sums(&self, pixel: usize, channel: usize) -> [[f64; 5]; 2] {
         let side = self.params.side as usize;
         let [tile, row, column] = place(pixel, side);
         let of = |sum: usize| {
@@ -172,7 +172,7 @@ impl Parity for SsimColumns {
         if !is_valid || values > 1 && channel == 3 {
             return Bound::EXACT;
         }
-        let of = |channel| conditioned(self.of_window(pixel, channel));
+        let of = |channel| conditioned(self.window_sums(pixel, channel));
         let scale = match values {
             1 => [0, 1, 2].map(|channel| of(channel)[0]).iter().sum(),
             _ => of(channel)[1 + index / 4 % SLOPES as usize],
@@ -190,11 +190,11 @@ impl Parity for SsimColumns {
             return Some(0.0);
         }
         if values == 1 {
-            let of = |channel| dissimilarity(self.of_window(pixel, channel)[0]);
+            let of = |channel| dissimilarity(self.window_sums(pixel, channel)[0]);
             return Some([0, 1, 2].map(of).iter().sum());
         }
         let [by_d, by_s, by_dd, by_ss, _] =
-            gradient(self.of_window(pixel, channel)[0], dissimilarity::<Dual>);
+            gradient(self.window_sums(pixel, channel)[0], dissimilarity::<Dual>);
         Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
     }
 }

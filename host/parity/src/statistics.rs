@@ -74,14 +74,14 @@ impl Parity for Statistics {
     /// The number of cameras is added to what other parts have left: one rounding, the same on every device.
     fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
         match index % 4 {
-            1 => Bound::of(exact.floats()[index]),
+            1 => Bound::relative_to(exact.floats()[index]),
             _ => self.bound(exact, index, rounding),
         }
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         if index.is_multiple_of(4) {
-            return Bound::of(self.exact_of(index / 4)[0]);
+            return Bound::relative_to(self.exact_of(index / 4)[0]);
         }
         Bound::EXACT
     }

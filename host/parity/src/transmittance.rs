@@ -207,7 +207,7 @@ impl Parity for TransmittanceInputs {
         }
         // all but the points are copies; contracted ones are known as one f32 knows them
         let point = if self.is_contracted { 1e3 } else { 1.0 };
-        Bound::of(if cpu.name == "point" { point } else { 0.0 })
+        Bound::relative_to(if cpu.name == "point" { point } else { 0.0 })
     }
 
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
@@ -327,7 +327,7 @@ case!(pub SegmentProduct(SegmentProductInputs));
 
 impl SegmentProduct {
     /// The samples of a pair.
-    pub fn of(&self, pair: usize) -> &[f32] {
+    pub fn samples_of_pair(&self, pair: usize) -> &[f32] {
         &self.log_rho[self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize]
     }
 }
@@ -370,17 +370,18 @@ impl Parity for SegmentProduct {
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
-        let terms = self.of(index);
+        let terms = self.samples_of_pair(index);
         let sum: f64 = terms.iter().map(|&x| f64::from(self.params.power * x.abs())).sum();
         let roundings = match rounding {
             Rounding::AsWritten => 1.0,
             Rounding::Regrouped => 1.0 + 0.03 * terms.len() as f64,
         };
-        Bound::of(cpu.floats()[index] * (1.0 + sum * roundings))
+        Bound::relative_to(cpu.floats()[index] * (1.0 + sum * roundings))
     }
 
     fn exact_at(&self, _: &str, pair: usize) -> Option<f64> {
-        let logarithms = self.of(pair).iter().map(|&x| f64::from(self.params.power * x));
+        let logarithms =
+            self.samples_of_pair(pair).iter().map(|&x| f64::from(self.params.power * x));
         Some(transmittance(logarithms.sum()))
     }
 

@@ -67,7 +67,7 @@ impl Chunk {
     }
 
     /// A pair's samples in the chunk.
-    fn of(&self, pair: usize) -> std::ops::Range<usize> {
+    fn samples_of_pair(&self, pair: usize) -> std::ops::Range<usize> {
         let at = |sample: u32| sample.saturating_sub(FIRST_SAMPLE).min(self.samples) as usize;
         at(self.first_sample[pair])..at(self.first_sample[pair + 1])
     }
@@ -283,7 +283,7 @@ impl Parity for ExtraBackward {
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let before = self.pair_extra[index];
         let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
-        let samples = &row[self.chunk.of(index / EXTRA)];
+        let samples = &row[self.chunk.samples_of_pair(index / EXTRA)];
         let sum: f64 = samples.iter().chain([&before]).map(|x| f64::from(x.abs())).sum();
         let terms = 1.0 + samples.len() as f64;
         Bound { scale: sum * terms, floor: f64::from(TINY) * terms }
@@ -293,7 +293,7 @@ impl Parity for ExtraBackward {
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let before = f64::from(self.pair_extra[index]);
         let row = &self.gradient[(1 + index % EXTRA) * self.stride as usize..];
-        let samples = &row[self.chunk.of(index / EXTRA)];
+        let samples = &row[self.chunk.samples_of_pair(index / EXTRA)];
         Some(before + samples.iter().map(|&g| f64::from(g)).sum::<f64>())
     }
 }

@@ -27,7 +27,7 @@ mod scene;
 mod tests;
 
 pub use backward::exposure::ExposureGradient;
-pub use backward::gradient::{SceneGradient, ShareGradient, TensorGradient};
+pub use backward::gradient::{SceneGradient, ShardGradient, TensorGradient};
 pub use backward::loss::{Loss, LossInputs, LossOutput, TileLoss};
 pub use backward::own_loss::{
     DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss,
@@ -38,7 +38,7 @@ pub use batch::eye::{EyeCache, EyeOptions};
 pub use batch::frame::{Frame, FrameShape};
 pub use batch::recording::Recording;
 pub use batch::renderer::Renderer;
-pub use batch::share::share_bytes;
+pub use batch::shard::shard_bytes;
 pub use forward::part_counts::Capacity;
 pub use forward::transmittance::Ray;
 pub use inspect::contribution::Contributions;
@@ -47,7 +47,7 @@ pub use inspect::inspection::Stages;
 pub use inspect::inspection::{Contribution, Inspection, Trace};
 pub use inspect::leakage::Leakage;
 pub use scene::device_scene::DeviceScene;
-pub use scene::device_share::{DeviceShare, in_blocks, read_blocks};
+pub use scene::device_shard::{DeviceShard, in_blocks, read_blocks};
 pub use scene::options::UploadOptions;
 pub use scene::packed::{pack, unpack, upload};
 

@@ -7,7 +7,7 @@ mod smaller;
 
 use crate::MODULES;
 use crate::backward::gradient::SceneGradient;
-use crate::batch::plan::{PART_BYTES, Plan};
+use crate::batch::plan::{PART_BYTES, PartTiles};
 use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
 use crate::forward::part_counts::{Capacity, Needed};
@@ -60,7 +60,7 @@ fn bits<T: bytemuck::Pod>(device: &Device, buffer: &Buffer<T>) -> Vec<u32> {
 fn evaluate(
     scene: &DeviceScene,
     cameras: &[Camera],
-    plan: &Plan,
+    plan: &PartTiles,
     capacity: Option<Capacity>,
 ) -> (Vec<Vec<u32>>, Needed) {
     let device = scene.device();
@@ -84,7 +84,7 @@ fn what_is_not_waited_for_has_the_same_bits() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
         let scene = renderer.upload(&scene).expect("a scene");
-        let plans = Plan::split(&scene, &tiles(), PART_BYTES).expect("a plan");
+        let plans = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("a plan");
         assert_eq!(plans.len(), 1);
         let (expected, needed) = evaluate(&scene, &cameras, &plans[0], None);
         let Needed::Capacity(capacity) = needed else { panic!("there is capacity for all") };

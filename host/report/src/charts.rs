@@ -125,11 +125,11 @@ impl<'a> Source<'a> {
         let steps = of(|record| matches!(record, Record::Step { .. }));
         let evaluations = of(|record| matches!(record, Record::Evaluation { .. }));
         let table = charts.tables.len();
-        charts.tables.extend([Table::of(&steps), Table::of(&evaluations)]);
+        charts.tables.extend([Table::from_records(&steps), Table::from_records(&evaluations)]);
         Self { steps, evaluations, table }
     }
 
-    fn of_steps(
+    fn series_of_steps(
         &self,
         name: &str,
         color: &str,
@@ -159,7 +159,7 @@ impl<'a> Source<'a> {
 }
 
 impl Table {
-    fn of(records: &[&Record]) -> Self {
+    fn from_records(records: &[&Record]) -> Self {
         let seconds = |record: &&Record| match record {
             Record::Step { seconds, .. } | Record::Evaluation { seconds, .. } => (*seconds).into(),
             _ => Number(None),
@@ -185,21 +185,22 @@ pub(super) fn thinned<T>(all: Vec<T>, most: usize) -> Vec<T> {
 
 impl Charts {
     /// The charts of one run.
-    pub fn of_run(run: &Run) -> Self {
+    pub fn from_run(run: &Run) -> Self {
         let mut charts = Self::default();
         let source = Source::new(run, &mut charts);
         for (title, unit, scale, digits, value) in STEP_CHARTS {
             let mut series =
-                vec![source.of_steps("training batch", "batch", Style::Noise, scale, value)];
+                vec![source.series_of_steps("training batch", "batch", Style::Noise, scale, value)];
             if ["PSNR", "SSIM"].contains(&title) {
                 series.push(source.held_out("held-out views", "held-out", title == "PSNR"));
             }
             charts.add(Chart { title, unit, scale, digits, series });
         }
         let zero = Scale::Zero;
-        let series = vec![source.of_steps("Gaussians", "batch", Style::Steps, zero, gaussians)];
+        let series =
+            vec![source.series_of_steps("Gaussians", "batch", Style::Steps, zero, gaussians)];
         charts.add(Chart { title: "Gaussians", unit: "", scale: zero, digits: Some(0), series });
-        let series = vec![source.of_steps("tiles", "batch", Style::Noise, zero, speed)];
+        let series = vec![source.series_of_steps("tiles", "batch", Style::Noise, zero, speed)];
         let title = "Speed";
         let unit = "tiles per second";
         charts.add(Chart { title, unit, scale: zero, digits: Some(1), series });
@@ -208,7 +209,7 @@ impl Charts {
     }
 
     /// The charts of several runs. Each curve has its run's name.
-    pub fn of_runs(runs: &[(String, Run)]) -> Self {
+    pub fn from_runs(runs: &[(String, Run)]) -> Self {
         let mut charts = Self::default();
         let sources: Vec<_> = runs.iter().map(|(_, run)| Source::new(run, &mut charts)).collect();
         let series = |of: &dyn Fn(&Source<'_>, &str, &str) -> Series| -> Vec<Series> {
@@ -234,8 +235,9 @@ impl Charts {
                 _ => unit,
             };
             let style = if title == "Gaussians" { Style::Steps } else { Style::Mean };
-            let series =
-                series(&|source, name, color| source.of_steps(name, color, style, scale, value));
+            let series = series(&|source, name, color| {
+                source.series_of_steps(name, color, style, scale, value)
+            });
             charts.add(Chart { title, unit, scale, digits, series });
         }
         charts
@@ -254,7 +256,7 @@ impl Charts {
             return;
         };
         let table = self.tables.len();
-        self.tables.push(Table::of(&steps));
+        self.tables.push(Table::from_records(&steps));
         let scale = Scale::Log;
         let style = Style::Line;
         let series = names.into_iter().enumerate().map(|(at, name)| {

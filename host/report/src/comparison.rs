@@ -49,12 +49,12 @@ pub fn differences<'a>(runs: impl IntoIterator<Item = &'a Run>) -> Vec<Differenc
 /// # Errors
 /// [`Error::WriteFile`](organza_core::Error::WriteFile).
 pub fn write_comparison(path: impl AsRef<Path>, runs: &[(String, Run)]) -> Result<()> {
-    let html = html_of(runs);
+    let html = html(runs);
     write_atomic(path, |writer| writer.write_all(html.as_bytes()))
 }
 
-pub(super) fn html_of(runs: &[(String, Run)]) -> String {
-    let charts = Charts::of_runs(runs);
+pub(super) fn html(runs: &[(String, Run)]) -> String {
+    let charts = Charts::from_runs(runs);
     let names: Vec<_> = runs.iter().map(|(name, _)| clean(name)).collect();
     let body = html! {
         header {

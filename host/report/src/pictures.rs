@@ -61,7 +61,7 @@ pub struct Picture {
 
 impl Pictures {
     /// The pictures of the run in a folder.
-    pub fn of_run(folder: &Path) -> Self {
+    pub fn from_run(folder: &Path) -> Self {
         Self { folder: folder.join(PICTURES) }
     }
 
@@ -91,7 +91,7 @@ impl Pictures {
         if index >= MAX_VIEWS {
             return Ok(());
         }
-        let [photograph, rendered, error] = of_view(truth, image)?;
+        let [photograph, rendered, error] = encode_view(truth, image)?;
         self.save(&name(index, Kind::Photograph), &photograph)?;
         self.save(&name(index, Kind::Rendered(step)), &rendered)?;
         self.save(&name(index, Kind::Error(step)), &error)
@@ -173,7 +173,7 @@ fn step_of(name: &str) -> Option<u64> {
 }
 
 /// Photograph, rendered image and error of a view, each reduced to fit a page.
-fn of_view(truth: &Photograph, image: &Image) -> Result<[Vec<u8>; 3]> {
+fn encode_view(truth: &Photograph, image: &Image) -> Result<[Vec<u8>; 3]> {
     let [width, height] = image.size();
     if [truth.width(), truth.height()] != [width, height] {
         let reason = "a rendered image is not of its photograph's size".to_owned();
@@ -271,10 +271,10 @@ mod tests {
         let size = [1000, 700];
         let pixels = (0..size[0] * size[1]).map(|_| [noise(), noise(), noise()]).collect();
         let truth = Photograph::new(size, pixels, None).unwrap();
-        let found = of_view(&truth, &Image::new(size[0], size[1]).unwrap()).unwrap();
+        let found = encode_view(&truth, &Image::new(size[0], size[1]).unwrap()).unwrap();
         let bytes: usize = found.iter().map(Vec::len).sum();
         assert!((100 << 10..=VIEW_BYTES).contains(&bytes), "{bytes}");
-        of_view(&truth, &Image::new(3, 700).unwrap()).unwrap_err();
+        encode_view(&truth, &Image::new(3, 700).unwrap()).unwrap_err();
     }
 
     #[test]
@@ -295,7 +295,7 @@ mod tests {
     #[test]
     fn a_resume_drops_what_was_later_and_an_evaluation_what_was_earlier() {
         let folder = tempfile::tempdir().unwrap();
-        let pictures = Pictures::of_run(folder.path());
+        let pictures = Pictures::from_run(folder.path());
         let image = Image::new(20, 10).unwrap();
         let truth = Photograph::from(&image);
         pictures.begin(0).unwrap();

@@ -46,7 +46,7 @@ impl Reporter {
     #[must_use]
     pub fn new(folder: &RunFolder) -> Self {
         let folder = folder.path().to_owned();
-        Self { pictures: Pictures::of_run(&folder), folder, step: 0 }
+        Self { pictures: Pictures::from_run(&folder), folder, step: 0 }
     }
 
     /// Writes what belongs to an event.

@@ -49,7 +49,7 @@ impl Run {
         Ok(Self {
             config: TrainConfig::load(folder.join(CONFIG))?,
             records: MetricsLog::read(folder.join(METRICS))?,
-            pictures: Pictures::of_run(folder),
+            pictures: Pictures::from_run(folder),
             folder: folder.to_owned(),
         })
     }

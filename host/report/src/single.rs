@@ -29,12 +29,12 @@ const MAX_ROWS: usize = 100;
 /// # Errors
 /// [`Error::WriteFile`](organza_core::Error::WriteFile).
 pub fn write_report(path: impl AsRef<Path>, run: &Run) -> Result<()> {
-    let html = html_of(run);
+    let html = html(run);
     write_inside(path, |writer| writer.write_all(html.as_bytes()))
 }
 
-pub(super) fn html_of(run: &Run) -> String {
-    let charts = Charts::of_run(run);
+pub(super) fn html(run: &Run) -> String {
+    let charts = Charts::from_run(run);
     let evaluations = run.evaluations();
     let last = evaluations.last();
     let body = html! {

@@ -95,7 +95,7 @@ fn run(folder: &Path, config: &str, records: &[Record]) -> Run {
     config.save(folder.join(CONFIG)).unwrap();
     let mut log = MetricsLog::create(folder.join(METRICS)).unwrap();
     records.iter().for_each(|record| log.append(record).unwrap());
-    let pictures = Pictures::of_run(folder);
+    let pictures = Pictures::from_run(folder);
     pictures.begin(0).unwrap();
     let image = Image::new(30, 20).unwrap();
     pictures.write_first(&image).unwrap();
@@ -282,7 +282,7 @@ fn the_page_says_what_ran_and_how_far_it_came() {
     let folder = tempfile::tempdir().unwrap();
     let text = "[loss]\nssim_weight = 0.3\n[optimizer]\nbeta1 = 0.8\n";
     let run = run(&folder.path().join("garden run"), text, &records(&["a", "b", "c"]));
-    let page = elements(&single::html_of(&run));
+    let page = elements(&single::html(&run));
     // from the last evaluation, not from the last step
     let facts = texts(&page, "dd");
     for fact in ["21.29 dB", "0.6429", "1,000 of 2,000", "6 min 20 s", "2,000"] {
@@ -345,13 +345,13 @@ fn nothing_in_a_run_gets_out_of_its_place() {
     let row = TimingRow { stage: nasty(), seconds: f64::MAX, share: -1e300 };
     records.push(Record::Timing { step: 1500, rows: vec![row] });
     let run = run(folder.path(), "", &records);
-    let page = elements(&single::html_of(&run));
+    let page = elements(&single::html(&run));
     assert_alone(&page);
     for tag in ["dd", "code", "td", "span"] {
         assert!(texts(&page, tag).contains(&SHOWN), "{tag}: {:?}", texts(&page, tag));
     }
     let runs = [(nasty(), run), ("other".to_owned(), self::run(&folder.path().join("b"), "", &[]))];
-    let page = elements(&comparison::html_of(&runs));
+    let page = elements(&comparison::html(&runs));
     assert_alone(&page);
     assert_eq!(texts(&page, "title"), [format!("{SHOWN}, other – organza")]);
     let curve = series(&data(&page), "Held-out PSNR", NASTY);
@@ -364,7 +364,7 @@ fn a_run_of_nothing_has_a_page() {
     let path = folder.path();
     fs::write(path.join(CONFIG), "").unwrap();
     fs::write(path.join(METRICS), "").unwrap();
-    let page = elements(&single::html_of(&Run::load(path).unwrap()));
+    let page = elements(&single::html(&Run::load(path).unwrap()));
     assert_alone(&page);
     assert_eq!(texts(&page, "h2"), ["Settings"]);
 }
@@ -373,7 +373,7 @@ fn a_run_of_nothing_has_a_page() {
 fn a_long_run_is_thinned_out() {
     let folder = tempfile::tempdir().unwrap();
     let records: Vec<_> = (1..=30_000).map(step).collect();
-    let html = single::html_of(&run(folder.path(), "", &records));
+    let html = single::html(&run(folder.path(), "", &records));
     assert!(html.len() < 1 << 20, "{}", html.len());
     let [steps, ..] = series(&data(&elements(&html)), "Loss", "training batch");
     assert_eq!(
@@ -400,7 +400,7 @@ fn runs_are_compared_by_what_differs_and_by_what_they_share() {
     ];
     assert_eq!(found, expected);
     let runs = [("a".to_owned(), first), ("b".to_owned(), second)];
-    let page = elements(&comparison::html_of(&runs));
+    let page = elements(&comparison::html(&runs));
     assert_alone(&page);
     let pictures: Vec<_> = page
         .iter()

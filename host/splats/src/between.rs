@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn cameras_on_a_circle_have_others_between_them() {
-        let orbit = Orbit::of_box([[-1.0; 3], [1.0; 3]], [40, 30]);
+        let orbit = Orbit::from_box([[-1.0; 3], [1.0; 3]], [40, 30]);
         let cameras = orbit.cameras(12).unwrap();
         let radius = orbit.distance;
         let found = between(&cameras, 100).unwrap();

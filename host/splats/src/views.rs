@@ -30,7 +30,7 @@ pub struct Views {
 impl Views {
     /// Every eighth camera is only measured. With fewer than eight, none is.
     #[must_use]
-    pub fn of_cameras(cameras: Vec<Camera>) -> Self {
+    pub fn from_cameras(cameras: Vec<Camera>) -> Self {
         let mut fitted = Vec::new();
         let mut judges = Vec::new();
         let is_enough = cameras.len() >= JUDGES;
@@ -44,7 +44,7 @@ impl Views {
     /// The frames of a data set. Those that training saw are fitted, and the held-out ones are only measured. If
     /// there are no frames of one kind, the others are fitted.
     #[must_use]
-    pub fn of_data_set(data: &Dataset) -> Self {
+    pub fn from_data_set(data: &Dataset) -> Self {
         let cameras = |frames: &mut dyn Iterator<Item = &Frame>| -> Vec<_> {
             frames.map(|frame| frame.camera.clone()).collect()
         };
@@ -59,14 +59,14 @@ impl Views {
     /// # Errors
     /// [`Error::Camera`](organza_core::Error::Camera) if the box has no outside.
     pub fn around(aabb: [[f64; 3]; 2]) -> Result<Self> {
-        let orbit = Orbit::of_box(aabb, SIZE);
+        let orbit = Orbit::from_box(aabb, SIZE);
         let circle = |elevation: f64| {
             Orbit { elevation: elevation.to_radians(), ..orbit.clone() }.cameras(AROUND)
         };
         let circles = ELEVATIONS.into_iter().map(circle).collect::<Result<Vec<_>>>()?;
         // alternates between the circles, so that the measured cameras come from all of them
         let at = |at: usize| circles.iter().map(move |circle| circle[at].clone());
-        Ok(Self::of_cameras((0..AROUND).flat_map(at).collect()))
+        Ok(Self::from_cameras((0..AROUND).flat_map(at).collect()))
     }
 }
 

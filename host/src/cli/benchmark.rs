@@ -100,10 +100,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         }
         console
             .note(&format!("{name}: {:.1} minutes in all", begin.elapsed().as_secs_f64() / 60.0));
-        let mut row = Row::of(name, &folder)?;
+        let mut row = Row::from_run(name, &folder)?;
         // no PSNR: no view is held out
         if lpips.is_some() && row.psnr.is_some() {
-            let eval = eval::Args::of_run(&folder, &args.device);
+            let eval = eval::Args::for_run(&folder, &args.device);
             row.lpips = eval.evaluate(lpips.as_ref(), console)?.mean.lpips;
         }
         rows.push(row);
@@ -146,7 +146,7 @@ fn names(data: &[PathBuf]) -> Result<Vec<String>> {
 
 impl Row {
     /// Reads the results of a finished run.
-    fn of(name: &str, folder: &Path) -> Result<Self> {
+    fn from_run(name: &str, folder: &Path) -> Result<Self> {
         let run = Run::load(folder)?;
         let Summary { psnr, ssim, seconds, .. } = run.summary();
         let scene = Scene::load(folder.join(CHECKPOINT))?;

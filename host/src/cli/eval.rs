@@ -80,7 +80,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 impl Args {
     /// Settings that measure the held-out views of a run.
-    pub fn of_run(folder: &Path, device: &DeviceArgs) -> Self {
+    pub fn for_run(folder: &Path, device: &DeviceArgs) -> Self {
         Self {
             scene: folder.to_owned(),
             data: None,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use organza::camera::Orbit;
 use organza::data::{Dataset, Frame};
 use organza::error::format_bytes;
-use organza::splats::{self, Beside, Distilled, Fit, Format, Views};
+use organza::splats::{self, Distilled, Fit, Format, SplatComparison, Views};
 use organza::{Renderer, Result, Scene};
 
 use super::console::Console;
@@ -62,7 +62,7 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let format = match (Format::of(&args.output)?, args.spz_version.as_deref()) {
+    let format = match (Format::from_path(&args.output)?, args.spz_version.as_deref()) {
         (Format::Spz, Some("2")) => Format::Spz2,
         (format @ Format::Spz, _) | (format, None) => format,
         (_, Some(_)) => return refuse("`--spz-version` is for a file that ends in .spz"),
@@ -89,7 +89,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     say_psnr(&views, &distilled, args.steps, console);
     if let Some(data) = data {
         let frames: Vec<_> = data.held_out_frames().collect();
-        if let Some(found) = splats::beside(&renderer, &uploaded, &distilled.splats, &frames)? {
+        if let Some(found) =
+            splats::compare_splats(&renderer, &uploaded, &distilled.splats, &frames)?
+        {
             say_photographs(found, console);
         }
     }
@@ -123,7 +125,7 @@ fn load_views(
     if !has_photographs {
         let views = match named {
             Some(_) => {
-                Views::of_cameras(Cameras::load(source, named, &args.data, USAGE, console)?.list)
+                Views::from_cameras(Cameras::load(source, named, &args.data, USAGE, console)?.list)
             }
             None => Views::around(scene.config.aabb)?,
         };
@@ -136,7 +138,7 @@ fn load_views(
         judges: Vec::new(),
     };
     let views = match args.data.split(Split::All) {
-        Split::All => Views::of_data_set(&data),
+        Split::All => Views::from_data_set(&data),
         Split::Train => all(&mut data.train_frames()),
         Split::HeldOut => all(&mut data.held_out_frames()),
     };
@@ -158,8 +160,8 @@ fn say_psnr(views: &Views, distilled: &Distilled, steps: u32, console: Console) 
 }
 
 /// Reports the file's loss on photographs that training has not seen.
-fn say_photographs(found: Beside, console: Console) {
-    let Beside { photographs, scene, splats } = found;
+fn say_photographs(found: SplatComparison, console: Console) {
+    let SplatComparison { photographs, scene, splats } = found;
     console.note(&format!(
         "beside {}: {splats:.2} dB, the scene itself {scene:.2} dB, so the file loses {:.2} dB",
         count(photographs as u64, "held-out photograph"),

@@ -60,7 +60,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let named = args.cameras.as_deref();
     let views = if named.is_some() || args.data.is_given() {
         let usage = "organza import FILE CAMERAS -o SCENE";
-        Views::of_cameras(Cameras::load(&source, named, &args.data, usage, console)?.list)
+        Views::from_cameras(Cameras::load(&source, named, &args.data, usage, console)?.list)
     } else {
         Views::around(splats::bounds(&splats))?
     };

@@ -61,13 +61,14 @@ pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
         if args.adapter.is_some() {
             return refuse("`--adapter` is for GPUs, but `--backend` is cpu");
         }
-        reports.push(measured(console, "cpu", |done| Ok(Report::of_cpu(&cases(), &cpu, done)?))?);
+        reports
+            .push(measured(console, "cpu", |done| Ok(Report::run_on_cpu(&cases(), &cpu, done)?))?);
     } else {
         for adapter in chosen(args.adapter.as_deref())? {
             for path in paths(&adapter) {
                 let what = format!("{}, {}", adapter.name, path.as_str());
                 let report = measured(console, &what, |done| {
-                    Ok(Report::of_gpu(&cases(), &MODULES, &cpu, &adapter, path, done)?)
+                    Ok(Report::run_on_gpu(&cases(), &MODULES, &cpu, &adapter, path, done)?)
                 });
                 match report {
                     Ok(report) => reports.push(report),

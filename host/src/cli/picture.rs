@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::image::{self, ChannelImage};
 use organza::ranks::Ranks;
-use organza::{Camera, Channel, DeviceScene, DeviceShare, Image, Renderer, Result};
+use organza::{Camera, Channel, DeviceScene, DeviceShard, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::console::{Console, Progress};
@@ -17,8 +17,8 @@ use super::summary::{Summary, grouped};
 #[derive(Clone, Copy, Debug)]
 pub enum Shown<'a> {
     Scene(&'a DeviceScene),
-    /// A rank's share. All ranks render the same views.
-    Share(&'a DeviceShare, &'a dyn Ranks),
+    /// A rank's shard. All ranks render the same views.
+    Shard(&'a DeviceShard, &'a dyn Ranks),
 }
 
 /// Everything that views are rendered from.
@@ -71,8 +71,8 @@ impl Pictures<'_> {
                 Shown::Scene(scene) => {
                     renderer.render_channels(scene, cameras, &batch, channels, advance)?
                 }
-                Shown::Share(share, ranks) => {
-                    let tiles = renderer.render_share(share, cameras, &batch, ranks)?;
+                Shown::Shard(shard, ranks) => {
+                    let tiles = renderer.render_shard(shard, cameras, &batch, ranks)?;
                     advance(tiles.count, tiles.count);
                     tiles
                 }

@@ -5,10 +5,10 @@ use std::str::FromStr;
 use std::sync::Arc;
 use std::thread;
 
-use organza::ranks::{Ranks, ThreadRanks, meet};
-use organza::scene::SceneShare;
+use organza::ranks::{Ranks, ThreadRanks, check_agreement};
+use organza::scene::SceneShard;
 use organza::train::{self, Split, TrainConfig};
-use organza::{Dataset, DeviceOptions, DeviceShare, Renderer, Result, UploadOptions, error};
+use organza::{Dataset, DeviceOptions, DeviceShard, Renderer, Result, UploadOptions, error};
 
 use super::console::Console;
 use super::device::DeviceArgs;
@@ -29,11 +29,11 @@ pub struct RanksArgs {
     /// Gaussians, for scenes that do not fit on one device. The scene's bits depend on this [default: views]
     #[arg(long, value_name = "WHAT", requires = "ranks")]
     split: Option<SplitName>,
-    /// With `--split gaussians`: distribute the Gaussians in N shares, over groups of N ranks. The groups share the
+    /// With `--split gaussians`: distribute the Gaussians in N shards, over groups of N ranks. The groups share the
     /// views. N divides the number of ranks. The scene's bits do not depend on it [default: the number of ranks, so
     /// one group]
-    #[arg(long, value_name = "N", requires = "split")]
-    shares: Option<usize>,
+    #[arg(long, value_name = "N", requires = "split", alias = "shares")]
+    shards: Option<usize>,
     /// Allow ranks with different programs or devices; the scene's bits then depend on which rank computes what
     #[arg(long, requires = "ranks")]
     mixed: bool,
@@ -73,11 +73,11 @@ impl RanksArgs {
             Some(SplitName::Gaussians) => Split::Gaussians,
             _ => Split::Views,
         };
-        if split == Split::Views && self.shares.is_some() {
-            return super::refuse("`--shares` is for `--split gaussians`");
+        if split == Split::Views && self.shards.is_some() {
+            return super::refuse("`--shards` is for `--split gaussians`");
         }
         let team = self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()?;
-        Ok(team.map(|team| Team { split, shares: self.shares, ..team }))
+        Ok(team.map(|team| Team { split, shards: self.shards, ..team }))
     }
 }
 
@@ -123,8 +123,8 @@ pub struct Team {
     pub mixed: bool,
     /// The work of a training that they share.
     pub split: Split,
-    /// Number of shares of the Gaussians, if it is not the number of ranks.
-    pub shares: Option<usize>,
+    /// Number of shards of the Gaussians, if it is not the number of ranks.
+    pub shards: Option<usize>,
     pub is_mpi: bool,
 }
 
@@ -141,7 +141,7 @@ impl Team {
     }
 
     fn new(mine: Arc<dyn Ranks>, others: Vec<ThreadRanks>, mixed: bool) -> Self {
-        Self { mine, others, mixed, split: Split::default(), shares: None, is_mpi: false }
+        Self { mine, others, mixed, split: Split::default(), shards: None, is_mpi: false }
     }
 
     /// Runs `lead` on rank 0 and `follow` on the others. A failure of one rank ends all.
@@ -223,7 +223,7 @@ impl Places {
     }
 }
 
-/// One of the ranks that hold shares of a scene.
+/// One of the ranks that hold shards of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Member<'a> {
     pub ranks: &'a dyn Ranks,
@@ -238,26 +238,26 @@ impl Member<'_> {
         device.open_as(&options, console)
     }
 
-    /// Loads the rank's share of a scene file to its device. `input` identifies the other inputs that all ranks have
+    /// Loads the rank's shard of a scene file to its device. `input` identifies the other inputs that all ranks have
     /// read.
-    pub fn share(
+    pub fn shard(
         &self,
         renderer: &Renderer,
         file: &Path,
         input: &str,
         options: UploadOptions,
-    ) -> Result<DeviceShare> {
-        let share = SceneShare::load(file, self.ranks.rank(), self.ranks.size())
+    ) -> Result<DeviceShard> {
+        let shard = SceneShard::load(file, self.ranks.rank(), self.ranks.size())
             .map_err(|error| told_apart(error, file, Expected::Scene))?;
-        let input = format!("{} {:?} {input}", share.gaussians, share.scene.config);
-        meet(
+        let input = format!("{} {:?} {input}", shard.gaussians, shard.scene.config);
+        check_agreement(
             self.ranks,
             renderer.device(),
             organza::COMMIT.unwrap_or_default(),
             ("input", &input),
             self.mixed,
         )?;
-        renderer.upload_share(&share, options)
+        renderer.upload_shard(&shard, options)
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use organza::image::{ChannelFormat, ChannelImage, Origin};
 use organza::tile::MAX_TILE_SIDE;
-use organza::{Channel, DeviceShare, Image, Renderer, Result};
+use organza::{Channel, DeviceShard, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::channels::{ChannelArgs, FormatArgs};
@@ -17,7 +17,7 @@ use super::ranks::{Member, SharesArgs};
 use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
 use super::verbosity::Level;
-use super::views::{Shard, ViewList, names, warn_distorted};
+use super::views::{ViewList, ViewShard, names, warn_distorted};
 use super::written::Written;
 
 const EXAMPLES: &str = "\
@@ -67,7 +67,7 @@ pub struct Args {
     /// Render every Nth view, starting with the Ith: I/N, such as 0/4. `slurm` takes both from the task of a Slurm
     /// array
     #[arg(long, value_name = "I/N")]
-    shard: Option<Shard>,
+    shard: Option<ViewShard>,
     /// Render only images that do not exist yet
     #[arg(long)]
     missing: bool,
@@ -108,14 +108,14 @@ impl Job {
             Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
             None => (0..cameras.list.len()).collect(),
         };
-        let views = args.shard.map_or(views.clone(), |shard| shard.of(views));
+        let views = args.shard.map_or(views.clone(), |shard| shard.select(views));
         Ok(Self { source, cameras, views })
     }
 
-    /// Loads a rank's share of the scene to its device.
-    fn share(&self, args: &Args, rank: Member<'_>, renderer: &Renderer) -> Result<DeviceShare> {
+    /// Loads a rank's shard of the scene to its device.
+    fn shard(&self, args: &Args, rank: Member<'_>, renderer: &Renderer) -> Result<DeviceShard> {
         let input = format!("{:?} {:?}", self.views, self.cameras.list);
-        rank.share(renderer, self.source.file(), &input, args.scene_args.options())
+        rank.shard(renderer, self.source.file(), &input, args.scene_args.options())
     }
 }
 
@@ -130,9 +130,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         let console = Console::new(Level::Quiet);
         let job = Job::find(args, console)?;
         let renderer = &rank.open(&args.device, console)?;
-        let share = job.share(args, rank, renderer)?;
+        let shard = job.shard(args, rank, renderer)?;
         let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&rank.ranks.broadcast(Vec::new())?);
-        let shown = Shown::Share(&share, rank.ranks);
+        let shown = Shown::Shard(&shard, rank.ranks);
         let cameras = &job.cameras.list[..];
         let pictures = Pictures { renderer, shown, cameras, tile_size: args.tile_size, stop: None };
         todo.into_iter().try_for_each(|view| {
@@ -167,9 +167,9 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
         None => args.device.open(console)?,
     };
     let scene = scene.map(|scene| args.scene_args.upload(renderer, &scene)).transpose()?;
-    let share = rank.map(|rank| job.share(args, rank, renderer)).transpose()?;
-    let shown = match (&scene, &share, rank) {
-        (_, Some(share), Some(rank)) => Shown::Share(share, rank.ranks),
+    let shard = rank.map(|rank| job.shard(args, rank, renderer)).transpose()?;
+    let shown = match (&scene, &shard, rank) {
+        (_, Some(shard), Some(rank)) => Shown::Shard(shard, rank.ranks),
         (scene, ..) => Shown::Scene(scene.as_ref().expect("it was read")),
     };
     let pictures =

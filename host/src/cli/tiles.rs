@@ -81,7 +81,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         let console = Console::new(Level::Quiet);
         let job = Job::find(args, console)?;
         let renderer = rank.open(&args.device, console)?;
-        job.of_ranks(args, rank, &renderer).map(drop)
+        job.render_with_ranks(args, rank, &renderer).map(drop)
     };
     team.run(|rank| tiles(args, &Job::find(args, console)?, Some(rank), console), follow)
 }
@@ -129,7 +129,7 @@ impl Job {
     }
 
     /// The tiles, and their gradient if it is asked for, on rank 0.
-    fn of_ranks(
+    fn render_with_ranks(
         &self,
         args: &Args,
         rank: Member<'_>,
@@ -139,12 +139,12 @@ impl Job {
         let values = grad_output.as_deref().unwrap_or_default();
         let hash = crc32c::crc32c(bytemuck::cast_slice(values));
         let input = format!("{batch:?} {cameras:?} {hash}");
-        let share = rank.share(renderer, source.file(), &input, args.scene_args.options())?;
+        let shard = rank.shard(renderer, source.file(), &input, args.scene_args.options())?;
         if grad_output.is_none() {
-            let tiles = renderer.render_share(&share, cameras, batch, rank.ranks)?;
+            let tiles = renderer.render_shard(&shard, cameras, batch, rank.ranks)?;
             return Ok((tiles, None));
         }
-        let recording = renderer.record_share(&share, cameras, batch, rank.ranks)?;
+        let recording = renderer.record_shard(&shard, cameras, batch, rank.ranks)?;
         let tiles = recording.tiles().clone();
         Ok((tiles, recording.backward(values)?.gather(rank.ranks)?))
     }
@@ -160,7 +160,7 @@ fn tiles(args: &Args, job: &Job, rank: Option<Member<'_>>, console: Console) -> 
     if let Some(rank) = rank {
         let renderer = &rank.open(&args.device, console)?;
         let mut summary = Summary::start();
-        let found = console.during("rendering", || job.of_ranks(args, rank, renderer))?;
+        let found = console.during("rendering", || job.render_with_ranks(args, rank, renderer))?;
         if let Some(output) = output {
             let summary = &mut summary;
             let tiles = &found.0;

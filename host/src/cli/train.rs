@@ -239,7 +239,7 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
             )
         }
     });
-    if args.json { print_json(&ended.of(&folder, outcome)) } else { Ok(()) }
+    if args.json { print_json(&ended.with_outcome(&folder, outcome)) } else { Ok(()) }
 }
 
 /// The output of `--json` at the end of a run.
@@ -274,7 +274,7 @@ impl Ended {
         }
     }
 
-    fn of(self, folder: &Path, outcome: Outcome) -> Self {
+    fn with_outcome(self, folder: &Path, outcome: Outcome) -> Self {
         let outcome = match outcome {
             Outcome::Finished => "finished",
             Outcome::TimeLimit => "time limit",
@@ -340,7 +340,7 @@ impl Job<'_> {
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
-        let (split, shares) = team.as_ref().map_or_else(Default::default, |t| (t.split, t.shares));
+        let (split, shards) = team.as_ref().map_or_else(Default::default, |t| (t.split, t.shards));
         let (mine, others, mixed) = match team {
             Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
             None => (None, Vec::new(), false),
@@ -352,7 +352,7 @@ impl Job<'_> {
             .with_stop(signals.stop())
             .with_ranks(mine, mixed)
             .with_split(split)
-            .with_shares(shares);
+            .with_shards(shards);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
             let stop = signals.stop();

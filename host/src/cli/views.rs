@@ -51,19 +51,19 @@ impl ViewList {
 
 /// A part of the views: every `count`-th. For example, `3/8` is the fourth, the twelfth and so on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Shard {
+pub struct ViewShard {
     /// Index of the part, from 0.
     pub index: usize,
     /// Number of parts.
     pub count: usize,
 }
 
-impl FromStr for Shard {
+impl FromStr for ViewShard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         if text == SLURM {
-            return Self::of_slurm(|name| std::env::var(name).ok());
+            return Self::from_slurm(|name| std::env::var(name).ok());
         }
         let number = |text: &str| text.trim().parse::<usize>().ok();
         let shard = text
@@ -86,9 +86,9 @@ impl FromStr for Shard {
 /// Value of `--shard` for the task of a Slurm array.
 const SLURM: &str = "slurm";
 
-impl Shard {
+impl ViewShard {
     /// The part of this task of a Slurm array: `sbatch --array=A-B` or `A-B:STEP`.
-    fn of_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, String> {
+    fn from_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, String> {
         let number =
             |name: &str| variable(&format!("SLURM_ARRAY_TASK_{name}"))?.parse::<usize>().ok();
         let (Some(id), Some(count)) = (number("ID"), number("COUNT").filter(|&count| count > 0))
@@ -110,7 +110,7 @@ impl Shard {
     }
 
     /// The shard's part of a list.
-    pub fn of(self, views: Vec<usize>) -> Vec<usize> {
+    pub fn select(self, views: Vec<usize>) -> Vec<usize> {
         views.into_iter().skip(self.index).step_by(self.count).collect()
     }
 }
@@ -206,7 +206,7 @@ mod tests {
                 let at = names.iter().position(|n| name == format!("SLURM_ARRAY_TASK_{n}"))?;
                 Some(values[at].to_owned()).filter(|value| !value.is_empty())
             };
-            Shard::of_slurm(variable).map(|Shard { index, count }| [index, count])
+            ViewShard::from_slurm(variable).map(|ViewShard { index, count }| [index, count])
         };
         assert_eq!(shard(["0", "4", "0", "1"]), Ok([0, 4]));
         assert_eq!(shard(["4", "4", "1", "1"]), Ok([3, 4]));
@@ -215,9 +215,9 @@ mod tests {
         assert!(shard(["5", "3", "1", "1"]).unwrap_err().contains("numbered evenly"));
         assert!(shard(["", "", "", ""]).unwrap_err().contains("no task of a Slurm array"));
         for (text, reason) in [("3/3", "0 to 2"), ("1/0", "one shard"), ("2", "such as 0/8")] {
-            assert!(text.parse::<Shard>().unwrap_err().contains(reason), "{text}");
+            assert!(text.parse::<ViewShard>().unwrap_err().contains(reason), "{text}");
         }
-        assert_eq!("1/3".parse::<Shard>().unwrap().of((0..8).collect()), [1, 4, 7]);
+        assert_eq!("1/3".parse::<ViewShard>().unwrap().select((0..8).collect()), [1, 4, 7]);
     }
 
     #[test]

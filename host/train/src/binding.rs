@@ -113,7 +113,7 @@ impl Binding {
         let now_plan = &config.run.plan;
         let then_plan = &then.run.plan;
         // the plan was made after the checkpoint, before the run was killed
-        let goes_on = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
+        let continues = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
         let now = config.list();
         let then = then.list();
         let mut changes = Vec::new();
@@ -122,7 +122,7 @@ impl Binding {
             let then = value(&then, name);
             // a data set may move, but the built-in scene is a different data set
             let is_free = FREE.contains(&name.as_str()) && now != NOT_SET && then != NOT_SET;
-            let is_planned = goes_on && PLANNED.contains(&name.as_str());
+            let is_planned = continues && PLANNED.contains(&name.as_str());
             let is_known = || changes.iter().any(|change: &Change| change.name == *name);
             if now == then || is_free || is_planned || is_known() {
                 continue;

@@ -1,6 +1,6 @@
 //! `checkpoint.safetensors`: a scene file that also holds what training needs to go on.
 
-mod shares;
+mod shards;
 
 use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read, Seek};
@@ -14,7 +14,7 @@ use super::per_photograph::{PerPhotograph, VALUES_PREFIX, names};
 use super::progress::{PROGRESS, Progress};
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
-use organza_core::scene::{Scene, SceneShare, Tensor, TensorSpec, read_tensor};
+use organza_core::scene::{Scene, SceneShard, Tensor, TensorSpec, read_tensor};
 
 /// Prefixes of the names of Adam's moments.
 const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
@@ -25,7 +25,7 @@ const EXPOSURE: &str = "exposure";
 /// Those of poses.
 const POSE: &str = "pose";
 /// Where training stands, to the bit. Of a scene whose Gaussians are dealt to [ranks](organza_core::ranks), each rank
-/// has its [share](SceneShare), and all fields.
+/// has its [shard](SceneShard), and all fields.
 ///
 /// This continues a run's training from code:
 ///
@@ -73,23 +73,23 @@ impl Checkpoint {
     /// The same errors as [`Scene::zeros`].
     pub fn begin(scene: Scene, config: &TrainConfig) -> Result<Self> {
         let gaussians = scene.gaussians.len();
-        Self::begin_share(SceneShare { scene, range: 0..gaussians, gaussians }, config)
+        Self::begin_shard(SceneShard { scene, range: 0..gaussians, gaussians }, config)
     }
 
-    /// [`Self::begin`] for a share.
-    pub(super) fn begin_share(mut share: SceneShare, config: &TrainConfig) -> Result<Self> {
+    /// [`Self::begin`] for a shard.
+    pub(super) fn begin_shard(mut shard: SceneShard, config: &TrainConfig) -> Result<Self> {
         if !config.ablation.learn_transmittance {
-            let head = share.scene.transmittance.network.layers.last_mut().expect("a head");
+            let head = shard.scene.transmittance.network.layers.last_mut().expect("a head");
             head.weight.fill(0.0);
             // log sigmoid(100) is 0 in f32
             head.bias.fill(100.0);
         }
-        Self::of_share(share, Progress::default())
+        Self::from_shard(shard, Progress::default())
     }
 
-    /// A share without moments and statistics so far, where nothing is learned of the photographs.
-    fn of_share(share: SceneShare, progress: Progress) -> Result<Self> {
-        let SceneShare { scene, range, gaussians } = share;
+    /// A shard without moments and statistics so far, where nothing is learned of the photographs.
+    fn from_shard(shard: SceneShard, progress: Progress) -> Result<Self> {
+        let SceneShard { scene, range, gaussians } = shard;
         let zeros = Scene::zeros(scene.config.clone(), range.len())?;
         let moments = [zeros.clone(), zeros];
         let statistics = vec![[0.0; 4]; range.len()];
@@ -97,12 +97,12 @@ impl Checkpoint {
         Ok(Self { scene, moments, statistics, range, gaussians, exposures, poses, progress })
     }
 
-    /// The share of a rank.
+    /// The shard of a rank.
     #[must_use]
-    pub fn share(&self, rank: usize, ranks: usize) -> Self {
-        let SceneShare { scene, range, gaussians } = SceneShare::of(&self.scene, rank, ranks);
+    pub fn shard(&self, rank: usize, ranks: usize) -> Self {
+        let SceneShard { scene, range, gaussians } = SceneShard::new(&self.scene, rank, ranks);
         let moments =
-            self.moments.each_ref().map(|moment| SceneShare::of(moment, rank, ranks).scene);
+            self.moments.each_ref().map(|moment| SceneShard::new(moment, rank, ranks).scene);
         let statistics = self.statistics[range.clone()].to_vec();
         let exposures = self.exposures.clone();
         let poses = self.poses.clone();
@@ -110,7 +110,7 @@ impl Checkpoint {
         Self { scene, moments, statistics, range, gaussians, exposures, poses, progress }
     }
 
-    /// The tensors of a file beside those of the scene; `photographs` are those of [`Checkpoint::of_photographs`].
+    /// The tensors of a file beside those of the scene; `photographs` are those of [`Checkpoint::photograph_tensors`].
     fn beside_scene<'a>(
         &'a self,
         photographs: &'a [(String, Tensor)],
@@ -143,14 +143,14 @@ impl Checkpoint {
     /// # Errors
     /// The same errors as [`Scene::load`]; [`Error::Invalid`] for a scene that no training can go on from.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        Self::load_share(path, 0, 1)
+        Self::load_shard(path, 0, 1)
     }
 
-    /// Reads the share of a rank from a checkpoint of any run, and no more of it.
+    /// Reads the shard of a rank from a checkpoint of any run, and no more of it.
     ///
     /// # Errors
     /// The same errors as [`Checkpoint::load`].
-    pub fn load_share(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
+    pub fn load_shard(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
         Self::read(&mut BufReader::new(file), (length, path), (rank, ranks))
@@ -167,14 +167,14 @@ impl Checkpoint {
     fn read(
         reader: &mut (impl Read + Seek),
         (length, path): (u64, &Path),
-        share: (usize, usize),
+        shard: (usize, usize),
     ) -> Result<Self> {
         let no_file = |source| Error::read(path, source);
         let progress = Progress::read(reader, length, path)?;
         reader.rewind().map_err(no_file)?;
         let other = Some((STATISTICS, 4));
-        let (SceneShare { scene, range, gaussians }, moments, statistics) =
-            SceneShare::read_with(reader, (length, path), share, MOMENTS, other)?;
+        let (SceneShard { scene, range, gaussians }, moments, statistics) =
+            SceneShard::read_with(reader, (length, path), shard, MOMENTS, other)?;
         let mut tensors = BTreeMap::new();
         for name in [EXPOSURE, POSE].into_iter().flat_map(names) {
             reader.rewind().map_err(no_file)?;
@@ -183,8 +183,8 @@ impl Checkpoint {
             }
         }
         let statistics = statistics.as_chunks().0.to_vec();
-        let exposures = PerPhotograph::of_tensors(EXPOSURE, &mut tensors, path)?;
-        let poses = PerPhotograph::of_tensors(POSE, &mut tensors, path)?;
+        let exposures = PerPhotograph::from_tensors(EXPOSURE, &mut tensors, path)?;
+        let poses = PerPhotograph::from_tensors(POSE, &mut tensors, path)?;
         let checkpoint =
             Self { scene, moments, statistics, range, gaussians, exposures, poses, progress };
         checkpoint.check(path)?;
@@ -192,7 +192,7 @@ impl Checkpoint {
     }
 
     /// The learned values of each photograph, by the names of the tensors.
-    fn of_photographs(&self) -> Vec<(String, Tensor)> {
+    fn photograph_tensors(&self) -> Vec<(String, Tensor)> {
         let exposures = self.exposures.iter().flat_map(|found| found.tensors(EXPOSURE, &[3, 2]));
         exposures.chain(self.poses.iter().flat_map(|found| found.tensors(POSE, &[6]))).collect()
     }
@@ -227,7 +227,7 @@ impl Checkpoint {
     /// # Errors
     /// [`Error::Invalid`] where they are those of another number.
     pub(super) fn exposures_of(&self, photographs: usize) -> Result<PerPhotograph> {
-        of_number(self.exposures.as_ref(), photographs, "exposures")
+        per_photograph_or_start(self.exposures.as_ref(), photographs, "exposures")
     }
 
     /// The same of poses.
@@ -235,12 +235,12 @@ impl Checkpoint {
     /// # Errors
     /// The same errors as [`Self::exposures_of`].
     pub(super) fn poses_of(&self, photographs: usize) -> Result<PerPhotograph> {
-        of_number(self.poses.as_ref(), photographs, "poses")
+        per_photograph_or_start(self.poses.as_ref(), photographs, "poses")
     }
 
     /// Everything beside the scene is what training can have come to.
     fn check(&self, origin: &Path) -> Result<()> {
-        for (spec, values) in self.beside_scene(&self.of_photographs()) {
+        for (spec, values) in self.beside_scene(&self.photograph_tensors()) {
             let tensor = spec.name;
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {
                 let (origin, value) = (origin.to_owned(), values[index]);
@@ -262,7 +262,7 @@ impl Checkpoint {
 }
 
 /// What was learned of so many photographs: what is there, or what is there before the first step.
-fn of_number(
+fn per_photograph_or_start(
     found: Option<&PerPhotograph>,
     photographs: usize,
     what: &str,

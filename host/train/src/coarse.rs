@@ -38,20 +38,20 @@ impl Batches {
     /// Batches for the photographs of these cameras.
     ///
     /// # Errors
-    /// The same errors as [`Sampler::of_cameras`].
-    pub fn of_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
-        let whole = Sampler::of_cameras(cameras, run)?;
+    /// The same errors as [`Sampler::from_cameras`].
+    pub fn from_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
+        let whole = Sampler::from_cameras(cameras, run)?;
         let holds_a_tile =
             |camera: &Camera| camera.width.min(camera.height) / FACTOR >= run.tile_size;
         let smaller = cameras
             .iter()
             .all(holds_a_tile)
-            .then(|| Sampler::of_cameras(&Drawn::cameras_of(cameras, FACTOR), run));
+            .then(|| Sampler::from_cameras(&Drawn::cameras_of(cameras, FACTOR), run));
         Ok(Self { whole, smaller: smaller.transpose()? })
     }
 
     /// Draws the tiles of a step.
-    pub fn of_step(&mut self, run: &RunConfig, step: u32) -> Drawn {
+    pub fn draw(&mut self, run: &RunConfig, step: u32) -> Drawn {
         if run.fraction(step) >= run.coarse {
             return self.whole(step);
         }
@@ -92,9 +92,9 @@ mod tests {
     fn coarse_steps_see_half_the_size_and_have_longer_steps_of_t() {
         let cameras = demo::turntable(3, 40);
         let mut run = RunConfig { steps: 20, tile_size: 16, coarse: 0.3, ..RunConfig::default() };
-        let mut batches = Batches::of_cameras(&cameras, &run).unwrap();
+        let mut batches = Batches::from_cameras(&cameras, &run).unwrap();
         for step in 0..20 {
-            let drawn = batches.of_step(&run, step);
+            let drawn = batches.draw(&run, step);
             let expected = if step < 6 { [2; 2] } else { [1; 2] };
             assert_eq!([drawn.factor, drawn.ray_steps], expected, "{step}");
             let seen = drawn.cameras(&cameras);
@@ -103,10 +103,10 @@ mod tests {
         }
         // half of a photograph is less than a tile wide
         run.tile_size = 21;
-        let drawn = Batches::of_cameras(&cameras, &run).unwrap().of_step(&run, 0);
+        let drawn = Batches::from_cameras(&cameras, &run).unwrap().draw(&run, 0);
         assert_eq!([drawn.factor, drawn.ray_steps], [1, 2]);
         run.coarse = 0.0;
-        let drawn = batches.of_step(&run, 0);
+        let drawn = batches.draw(&run, 0);
         assert_eq!([drawn.factor, drawn.ray_steps], [1; 2]);
     }
 }

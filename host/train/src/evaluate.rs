@@ -5,13 +5,13 @@
 //! that the photograph does not have, as after undistorting, are ignored: PSNR is over the other pixels, and SSIM
 //! over windows without any such pixel.
 
-mod beside;
+mod compare_splats;
 pub(crate) mod csv;
 mod fitted;
 #[cfg(test)]
 mod tests;
 
-pub use beside::{Beside, beside};
+pub use compare_splats::{SplatComparison, compare_splats};
 use serde::{Deserialize, Serialize};
 
 use muslin_device::memory;
@@ -24,7 +24,7 @@ use organza_core::metrics::{psnr, ssim};
 use organza_core::ranks::Ranks;
 use organza_core::tile::TileBatch;
 use organza_data::Frame;
-use organza_render::{DeviceScene, DeviceShare, Renderer};
+use organza_render::{DeviceScene, DeviceShard, Renderer};
 
 /// The result of comparing an image with its photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -180,14 +180,14 @@ pub fn evaluate_measures(
 
 /// Like [`evaluate`], but for one frame, with a scene whose Gaussians are distributed over ranks. All ranks must call
 /// it.
-pub(crate) fn evaluate_share(
+pub(crate) fn evaluate_shard(
     renderer: &Renderer,
-    share: &DeviceShare,
+    shard: &DeviceShard,
     frame: &Frame,
     ranks: &dyn Ranks,
 ) -> Result<(Evaluation, Image)> {
     let render =
-        &mut |cameras: &[_], batch: &_| renderer.render_share(share, cameras, batch, ranks);
+        &mut |cameras: &[_], batch: &_| renderer.render_shard(shard, cameras, batch, ranks);
     let rendered = Rendered::new(frame, render)?;
     let score = rendered.score(frame, Measures::default())?;
     let views = vec![ViewScore { name: frame.name.clone(), score }];
@@ -206,7 +206,7 @@ impl Evaluation {
     }
 
     /// Joins evaluations of parts of the frames, in order.
-    pub(crate) fn of_parts(parts: Vec<Self>) -> Self {
+    pub(crate) fn join(parts: Vec<Self>) -> Self {
         let not_finite = parts.iter().map(|part| part.not_finite).sum();
         let views: Vec<_> = parts.into_iter().flat_map(|part| part.views).collect();
         Self { mean: mean(&views), views, not_finite }

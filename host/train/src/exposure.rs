@@ -18,7 +18,7 @@ pub(super) struct Exposures(pub PerPhotograph);
 
 impl Exposures {
     /// Gain and offset of each channel for a batch's tiles: `[K, 3, 2]`.
-    pub fn of_tiles(&self, batch: &TileBatch) -> Vec<f32> {
+    pub fn tile_values(&self, batch: &TileBatch) -> Vec<f32> {
         let of = |camera: usize| {
             let [r, r0, g, g0, b, b0] = self.0.values[camera];
             [gain(r), r0, gain(g), g0, gain(b), b0]

@@ -36,7 +36,7 @@ impl Child {
     }
 }
 
-/// The fate of each Gaussian. It follows from few numbers of each, so that ranks that hold shares of a scene can find
+/// The fate of each Gaussian. It follows from few numbers of each, so that ranks that hold shards of a scene can find
 /// the same plan.
 #[derive(Debug)]
 pub struct GrowthPlan {
@@ -153,7 +153,7 @@ mod tests {
     use super::*;
     use crate::Checkpoint;
     use crate::config::TrainConfig;
-    use crate::share_growth::grow;
+    use crate::shard_growth::grow;
     use organza_core::ranks::ThreadRanks;
     use organza_core::scene::Scene;
 

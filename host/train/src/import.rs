@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::checkpoint::Checkpoint;
 use super::config::{Rate, TrainConfig};
-use super::start::of_splats;
+use super::start::from_splats;
 use super::trainer::Trainer;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
@@ -73,7 +73,7 @@ pub fn import(
     dataset.background = options.background.map(f64::from);
     let config = config(splats.len(), options.steps);
     let fitted: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-    let scene = of_splats(splats, &config, dataset.background, &fitted)?;
+    let scene = from_splats(splats, &config, dataset.background, &fitted)?;
     let begin = Checkpoint::begin(scene, &config)?;
     let mut trainer = Trainer::resume(renderer, config, dataset, &begin)?;
     while !trainer.is_finished() {
@@ -81,7 +81,7 @@ pub fn import(
         progress(trainer.steps() as usize)?;
     }
     let psnr = trainer.evaluate()?.mean.psnr;
-    Ok(Imported { scene: trainer.share().download(renderer.device())?, psnr })
+    Ok(Imported { scene: trainer.shard().download(renderer.device())?, psnr })
 }
 
 /// The settings of training: the number of Gaussians is constant, and their positions and shapes change slowly.

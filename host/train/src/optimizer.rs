@@ -7,13 +7,13 @@ use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
 use organza_core::scene::{GaussianTensors, Gaussians, Scene, Tensors};
 use organza_render::{
-    DeviceShare, ShareGradient, TensorGradient, in_blocks, pack, read_blocks, unpack, upload,
+    DeviceShard, ShardGradient, TensorGradient, in_blocks, pack, read_blocks, unpack, upload,
 };
 
 /// Both moments of every parameter, and the flag of tensors that are never sparse.
 #[derive(Debug)]
 pub struct Optimizer {
-    /// m and v of [`DeviceShare::fields`].
+    /// m and v of [`DeviceShard::fields`].
     fields: [Tensors<Buffer<f32>>; 2],
     /// Those of each block's Gaussians.
     blocks: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
@@ -22,12 +22,12 @@ pub struct Optimizer {
 }
 
 impl Optimizer {
-    /// From the moments of a share's tensors, of an earlier run or zeros.
+    /// From the moments of a shard's tensors, of an earlier run or zeros.
     ///
     /// # Errors
     /// The same errors as [`Device::upload`].
-    pub fn new(device: &Device, share: &DeviceShare, moments: &[Scene; 2]) -> Result<Self> {
-        let is_whole = share.whole().is_some();
+    pub fn new(device: &Device, shard: &DeviceShard, moments: &[Scene; 2]) -> Result<Self> {
+        let is_whole = shard.whole().is_some();
         let fields = |moment: &Scene| -> Result<_> {
             let mut fields = Scene::zeros(moment.config.clone(), 1)?;
             fields.color.clone_from(&moment.color);
@@ -64,14 +64,14 @@ impl Optimizer {
     ///
     /// # Errors
     /// The same errors as [`Device::read`].
-    pub fn moments(&self, device: &Device, share: &DeviceShare) -> Result<[Scene; 2]> {
+    pub fn moments(&self, device: &Device, shard: &DeviceShard) -> Result<[Scene; 2]> {
         let read = |place: usize| -> Result<Scene> {
             let moment = self.fields[place].as_ref();
             let mut scene =
-                unpack(share.config(), share.fields().len(), moment, |buffer, values| {
+                unpack(shard.config(), shard.fields().len(), moment, |buffer, values| {
                     device.read_into(buffer, 0, values)
                 })?;
-            scene.gaussians = Gaussians::zeros(share.config(), share.len())?;
+            scene.gaussians = Gaussians::zeros(shard.config(), shard.len())?;
             let blocks = self.blocks.iter().map(|moments| moments[place].as_ref());
             read_blocks(device, blocks, &mut scene.gaussians)?;
             Ok(scene)
@@ -87,8 +87,8 @@ impl Optimizer {
     pub fn step(
         &self,
         device: &Device,
-        scene: &DeviceShare,
-        gradient: &ShareGradient,
+        scene: &DeviceShard,
+        gradient: &ShardGradient,
         config: &OptimizerConfig,
         now: (u32, f64),
     ) -> Result<()> {

@@ -91,7 +91,7 @@ impl PerPhotograph {
     ///
     /// # Errors
     /// [`Error::Invalid`] if the tensors do not belong together.
-    pub(super) fn of_tensors(
+    pub(super) fn from_tensors(
         name: &str,
         tensors: &mut BTreeMap<String, Tensor>,
         origin: &Path,

@@ -78,7 +78,7 @@ impl PoseSet {
             .given
             .iter()
             .zip(&self.learned.values)
-            .map(|(camera, &values)| Motion::of(camera, values))
+            .map(|(camera, &values)| Motion::new(camera, values))
             .collect();
         let middle = mean(&|at| self.given[at].eye());
         let arms: Vec<_> =
@@ -112,7 +112,7 @@ struct Motion {
 
 impl Motion {
     /// `W' = exp([w]x) W`, so the axes W^T turn by `exp([-W^T w]x)`; the center moves by `-W'^T v`.
-    fn of(camera: &Camera, values: [f32; VALUES]) -> Self {
+    fn new(camera: &Camera, values: [f32; VALUES]) -> Self {
         let [wx, wy, wz, vx, vy, vz] = values.map(f64::from);
         let turn = to_world(camera, [-wx, -wy, -wz]);
         let unturned = turned([-wx, -wy, -wz], [-vx, -vy, -vz]);

@@ -20,7 +20,7 @@ pub enum Split {
     #[default]
     Views,
     /// Each rank has some of the Gaussians, and computes their part of all of a step's views: see
-    /// [`Trainer::resume_share`].
+    /// [`Trainer::resume_shard`].
     Gaussians,
 }
 
@@ -31,7 +31,7 @@ pub(super) enum Order {
     Step(u32),
     /// Measure a held-out view each, from this one on: of all, or of those of intermediate evaluations.
     Evaluate { first: usize, all: bool },
-    /// Hand over the share for a checkpoint.
+    /// Hand over the shard for a checkpoint.
     Save,
     /// Nothing more.
     End,
@@ -67,10 +67,15 @@ impl Order {
     }
 }
 
-/// [Meets](organza_core::ranks::meet) the other ranks, which must have read the same photographs.
-fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) -> Result<()> {
+/// [Checks](organza_core::ranks::check_agreement) that all ranks have read the same photographs.
+fn check_photographs(
+    ranks: &dyn Ranks,
+    renderer: &Renderer,
+    dataset: &Dataset,
+    mixed: bool,
+) -> Result<()> {
     let photographs = serde_json::to_string(&dataset.fingerprint).unwrap_or_default();
-    ranks::meet(
+    ranks::check_agreement(
         ranks,
         renderer.device(),
         crate::COMMIT.unwrap_or_default(),
@@ -79,34 +84,34 @@ fn meet(ranks: &dyn Ranks, renderer: &Renderer, dataset: &Dataset, mixed: bool) 
     )
 }
 
-/// Tells the other ranks how to train, and what with: each has one of so many shares, or the whole scene. `mine` is
-/// that of rank 0, and `share` makes or reads any.
+/// Tells the other ranks how to train, and what with: each has one of so many shards, or the whole scene. `mine` is
+/// that of rank 0, and `shard` makes or reads any.
 pub(super) fn lead(
-    (ranks, shares): (&dyn Ranks, Option<usize>),
+    (ranks, shards): (&dyn Ranks, Option<usize>),
     renderer: &Renderer,
     (config, dataset): (&TrainConfig, &Dataset),
     mine: &mut Checkpoint,
-    share: impl Fn(usize) -> Result<Checkpoint>,
+    shard: impl Fn(usize) -> Result<Checkpoint>,
     mixed: bool,
 ) -> Result<()> {
-    meet(ranks, renderer, dataset, mixed)?;
-    let words = [shares.unwrap_or_default() as u64];
+    check_photographs(ranks, renderer, dataset, mixed)?;
+    let words = [shards.unwrap_or_default() as u64];
     ranks.broadcast(bytemuck::cast_slice(&words).to_vec())?;
     ranks.broadcast(config.to_toml().into_bytes())?;
-    mine.deal(Grid::new(ranks, shares.unwrap_or(1))?, share)
+    mine.send_to_ranks(Grid::new(ranks, shards.unwrap_or(1))?, shard)
 }
 
-/// The trainer of a rank that has one of so many shares, or the whole scene.
+/// The trainer of a rank that has one of so many shards, or the whole scene.
 pub(super) fn trainer(
-    (ranks, shares): (&Arc<dyn Ranks>, Option<usize>),
+    (ranks, shards): (&Arc<dyn Ranks>, Option<usize>),
     renderer: &Renderer,
     config: TrainConfig,
     dataset: Arc<Dataset>,
     checkpoint: &Checkpoint,
 ) -> Result<Trainer> {
     let ranks = ranks.clone();
-    match shares {
-        Some(shares) => Trainer::resume_share(renderer, config, dataset, checkpoint, ranks, shares),
+    match shards {
+        Some(shards) => Trainer::resume_shard(renderer, config, dataset, checkpoint, ranks, shards),
         None => Ok(Trainer::resume(renderer, config, dataset, checkpoint)?.with_ranks(ranks)),
     }
 }
@@ -123,13 +128,13 @@ pub fn follow(
     ranks: &Arc<dyn Ranks>,
     mixed: bool,
 ) -> Result<()> {
-    meet(&**ranks, renderer, dataset, mixed)?;
+    check_photographs(&**ranks, renderer, dataset, mixed)?;
     let words: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
-    let shares = words.first().map(|&shares| shares as usize).filter(|&shares| shares > 0);
+    let shards = words.first().map(|&shards| shards as usize).filter(|&shards| shards > 0);
     let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
-    let checkpoint = Checkpoint::receive(Grid::new(&**ranks, shares.unwrap_or(1))?)?;
-    let mut trainer = trainer((ranks, shares), renderer, config, dataset.clone(), &checkpoint)?;
+    let checkpoint = Checkpoint::receive(Grid::new(&**ranks, shards.unwrap_or(1))?)?;
+    let mut trainer = trainer((ranks, shards), renderer, config, dataset.clone(), &checkpoint)?;
     drop(checkpoint);
     loop {
         match Order::receive(&**ranks)? {
@@ -202,6 +207,6 @@ fn decode(bytes: &[u8], frame: &Frame) -> (Evaluation, Image) {
     let mean = Score { psnr: score(1), ssim: score(3), ..Score::default() };
     let views = vec![ViewScore { name: frame.name.clone(), score: mean }];
     let size = [frame.camera.width, frame.camera.height];
-    let image = Image::of_pixels(size, pixels.as_chunks().0);
+    let image = Image::from_pixels(size, pixels.as_chunks().0);
     (Evaluation { mean, views, not_finite: words[0] }, image)
 }

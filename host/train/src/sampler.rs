@@ -55,7 +55,7 @@ impl Sampler {
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-    pub fn of_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
+    pub fn from_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
         let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
         let sampler = Self::new(sizes, run);
         sampler.check_memory()?;
@@ -132,7 +132,7 @@ impl Target {
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-    pub fn of(batch: &TileBatch, factor: u32, frames: &[&Frame]) -> Result<Self> {
+    pub fn new(batch: &TileBatch, factor: u32, frames: &[&Frame]) -> Result<Self> {
         let side = batch.side as usize;
         let area = side * side;
         let mut image = memory::zeros(batch.tiles.len() * 3 * area, "the tiles of a step")?;
@@ -147,7 +147,11 @@ impl Target {
     }
 
     /// The target for rendered tiles. `exposure` is that of [`LossTarget`].
-    pub fn of_loss<'a>(&'a self, loss: &LossConfig, exposure: Option<&'a [f32]>) -> LossTarget<'a> {
+    pub fn loss_target<'a>(
+        &'a self,
+        loss: &LossConfig,
+        exposure: Option<&'a [f32]>,
+    ) -> LossTarget<'a> {
         let Self { image, valid, valid_pixels } = self;
         let valid_pixels = *valid_pixels;
         let ssim_weight = loss.ssim_weight;
@@ -246,7 +250,7 @@ mod tests {
         let camera = organza_core::demo::turntable(1, 8).remove(0);
         let frame = Frame { name: String::new(), camera, image };
         let tiles = vec![Tile { camera: 0, origin: [-1, 0] }];
-        let target = Target::of(&TileBatch { side: 3, tiles }, 2, &[&frame]).expect("a target");
+        let target = Target::new(&TileBatch { side: 3, tiles }, 2, &[&frame]).expect("a target");
         // pixels of the image are 0 1 / 2 3; those of square 1 are 2, 3, 7 and 8
         assert_eq!(target.valid, [0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
         assert_eq!(target.valid_pixels, 3.0);

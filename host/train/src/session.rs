@@ -73,8 +73,8 @@ pub struct Session<'a> {
     pub mixed: bool,
     /// The work that ranks share.
     pub split: Split,
-    /// Number of shares: see [`Session::with_shares`].
-    pub shares: Option<usize>,
+    /// Number of shards: see [`Session::with_shards`].
+    pub shards: Option<usize>,
 }
 
 /// Progress of a run.
@@ -171,7 +171,7 @@ impl<'a> Session<'a> {
             ranks: None,
             mixed: false,
             split: Split::Views,
-            shares: None,
+            shards: None,
         }
     }
 
@@ -220,11 +220,11 @@ impl<'a> Session<'a> {
         self
     }
 
-    /// Distributes the Gaussians in `shares` shares to groups of `shares` ranks. Groups share the views. By default
+    /// Distributes the Gaussians in `shards` shards to groups of `shards` ranks. Groups share the views. By default
     /// there is one group. The scene's bits do not depend on it.
     #[must_use]
-    pub fn with_shares(mut self, shares: Option<usize>) -> Self {
-        self.shares = shares;
+    pub fn with_shards(mut self, shards: Option<usize>) -> Self {
+        self.shards = shards;
         self
     }
 }

@@ -64,9 +64,9 @@ pub fn start(
     };
     requirements::check_scene(config, count)?;
     let mut random_places = random(config.run.seed, PLACES, 0);
-    let target = Target::of(cameras);
+    let target = Target::from_cameras(cameras);
     let (places, colors) = if points.is_empty() {
-        (spread(&target, cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
+        (scatter(&target, cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
     } else {
         choose(points, config.growth.max_gaussians as usize, &mut random_places)
     };
@@ -99,14 +99,14 @@ pub fn start_from(
         );
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
-    of_splats(&splats, config, background, cameras)
+    from_splats(&splats, config, background, cameras)
 }
 
 /// [`start_from`], with Gaussians already read from a file.
 ///
 /// # Errors
 /// The same errors as [`Scene::zeros`].
-pub fn of_splats(
+pub fn from_splats(
     splats: &[Splat],
     config: &TrainConfig,
     background: [f64; 3],
@@ -115,7 +115,7 @@ pub fn of_splats(
     requirements::check_scene(config, splats.len() as u64)?;
     let point = |splat: &Splat| Point { position: splat.position.map(f64::from), color: None };
     let points: Vec<_> = splats.iter().map(point).collect();
-    let aabb = scene_box(cameras, &Target::of(cameras), &points, &[]);
+    let aabb = scene_box(cameras, &Target::from_cameras(cameras), &points, &[]);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), splats.len())?;
     let gaussians = &mut scene.gaussians;
     for (i, splat) in splats.iter().enumerate() {
@@ -151,18 +151,18 @@ pub fn points<'p>(
     }
     requirements::check_scene(config, u64::from(config.start.gaussians))?;
     let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
-    let target = Target::of(&cameras);
+    let target = Target::from_cameras(&cameras);
     let count = config.start.gaussians as usize;
     let seed = config.run.seed;
     let mut found = sweep::points(frames, target.distance, count, seed);
-    let rest = spread(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));
+    let rest = scatter(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));
     let rest = rest.into_iter().map(|place| Point { position: place.to_array(), color: None });
     found.extend(rest);
     Ok(Cow::Owned(found))
 }
 
 /// Random places that cameras see: most in a ball around the target, the others behind it, along rays.
-fn spread(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
+fn scatter(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
     let needed = 2.min(cameras.len());
     (0..count)
         .map(|_| {

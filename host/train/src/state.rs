@@ -7,40 +7,40 @@ use super::config::TrainConfig;
 use super::optimizer::Optimizer;
 use muslin_device::Device;
 use organza_core::error::Result;
-use organza_render::{DeviceShare, Renderer, SceneGradient, ShareGradient};
+use organza_render::{DeviceShard, Renderer, SceneGradient, ShardGradient};
 
 /// The state that a step changes.
 #[derive(Debug)]
 pub(super) struct State {
-    /// The whole scene, or a share of it.
-    pub share: DeviceShare,
+    /// The whole scene, or a shard of it.
+    pub shard: DeviceShard,
     pub optimizer: Optimizer,
-    pub gradient: ShareGradient,
+    pub gradient: ShardGradient,
     /// Gaussians of the whole scene.
     pub gaussians: usize,
 }
 
 impl State {
-    /// That of the checkpoint of `share`, and of so many photographs.
+    /// That of the checkpoint of `shard`, and of so many photographs.
     pub fn new(
         renderer: &Renderer,
         config: &TrainConfig,
-        mut share: DeviceShare,
+        mut shard: DeviceShard,
         checkpoint: &Checkpoint,
         photographs: usize,
     ) -> Result<Self> {
         let device = renderer.device();
         if !config.ablation.divide {
-            share.never_divide();
+            shard.never_divide();
         }
-        let optimizer = Optimizer::new(device, &share, &checkpoint.moments)?;
-        let mut fields = SceneGradient::new(device, share.fields())?;
+        let optimizer = Optimizer::new(device, &shard, &checkpoint.moments)?;
+        let mut fields = SceneGradient::new(device, shard.fields())?;
         fields.has_transmittance = config.ablation.learn_transmittance;
         if config.poses.refine {
             fields = fields.with_poses(device, photographs)?;
         }
-        let gradient = ShareGradient::new(device, &share, fields)?;
-        let state = Self { share, optimizer, gradient, gaussians: checkpoint.gaussians };
+        let gradient = ShardGradient::new(device, &shard, fields)?;
+        let state = Self { shard, optimizer, gradient, gaussians: checkpoint.gaussians };
         state.write_statistics(device, &checkpoint.statistics)?;
         Ok(state)
     }
@@ -48,15 +48,15 @@ impl State {
     /// The Gaussians are those of a checkpoint from now on; the fields stay.
     pub fn replace_gaussians(&mut self, device: &Device, checkpoint: &Checkpoint) -> Result<()> {
         self.gaussians = checkpoint.gaussians;
-        self.share.replace_gaussians(device, &checkpoint.scene.gaussians)?;
+        self.shard.replace_gaussians(device, &checkpoint.scene.gaussians)?;
         self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
-        self.gradient.replace_gaussians(device, &self.share)?;
+        self.gradient.replace_gaussians(device, &self.shard)?;
         self.write_statistics(device, &checkpoint.statistics)
     }
 
     /// `[N]`, of the Gaussians that are here: see [`SceneGradient::statistics`].
     pub fn statistics(&self, device: &Device) -> Result<Vec<[f32; 4]>> {
-        let mut statistics = Vec::with_capacity(self.share.len());
+        let mut statistics = Vec::with_capacity(self.shard.len());
         for block in &self.gradient.blocks {
             statistics.extend(device.read(&block.statistics)?.iter().map(|v| v.to_array()));
         }

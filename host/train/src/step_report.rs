@@ -25,7 +25,7 @@ pub struct StepReport {
 
 impl StepReport {
     /// The report on a batch's losses.
-    pub(super) fn of(losses: &[TileLoss], ssim_weight: f32) -> Self {
+    pub(super) fn new(losses: &[TileLoss], ssim_weight: f32) -> Self {
         let total = TileLoss::total(losses);
         let pixels = (3.0 * total.valid).max(1.0);
         Self {

@@ -12,7 +12,7 @@ use super::pose::PoseSet;
 use super::progress::Progress;
 use super::requirements::check;
 use super::sampler::Target;
-use super::share_growth::grow;
+use super::shard_growth::grow;
 use super::start;
 use super::state::State;
 use super::step_report::StepReport;
@@ -23,7 +23,7 @@ use organza_core::metrics;
 use organza_core::ranks::{Grid, Ranks};
 use organza_core::scene::range_of;
 use organza_data::Dataset;
-use organza_render::{DeviceScene, DeviceShare, ExposureGradient, Loss, Renderer, UploadOptions};
+use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer, UploadOptions};
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -58,7 +58,7 @@ pub(super) const NO_HOOKS: &str =
 /// assert_eq!(evaluation.views.len(), 2);
 /// assert!(evaluation.mean.psnr.is_some_and(|psnr| psnr > 3.0));
 ///
-/// let scene = trainer.share().download(renderer.device())?;
+/// let scene = trainer.shard().download(renderer.device())?;
 /// assert_eq!(scene.gaussians.len(), 100);
 /// # Ok::<(), organza_core::Error>(())
 /// ```
@@ -77,10 +77,10 @@ pub struct Trainer {
     poses: Option<PoseSet>,
     pub(super) state: State,
     pub(super) step: u32,
-    /// See [`Trainer::with_ranks`] and [`Trainer::resume_share`].
+    /// See [`Trainer::with_ranks`] and [`Trainer::resume_shard`].
     pub(super) ranks: Option<Arc<dyn Ranks>>,
-    /// See [`Trainer::resume_share`]: none where this rank has the whole scene.
-    pub(super) shares: Option<usize>,
+    /// See [`Trainer::resume_shard`]: none where this rank has the whole scene.
+    pub(super) shards: Option<usize>,
 }
 
 impl Trainer {
@@ -112,7 +112,7 @@ impl Trainer {
         Self::with_ranks_of(renderer, config, dataset.into(), checkpoint, None)
     }
 
-    /// Continues from a checkpoint: of the whole scene, or of one of so many shares of it.
+    /// Continues from a checkpoint: of the whole scene, or of one of so many shards of it.
     pub(super) fn with_ranks_of(
         renderer: &Renderer,
         config: TrainConfig,
@@ -123,7 +123,7 @@ impl Trainer {
         check(&config, &dataset)?;
         let mut cameras: Vec<_> =
             dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let batches = Batches::of_cameras(&cameras, &config.run)?;
+        let batches = Batches::from_cameras(&cameras, &config.run)?;
         let exposures = match config.exposure.learn {
             false => None,
             true => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
@@ -135,12 +135,14 @@ impl Trainer {
         if let Some(poses) = &poses {
             cameras = poses.cameras();
         }
-        let share = match shared {
-            Some(_) => DeviceShare::upload(renderer, &checkpoint.scene, UploadOptions::default())?,
-            None => DeviceShare::of_whole(renderer.device(), renderer.upload(&checkpoint.scene)?)?,
+        let shard = match shared {
+            Some(_) => DeviceShard::upload(renderer, &checkpoint.scene, UploadOptions::default())?,
+            None => {
+                DeviceShard::from_scene(renderer.device(), renderer.upload(&checkpoint.scene)?)?
+            }
         };
-        let state = State::new(renderer, &config, share, checkpoint, cameras.len())?;
-        let (ranks, shares) = shared.unzip();
+        let state = State::new(renderer, &config, shard, checkpoint, cameras.len())?;
+        let (ranks, shards) = shared.unzip();
         let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
         Ok(Self {
             renderer,
@@ -154,7 +156,7 @@ impl Trainer {
             state,
             step,
             ranks,
-            shares,
+            shards,
         })
     }
 
@@ -205,13 +207,13 @@ impl Trainer {
     /// The scene as it is now, if this rank has the whole of it.
     #[must_use]
     pub fn scene(&self) -> Option<&DeviceScene> {
-        self.state.share.whole()
+        self.state.shard.whole()
     }
 
     /// What this rank has of the scene as it is now: without ranks that split the Gaussians, the whole of it.
     #[must_use]
-    pub fn share(&self) -> &DeviceShare {
-        &self.state.share
+    pub fn shard(&self) -> &DeviceShard {
+        &self.state.shard
     }
 
     /// Gaussians of the whole scene.
@@ -223,18 +225,18 @@ impl Trainer {
     /// Renders the held-out frames and compares them with their photographs.
     ///
     /// # Errors
-    /// The same errors as [`evaluate`](crate::evaluate()); [`Error::Argument`] where this rank has a share of the
+    /// The same errors as [`evaluate`](crate::evaluate()); [`Error::Argument`] where this rank has a shard of the
     /// scene.
     pub fn evaluate(&self) -> Result<Evaluation> {
         let frames: Vec<_> = self.dataset.held_out_frames().collect();
         let Some(scene) = self.scene() else {
-            let reason = "a rank with a share of the scene cannot render it alone".to_owned();
+            let reason = "a rank with a shard of the scene cannot render it alone".to_owned();
             return Err(Error::Argument { reason });
         };
         evaluate(&self.renderer, scene, &frames)
     }
 
-    /// Everything that training needs to go on, with the Gaussians of this rank's share. `seconds` is the time of
+    /// Everything that training needs to go on, with the Gaussians of this rank's shard. `seconds` is the time of
     /// training to write down.
     ///
     /// # Errors
@@ -243,12 +245,12 @@ impl Trainer {
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
         let (device, state) = (self.renderer.device(), &self.state);
         state.gradient.fields.check(device)?;
-        let (share, shares) = self.grid().map_or((0, 1), |grid| (grid.share(), grid.shares));
+        let (shard, shards) = self.grid().map_or((0, 1), |grid| (grid.shard(), grid.shards));
         Ok(Checkpoint {
-            scene: state.share.download(device)?,
-            moments: state.optimizer.moments(device, &state.share)?,
+            scene: state.shard.download(device)?,
+            moments: state.optimizer.moments(device, &state.shard)?,
             statistics: state.statistics(device)?,
-            range: range_of(state.gaussians, share, shares),
+            range: range_of(state.gaussians, shard, shards),
             gaussians: state.gaussians,
             exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
             poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
@@ -274,16 +276,16 @@ impl Trainer {
         let drawn = match hooks.loss {
             // a caller may know photographs by their pixels, and tiles by what renders them
             Some(_) => self.batches.whole(self.step),
-            None => self.batches.of_step(&self.config.run, self.step),
+            None => self.batches.draw(&self.config.run, self.step),
         };
         let rollback = |trainer: &Self| trainer.state.gradient.rollback(trainer.renderer.device());
         let (report, exposures) = self.add_gradient(&drawn, hooks)?;
         report.check(self.step).inspect_err(|_| rollback(self))?;
         let device = self.renderer.device();
-        let State { share, optimizer, gradient, .. } = &self.state;
+        let State { shard, optimizer, gradient, .. } = &self.state;
         if let Some(hook) = &mut hooks.gradient {
             // without ranks, all Gaussians are one block
-            let (scene, gradient) = (&share.blocks()[0], &gradient.blocks[0]);
+            let (scene, gradient) = (&shard.blocks()[0], &gradient.blocks[0]);
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| rollback(self))?;
         }
@@ -298,12 +300,12 @@ impl Trainer {
             let found = gradient.fields.read_poses(device)?;
             let shown = drawn.batch.tiles.iter().map(|tile| tile.camera);
             let rate = settings.rate_at(settings.pose, done);
-            let moved = poses.step(&found, shown, settings, rate, share.fields().extent());
+            let moved = poses.step(&found, shown, settings, rate, shard.fields().extent());
             moved.inspect_err(|_| gradient.rollback(device))?;
             gradient.fields.clear_poses(device);
             self.cameras = poses.cameras();
         }
-        device.run_in_pool(|| optimizer.step(device, share, gradient, settings, now))?;
+        device.run_in_pool(|| optimizer.step(device, shard, gradient, settings, now))?;
         gradient.fields.clear_touched(device);
         self.step += 1;
         let grows = is_time_to_grow(&self.config, self.step);
@@ -320,20 +322,20 @@ impl Trainer {
         self.check_hooks(hooks)?;
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let Drawn { batch, factor, ray_steps } = drawn;
-        let target = Target::of(batch, *factor, &frames)?;
-        let exposure = self.exposures.as_ref().map(|exposures| exposures.of_tiles(batch));
-        let target = target.of_loss(&self.config.loss, exposure.as_deref());
-        let State { share, gradient, .. } = &self.state;
+        let target = Target::new(batch, *factor, &frames)?;
+        let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
+        let target = target.loss_target(&self.config.loss, exposure.as_deref());
+        let State { shard, gradient, .. } = &self.state;
         let (renderer, cameras) = (&self.renderer, &drawn.cameras(&self.cameras)[..]);
-        if let Some(grid) = grid_of(&self.ranks, self.shares) {
-            let seen = &share.coarser(*factor, *ray_steps);
+        if let Some(grid) = grid_of(&self.ranks, self.shards) {
+            let seen = &shard.coarser(*factor, *ray_steps);
             let (shared, kept) = ((seen, grid), &mut self.loss);
             let (losses, exposures) =
-                renderer.add_share_gradient(shared, cameras, batch, kept, &target, gradient)?;
-            return Ok((StepReport::of(&losses, target.ssim_weight), exposures));
+                renderer.add_shard_gradient(shared, cameras, batch, kept, &target, gradient)?;
+            return Ok((StepReport::new(&losses, target.ssim_weight), exposures));
         }
         // all Gaussians are one block
-        let scene = &share.blocks()[0].coarser(*factor, *ray_steps);
+        let scene = &shard.blocks()[0].coarser(*factor, *ray_steps);
         let gradient = &gradient.blocks[0];
         if let Some(own) = &mut hooks.loss {
             let (loss, squared) =
@@ -345,7 +347,7 @@ impl Trainer {
         let (kept, ranks) = (&mut self.loss, self.ranks.as_deref());
         let (losses, exposures) =
             renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
-        Ok((StepReport::of(&losses, target.ssim_weight), exposures))
+        Ok((StepReport::new(&losses, target.ssim_weight), exposures))
     }
 
     /// The settings that hooks cannot be used with.
@@ -379,7 +381,7 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
 }
 
 /// See [`Trainer::grid`].
-pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shares: Option<usize>) -> Option<Grid<'_>> {
-    let (all, shares) = (ranks.as_deref()?, shares?);
-    Some(Grid { all, shares })
+pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shards: Option<usize>) -> Option<Grid<'_>> {
+    let (all, shards) = (ranks.as_deref()?, shards?);
+    Some(Grid { all, shards })
 }

@@ -126,7 +126,7 @@ impl About {
 
 /// A camera that sees the whole box.
 fn overview(aabb: [[f64; 3]; 2]) -> Camera {
-    let cameras = Orbit::of_box(aabb, SIZE).cameras(1).ok().and_then(|mut cameras| cameras.pop());
+    let cameras = Orbit::from_box(aabb, SIZE).cameras(1).ok().and_then(|mut cameras| cameras.pop());
     // a box without size has no outside
     cameras.unwrap_or_else(|| demo::turntable(1, SIZE[1]).remove(0))
 }

@@ -41,7 +41,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Error::Invalid`] for another extension.
-    pub fn of(output: &Path) -> Result<Self> {
+    pub fn from_path(output: &Path) -> Result<Self> {
         let extension = output.extension().map(OsStr::to_ascii_lowercase);
         match extension.as_deref().and_then(OsStr::to_str) {
             _ if output.is_dir() => Ok(Self::Frames),
@@ -210,7 +210,7 @@ mod tests {
 
     #[test]
     fn the_ending_says_what_a_film_is_written_as() {
-        let kind = |name: &str| Kind::of(Path::new(name)).ok();
+        let kind = |name: &str| Kind::from_path(Path::new(name)).ok();
         assert_eq!(kind("a/film.mp4"), Some(Kind::Mp4));
         assert_eq!(kind("film.MP4"), Some(Kind::Mp4));
         assert_eq!(kind("film.png"), Some(Kind::Png));

@@ -188,7 +188,7 @@ impl FrameRenderer {
             Question::Photograph(view) => {
                 let photograph = self.photographs.get(stage.renderer, *view)?;
                 let size = [photograph.width(), photograph.height()];
-                let image = Image::of_pixels(size, photograph.pixels());
+                let image = Image::from_pixels(size, photograph.pixels());
                 let bytes = picture::encode_jpeg(&image)?;
                 Ok(rendered_as("image/jpeg", bytes, &json!({ "size": size })))
             }
@@ -252,17 +252,17 @@ fn draw(
     let rendered = renderer.render_from_eye(scene, camera, &batch, cache, &options)?;
     let Some(tiles) = rendered else { return Ok(None) };
     let (image, range) = match (request.mode, request.mode.channels()) {
-        (Mode::Members, _) => picture::of_members(&renderer.count_members(scene, camera)?, size),
+        (Mode::Members, _) => picture::count_image(&renderer.count_members(scene, camera)?, size),
         (mode, [channel]) => {
             let mut image = ChannelImage::new(*channel, size[0], size[1])?;
             image.paste(&batch, &tiles)?;
-            picture::of_channel(mode, &image, scene, camera)
+            picture::channel_image(mode, &image, scene, camera)
         }
         _ => {
             let mut image = Image::new(size[0], size[1])?;
             image.paste(&batch, &tiles)?;
             match truth {
-                Some(truth) => picture::of_error(&image, truth)?,
+                Some(truth) => picture::error_image(&image, truth)?,
                 None => (image, None),
             }
         }

@@ -18,7 +18,7 @@ pub struct Guard {
 
 /// The decision about a request.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Access {
     /// The request is answered. The answer sets a cookie if the address had the token.
     Allowed { cookie: Option<String> },
     /// The request is refused for this reason.
@@ -38,29 +38,29 @@ impl Guard {
     }
 
     /// Checks a request's headers, and the part of its address after the `?`.
-    pub fn judge(&self, headers: &HeaderMap, query: Option<&str>) -> Verdict {
+    pub fn judge(&self, headers: &HeaderMap, query: Option<&str>) -> Access {
         let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
-        let Some(host) = text(HOST) else { return Verdict::Refused("the request names no host") };
+        let Some(host) = text(HOST) else { return Access::Refused("the request names no host") };
         if self.is_local && !is_this_machine(host) {
-            return Verdict::Refused("the request is for another host");
+            return Access::Refused("the request is for another host");
         }
         if headers.contains_key(ORIGIN) {
             let from = text(ORIGIN).and_then(|origin| origin.split_once("://"));
             if from.is_none_or(|(_, from)| from != host) {
-                return Verdict::Refused("the request comes from another page");
+                return Access::Refused("the request comes from another page");
             }
         }
         let token = &self.token;
         let name = cookie_name(host);
         let cookies = text(COOKIE).unwrap_or_default().split(';');
         if has(cookies, &name, token) {
-            return Verdict::Allowed { cookie: None };
+            return Access::Allowed { cookie: None };
         }
         if has(query.unwrap_or_default().split('&'), "token", token) {
             let cookie = format!("{name}={token}; HttpOnly; SameSite=Strict; Path=/");
-            return Verdict::Allowed { cookie: Some(cookie) };
+            return Access::Allowed { cookie: Some(cookie) };
         }
-        Verdict::Refused("the address lacks the token that the program has printed")
+        Access::Refused("the address lacks the token that the program has printed")
     }
 }
 
@@ -104,12 +104,12 @@ mod tests {
 
     fn is_allowed(guard: &Guard, pairs: &[(&'static str, &str)]) -> bool {
         let query = format!("token={}", guard.token());
-        matches!(guard.judge(&headers(pairs), Some(&query)), Verdict::Allowed { .. })
+        matches!(guard.judge(&headers(pairs), Some(&query)), Access::Allowed { .. })
     }
 
     /// Whether a client with the token in its cookies only is welcome.
     fn brings_cookie(guard: &Guard, pairs: &[(&'static str, &str)]) -> bool {
-        matches!(guard.judge(&headers(pairs), None), Verdict::Allowed { .. })
+        matches!(guard.judge(&headers(pairs), None), Access::Allowed { .. })
     }
 
     #[test]
@@ -145,7 +145,7 @@ mod tests {
         let host = ("host", if guard.is_local { "localhost:8000" } else { "machine.example:8000" });
         let query = format!("a=b&token={token}");
         let allowed = guard.judge(&headers(&[host]), Some(&query));
-        let Verdict::Allowed { cookie: Some(cookie) } = allowed else { panic!("{allowed:?}") };
+        let Access::Allowed { cookie: Some(cookie) } = allowed else { panic!("{allowed:?}") };
         assert!(cookie.starts_with(&format!("organza-token-8000={token};")), "{cookie}");
         let brought = format!("x=y; organza-token-8000={token}");
         assert!(brings_cookie(guard, &[host, ("cookie", &brought)]));
@@ -155,7 +155,7 @@ mod tests {
         assert!(!brings_cookie(guard, &[host, ("cookie", &brought), from]));
         for wrong in ["", "token=", "token=0", &query[..query.len() - 1], "a=b"] {
             let found = guard.judge(&headers(&[host]), Some(wrong));
-            assert!(matches!(found, Verdict::Refused(_)), "{wrong}: {found:?}");
+            assert!(matches!(found, Access::Refused(_)), "{wrong}: {found:?}");
         }
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::message::{CameraMessage, checked, refuse};
-use organza_core::camera::{Camera, CameraPath, file_of, parse};
+use organza_core::camera::{Camera, CameraPath, encode, parse};
 use organza_core::error::Result;
 
 /// Most keyframes in a file.
@@ -56,7 +56,7 @@ pub fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
 
 /// Writes keyframes as a file.
 pub fn write(keyframes: &[CameraMessage]) -> Result<Vec<u8>> {
-    file_of(&keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?)
+    encode(&keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?)
 }
 
 /// Reads the keyframes of a file: cameras in any form of a `transforms.json`.

@@ -51,19 +51,19 @@ impl Photographs {
 
     /// A training's photographs, in memory.
     #[must_use]
-    pub fn of_dataset(dataset: Arc<Dataset>) -> Self {
+    pub fn from_dataset(dataset: Arc<Dataset>) -> Self {
         Self::from(Source::Dataset(dataset))
     }
 
     /// Photographs in files.
     #[must_use]
-    pub fn of_poses(poses: Poses) -> Self {
+    pub fn from_poses(poses: Poses) -> Self {
         Self::from(Source::Poses(poses))
     }
 
     /// Views of the built-in scene.
     #[must_use]
-    pub fn of_built_in(cameras: Vec<Camera>) -> Self {
+    pub fn built_in(cameras: Vec<Camera>) -> Self {
         Self::from(Source::BuiltIn(cameras, None))
     }
 

@@ -67,7 +67,7 @@ impl Mode {
 }
 
 /// The image of a channel.
-pub fn of_channel(
+pub fn channel_image(
     mode: Mode,
     channel: &ChannelImage,
     scene: &DeviceScene,
@@ -80,7 +80,7 @@ pub fn of_channel(
         let level = |value: f32| (127.5 * value + 127.5).clamp(0.0, 255.0).round() as u8;
         let pixel = |at: usize| [0, 1, 2].map(|axis| level(values[axis * area + at]));
         let pixels: Vec<_> = (0..area).map(pixel).collect();
-        return (Image::of_pixels(size, &pixels), None);
+        return (Image::from_pixels(size, &pixels), None);
     }
     let range = match mode {
         Mode::Depth => depths(scene, camera),
@@ -93,7 +93,7 @@ pub fn of_channel(
 }
 
 /// The image of the number of Gaussians in each pixel's sum.
-pub fn of_members(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
+pub fn count_image(count: &[u32], size: [u32; 2]) -> (Image, Option<Range>) {
     let most = count.iter().copied().max().unwrap_or(0).max(8);
     let range = Range { low: 0.0, high: round_up(f64::from(most)) };
     (scaled(Mode::Members, size, count.iter().map(|&n| f64::from(n)), range), Some(range))
@@ -115,7 +115,7 @@ fn round_up(value: f64) -> f64 {
 }
 
 /// The image of the difference from a photograph: the mean over the channels, from 0 to 1 / [`ERROR_FACTOR`].
-pub fn of_error(image: &Image, truth: &Photograph) -> Result<(Image, Option<Range>)> {
+pub fn error_image(image: &Image, truth: &Photograph) -> Result<(Image, Option<Range>)> {
     if image.size() != [truth.width(), truth.height()] {
         return super::message::refuse("the photograph has another size".to_owned());
     }
@@ -135,7 +135,7 @@ fn scaled(
     let table: Vec<_> = (0..256).map(|at| gradient.eval_rational(at, 256).into_array()).collect();
     let level = |value: f64| (255.0 * ((value - low) / (high - low)).clamp(0.0, 1.0)).round();
     let pixels: Vec<_> = values.map(|value| table[level(value) as usize]).collect();
-    Image::of_pixels(size, &pixels)
+    Image::from_pixels(size, &pixels)
 }
 
 /// The range of depths of the scene's box, as a camera sees it.

@@ -24,7 +24,7 @@ use super::about::About;
 use super::assets;
 use super::connections::{Connections, Place};
 use super::films::{self, FilmRequest};
-use super::guard::{Guard, Verdict};
+use super::guard::{Access, Guard};
 use super::keyframes::{self, PathRequest};
 use super::message::{CameraMessage, FrameRequest, PixelRequest, checked};
 use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
@@ -225,11 +225,11 @@ struct Refusal(StatusCode, String);
 
 async fn answer(shared: &Shared, place: &Place, request: Request<Incoming>) -> Reply {
     let cookie = match shared.guard.judge(request.headers(), request.uri().query()) {
-        Verdict::Allowed { cookie } => {
+        Access::Allowed { cookie } => {
             place.keep();
             cookie
         }
-        Verdict::Refused(reason) => {
+        Access::Refused(reason) => {
             return text(StatusCode::FORBIDDEN, "text/plain; charset=utf-8", reason.as_bytes());
         }
     };

@@ -66,7 +66,7 @@ impl<'a> TrainingView<'a> {
         title: String,
     ) -> Self {
         let queue = Arc::new(Queue::default());
-        let photographs = Photographs::of_dataset(Arc::clone(dataset));
+        let photographs = Photographs::from_dataset(Arc::clone(dataset));
         let frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
         let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
         let server = Some(server);

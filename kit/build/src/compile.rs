@@ -115,6 +115,6 @@ fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8], wgsl: Option<&st
         spirv_bytes: spirv.len() as u64,
         spirv_sha256: manifest::sha256(spirv),
         wgsl: wgsl.map(translation),
-        interface: Interface::of(kernel, point),
+        interface: Interface::new(kernel, point),
     }
 }

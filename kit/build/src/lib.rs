@@ -73,7 +73,7 @@ impl Project {
     /// # Panics
     /// If `xtask` is not a folder of a workspace.
     #[must_use]
-    pub fn of_xtask(xtask: &str, shader_crate: &str) -> Self {
+    pub fn from_xtask(xtask: &str, shader_crate: &str) -> Self {
         // Asks cargo at run time: a copy of the workspace may share the compiled xtask.
         let xtask = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or(xtask.into());
         let root = Path::new(&xtask).parent().expect("a folder of the workspace").to_owned();
@@ -123,7 +123,7 @@ struct More {
 }
 
 /// The whole xtask of a project: its tools, which `cargo xtask help` lists. The arguments are the crate of kernels, its folder in
-/// the workspace, and fields of [`Project`] that differ from those of [`Project::of_xtask`].
+/// the workspace, and fields of [`Project`] that differ from those of [`Project::from_xtask`].
 ///
 /// ```ignore
 /// muslin_build::xtask!(my_kernels in "kernels");
@@ -135,7 +135,7 @@ macro_rules! xtask {
         use $kernels as _;
 
         fn main() -> std::process::ExitCode {
-            let project = $crate::Project::of_xtask(env!("CARGO_MANIFEST_DIR"), $folder);
+            let project = $crate::Project::from_xtask(env!("CARGO_MANIFEST_DIR"), $folder);
             $crate::main(&$crate::Project { $($field: $value,)* ..project }, stringify!($kernels))
         }
     };
@@ -161,7 +161,7 @@ pub fn main(project: &Project, kernels: &str) -> ExitCode {
 /// Lists the kernels, with the modules that are compiled.
 fn list(project: &Project) -> Result<()> {
     let folder = project.root.join(&project.kernels);
-    let list = List::of(|_, point| {
+    let list = List::new(|_, point| {
         let file = folder.join(format!("{}.spv", point.name));
         let bytes = fs::read(&file)
             .with_context(|| format!("{}: run `cargo xtask kernels`", file.display()))?;

@@ -43,7 +43,7 @@ struct Loop {
 
 /// Makes all loops of a module end at their conditions.
 pub fn end_at_conditions(module: &mut Module) -> Result<()> {
-    let constants = Constants::of(module);
+    let constants = Constants::from_module(module);
     let header = module.header.as_mut().context("the module has no header")?;
     let mut gone = Vec::new();
     for function in &mut module.functions {
@@ -88,7 +88,7 @@ impl Loop {
 struct Constants(Vec<(Word, bool)>);
 
 impl Constants {
-    fn of(module: &Module) -> Self {
+    fn from_module(module: &Module) -> Self {
         let values = module.types_global_values.iter().filter_map(|i| match i.class.opcode {
             Op::ConstantTrue => Some((i.result_id?, true)),
             Op::ConstantFalse => Some((i.result_id?, false)),

@@ -1,6 +1,6 @@
 //! The test case of a kernel: its inputs, its equation and its tolerance.
 
-use super::hold::hold;
+use super::exact::compare_with_exact;
 use super::measure::{Bound, Measure, Output};
 use super::runner::KernelRunner;
 use muslin::KernelInfo;
@@ -31,7 +31,7 @@ pub trait Parity: Sized + 'static {
     /// The error allowed for an element. `cpu` is the CPU's output.
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
         let _ = rounding;
-        Bound::of(cpu.floats()[index].abs())
+        Bound::relative_to(cpu.floats()[index].abs())
     }
 
     /// The equation in f64, for an element of an output. `None` for padding, for elements that the kernel does not write, and if
@@ -109,14 +109,14 @@ pub struct Case {
 impl Case {
     /// The case of a kernel that implements [`Parity`].
     #[must_use]
-    pub fn of<P: Parity>() -> Self {
+    pub fn new<P: Parity>() -> Self {
         Self {
             kernel: P::KERNEL,
             tolerance: P::TOLERANCE,
             why: P::WHY,
             compared: P::COMPARED,
             measure: measure::<P>,
-            hold: hold::<P>,
+            hold: compare_with_exact::<P>,
             run: run::<P>,
         }
     }
@@ -142,7 +142,7 @@ impl Case {
     ///
     /// # Errors
     /// Any error of the device.
-    pub fn hold(&self, device: &Device, rounding: Rounding) -> Result<Measure> {
+    pub fn compare_with_exact(&self, device: &Device, rounding: Rounding) -> Result<Measure> {
         (self.hold)(device, rounding)
     }
 

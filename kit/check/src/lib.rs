@@ -45,7 +45,7 @@
 //!
 //! # fn main() {
 //! # use muslin_check::{Case, devices};
-//! # let measure = Case::of::<Square>().hold(&devices::checked(), Rounding::AsWritten).unwrap();
+//! # let measure = Case::new::<Square>().compare_with_exact(&devices::checked(), Rounding::AsWritten).unwrap();
 //! # assert!(measure.is_ok() && measure.values > 0);
 //! # }
 //! ```
@@ -55,7 +55,7 @@
 //! ```ignore
 //! #[test]
 //! fn every_kernel_is_right_on_every_device() {
-//!     muslin_check::assert_parity(&[Case::of::<Square>()], &MODULES);
+//!     muslin_check::assert_parity(&[Case::new::<Square>()], &MODULES);
 //! }
 //! ```
 //!
@@ -71,8 +71,8 @@ pub mod bench;
 pub mod case;
 mod debugger;
 pub mod devices;
+mod exact;
 mod given;
-mod hold;
 pub mod inputs;
 pub mod measure;
 mod peaks;

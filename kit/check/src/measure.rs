@@ -78,7 +78,7 @@ impl Bound {
 
     /// A bound relative to `scale`. Denormals may be flushed to zero.
     #[must_use]
-    pub fn of(scale: f64) -> Self {
+    pub fn relative_to(scale: f64) -> Self {
         Self { scale, floor: f64::from(TINY) }
     }
 }
@@ -199,7 +199,9 @@ mod tests {
 
     fn measure(cpu: Output, found: Output, tolerance: f64) -> Measure {
         let mut measure = Measure::default();
-        measure.add("set", &cpu, &found, tolerance, |index| Bound::of(cpu.floats()[index].abs()));
+        measure.add("set", &cpu, &found, tolerance, |index| {
+            Bound::relative_to(cpu.floats()[index].abs())
+        });
         measure
     }
 

@@ -43,7 +43,7 @@ impl Report {
     ///
     /// # Errors
     /// Any error of a device.
-    pub fn of_gpu(
+    pub fn run_on_gpu(
         cases: &[Case],
         modules: &'static Modules,
         cpu: &Device,
@@ -72,7 +72,11 @@ impl Report {
     ///
     /// # Errors
     /// Any error of a device.
-    pub fn of_cpu(cases: &[Case], cpu: &Device, done: impl FnMut(&'static str)) -> Result<Self> {
+    pub fn run_on_cpu(
+        cases: &[Case],
+        cpu: &Device,
+        done: impl FnMut(&'static str),
+    ) -> Result<Self> {
         let one = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none())?;
         let kernels = rows(cases, cpu, &[&one], Rounding::AsWritten, done)?;
         let adapter = "cpu".into();

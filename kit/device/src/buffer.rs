@@ -123,7 +123,7 @@ impl Storage for Host {
         buffer.raw()
     }
 
-    fn at_most(count: &Count) -> u32 {
-        count.at_most()
+    fn upper_bound(count: &Count) -> u32 {
+        count.upper_bound()
     }
 }

@@ -10,7 +10,7 @@ use crate::buffer::{Buffer, Memory};
 #[derive(Clone, Debug)]
 pub struct Count {
     /// The number, or the capacity if only the device knows the number.
-    at_most: u32,
+    upper_bound: u32,
     total: Option<Total>,
 }
 
@@ -28,26 +28,26 @@ impl Count {
     /// A number that the host knows.
     #[must_use]
     pub fn known(number: u32) -> Self {
-        Self { at_most: number, total: None }
+        Self { upper_bound: number, total: None }
     }
 
-    /// The number at index `place` of `counts`. Tables have room for `at_most` items.
-    pub fn on_device(counts: &Arc<Buffer<u32>>, place: u32, at_most: u32) -> Self {
-        Self { at_most, total: Some(Total { counts: counts.clone(), place, first: 0 }) }
+    /// The number at index `place` of `counts`. Tables have room for `upper_bound` items.
+    pub fn on_device(counts: &Arc<Buffer<u32>>, place: u32, upper_bound: u32) -> Self {
+        Self { upper_bound, total: Some(Total { counts: counts.clone(), place, first: 0 }) }
     }
 
     /// The number that determines the size of tables and dispatches.
     #[must_use]
-    pub fn at_most(&self) -> u32 {
-        self.at_most
+    pub fn upper_bound(&self) -> u32 {
+        self.upper_bound
     }
 
     /// The number of items from `first` on, at most `most`.
     #[must_use]
     pub fn piece(&self, first: u32, most: u32) -> Self {
-        let at_most = count::piece(self.at_most, first, most);
+        let upper_bound = count::piece(self.upper_bound, first, most);
         let further = |total: &Total| Total { first: total.first + first, ..total.clone() };
-        Self { at_most, total: self.total.as_ref().map(further) }
+        Self { upper_bound, total: self.total.as_ref().map(further) }
     }
 
     /// Whether the host knows the number.
@@ -62,13 +62,13 @@ impl Count {
 
     /// The number, on the CPU backend.
     pub(super) fn on_cpu(&self) -> u32 {
-        let Some(total) = &self.total else { return self.at_most };
+        let Some(total) = &self.total else { return self.upper_bound };
         let Memory::Cpu(memory) = &total.counts.raw().memory else {
             panic!("the counts belong to a GPU")
         };
         let counts: &[u32] = bytemuck::cast_slice(&memory.bytes()[..total.counts.bytes() as usize]);
         match counts[OVERFLOW as usize] {
-            0 => count::piece(counts[total.place as usize], total.first, self.at_most),
+            0 => count::piece(counts[total.place as usize], total.first, self.upper_bound),
             _ => 0,
         }
     }

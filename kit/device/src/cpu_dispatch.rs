@@ -70,7 +70,7 @@ impl Launch<'_> {
         begin(Some(RunningInvocation { kernel, id: first, is_checked: self.is_checked }));
         // each workgroup has an order of its own
         let count = u64::from(local.element_product());
-        let order = self.way.order.map(|order| order.of(count, 1 + index));
+        let order = self.way.order.map(|order| order.permutation(count, 1 + index));
         match self.time_limit {
             Some(limit) => watchdog::run(limit, kernel, || self.run_at(place, order.as_deref())),
             None => self.run_at(place, order.as_deref()),
@@ -131,7 +131,7 @@ impl Launch<'_> {
     }
 
     fn run_some(&self, mut indices: impl Iterator<Item = u64>) -> Result<(), String> {
-        let _flushing = self.way.is_flushing.then(Flushing::begin);
+        let _flushing = self.way.is_flushing.then(Flushing::enable);
         supervise::supervise(|| indices.try_for_each(|index| self.run(index)))
     }
 }
@@ -207,7 +207,7 @@ impl Cpu {
                 Some(run) => CpuRun::Invocation(run),
                 None => unreachable!("`entry_point` has looked"),
             },
-            CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.of(self.instruction_set())),
+            CpuRun::Lanes(runs) => CpuRun::Workgroup(runs.get(self.instruction_set())),
             run => run,
         }
     }
@@ -216,7 +216,7 @@ impl Cpu {
     fn launch(&self, launch: &Launch<'_>) -> Result<(), String> {
         let [x, y, z] = launch.workgroups.to_array().map(u64::from);
         if let Some(order) = launch.way.order {
-            return launch.run_some(order.of(x * y * z, 0).into_iter());
+            return launch.run_some(order.permutation(x * y * z, 0).into_iter());
         }
         // one thread runs all workgroups with the same z
         let (all, at_once) = match launch.info.z_serial {

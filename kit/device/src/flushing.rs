@@ -11,7 +11,7 @@ impl Flushing {
     /// Bits of MXCSR: results are flushed, and denormal arguments are zeros.
     const BITS: u32 = 1 << 15 | 1 << 6;
 
-    pub fn begin() -> Self {
+    pub fn enable() -> Self {
         let mut before = 0_u32;
         // SAFETY: it writes to `before`
         unsafe { std::arch::asm!("stmxcsr [{}]", in(reg) &raw mut before) };
@@ -53,7 +53,7 @@ mod tests {
         let multiply: fn(f32, f32) -> f32 = black_box(|a, b| a * b);
         let results = || [add(1e-40, 0.0), multiply(1e-30, 1e-10)];
         let usual = results();
-        let flushing = Flushing::begin();
+        let flushing = Flushing::enable();
         let flushed = results();
         drop(flushing);
         assert!(usual.iter().all(|x| *x != 0.0));

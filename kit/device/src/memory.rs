@@ -73,7 +73,10 @@ pub fn may_fail() -> bool {
 
 /// Bytes that this process can still allocate, if the system says so.
 pub fn available() -> Option<u64> {
-    [of_the_system(), of_the_address_space(), of_the_control_groups()].into_iter().flatten().min()
+    [free_in_system(), free_in_address_space(), free_in_control_groups()]
+        .into_iter()
+        .flatten()
+        .min()
 }
 
 /// Peak memory of this process, in bytes, if the system says so (Linux).
@@ -82,12 +85,12 @@ pub fn peak() -> Option<u64> {
     kilobytes("/proc/self/status", "VmHWM:")
 }
 
-fn of_the_system() -> Option<u64> {
+fn free_in_system() -> Option<u64> {
     kilobytes("/proc/meminfo", "MemAvailable:")
 }
 
 /// The rest under `ulimit -v`, in bytes.
-fn of_the_address_space() -> Option<u64> {
+fn free_in_address_space() -> Option<u64> {
     let text = fs::read_to_string("/proc/self/limits").ok()?;
     let line = text.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     let limit: u64 = line.split_whitespace().next()?.parse().ok()?;
@@ -95,7 +98,7 @@ fn of_the_address_space() -> Option<u64> {
 }
 
 /// The rest under the tightest limit of a container or a service, in bytes.
-fn of_the_control_groups() -> Option<u64> {
+fn free_in_control_groups() -> Option<u64> {
     let text = fs::read_to_string("/proc/self/cgroup").ok()?;
     let path = text.lines().find_map(|line| line.strip_prefix("0::/"))?;
     let number = |path: &Path| fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();

@@ -130,7 +130,11 @@ impl Modules {
     ///
     /// # Errors
     /// [`Error::StaleKernels`] if the kernel has not been compiled since its declaration changed.
-    pub fn of(&'static self, kernel: &KernelInfo, point: &EntryPoint) -> Result<CompiledKernel> {
+    pub fn compiled_kernel(
+        &'static self,
+        kernel: &KernelInfo,
+        point: &EntryPoint,
+    ) -> Result<CompiledKernel> {
         let compiled = self.find(point.name)?;
         if compiled.entry.package != kernel.package {
             let package = kernel.package;
@@ -140,7 +144,7 @@ impl Modules {
                 point.name
             )));
         }
-        if compiled.entry.interface != Interface::of(kernel, point) {
+        if compiled.entry.interface != Interface::new(kernel, point) {
             return Err(stale(format!("the declaration of `{}` has changed", point.name)));
         }
         Ok(compiled)

@@ -9,7 +9,7 @@ pub struct Order {
 
 impl Order {
     /// The numbers below `count`. Another `salt` gives another order.
-    pub fn of(self, count: u64, salt: u64) -> Vec<u64> {
+    pub fn permutation(self, count: u64, salt: u64) -> Vec<u64> {
         let mut numbers: Vec<_> = (0..count).collect();
         let mut state = self.seed ^ salt.wrapping_mul(0xd134_2543_de82_ef95);
         for end in (1..numbers.len()).rev() {
@@ -39,11 +39,11 @@ mod tests {
     fn an_order_has_every_number_once() {
         for count in [0, 1, 2, 64, 1000] {
             let order = Order { seed: 7, is_reversed: false };
-            let mut numbers = order.of(count, 3);
-            let mut reversed = Order { is_reversed: true, ..order }.of(count, 3);
+            let mut numbers = order.permutation(count, 3);
+            let mut reversed = Order { is_reversed: true, ..order }.permutation(count, 3);
             reversed.reverse();
             assert_eq!(numbers, reversed);
-            assert!(count < 64 || numbers != order.of(count, 4));
+            assert!(count < 64 || numbers != order.permutation(count, 4));
             numbers.sort_unstable();
             assert!(numbers.into_iter().eq(0..count));
         }

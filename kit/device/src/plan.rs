@@ -89,7 +89,7 @@ pub struct PlannedCount {
     /// Number of items before this piece.
     pub first: u32,
     /// Largest number that there is room for.
-    pub at_most: u32,
+    pub upper_bound: u32,
 }
 
 /// The planning backend.
@@ -164,7 +164,7 @@ impl Planner {
                 counts: total.counts.raw().planned().0,
                 place: total.place,
                 first: total.first,
-                at_most: count.at_most(),
+                upper_bound: count.upper_bound(),
             })
         };
         let step = Step::Dispatch {

@@ -18,7 +18,7 @@
 //!
 //! # fn main() {
 //! let (input, mut output) = ([1.0, 2.0, -3.0], [0.0; 3]);
-//! let slopes = Slopes::of(&input, &[1.0, 0.5, 1.0]);
+//! let slopes = Slopes::new(&input, &[1.0, 0.5, 1.0]);
 //! let (params, view) = (Params { count: 3 }, Write::from(&mut output[..]));
 //! Workgroup::new([64, 1, 1]).run(|id| square::<Dual>(id, &params, Read::from(&input[..]), view));
 //! assert_eq!(slopes.at(&output), [2.0, 2.0, -6.0]);
@@ -59,7 +59,7 @@ pub struct Slopes(());
 impl Slopes {
     /// Gives the elements of a buffer their slopes, and no others any.
     #[must_use]
-    pub fn of(buffer: &[f32], direction: &[f64]) -> Self {
+    pub fn new(buffer: &[f32], direction: &[f64]) -> Self {
         assert_eq!(buffer.len(), direction.len(), "a slope for each element");
         let addresses = buffer.iter().map(|element| core::ptr::from_ref(element).addr());
         SLOPES.set(addresses.zip(direction.iter().copied()).collect());
@@ -166,7 +166,7 @@ impl Lane for Dual {
         self.value < other.value
     }
 
-    fn at_most(self, other: Self) -> bool {
+    fn less_equal(self, other: Self) -> bool {
         self.value <= other.value
     }
 
@@ -201,7 +201,7 @@ impl Lane for Dual {
         Lane::index(self.value)
     }
 
-    fn settled(self) -> Self {
+    fn materialize(self) -> Self {
         self
     }
 

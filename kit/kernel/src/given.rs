@@ -23,7 +23,7 @@ impl Storage for Given {
         bytemuck::cast_slice(buffer)
     }
 
-    fn at_most(count: &u32) -> u32 {
+    fn upper_bound(count: &u32) -> u32 {
         *count
     }
 }

@@ -31,7 +31,7 @@
 //!   parameter with a gradient can be any expression. Loops, assignments and early returns are errors that say what to do.
 //! - A call of `f` goes back through `f_backward`, which must be in scope: the attribute's, or one written by hand. `#[gradient(by = g)]`
 //!   makes `g` the backward function where numbers demand a better one than the rules give.
-//! - `sqrt`, `exp`, `min`, `max`, `mul_add`, `select` and `settled`, as functions or methods, are those of every [`Lane`].
+//! - `sqrt`, `exp`, `min`, `max`, `mul_add`, `select` and `materialize`, as functions or methods, are those of every [`Lane`].
 //! - Comparisons, casts, `truncate`, `floor`, `round` and `ceil` have the derivative 0, and so has [`constant`].
 //! - The attribute sees names, not definitions. So give none of the names in the last two lines to a function of your own.
 //! - `if` goes back through the branch that was taken. `select` computes both: where the other one is infinite, so is its derivative,
@@ -232,9 +232,9 @@ pub fn truncate_backward<L: Lane>(whole: L, _: L) -> L {
     whole.zero()
 }
 
-/// Of [`Lane::settled`].
+/// Of [`Lane::materialize`].
 #[inline(always)]
-pub fn settled_backward<L: Lane>(_: L, gradient: L) -> L {
+pub fn materialize_backward<L: Lane>(_: L, gradient: L) -> L {
     gradient
 }
 

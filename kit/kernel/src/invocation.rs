@@ -41,7 +41,7 @@ impl Invocation {
     /// The same invocation, handling `each` items.
     #[inline(always)]
     #[must_use]
-    pub fn of(self, each: u32) -> Self {
+    pub fn with_items(self, each: u32) -> Self {
         Self { each, ..self }
     }
 

@@ -202,7 +202,7 @@ impl LaneRuns {
     }
 
     /// The run of an instruction set, which must be [available](InstructionSet::is_available).
-    pub const fn of(&self, set: InstructionSet) -> WorkgroupRun {
+    pub const fn get(&self, set: InstructionSet) -> WorkgroupRun {
         self.runs[set as usize]
     }
 }
@@ -287,7 +287,7 @@ macro_rules! lane_runs {
             // SAFETY: the caller's
             unsafe { $run::<$crate::lane::Wide<8, false>>(bindings, workgroup, workgroups, part) }
         }
-        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::of`
+        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::get`
         #[cfg(target_arch = "x86_64")]
         #[target_feature(enable = "avx2,fma")]
         unsafe fn avx2(
@@ -299,7 +299,7 @@ macro_rules! lane_runs {
             // SAFETY: the caller's
             unsafe { $run::<$crate::lane::Wide<8, true>>(bindings, workgroup, workgroups, part) }
         }
-        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::of`
+        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::get`
         #[cfg(target_arch = "x86_64")]
         #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
         unsafe fn avx512(
@@ -381,7 +381,7 @@ pub trait Storage {
     /// Removes the element type.
     fn bind<T: Pod>(buffer: &Self::Buffer<T>) -> Self::Binding<'_>;
     /// The number, or an upper bound if only the device knows it.
-    fn at_most(count: &Self::Count) -> u32;
+    fn upper_bound(count: &Self::Count) -> u32;
 }
 
 /// A kernel with all its bindings, ready to run. `#[kernel]` implements it.

@@ -58,7 +58,7 @@ pub trait Lane:
     /// `self < other`
     fn less(self, other: Self) -> Self::Mask;
     /// `self <= other`
-    fn at_most(self, other: Self) -> Self::Mask;
+    fn less_equal(self, other: Self) -> Self::Mask;
     /// `yes` in lanes where the mask holds, `no` in others.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The lanes in which both masks hold.
@@ -75,7 +75,7 @@ pub trait Lane:
     fn index(self) -> Self::Index;
     /// The same value. On the CPU it goes through memory. So the compiler keeps a sum in one register until then, and
     /// does not split it for the sum of all lanes.
-    fn settled(self) -> Self;
+    fn materialize(self) -> Self;
     /// The sum of all lanes, as a tree of pairs: always in the same order.
     fn sum(self) -> f32;
     /// Reads consecutive values, starting at `first`.
@@ -161,7 +161,7 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn at_most(self, other: Self) -> bool {
+    fn less_equal(self, other: Self) -> bool {
         self <= other
     }
 
@@ -209,7 +209,7 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn settled(self) -> Self {
+    fn materialize(self) -> Self {
         self
     }
 

@@ -39,11 +39,11 @@ impl<S: Samples> LaneVec4<S> {
 }
 
 impl<L: Lane> LaneVec4<L> {
-    /// The same numbers, each of them [settled](Lane::settled).
+    /// The same numbers, each of them [materialized](Lane::materialize).
     #[inline(always)]
     #[must_use]
-    pub fn settled(self) -> Self {
+    pub fn materialize(self) -> Self {
         let Self { x, y, z, w } = self;
-        Self { x: x.settled(), y: y.settled(), z: z.settled(), w: w.settled() }
+        Self { x: x.materialize(), y: y.materialize(), z: z.materialize(), w: w.materialize() }
     }
 }

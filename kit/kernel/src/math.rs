@@ -124,8 +124,8 @@ pub fn floor<L: Lane>(x: L) -> L {
 pub fn round<L: Lane>(x: L) -> L {
     let (whole, half) = (x.truncate(), L::splat(0.5));
     let rest = x - whole;
-    let up = L::select(half.at_most(rest), whole + L::splat(1.0), whole);
-    L::select(rest.at_most(-half), whole - L::splat(1.0), up)
+    let up = L::select(half.less_equal(rest), whole + L::splat(1.0), whole);
+    L::select(rest.less_equal(-half), whole - L::splat(1.0), up)
 }
 
 /// The largest angle of [`sin`], [`cos`] and [`tan`].
@@ -134,20 +134,20 @@ pub const MAX_ANGLE: f32 = 8192.0;
 /// Sine, to 1.2e-7, for |x| up to [`MAX_ANGLE`].
 #[inline(always)]
 pub fn sin<L: Lane>(x: L) -> L {
-    of_quarter(quarter(x), 0.0)
+    sine_in_quarter(quarter(x), 0.0)
 }
 
 /// Cosine, to 1.2e-7, for |x| up to [`MAX_ANGLE`].
 #[inline(always)]
 pub fn cos<L: Lane>(x: L) -> L {
-    of_quarter(quarter(x), 1.0)
+    sine_in_quarter(quarter(x), 1.0)
 }
 
 /// Tangent, to 5e-7 (1 + tan^2), for |x| up to [`MAX_ANGLE`].
 #[inline(always)]
 pub fn tan<L: Lane>(x: L) -> L {
     let angle = quarter(x);
-    of_quarter(angle, 0.0) / of_quarter(angle, 1.0)
+    sine_in_quarter(angle, 0.0) / sine_in_quarter(angle, 1.0)
 }
 
 /// n and r of x = n pi/2 + r, |r| <= pi/4: Cody and Waite's reduction. The first two parts of pi/2 have so few bits that their products
@@ -162,7 +162,7 @@ fn quarter<L: Lane>(x: L) -> (L, L) {
 
 /// sin((n + ahead) pi/2 + r): Cephes' polynomials.
 #[inline(always)]
-fn of_quarter<L: Lane>((n, r): (L, L), ahead: f32) -> L {
+fn sine_in_quarter<L: Lane>((n, r): (L, L), ahead: f32) -> L {
     let number = L::splat;
     let n = n + number(ahead);
     let z = r * r;
@@ -173,7 +173,7 @@ fn of_quarter<L: Lane>((n, r): (L, L), ahead: f32) -> L {
     let half = n * number(0.5);
     let is_odd = number(0.25).less(half - floor(half));
     let fourth = half * number(0.5);
-    let is_negative = number(0.5).at_most(fourth - floor(fourth));
+    let is_negative = number(0.5).less_equal(fourth - floor(fourth));
     let value = L::select(is_odd, cosine, sine);
     L::select(is_negative, -value, value)
 }

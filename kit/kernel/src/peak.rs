@@ -86,9 +86,9 @@ pub fn peak_multiply_add<L: Lane>(
         let base = (L::splat(index as f32) + L::ramp()) * L::splat(INVOCATION_SHARE);
         let (factor, addend) = (L::splat(params.factor), L::splat(params.addend));
         // twelve: a multiply-add takes several cycles, and others begin meanwhile
-        let mut a = start(base, FIRST_SUMS).settled();
-        let mut b = start(base, FIRST_SUMS + 4.0).settled();
-        let mut c = start(base, FIRST_SUMS + 8.0).settled();
+        let mut a = start(base, FIRST_SUMS).materialize();
+        let mut b = start(base, FIRST_SUMS + 4.0).materialize();
+        let mut c = start(base, FIRST_SUMS + 8.0).materialize();
         let mut step = 0;
         while step < params.steps {
             a = next_four(a, factor, addend);
@@ -96,7 +96,7 @@ pub fn peak_multiply_add<L: Lane>(
             c = next_four(c, factor, addend);
             step += 1;
         }
-        let (a, b, c) = (a.settled(), b.settled(), c.settled());
+        let (a, b, c) = (a.materialize(), b.materialize(), c.materialize());
         let sum = (a.x + a.y) + (a.z + a.w);
         let sum = sum + ((b.x + b.y) + (b.z + b.w));
         (sum + ((c.x + c.y) + (c.z + c.w))).write(output, index);

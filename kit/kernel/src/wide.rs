@@ -126,7 +126,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     }
 
     #[inline(always)]
-    fn at_most(self, other: Self) -> Self::Mask {
+    fn less_equal(self, other: Self) -> Self::Mask {
         WideMask(lanes!(|i| self.0[i] <= other.0[i]))
     }
 
@@ -181,7 +181,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     }
 
     #[inline(always)]
-    fn settled(self) -> Self {
+    fn materialize(self) -> Self {
         core::hint::black_box(self)
     }
 

@@ -164,7 +164,7 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
             #[spirv(num_workgroups)] workgroups: ::muslin::dependencies::glam::UVec3,
             #(#parameters),*
         ) {
-            let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).of(#each);
+            let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each);
             self::#name #lane (id, #(#arguments),*);
         }
     }
@@ -385,7 +385,7 @@ fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
             /// The same dispatch, with numbers that only the device may know.  They replace those of the parameters.
             #[must_use]
             pub fn counted(mut self, #(#fields: &'a S::Count),*) -> ::muslin::kernel::Counted<'a, S, Self, #n> {
-                #(self.#params.#fields = S::at_most(#fields);)*
+                #(self.#params.#fields = S::upper_bound(#fields);)*
                 ::muslin::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
             }
         }

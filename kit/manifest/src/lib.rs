@@ -208,7 +208,7 @@ impl Manifest {
 #[cfg(feature = "kernels")]
 impl Interface {
     /// The interface that a kernel's source declares, for one of its entry points.
-    pub fn of(kernel: &muslin::KernelInfo, point: &muslin::EntryPoint) -> Self {
+    pub fn new(kernel: &muslin::KernelInfo, point: &muslin::EntryPoint) -> Self {
         let binding = |binding: &muslin::BindingInfo| Binding {
             name: binding.name.to_owned(),
             access: binding.access.as_str().to_owned(),

@@ -20,7 +20,7 @@ struct CodeSize {
 
 impl CodeSize {
     /// Counts the instructions of a module. Each begins with its length and its opcode.
-    fn of(spirv: &[u32]) -> Self {
+    fn from_spirv(spirv: &[u32]) -> Self {
         const HEADER: usize = 5;
         const FUNCTION: u32 = 54;
         const FUNCTION_END: u32 = 56;
@@ -78,7 +78,7 @@ impl List {
     ///
     /// # Errors
     /// The first error of `spirv`.
-    pub fn of<'a, E>(
+    pub fn new<'a, E>(
         spirv: impl Fn(&KernelInfo, &EntryPoint) -> Result<Cow<'a, [u32]>, E>,
     ) -> Result<Self, E> {
         let mut kernels: Vec<_> = muslin::kernels().collect();
@@ -132,7 +132,7 @@ impl Listed {
             fused: kernel.fused,
             shared_bytes: workgroup_bytes(point.shared),
             spirv_bytes: size_of_val(spirv),
-            code: CodeSize::of(spirv),
+            code: CodeSize::from_spirv(spirv),
             worst_case_iterations: kernel.iterations.unwrap_or(0),
             bindings: bindings.collect(),
         }
@@ -196,6 +196,6 @@ mod tests {
             &[word(56, 1)],
         ]
         .concat();
-        assert_eq!(CodeSize::of(&module), CodeSize { instructions: 2, loops: 1 });
+        assert_eq!(CodeSize::from_spirv(&module), CodeSize { instructions: 2, loops: 1 });
     }
 }

@@ -58,7 +58,7 @@ fn any_number_of_processes_gives_the_same_bits() {
 /// The scene is a single slice: two of three processes have no Gaussians.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]
-fn processes_with_shares_train_what_threads_train() {
+fn processes_with_shards_train_what_threads_train() {
     let sandbox = sandbox();
     let words = |run: &str| format!("{TINY} {run} --threads 1 --steps 14 --split gaussians");
     sandbox.run(&format!("{} --ranks 1", words("threads"))).assert_ok();
@@ -66,10 +66,10 @@ fn processes_with_shares_train_what_threads_train() {
     assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
     assert_ok(mpirun(&sandbox, &[(3, &words("processes"))]));
     assert_same_run(&sandbox, "processes", "threads");
-    // two groups, in which the first share is empty
-    assert_ok(mpirun(&sandbox, &[(4, &format!("{} --shares 2", words("grid")))]));
+    // two groups, in which the first shard is empty
+    assert_ok(mpirun(&sandbox, &[(4, &format!("{} --shards 2", words("grid")))]));
     assert_same_run(&sandbox, "grid", "threads");
-    let refused = format!("{} --shares 3", words("no"));
+    let refused = format!("{} --shards 3", words("no"));
     assert_fails(mpirun(&sandbox, &[(4, &refused)]), &["must divide the number of ranks, 4"]);
 }
 

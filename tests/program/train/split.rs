@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use organza::data::Dataset;
 use organza::ranks::{Ranks, ThreadRanks};
-use organza::scene::SLICE;
+use organza::scene::GAUSSIANS_PER_BLOCK;
 use organza::train::metrics::Record;
 use organza::train::{Checkpoint, TrainConfig, Trainer};
 use organza::{Error, Renderer};
@@ -18,7 +18,7 @@ type Begun = (TrainConfig, Checkpoint, Arc<Dataset>);
 /// One Gaussian in this many is rendered.
 const VISIBLE: usize = 64;
 
-/// A run with just two slices of Gaussians, which grows to three after two more steps. Most Gaussians have no
+/// A run with just two blocks of Gaussians, which grows to three after two more steps. Most Gaussians have no
 /// rotation, so they are not rendered, which would take long.
 fn begun_of_slices() -> Begun {
     let (mut config, mut checkpoint, dataset) = begun();
@@ -27,10 +27,11 @@ fn begun_of_slices() -> Begun {
     config.run.coarse = 0.0;
     config.exposure.learn = true;
     config.poses.refine = true;
-    config.growth.max_gaussians = 2 * SLICE as u32 + 200;
+    config.growth.max_gaussians = 2 * GAUSSIANS_PER_BLOCK as u32 + 200;
     let mut scene = checkpoint.scene;
     let len = scene.gaussians.len();
-    let indices: Vec<_> = (0..2 * SLICE - 10).map(|index| index / VISIBLE % len).collect();
+    let indices: Vec<_> =
+        (0..2 * GAUSSIANS_PER_BLOCK - 10).map(|index| index / VISIBLE % len).collect();
     scene.gaussians = scene.gaussians.select(&indices);
     for (index, position) in scene.gaussians.position.iter_mut().enumerate() {
         position[index % 3] += 1e-3 * (index / VISIBLE / len) as f32;
@@ -56,8 +57,8 @@ fn on_ranks<R: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> R + Sync) -> 
     })
 }
 
-/// The trainer of a rank in a group of `shares` ranks.
-fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> Trainer {
+/// The trainer of a rank in a group of `shards` ranks.
+fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shards: usize) -> Trainer {
     let (config, checkpoint, dataset) = begun;
     let device = match name {
         "cpu" | "a part a camera" | "a part a tile" => devices::cpu(Some(1)),
@@ -70,61 +71,61 @@ fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shares: usize) -> T
         "a part a tile" => renderer.with_part_bytes(15_000),
         _ => renderer,
     };
-    let share = checkpoint.share(ranks.rank() % shares, shares);
+    let shard = checkpoint.shard(ranks.rank() % shards, shards);
     let config = config.clone();
     let dataset = dataset.clone();
-    let trainer = Trainer::resume_share(&renderer, config, dataset, &share, ranks, shares);
+    let trainer = Trainer::resume_shard(&renderer, config, dataset, &shard, ranks, shards);
     trainer.expect("a trainer")
 }
 
-/// Trains on several ranks in groups, and joins the shares of a group. All groups have the same. With a path, the
+/// Trains on several ranks in groups, and joins the shards of a group. All groups have the same. With a path, the
 /// state is also written to a file.
 fn train(
     begun: &Begun,
     name: &str,
-    [size, shares]: [usize; 2],
+    [size, shards]: [usize; 2],
     steps: u32,
     file: Option<&Path>,
 ) -> Checkpoint {
     let mut all = on_ranks(size, |ranks| {
-        let mut trainer = trainer(begun, name, ranks.clone(), shares);
+        let mut trainer = trainer(begun, name, ranks.clone(), shards);
         for _ in 0..steps {
             trainer.step().expect("a step");
         }
-        let share = trainer.checkpoint(0.0).expect("a state");
+        let shard = trainer.checkpoint(0.0).expect("a state");
         match file {
             Some(path) if ranks.rank() == 0 => {
-                share.save_shares(path, None, &trainer.group().expect("a group")).expect("a file");
+                shard.save_shards(path, None, &trainer.group().expect("a group")).expect("a file");
             }
-            Some(_) => share.hand_over(&trainer.group().expect("a group")).expect("a file"),
+            Some(_) => shard.hand_over(&trainer.group().expect("a group")).expect("a file"),
             None => {}
         }
-        share
+        shard
     });
-    for (rank, share) in all.split_off(shares).iter().enumerate() {
-        assert!(*share == all[rank % shares], "{size} ranks in groups of {shares}");
+    for (rank, shard) in all.split_off(shards).iter().enumerate() {
+        assert!(*shard == all[rank % shards], "{size} ranks in groups of {shards}");
     }
     join(all)
 }
 
-fn join(shares: Vec<Checkpoint>) -> Checkpoint {
-    let mut rest = shares.into_iter();
+fn join(shards: Vec<Checkpoint>) -> Checkpoint {
+    let mut rest = shards.into_iter();
     let mut whole = rest.next().expect("a rank");
-    for share in rest {
-        assert_eq!((whole.range.end, whole.gaussians), (share.range.start, share.gaussians));
-        whole.range.end = share.range.end;
+    for shard in rest {
+        assert_eq!((whole.range.end, whole.gaussians), (shard.range.start, shard.gaussians));
+        whole.range.end = shard.range.end;
         let mine = [&mut whole.scene].into_iter().chain(&mut whole.moments);
-        for (mine, other) in mine.zip([&share.scene].into_iter().chain(&share.moments)) {
+        for (mine, other) in mine.zip([&shard.scene].into_iter().chain(&shard.moments)) {
             assert!(mine.color == other.color && mine.transmittance == other.transmittance);
             mine.gaussians.append(&other.gaussians);
         }
-        whole.statistics.extend(share.statistics);
+        whole.statistics.extend(shard.statistics);
     }
     assert_eq!((whole.scene.gaussians.len(), whole.range.end), (whole.gaussians, whole.gaussians));
     whole
 }
 
-/// With four shares, one has no Gaussians. A step has at most four cameras, so one of five groups has nothing to
+/// With four shards, one has no Gaussians. A step has at most four cameras, so one of five groups has nothing to
 /// render.
 #[test]
 fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
@@ -132,7 +133,11 @@ fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
     for (name, _) in devices::all() {
         let one = train(&begun, name, [1, 1], 3, None);
         assert_eq!(one.progress.step, 11);
-        assert_eq!(one.scene.gaussians.len(), 2 * SLICE + 200, "{name}: the scene has grown");
+        assert_eq!(
+            one.scene.gaussians.len(),
+            2 * GAUSSIANS_PER_BLOCK + 200,
+            "{name}: the scene has grown"
+        );
         assert!(one.statistics.iter().any(|[_, views, ..]| *views > 0.0), "{name}");
         // a software GPU is slow
         let grids = match name {
@@ -147,7 +152,7 @@ fn any_number_of_ranks_and_groups_gives_the_same_bits_on_every_device() {
     }
 }
 
-/// Each slice is rendered in parts, the last ones first. If a camera's tiles are in several parts, the sums of these
+/// Each block is rendered in parts, the last ones first. If a camera's tiles are in several parts, the sums of these
 /// parts belong to one unit.
 #[test]
 fn parts_of_slices_give_the_same_bits() {
@@ -167,9 +172,9 @@ fn parts_of_slices_give_the_same_bits() {
     }
 }
 
-/// Ranks write one file, like any run, and each rank reads its share of it.
+/// Ranks write one file, like any run, and each rank reads its shard of it.
 #[test]
-fn ranks_write_one_checkpoint_and_read_their_shares() {
+fn ranks_write_one_checkpoint_and_read_their_shards() {
     let begun = begun_of_slices();
     let sandbox = sandbox();
     let path = sandbox.path("state.safetensors");
@@ -180,18 +185,18 @@ fn ranks_write_one_checkpoint_and_read_their_shares() {
     assert!(std::fs::read(&path).unwrap() == std::fs::read(&again).unwrap());
     for size in [1, 2, 4] {
         for rank in 0..size {
-            let share = Checkpoint::load_share(&path, rank, size).expect("a share");
-            assert!(share == joined.share(rank, size), "rank {rank} of {size}");
+            let shard = Checkpoint::load_shard(&path, rank, size).expect("a shard");
+            assert!(shard == joined.shard(rank, size), "rank {rank} of {size}");
         }
     }
     // a state that one rank has lost is not written
     let failed = on_ranks(2, |ranks| {
-        let mut share = joined.share(ranks.rank(), 2);
+        let mut shard = joined.shard(ranks.rank(), 2);
         if ranks.rank() == 0 {
-            return share.save_shares(&path, None, &*ranks);
+            return shard.save_shards(&path, None, &*ranks);
         }
-        share.moments[0].gaussians.opacity[3] = f32::NAN;
-        share.hand_over(&*ranks).inspect_err(|error| ranks.fail(&error.to_string()))
+        shard.moments[0].gaussians.opacity[3] = f32::NAN;
+        shard.hand_over(&*ranks).inspect_err(|error| ranks.fail(&error.to_string()))
     });
     let [Err(Error::Rank { rank: 1, .. }), Err(Error::NotFinite { .. })] = &failed[..] else {
         panic!("{failed:?}")
@@ -242,9 +247,9 @@ fn ranks_train_what_a_trainer_alone_trains() {
     }
 }
 
-/// All Gaussians are in one slice: the other shares have none.
+/// All Gaussians are in one block: the other shards have none.
 #[test]
-fn a_run_of_shares_is_one_run() {
+fn a_run_of_shards_is_one_run() {
     let sandbox = sandbox();
     let run = |name: &str, words: &str| {
         let learned = "--set exposure.learn=true --refine-poses";
@@ -264,9 +269,9 @@ fn a_run_of_shares_is_one_run() {
     // stopped, and continued with another number of ranks
     run("other", "--ranks 3 --threads 1 --time-limit 1");
     sandbox.run("train --resume other --ranks 2 --split gaussians --backend cpu").assert_ok();
-    run("grid", "--ranks 4 --shares 2 --threads 1 --time-limit 1");
+    run("grid", "--ranks 4 --shards 2 --threads 1 --time-limit 1");
     sandbox
-        .run("train --resume grid --ranks 3 --split gaussians --shares 1 --backend cpu")
+        .run("train --resume grid --ranks 3 --split gaussians --shards 1 --backend cpu")
         .assert_ok();
     for resumed in ["other", "grid"] {
         assert_same_run(&sandbox, resumed, "one");
@@ -276,10 +281,10 @@ fn a_run_of_shares_is_one_run() {
     };
     refuses("--split gaussians", &["--ranks"]);
     refuses("--ranks 2 --split pixels", &["views, gaussians"]);
-    refuses("--ranks 2 --shares 2", &["--split"]);
-    refuses("--ranks 2 --split views --shares 2", &["`--shares`", "`--split gaussians`"]);
-    let facts = ["`--shares` must divide the number of ranks, 4: found 3"];
-    refuses("--ranks 4 --split gaussians --shares 3", &facts);
+    refuses("--ranks 2 --shards 2", &["--split"]);
+    refuses("--ranks 2 --split views --shards 2", &["`--shards`", "`--split gaussians`"]);
+    let facts = ["`--shards` must divide the number of ranks, 4: found 3"];
+    refuses("--ranks 4 --split gaussians --shards 3", &facts);
     refuses("--ranks 2 --split gaussians --view", &["`--view`", "leave out"]);
     let distortion = "--ranks 2 --split gaussians --set loss.distortion_weight=0.1";
     refuses(distortion, &["loss.distortion_weight", "share the views"]);

@@ -81,15 +81,15 @@ fn sent(size: usize, work: impl Fn(&Renderer, Arc<Counted>) + Sync) -> String {
     lines.concat()
 }
 
-/// What `size` ranks send in a step of two shares, followed by growth.
-fn sent_by_shares(size: usize) -> String {
+/// What `size` ranks send in a step of two shards, followed by growth.
+fn sent_by_shards(size: usize) -> String {
     let (mut config, mut checkpoint, dataset) = begun();
     config.run.steps = 40;
     checkpoint.progress.step = 9;
     sent(size, |renderer, ranks| {
-        let share = checkpoint.share(ranks.rank() % 2, 2);
+        let shard = checkpoint.shard(ranks.rank() % 2, 2);
         let (config, dataset) = (config.clone(), dataset.clone());
-        let trainer = Trainer::resume_share(renderer, config, dataset, &share, ranks, 2);
+        let trainer = Trainer::resume_shard(renderer, config, dataset, &shard, ranks, 2);
         let report = trainer.expect("a trainer").step().expect("a step");
         assert!(report.grown.is_some());
     })
@@ -105,9 +105,9 @@ fn a_step_sends_as_much_as_ever() {
         let mut trainer = trainer.expect("a trainer").with_ranks(ranks);
         trainer.step().expect("a step");
     });
-    // two shares, and two groups of two
-    let shares = [2, 4].map(sent_by_shares);
-    insta::assert_snapshot!([views, shares.concat()].concat(), @"
+    // two shards, and two groups of two
+    let shards = [2, 4].map(sent_by_shards);
+    insta::assert_snapshot!([views, shards.concat()].concat(), @"
     sum 16, max 24, exchange 18808, gather 7200, or 488, sum 17408, gather 80
     sum 16, max 24, exchange 13040, gather 7128, or 488, sum 17408, gather 80
     sum 32808, or 512, sum 16, max 24, or 460, sum 16896, gather 0, exchange 0

@@ -102,7 +102,7 @@ impl Viewer {
         stream.write_all(&[head.as_bytes(), body].concat()).expect("a request");
         let mut back = Vec::new();
         stream.read_to_end(&mut back).expect("an answer");
-        Reply::of(&back)
+        Reply::from_bytes(&back)
     }
 
     pub fn scene(&self) -> Value {
@@ -144,7 +144,7 @@ impl Drop for Viewer {
 
 impl Reply {
     #[track_caller]
-    fn of(bytes: &[u8]) -> Self {
+    fn from_bytes(bytes: &[u8]) -> Self {
         let end = bytes.windows(4).position(|four| four == b"\r\n\r\n");
         let end = end.unwrap_or_else(|| panic!("no head: {:?}", String::from_utf8_lossy(bytes)));
         let headers = String::from_utf8_lossy(&bytes[..end]).into_owned();

@@ -120,7 +120,7 @@ struct Place {
 }
 
 impl Place {
-    fn of(page: &mut Page) -> Self {
+    fn measure(page: &mut Page) -> Self {
         let found = page.eval("[organza.camera.camera_to_world, organza.center]");
         let (pose, center): (Vec<[f64; 4]>, [f64; 3]) =
             serde_json::from_value(found).expect("a pose and a place");
@@ -141,25 +141,25 @@ fn assert_controls(page: &mut Page) {
     let orbits: [&dyn Fn(&mut Page); 2] =
         [&|page| page.drag(middle, right), &|page| page.fingers(&[[middle, right]])];
     for (orbit, what) in orbits.iter().zip(["the mouse", "a finger"]) {
-        let before = Place::of(page);
+        let before = Place::measure(page);
         orbit(page);
-        let after = Place::of(page);
+        let after = Place::measure(page);
         assert!(after.forward.dot(before.forward) < 0.97, "{what}: {before:?} {after:?}");
         assert_eq!(after.center, before.center, "{what}");
         assert!((after.distance() / before.distance() - 1.0).abs() < 1e-6, "{what}");
     }
 
     // spreading two fingers brings the scene nearer, by the same factor
-    let before = Place::of(page);
+    let before = Place::measure(page);
     page.fingers(&[[[180.0, 160.0], [150.0, 160.0]], [[220.0, 160.0], [250.0, 160.0]]]);
-    let after = Place::of(page);
+    let after = Place::measure(page);
     let nearer = after.distance() / before.distance();
     assert!((nearer - 0.4).abs() < 0.01, "{nearer}: {before:?} {after:?}");
     assert!(after.forward.distance(before.forward) < 1e-6, "{before:?} {after:?}");
     // moving two fingers in parallel moves it
     page.fingers(&[[[180.0, 160.0], [180.0, 200.0]], [[220.0, 160.0], [220.0, 200.0]]]);
-    let moved = Place::of(page);
-    let by = Place::of(page).center - after.center;
+    let moved = Place::measure(page);
+    let by = Place::measure(page).center - after.center;
     assert!((moved.distance() / after.distance() - 1.0).abs() < 1e-6);
     assert!(by.length() > 0.05 * after.distance(), "{by}");
     assert!(by.dot(after.forward).abs() < 1e-6 * by.length(), "{by} {after:?}");
@@ -168,11 +168,11 @@ fn assert_controls(page: &mut Page) {
     page.letter("keyDown", 'w');
     page.wait(&format!("organza.center[0] !== {:?}", moved.center.x));
     page.letter("keyUp", 'w');
-    let stopped = Place::of(page);
+    let stopped = Place::measure(page);
     let by = stopped.eye - moved.eye;
     assert!(by.normalize().dot(moved.forward) > 1.0 - 1e-6, "{by} {moved:?}");
     page.wait(AT_REST);
-    assert_eq!(Place::of(page).eye, stopped.eye);
+    assert_eq!(Place::measure(page).eye, stopped.eye);
 }
 
 /// Asserts that the page turns slowly until it is touched, where visitors accept motion.
@@ -191,7 +191,7 @@ fn assert_turns(page: &mut Page, url: &str) {
     page.wait("organza.camera.camera_to_world[0][3] !== organza.header.way[0][0]");
     // a third of the way around, it has the distance of the cameras, and looks at the center
     page.eval("organza.touch(), organza.turnTo(1 / 3), organza.moved()");
-    let place = Place::of(page);
+    let place = Place::measure(page);
     let toward = (place.center - place.eye).normalize();
     assert!(toward.dot(place.forward) > 1.0 - 1e-6, "{place:?}");
     let place_of = |page: &mut Page| page.eval("organza.camera.camera_to_world");

@@ -9,9 +9,9 @@ use super::Camera;
 use super::{Target, median};
 use crate::error::{Error, Result};
 
-/// Horizontal field of view of [`Orbit::of_box`], in radians.
+/// Horizontal field of view of [`Orbit::from_box`], in radians.
 const ANGLE: f64 = 0.7;
-/// Elevation of [`Orbit::of_box`] above the horizon, in radians.
+/// Elevation of [`Orbit::from_box`] above the horizon, in radians.
 const ELEVATION: f64 = 0.3;
 /// Part of an image's horizontal direction that may point upward. It is small: the horizon of photographs is nearly
 /// always level.
@@ -59,7 +59,7 @@ impl Orbit {
         let Some(first) = cameras.first() else {
             return Err(Error::Argument { reason: "an orbit needs a camera".to_owned() });
         };
-        let center = Target::of(cameras).center;
+        let center = Target::from_cameras(cameras).center;
         let up = upward(cameras.iter());
         let offsets: Vec<_> =
             cameras.iter().map(|camera| DVec3::from(camera.eye()) - center).collect();
@@ -117,7 +117,7 @@ impl Orbit {
 
     /// An orbit around a box (its lowest and highest corner) that sees all of it; z is up.
     #[must_use]
-    pub fn of_box([low, high]: [[f64; 3]; 2], size: [u32; 2]) -> Self {
+    pub fn from_box([low, high]: [[f64; 3]; 2], size: [u32; 2]) -> Self {
         let [low, high] = [low, high].map(DVec3::from);
         let [width, height] = size.map(f64::from);
         // half the field of view along the image's shorter side
@@ -341,7 +341,7 @@ mod tests {
     fn the_whole_box_is_seen() {
         let corners = [[-1.0, -2.0, 0.0], [3.0, 1.0, 2.0]];
         for size in [[96, 80], [40, 90], [300, 20]] {
-            let orbit = Orbit::of_box(corners, size);
+            let orbit = Orbit::from_box(corners, size);
             for camera in orbit.cameras(7).unwrap() {
                 for corner in 0..8 {
                     let place = |axis: usize| corners[corner >> axis & 1][axis];

@@ -75,10 +75,10 @@ impl CameraPath {
         for (index, key) in keys.iter().enumerate() {
             key.validate(index)?;
         }
-        let target = Target::of(keys);
+        let target = Target::from_cameras(keys);
         let center = target.is_met.then_some(target.center);
-        let keys: Vec<_> = keys.iter().map(|key| State::of(key, center)).collect();
-        let spread = spread(&keys);
+        let keys: Vec<_> = keys.iter().map(|key| State::from_camera(key, center)).collect();
+        let spread = extent(&keys);
         let segments = if is_closed { keys.len() } else { keys.len() - 1 };
         let pairs = || (0..segments).map(|key| (&keys[key], &keys[(key + 1) % keys.len()]));
         let spans = spans(pairs().map(|(a, b)| a.way_to(b, spread)).collect());
@@ -162,7 +162,7 @@ struct Motion {
 
 impl State {
     /// `center` is the place that all keys look at, if there is one.
-    fn of(camera: &Camera, center: Option<DVec3>) -> Self {
+    fn from_camera(camera: &Camera, center: Option<DVec3>) -> Self {
         let eye = DVec3::from(camera.eye());
         let axis = camera.world_to_camera_opencv()[2];
         let distance = center.map_or(0.0, |center| (center - eye).dot(DVec3::from(axis)).max(0.0));
@@ -248,7 +248,7 @@ impl Motion {
 }
 
 /// Root mean square of the positions' distances from their center.
-fn spread(keys: &[State]) -> f64 {
+fn extent(keys: &[State]) -> f64 {
     let count = keys.len() as f64;
     let center = keys.iter().map(|key| key.eye()).sum::<DVec3>() / count;
     let squares = keys.iter().map(|key| key.eye().distance_squared(center));

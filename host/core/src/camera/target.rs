@@ -21,7 +21,7 @@ pub struct Target {
 impl Target {
     /// The point nearest to the cameras' optical axes. A few cameras that look elsewhere do not move it.
     #[must_use]
-    pub fn of(cameras: &[Camera]) -> Self {
+    pub fn from_cameras(cameras: &[Camera]) -> Self {
         let eyes: Vec<_> = cameras.iter().map(|camera| DVec3::from(camera.eye())).collect();
         let axes: Vec<_> = cameras.iter().map(axis).collect();
         let middle = DVec3::from_array(std::array::from_fn(|i| median(eyes.iter().map(|e| e[i]))));

@@ -182,7 +182,7 @@ impl ChannelImage {
             },
         };
         let colors: Vec<_> = (0..pixels).map(color).collect();
-        Image::of_pixels(self.size, &colors)
+        Image::from_pixels(self.size, &colors)
     }
 
     fn encode_png(&self, depth_scale: f32, origin: Option<&Origin>) -> io::Result<Vec<u8>> {

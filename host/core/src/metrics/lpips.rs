@@ -179,7 +179,7 @@ impl Lpips {
         first: &[[f32; 3]],
         second: &[[f32; 3]],
     ) -> Result<Option<f64>> {
-        let mut maps = [Map::of_image(size, first)?, Map::of_image(size, second)?];
+        let mut maps = [Map::from_image(size, first)?, Map::from_image(size, second)?];
         let mut convolutions = self.convolutions.iter();
         let mut weights = self.weights.iter();
         let mut sum = 0.0;
@@ -225,7 +225,7 @@ impl Map {
     }
 
     /// The colors, scaled as the networks expect them.
-    fn of_image([width, height]: [usize; 2], pixels: &[[f32; 3]]) -> Result<Self> {
+    fn from_image([width, height]: [usize; 2], pixels: &[[f32; 3]]) -> Result<Self> {
         assert_eq!(pixels.len(), width * height, "pixels of an image of {width} x {height}");
         let mut map = Self::zeros([width, height], 3)?;
         for (values, pixel) in map.values.chunks_exact_mut(3).zip(pixels) {

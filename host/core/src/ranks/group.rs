@@ -3,57 +3,57 @@
 use super::Ranks;
 use crate::error::{Error, Result};
 
-/// Ranks in groups. Each group has the whole scene, and each rank of a group has one share of it. Rank r has share `r
-/// % shares` and is in group `r / shares`.
+/// Ranks in groups. Each group has the whole scene, and each rank of a group has one shard of it. Rank r has shard `r
+/// % shards` and is in group `r / shards`.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid<'a> {
     /// All ranks.
     pub all: &'a dyn Ranks,
     /// Number of ranks in a group.
-    pub shares: usize,
+    pub shards: usize,
 }
 
 impl<'a> Grid<'a> {
     /// # Errors
-    /// [`Error::Argument`] if `shares` does not divide the number of ranks.
-    pub fn new(all: &'a dyn Ranks, shares: usize) -> Result<Self> {
+    /// [`Error::Argument`] if `shards` does not divide the number of ranks.
+    pub fn new(all: &'a dyn Ranks, shards: usize) -> Result<Self> {
         let size = all.size();
-        if shares > 0 && size.is_multiple_of(shares) {
-            return Ok(Self { all, shares });
+        if shards > 0 && size.is_multiple_of(shards) {
+            return Ok(Self { all, shards });
         }
-        let reason = format!("`--shares` must divide the number of ranks, {size}: found {shares}");
+        let reason = format!("`--shards` must divide the number of ranks, {size}: found {shards}");
         Err(Error::Argument { reason })
     }
 
     /// All ranks in one group.
-    pub fn of_one_group(all: &'a dyn Ranks) -> Self {
-        Self { all, shares: all.size() }
+    pub fn one_group(all: &'a dyn Ranks) -> Self {
+        Self { all, shards: all.size() }
     }
 
-    /// Index of this rank's share.
-    pub fn share(self) -> usize {
-        self.all.rank() % self.shares
+    /// Index of this rank's shard.
+    pub fn shard(self) -> usize {
+        self.all.rank() % self.shards
     }
 
     /// Index of this rank's group.
     pub fn group(self) -> usize {
-        self.all.rank() / self.shares
+        self.all.rank() / self.shards
     }
 
     /// Number of groups.
     pub fn groups(self) -> usize {
-        self.all.size() / self.shares
+        self.all.size() / self.shards
     }
 
     /// The ranks of this rank's group.
     pub fn row(self) -> Group<'a> {
-        let first = self.group() * self.shares;
-        Group { all: self.all, first, step: 1, size: self.shares }
+        let first = self.group() * self.shards;
+        Group { all: self.all, first, step: 1, size: self.shards }
     }
 
-    /// The ranks that have this rank's share, one of each group.
+    /// The ranks that have this rank's shard, one of each group.
     pub fn column(self) -> Group<'a> {
-        Group { all: self.all, first: self.share(), step: self.shares, size: self.groups() }
+        Group { all: self.all, first: self.shard(), step: self.shards, size: self.groups() }
     }
 }
 
@@ -160,15 +160,15 @@ mod tests {
     /// their group.
     #[test]
     fn groups_are_ranks_of_their_own() {
-        for shares in [1, 2, 3, 6] {
+        for shards in [1, 2, 3, 6] {
             std::thread::scope(|scope| {
                 for ranks in ThreadRanks::new(6) {
                     scope.spawn(move || {
-                        let grid = Grid::new(&ranks, shares).expect("a grid");
+                        let grid = Grid::new(&ranks, shards).expect("a grid");
                         let rank = ranks.rank();
-                        let first = ranks.rank() / shares * shares;
-                        let row: Vec<_> = (first..first + shares).collect();
-                        let column: Vec<_> = (rank % shares..6).step_by(shares).collect();
+                        let first = ranks.rank() / shards * shards;
+                        let row: Vec<_> = (first..first + shards).collect();
+                        let column: Vec<_> = (rank % shards..6).step_by(shards).collect();
                         assert_calls(rank, grid.row(), &row);
                         assert_calls(rank, grid.column(), &column);
                     });
@@ -212,9 +212,9 @@ mod tests {
     #[test]
     fn groups_come_out_even() {
         let ranks = ThreadRanks::new(1).remove(0);
-        for shares in [0, 2] {
-            let error = Grid::new(&ranks, shares).unwrap_err().to_string();
-            assert!(error.contains(&format!("the number of ranks, 1: found {shares}")), "{error}");
+        for shards in [0, 2] {
+            let error = Grid::new(&ranks, shards).unwrap_err().to_string();
+            assert!(error.contains(&format!("the number of ranks, 1: found {shards}")), "{error}");
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Ranks: processes, or threads of one process, that train or render one scene together.
 //!
-//! Ranks are numbered from 0. In a training run, each rank either holds the whole scene and computes its share of
-//! every step, or it holds [a share](crate::scene::SceneShare) of the Gaussians, as in rendering. Ranks communicate
+//! Ranks are numbered from 0. In a training run, each rank either holds the whole scene and computes its part of
+//! every step, or it holds [a shard](crate::scene::SceneShard) of the Gaussians, as in rendering. Ranks communicate
 //! through the calls of [`Ranks`]. All ranks make the same calls in the same order.
 
+mod agreement;
 mod group;
-mod meet;
 #[cfg(feature = "mpi")]
 mod mpi;
 #[cfg(any(test, feature = "mpi"))]
@@ -16,8 +16,8 @@ use std::fmt::Debug;
 
 use crate::error::{Error, Result};
 
+pub use agreement::check_agreement;
 pub use group::Grid;
-pub use meet::meet;
 #[cfg(feature = "mpi")]
 pub use mpi::MpiRanks;
 pub use threads::ThreadRanks;

@@ -77,7 +77,7 @@ impl Scene {
     ) -> Result<T> {
         self.validate()?;
         let tensors = self.tensors();
-        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
+        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.with_data(data)).collect();
         let config = self.config.to_json()?;
         write(&tensors, &scene_metadata(&config))
     }

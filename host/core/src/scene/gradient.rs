@@ -19,11 +19,11 @@ pub struct Gradient(Scene);
 
 impl Gradient {
     /// A gradient from values in the shape of a scene.
-    pub fn of(values: Scene) -> Self {
+    pub fn new(values: Scene) -> Self {
         Self(values)
     }
 
-    /// Gathers the gradients of ranks' [shares](super::SceneShare). Rank 0 gets the gradient of the whole scene,
+    /// Gathers the gradients of ranks' [shards](super::SceneShard). Rank 0 gets the gradient of the whole scene,
     /// other ranks get `None`.
     ///
     /// # Errors
@@ -118,7 +118,7 @@ impl Gradient {
             }
         }
         let tensors = self.0.tensors_with_prefix(PREFIX);
-        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.of(data)).collect();
+        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.with_data(data)).collect();
         write_tensors(path, &tensors, &[])
     }
 }

@@ -6,7 +6,7 @@ mod gaussians;
 mod gradient;
 mod grid;
 mod network;
-mod share;
+mod shard;
 mod spec;
 mod tensor_file;
 mod tensors;
@@ -28,8 +28,8 @@ pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
-pub use share::range_of;
-pub use share::{SLICE, SceneShare};
+pub use shard::range_of;
+pub use shard::{GAUSSIANS_PER_BLOCK, SceneShard};
 pub use spec::TensorSpec;
 pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
 pub use tensor_file::{read_metadata, read_tensor, read_tensors_from, write_streamed};

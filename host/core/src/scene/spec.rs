@@ -21,7 +21,7 @@ pub struct TensorSpec {
 impl TensorSpec {
     /// The tensor with its values, for writing.
     #[must_use]
-    pub fn of<'a>(&'a self, data: &'a [f32]) -> TensorRef<'a> {
+    pub fn with_data<'a>(&'a self, data: &'a [f32]) -> TensorRef<'a> {
         TensorRef { name: &self.name, shape: &self.shape, data }
     }
 

@@ -19,7 +19,7 @@ pub(super) fn cameras(source: impl Read + Seek, length: u64, path: &Path) -> Res
     let mut cameras = Cameras::new();
     while records.next() {
         let id = records.u32()?;
-        let known = Lenses::of_id(records.u32()?.cast_signed());
+        let known = Lenses::from_id(records.u32()?.cast_signed());
         let lenses = known.or_else(|reason| invalid(path, format!("camera {id}: {reason}")))?;
         let size = [records.u64()?, records.u64()?];
         let values = (0..lenses.parameters()).map(|_| records.f64()).collect::<Result<Vec<_>>>()?;

@@ -139,7 +139,7 @@ pub(super) fn fuzz(bytes: &[u8], path: &Path) {
     let _ = text::cameras(source(), path);
     let _ = text::points(source(), path);
     let images = [binary::images(source(), length, path), text::images(source(), path)];
-    let lenses = model::Lenses::of_name("PINHOLE");
+    let lenses = model::Lenses::from_name("PINHOLE");
     let camera = lenses.and_then(|lenses| lenses.intrinsics([64, 48], &[90.0, 90.0, 32.0, 24.0]));
     for image in images.into_iter().flatten().flatten() {
         let _ = camera.as_ref().map(|camera| model::camera(&image, camera));
@@ -149,5 +149,5 @@ pub(super) fn fuzz(bytes: &[u8], path: &Path) {
 /// The lens for a model's name and parameters.
 #[cfg(test)]
 pub(super) fn lens_of(name: &str, values: &[f64]) -> Result<super::lens::Lens, String> {
-    model::Lenses::of_name(name)?.intrinsics([64, 48], values).map(|camera| camera.lens)
+    model::Lenses::from_name(name)?.intrinsics([64, 48], values).map(|camera| camera.lens)
 }

@@ -74,7 +74,7 @@ pub(super) struct Lenses {
 
 impl Lenses {
     /// The model with a name, as in text files.
-    pub fn of_name(name: &str) -> Result<Self, String> {
+    pub fn from_name(name: &str) -> Result<Self, String> {
         match MODELS.iter().find(|(known, _)| *known == name) {
             Some(&(name, Some(parameters))) => Ok(Self { name, parameters }),
             _ => Err(refusal(name)),
@@ -82,10 +82,10 @@ impl Lenses {
     }
 
     /// The model with an id, as in binary files.
-    pub fn of_id(id: i32) -> Result<Self, String> {
+    pub fn from_id(id: i32) -> Result<Self, String> {
         let model = usize::try_from(id).ok().and_then(|id| MODELS.get(id));
         match model {
-            Some((name, _)) => Self::of_name(name),
+            Some((name, _)) => Self::from_name(name),
             None => Err(refusal(&format!("number {id}"))),
         }
     }

@@ -47,7 +47,7 @@ pub(super) fn points(source: impl Read, path: &Path) -> Result<Points> {
 
 fn camera(mut line: &str) -> Result<(u32, Intrinsics), String> {
     let id = value(&mut line, "CAMERA_ID")?;
-    let lenses = Lenses::of_name(word(&mut line))?;
+    let lenses = Lenses::from_name(word(&mut line))?;
     let size = [value(&mut line, "WIDTH")?, value(&mut line, "HEIGHT")?];
     let mut values = Vec::new();
     while !line.is_empty() {

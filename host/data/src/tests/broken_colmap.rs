@@ -9,7 +9,7 @@ use super::colmap_files::{
 use super::*;
 
 fn list_folder(root: &Path) -> Result<usize> {
-    let mut access = Access::of(root, false)?;
+    let mut access = Access::new(root, false)?;
     list(root, &find(root).unwrap(), &DatasetOptions::default(), &mut access)
         .map(|listing| listing.shots.len())
 }

@@ -38,7 +38,7 @@ impl Shot {
     /// Reads the frame, with all memory available.
     fn developed(&self) -> Result<Frame> {
         let options = DatasetOptions::default();
-        self.develop(&options, &Budget::of(u64::MAX)).map(|(frame, _)| frame)
+        self.develop(&options, &Budget::new(u64::MAX)).map(|(frame, _)| frame)
     }
 }
 

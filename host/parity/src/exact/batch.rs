@@ -108,7 +108,7 @@ impl Plane {
         };
         let pixels = self.around(center).filter(|&at| self.valid[at]);
         let pixels: Vec<_> = pixels.map(|at| (weight(at), [x(at), self.y[at].into()])).collect();
-        ssim::of_pixels(&pixels)
+        ssim::window_ssim(&pixels)
     }
 
     /// The pixels of the tile at most five rows and columns away.

@@ -34,7 +34,7 @@ pub fn falloff<N: Number>(q: N) -> N {
 
 impl Splat<f64> {
     /// A splat as the kernels have it.
-    pub fn of(vectors: &[Vec4; 3]) -> Self {
+    pub fn from_vectors(vectors: &[Vec4; 3]) -> Self {
         let [placed, conic, color] = vectors.map(|vector| vector.as_dvec4());
         Self {
             mean: [placed.x, placed.y],

@@ -19,7 +19,7 @@ pub struct View {
 
 impl View {
     /// A camera as the kernels have it.
-    pub fn of(camera: &organza_shaders::camera::Camera) -> Self {
+    pub fn from_camera(camera: &organza_shaders::camera::Camera) -> Self {
         Self {
             axes: camera.rotation.map(|row| row.as_dvec3().to_array()),
             eye: camera.eye.as_dvec3().to_array(),

@@ -30,7 +30,7 @@ pub fn similarity<N: Number>([x, y]: [N; 2], variances: N, covariance: N) -> N {
 }
 
 /// SSIM of a window from its pixels: weight, x and y of each.  The weights need not add up to 1.
-pub fn of_pixels<N: Number>(pixels: &[(f64, [N; 2])]) -> N {
+pub fn window_ssim<N: Number>(pixels: &[(f64, [N; 2])]) -> N {
     let total: f64 = pixels.iter().map(|(weight, _)| weight).sum();
     let mean = |value: &dyn Fn(N, N) -> N| {
         pixels.iter().fold(N::from(0.0), |sum, &(weight, [x, y])| {

@@ -160,7 +160,7 @@ impl Row for LossGradient {
 
     fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
         let terms = self.terms(point.to_vec());
-        let (difference, sum) = of_terms(cpu, &terms);
+        let (difference, sum) = loss_terms(cpu, &terms);
         let columns = self.columns(cpu, &difference, &sum);
         let dissimilarity = output(cpu, &columns, "dissimilarity");
         let rows = LossRows(LossRowsInputs {
@@ -184,7 +184,7 @@ impl Row for LossGradient {
     }
 
     fn gradient(&self, cpu: &Device) -> Vec<f64> {
-        let (difference, sum) = of_terms(cpu, &self.terms(self.point()));
+        let (difference, sum) = loss_terms(cpu, &self.terms(self.point()));
         let slopes = output(cpu, &self.columns(cpu, &difference, &sum), "slopes");
         let rows = SsimRowsBackward(SsimRowsBackwardInputs {
             params: SsimParams { side: self.params.side },
@@ -207,7 +207,7 @@ fn vectors_of(output: &[f64], count: usize) -> Vec<Vec4> {
 }
 
 /// The outputs of `loss_terms`: d and s.
-fn of_terms(cpu: &Device, terms: &LossTerms) -> (Vec<Vec4>, Vec<Vec4>) {
+fn loss_terms(cpu: &Device, terms: &LossTerms) -> (Vec<Vec4>, Vec<Vec4>) {
     let of = |name| vectors_of(&output(cpu, terms, name), terms.valid.len());
     (of("difference"), of("sum"))
 }

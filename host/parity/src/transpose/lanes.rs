@@ -57,7 +57,7 @@ fn resolve_backward_is_the_transpose_of_resolve() {
         let side = set.params.side;
         let (area, tiles) = ((side * side) as usize, set.sum.len() / 4 / (side * side) as usize);
         let v = direction(set.sum.len(), |_| true);
-        let slopes = Slopes::of(&set.sum, &v);
+        let slopes = Slopes::new(&set.sum, &v);
         let mut image = vec![0.0; set.image_gradient.len()];
         let (tile, sum, output) =
             (Read::from(&set.tile[..]), Read::from(&set.sum[..]), Write::from(&mut image[..]));
@@ -91,7 +91,7 @@ fn dense_backward_is_the_transpose_of_dense() {
             let is_on = !set.rectified || layer.input[index] > 0.0;
             (set.first..layer.inputs).contains(&row) && layer.place(index).is_some() && is_on
         });
-        let slopes = Slopes::of(&layer.input, &v);
+        let slopes = Slopes::new(&layer.input, &v);
         let mut output = vec![0.0; set.gradient.len()];
         let (weights, input, view) = (
             Read::from(&layer.parameters[..]),
@@ -112,7 +112,7 @@ fn transmittance_head_backward_is_the_transpose_of_transmittance_head() {
     for (name, set, gradient) in sets::<TransmittanceHeadBackward>() {
         let (layer, params) = (&set.layer, head_params(&set.layer));
         let v = direction(layer.input.len(), |index| layer.place(index).is_some());
-        let slopes = Slopes::of(&layer.input, &v);
+        let slopes = Slopes::new(&layer.input, &v);
         let place = points(layer, &set.factor);
         let mut log_rho = vec![0.0; (params.first_sample + layer.samples) as usize];
         let (weights, point, input, view) = (
@@ -144,7 +144,7 @@ fn hash_grid_backward_is_the_transpose_of_hash_grid() {
         let (grid, points) = (set.grid.clone(), set.points.clone());
         let forward = HashGrid { grid, points, table, is_unrounded: false };
         let v = direction(sums.len(), |_| true);
-        let slopes = Slopes::of(&forward.table, &v);
+        let slopes = Slopes::new(&forward.table, &v);
         let (levels, position, params) = (forward.levels(), forward.positions(), forward.params());
         let mut output = vec![0.0; forward.output_len()];
         let (levels, table, position, view) = (

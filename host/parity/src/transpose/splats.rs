@@ -29,7 +29,7 @@ impl Row for ProjectBackward {
         set.position = position.to_vec();
         set.rotation = rotation.to_vec();
         set.log_scale = log_scale.to_vec();
-        self.of_pairs(cpu, &set)
+        self.project_pairs(cpu, &set)
     }
 
     fn slopes(&self) -> Vec<f64> {
@@ -53,7 +53,7 @@ impl Row for ProjectBackward {
 
 impl ProjectBackward {
     /// Center and conic of every pair, as `project` projects a scene.
-    fn of_pairs(&self, cpu: &Device, scene: &Project) -> Vec<f64> {
+    fn project_pairs(&self, cpu: &Device, scene: &Project) -> Vec<f64> {
         let (mean, conic) = (output(cpu, scene, "mean2d"), output(cpu, scene, "conic"));
         let count = scene.gaussians as usize;
         let mut pairs = vec![[0.0; 5]; self.pair_gradient.len()];
@@ -86,7 +86,7 @@ impl Row for PoseBackward {
             camera.rotation = [turned.x_axis, turned.y_axis, turned.z_axis];
             camera.eye -= turned * Vec3::from_slice(&pose[3..]);
         }
-        self.0.of_pairs(cpu, &scene)
+        self.0.project_pairs(cpu, &scene)
     }
 
     fn slopes(&self) -> Vec<f64> {

@@ -74,7 +74,7 @@ fn differences<R: Row>(set: &R, cpu: &Device, point: &[f32], v: &[f64]) -> [Vec<
 }
 
 /// Checks all usual sets of a row.
-pub fn hold<R: Row>() {
+pub fn compare<R: Row>() {
     let cpu = devices::cpu(None);
     let sets: Vec<_> = R::sets().into_iter().filter(|(name, set)| set.is_usual(name)).collect();
     assert!(!sets.is_empty(), "`{}` has no usual sets", R::KERNEL);
@@ -104,7 +104,7 @@ macro_rules! table {
     ($($test:ident: $row:ty;)*) => {$(
         #[test]
         fn $test() {
-            hold::<$row>();
+            compare::<$row>();
         }
     )*};
 }

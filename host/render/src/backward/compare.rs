@@ -3,7 +3,7 @@
 use super::distortion::Distortion;
 use super::exposure::{self, Exposed, ExposureGradient};
 use super::loss::{Loss, LossInputs, LossOutput, TileLoss};
-use super::part_backward::{LossTarget, of_tiles};
+use super::part_backward::{LossTarget, values_of_tiles};
 use crate::batch::plan::PlannedTile;
 use crate::forward::part::Part;
 use crate::forward::part_counts::Needed;
@@ -36,10 +36,11 @@ impl Comparison {
         rendered: &Buffer<f32>,
     ) -> Result<Self> {
         let area = (side * side) as usize;
-        let image = device.upload("photographs", &of_tiles(target.image, tiles, 3 * area))?;
-        let valid = device.upload("masks", &of_tiles(target.valid, tiles, area))?;
+        let image =
+            device.upload("photographs", &values_of_tiles(target.image, tiles, 3 * area))?;
+        let valid = device.upload("masks", &values_of_tiles(target.valid, tiles, area))?;
         let expose = |all: &[f32]| {
-            let exposure = of_tiles(all, tiles, exposure::VALUES);
+            let exposure = values_of_tiles(all, tiles, exposure::VALUES);
             Exposed::new(device, rendered, side, &exposure)
         };
         let exposed = target.exposure.map(expose).transpose()?;

@@ -54,7 +54,7 @@ pub fn sums(
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
     let device = scene.device();
     let pairs = &bins.pairs;
-    let capacity = pairs.count.at_most();
+    let capacity = pairs.count.upper_bound();
     let power = device.unwritten("powers of inverse distances", 3 * capacity as usize)?;
     let kernel = PairInverseDistanceKernel {
         params: PairInverseDistanceParams { pairs: capacity, gaussians: scene.gaussians },

@@ -71,7 +71,7 @@ impl GroupScratch {
 
     /// Gradients of a chunk's inputs: `[rows, stride]`.
     pub fn input_gradient(&self, field: &DeviceField, chunk: &Chunk) -> Buffer<f32> {
-        self.layout.of_chunk(&self.input_gradient, chunk.index, field.layers[0].inputs)
+        self.layout.chunk_view(&self.input_gradient, chunk.index, field.layers[0].inputs)
     }
 }
 
@@ -183,7 +183,7 @@ impl DeviceField {
             let params = self.grid_params(&piece, grid_row);
             let (count, points) = (&piece.count(), &piece.point());
             let (input_gradient, rows) = (&scratch.input_gradient, self.layers[0].inputs);
-            let of_piece = scratch.layout.of_chunk(input_gradient, piece.index(), rows);
+            let of_piece = scratch.layout.chunk_view(input_gradient, piece.index(), rows);
             gradient.table.accumulate(device, self, params, count, points, &of_piece)
         })
     }

@@ -10,7 +10,7 @@ use super::hash_grid::HashGridGradient;
 use super::pose::POSE;
 use crate::forward::field::DeviceField;
 use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_share::DeviceShare;
+use crate::scene::device_shard::DeviceShard;
 use crate::scene::packed::unpack;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
@@ -67,20 +67,20 @@ impl SceneGradient {
         scene.require_gradients()?;
         let color = FieldGradient::new(device, &scene.color)?;
         let transmittance = FieldGradient::new(device, &scene.transmittance)?;
-        Self::of_fields(device, scene, color, transmittance)
+        Self::with_fields(device, scene, color, transmittance)
     }
 
     /// Zeros, for other Gaussians of the same fields and cameras, whose gradients are those of this.
-    pub(crate) fn of_block(&self, device: &Device, block: &DeviceScene) -> Result<Self> {
+    pub(crate) fn zeros_for_block(&self, device: &Device, block: &DeviceScene) -> Result<Self> {
         let fields = [&self.color, &self.transmittance].map(FieldGradient::view);
         let [color, transmittance] = fields;
-        let mut gradient = Self::of_fields(device, block, color, transmittance)?;
+        let mut gradient = Self::with_fields(device, block, color, transmittance)?;
         gradient.has_transmittance = self.has_transmittance;
         gradient.poses = self.poses.as_ref().map(BinnedGradient::view);
         Ok(gradient)
     }
 
-    fn of_fields(
+    fn with_fields(
         device: &Device,
         scene: &DeviceScene,
         color: FieldGradient,
@@ -208,33 +208,33 @@ impl SceneGradient {
         let read = |tensor: &TensorGradient, values: &mut [f32]| {
             device.read_into(&tensor.buffer, tensor.range.start, values)
         };
-        Ok(Gradient::of(unpack(config, len, self.tensors.as_ref(), read)?))
+        Ok(Gradient::new(unpack(config, len, self.tensors.as_ref(), read)?))
     }
 }
 
-/// Gradients of the tensors of a share, or of a whole scene; kernels add to them.
+/// Gradients of the tensors of a shard, or of a whole scene; kernels add to them.
 #[derive(Debug)]
-pub struct ShareGradient {
+pub struct ShardGradient {
     /// Those of the fields.
     pub fields: SceneGradient,
     /// Those of each block's Gaussians; those of the fields are the same, on the same memory.
     pub blocks: Vec<SceneGradient>,
 }
 
-impl ShareGradient {
-    /// Zeros for a share's Gaussians; `fields` are the gradients of [`DeviceShare::fields`].
-    pub fn new(device: &Device, share: &DeviceShare, fields: SceneGradient) -> Result<Self> {
+impl ShardGradient {
+    /// Zeros for a shard's Gaussians; `fields` are the gradients of [`DeviceShard::fields`].
+    pub fn new(device: &Device, shard: &DeviceShard, fields: SceneGradient) -> Result<Self> {
         let mut gradient = Self { fields, blocks: Vec::new() };
-        gradient.replace_gaussians(device, share)?;
+        gradient.replace_gaussians(device, shard)?;
         Ok(gradient)
     }
 
-    /// Zeros for the Gaussians that a share has now.
-    pub fn replace_gaussians(&mut self, device: &Device, share: &DeviceShare) -> Result<()> {
+    /// Zeros for the Gaussians that a shard has now.
+    pub fn replace_gaussians(&mut self, device: &Device, shard: &DeviceShard) -> Result<()> {
         // not both at once
         self.blocks.clear();
-        for block in share.blocks() {
-            self.blocks.push(self.fields.of_block(device, block)?);
+        for block in shard.blocks() {
+            self.blocks.push(self.fields.zeros_for_block(device, block)?);
         }
         Ok(())
     }

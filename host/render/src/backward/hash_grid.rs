@@ -81,7 +81,7 @@ impl HashGridGradient {
         transmittance: Option<(&Buffer<f32>, f32)>,
         pairs: &Count,
     ) -> Result<()> {
-        let capacity = pairs.at_most();
+        let capacity = pairs.upper_bound();
         let color = u32::from(transmittance.is_none());
         // a binding must be bound
         let (transmittance, power) = transmittance.unwrap_or((&self.scale, 1.0));
@@ -109,7 +109,7 @@ impl HashGridGradient {
         }
         let layers = field.layers.len() as u32;
         let kernel = HashGridScaleKernel {
-            params: HashGridScaleParams { layers, samples: samples.at_most() },
+            params: HashGridScaleParams { layers, samples: samples.upper_bound() },
             bound: &self.bound,
             scale: &self.scale,
             status: &self.status,

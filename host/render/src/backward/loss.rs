@@ -136,7 +136,7 @@ impl Loss {
     }
 
     /// One for at least `tiles` tiles: the one that is there, or a new one in its place.
-    pub(crate) fn of_tiles<'a>(
+    pub(crate) fn reuse<'a>(
         slot: &'a mut Option<Self>,
         device: &Device,
         side: u32,

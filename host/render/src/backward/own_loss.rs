@@ -4,9 +4,9 @@ use std::slice::from_ref;
 
 use super::gradient::SceneGradient;
 use super::loss::LossInputs;
-use super::part_backward::{LossTarget, of_tiles};
+use super::part_backward::{LossTarget, values_of_tiles};
 use super::step::Step;
-use crate::batch::plan::Plan;
+use crate::batch::plan::PartTiles;
 use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
 use crate::forward::part_counts::{Capacity, Needed};
@@ -120,12 +120,12 @@ impl Step<'_> {
     }
 
     /// Renders a part, has the loss evaluated, and goes back.
-    fn part(&self, own: &mut DeviceLoss<'_>, plan: &Plan) -> Result<(f64, f64)> {
+    fn part(&self, own: &mut DeviceLoss<'_>, plan: &PartTiles) -> Result<(f64, f64)> {
         let Self { renderer, scene, cameras, target, gradient } = *self;
         let (device, side) = (renderer.device(), plan.side);
         let area = (side * side) as usize;
-        let image = of_tiles(target.image, &plan.tiles, 3 * area);
-        let valid = of_tiles(target.valid, &plan.tiles, area);
+        let image = values_of_tiles(target.image, &plan.tiles, 3 * area);
+        let valid = values_of_tiles(target.valid, &plan.tiles, area);
         let work = |capacity: Option<Capacity>| {
             let evaluate = || Part::evaluate(scene, cameras, plan, true, capacity);
             let part = device.run_in_pool(evaluate)?;

@@ -10,7 +10,7 @@ use super::gradient::SceneGradient;
 use super::pose::pose_backward;
 use super::project::project_backward;
 use super::rows::Rows;
-use crate::batch::plan::{Plan, PlannedTile};
+use crate::batch::plan::{PartTiles, PlannedTile};
 use crate::batch::renderer::Renderer;
 use crate::forward::pair::PairVectors;
 use crate::forward::part::Part;
@@ -36,10 +36,10 @@ impl Part {
         let pair_gradient = self.pair_gradient(scene, side, image_gradient)?;
         self.raise_bounds(device, &pair_gradient, gradient)?;
         let (pairs, samples) = (&self.bins.pairs.count, &self.transmittance.samples);
-        if pairs.at_most() > 0 {
+        if pairs.upper_bound() > 0 {
             gradient.color.table.set_scale(device, &scene.color, pairs)?;
         }
-        if gradient.has_transmittance && samples.at_most() > 0 {
+        if gradient.has_transmittance && samples.upper_bound() > 0 {
             gradient.transmittance.table.set_scale(device, &scene.transmittance, samples)?;
         }
         self.add_pairs(scene, &pair_gradient, gradient, None, false)?;
@@ -65,12 +65,12 @@ impl Part {
         gradient: &SceneGradient,
     ) -> Result<()> {
         let pairs = &self.bins.pairs.count;
-        if pairs.at_most() == 0 {
+        if pairs.upper_bound() == 0 {
             return Ok(());
         }
         gradient.color.table.raise_bound(device, pair_gradient, None, pairs)?;
         let transmittance = &self.transmittance;
-        if gradient.has_transmittance && transmittance.samples.at_most() > 0 {
+        if gradient.has_transmittance && transmittance.samples.upper_bound() > 0 {
             let values = Some((&transmittance.transmittance, transmittance.power));
             gradient.transmittance.table.raise_bound(device, pair_gradient, values, pairs)?;
         }
@@ -152,7 +152,7 @@ struct FieldVectors {
 }
 
 /// The part of a batch's values `[K, len]` that belongs to a part's tiles, in their order.
-pub(crate) fn of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec<f32> {
+pub(crate) fn values_of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec<f32> {
     tiles.iter().flat_map(|tile| &values[tile.place * len..][..len]).copied().collect()
 }
 
@@ -224,7 +224,7 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         batch: &TileBatch,
-        mut work: impl FnMut(&[Plan]) -> Result<R>,
+        mut work: impl FnMut(&[PartTiles]) -> Result<R>,
     ) -> Result<R> {
         let mut plans = self.plans(scene, batch)?;
         loop {
@@ -265,14 +265,15 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         cameras: &[Camera],
-        plans: &[Plan],
+        plans: &[PartTiles],
         grad_output: &[f32],
         gradient: &SceneGradient,
     ) -> Result<()> {
         let device = self.device();
-        let add = |plan: &Plan, capacity: Option<Capacity>| {
+        let add = |plan: &PartTiles, capacity: Option<Capacity>| {
             let part = Part::evaluate(scene, cameras, plan, true, capacity)?;
-            let pixels = of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
+            let pixels =
+                values_of_tiles(grad_output, &plan.tiles, 3 * (plan.side * plan.side) as usize);
             let pixels = device.upload("gradient of the tiles", &pixels)?;
             part.backward(scene, plan.side, &pixels, gradient)?;
             Ok(part.read(device, Vec::new())?)

@@ -4,10 +4,10 @@ use glam::Vec4;
 
 use super::field_sums::{finish, set_scales};
 use super::gradient::SceneGradient;
-use super::part_backward::of_tiles;
+use super::part_backward::values_of_tiles;
 use super::rows::Rows;
 use crate::batch::recording::Recording;
-use crate::batch::share::{KeptPart, PLANES};
+use crate::batch::shard::{KeptPart, PLANES};
 use crate::forward::part::Part;
 use crate::forward::part_counts::Capacity;
 use crate::scene::device_scene::DeviceScene;
@@ -147,7 +147,7 @@ impl Recording<'_> {
     /// `[tiles, 3, S, S]`, of a part's tiles.
     fn pixels(&self, kept: &KeptPart, grad_output: &[f32]) -> Result<Buffer<f32>> {
         let area = (kept.plan.side * kept.plan.side) as usize;
-        let pixels = of_tiles(grad_output, &kept.plan.tiles, 3 * area);
+        let pixels = values_of_tiles(grad_output, &kept.plan.tiles, 3 * area);
         Ok(self.renderer.device().upload("gradient of the tiles", &pixels)?)
     }
 
@@ -161,7 +161,7 @@ impl Recording<'_> {
     ) -> Result<Buffer<Vec4>> {
         let (device, plan) = (self.renderer.device(), &kept.plan);
         let area = (plan.side * plan.side) as usize;
-        let sums = of_tiles(&self.sums, &plan.tiles, PLANES * area);
+        let sums = values_of_tiles(&self.sums, &plan.tiles, PLANES * area);
         device.write(&part.composite.sum, 0, &sums)?;
         part.pair_gradient(block, plan.side, &self.pixels(kept, grad_output)?)
     }

@@ -15,14 +15,14 @@ pub struct Rows<'a> {
     device: &'a Device,
     ranks: &'a dyn Ranks,
     /// All ranks have the same.
-    scenes: Vec<Held<'a>>,
+    scenes: Vec<SceneRows<'a>>,
     /// For each rank, what goes to it: for each scene and view batch, how many rows follow, and the rows. A row is the Gaussian's
     /// place, its values of all tensors, and its three statistics.
     for_each: Vec<Vec<u32>>,
 }
 
-/// The Gaussians of a scene, or of a slice of one.
-struct Held<'a> {
+/// The Gaussians of a scene, or of a block of one.
+struct SceneRows<'a> {
     gradient: &'a SceneGradient,
     tensors: Vec<&'a TensorGradient>,
     /// Their places among those of all scenes.
@@ -49,7 +49,7 @@ impl<'a> Rows<'a> {
             device.clear(&gradient.statistics);
             let range = end..end + before.len();
             end = range.end;
-            scenes.push(Held { gradient, tensors, range, before });
+            scenes.push(SceneRows { gradient, tensors, range, before });
         }
         Ok(Self { device, ranks, scenes, for_each: vec![Vec::new(); ranks.size()] })
     }
@@ -104,7 +104,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-impl Held<'_> {
+impl SceneRows<'_> {
     /// Values of a row, without the place.
     fn width(&self) -> usize {
         let values: usize = self.tensors.iter().map(|tensor| tensor.range.len()).sum();

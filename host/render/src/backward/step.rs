@@ -16,16 +16,16 @@ use glam::Vec4;
 
 use super::compare::{Compared, Comparison, Found};
 use super::field_sums::{finish, set_scales};
-use super::gradient::{SceneGradient, ShareGradient};
+use super::gradient::{SceneGradient, ShardGradient};
 use super::loss::Loss;
 use super::part_backward::LossTarget;
 use super::rows::Rows;
-use crate::batch::plan::{Plan, PlannedTile};
+use crate::batch::plan::{PartTiles, PlannedTile};
 use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
 use crate::forward::part_counts::{Capacity, Needed};
 use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_share::DeviceShare;
+use crate::scene::device_shard::DeviceShard;
 use muslin_device::{Buffer, Device};
 use organza_core::RenderedTiles;
 use organza_core::camera::Camera;
@@ -95,30 +95,30 @@ impl Renderer {
         Ok(found.in_order())
     }
 
-    /// Like [`Renderer::add_loss_gradient`] together with other ranks: each has its share of the same scene, and the
+    /// Like [`Renderer::add_loss_gradient`] together with other ranks: each has its shard of the same scene, and the
     /// same batch. Each group renders some of it.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::record_share`]. The gradient is then as it was before.
-    pub fn add_share_gradient(
+    /// The same errors as [`Renderer::record_shard`]. The gradient is then as it was before.
+    pub fn add_shard_gradient(
         &self,
-        (share, grid): (&DeviceShare, Grid<'_>),
+        (shard, grid): (&DeviceShard, Grid<'_>),
         cameras: &[Camera],
         batch: &TileBatch,
         loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
-        gradient: &ShareGradient,
+        gradient: &ShardGradient,
     ) -> Result<Compared> {
         batch.validate(cameras)?;
         let (mine, views) = tiles_of_group(batch, grid);
         let tiles = mine.iter().map(|planned| planned.tile).collect();
         let of_group = TileBatch { side: batch.side, tiles };
-        let recording = self.record_group((share, grid), cameras, &of_group, views)?;
+        let recording = self.record_group((shard, grid), cameras, &of_group, views)?;
         let (mut found, grad_output) = self.compare(recording.tiles(), &mine, loss, target)?;
         recording.add_to(&grad_output, &gradient.fields, &gradient.blocks)?;
         if grid.groups() > 1 {
             // all ranks of a group have the same: one tells it
-            let mine = if grid.share() == 0 { found } else { Found::default() };
+            let mine = if grid.shard() == 0 { found } else { Found::default() };
             let all = mine.gather(batch, target, grid.all);
             found = all.inspect_err(|_| gradient.rollback(self.device()))?;
         }
@@ -138,7 +138,7 @@ impl Renderer {
         let most = (COMPARED_PIXELS / area).max(1);
         let (mut found, mut gradient) = (Found::default(), Vec::new());
         for (tiles, pixels) in tiles.chunks(most).zip(rendered.data.chunks(most * 3 * area)) {
-            let loss = Loss::of_tiles(loss, device, side, tiles.len())?;
+            let loss = Loss::reuse(loss, device, side, tiles.len())?;
             let image = device.upload("rendered tiles", pixels)?;
             let of_tiles = (tiles, side);
             let compare = || Comparison::new(device, loss, target, of_tiles, &image);
@@ -165,9 +165,9 @@ impl Step<'_> {
     }
 
     /// A step in one part.
-    fn at_once(&self, plan: &Plan, loss: &mut Option<Loss>) -> Result<Found> {
+    fn at_once(&self, plan: &PartTiles, loss: &mut Option<Loss>) -> Result<Found> {
         let (device, scene) = (self.device(), self.scene);
-        let loss = Loss::of_tiles(loss, device, plan.side, plan.tiles.len())?;
+        let loss = Loss::reuse(loss, device, plan.side, plan.tiles.len())?;
         let work = |capacity: Option<Capacity>| {
             let (part, compared) = self.render(plan, loss, capacity)?;
             part.backward(scene, plan.side, &compared.output.grad_image, self.gradient)?;
@@ -180,7 +180,7 @@ impl Step<'_> {
     /// so many view batches.
     fn in_passes(
         &self,
-        plans: Vec<&Plan>,
+        plans: Vec<&PartTiles>,
         loss: &mut Option<Loss>,
         shared: Option<(&dyn Ranks, usize)>,
     ) -> Result<Found> {
@@ -208,7 +208,7 @@ impl Step<'_> {
     /// Renders a part, and compares it.
     fn render(
         &self,
-        plan: &Plan,
+        plan: &PartTiles,
         loss: &Loss,
         capacity: Option<Capacity>,
     ) -> Result<(Part, Comparison)> {
@@ -236,7 +236,7 @@ struct Parts {
 
 impl Parts {
     /// Renders and compares all parts, and raises the bounds of the hash grids' sums.
-    fn render(step: &Step<'_>, plans: &[&Plan], loss: &mut Option<Loss>) -> Result<Self> {
+    fn render(step: &Step<'_>, plans: &[&PartTiles], loss: &mut Option<Loss>) -> Result<Self> {
         let (mut kept, mut samples) = (Vec::new(), [0; 2]);
         let (mut found, mut keeps) = (Found::default(), true);
         for plan in plans {
@@ -262,11 +262,11 @@ impl Parts {
     /// Renders and compares a part, and goes back to its pairs.
     fn render_one(
         step: &Step<'_>,
-        plan: &Plan,
+        plan: &PartTiles,
         loss: &mut Option<Loss>,
     ) -> Result<(Kept, Found, Capacity)> {
         let device = step.device();
-        let loss = Loss::of_tiles(loss, device, plan.side, plan.tiles.len())?;
+        let loss = Loss::reuse(loss, device, plan.side, plan.tiles.len())?;
         let work = |capacity: Option<Capacity>| {
             let (part, compared) = step.render(plan, loss, capacity)?;
             let image_gradient = &compared.output.grad_image;

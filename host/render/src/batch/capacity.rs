@@ -6,7 +6,7 @@ use crate::forward::part_counts::Capacity;
 
 /// Batches that a prediction takes into account.
 const BATCHES: usize = 16;
-/// Extra capacity, as a share of the largest number that one of them needed.
+/// Extra capacity, as a fraction of the largest number that one of them needed.
 const MARGIN: f64 = 0.125;
 /// Extra capacity, whatever they needed.
 const LEAST: f64 = 1024.0;

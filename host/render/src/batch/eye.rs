@@ -9,7 +9,7 @@ use organza_shaders::composite::splat_distance;
 use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
-use super::plan::Plan;
+use super::plan::PartTiles;
 use super::renderer::Renderer;
 use crate::forward::bin::{Bins, Pairs, project};
 use crate::forward::channels::Seen;
@@ -102,7 +102,7 @@ impl EyeCache {
             let evaluated = Transmittance::evaluate(scene, &pairs, false, |first| {
                 pairs.read_samples(device, first)
             })?;
-            samples += u64::from(evaluated.samples.at_most());
+            samples += u64::from(evaluated.samples.upper_bound());
             let without: Vec<_> =
                 some.iter().copied().filter(|&at| self.steps[at as usize] == 0).collect();
             let color = match &*without {
@@ -136,7 +136,7 @@ impl EyeCache {
         &mut self,
         scene: &DeviceScene,
         camera: &Camera,
-        plan: &Plan,
+        plan: &PartTiles,
         options: &EyeOptions<'_>,
     ) -> Result<Option<RenderedPart>> {
         let device = scene.device();
@@ -157,7 +157,7 @@ impl EyeCache {
         rendered.report = RenderReport {
             parts: 1,
             pairs: gaussians.len() as u64,
-            members: u64::from(bins.members.at_most()),
+            members: u64::from(bins.members.upper_bound()),
             samples,
             degenerate: u64::from(degenerate),
         };

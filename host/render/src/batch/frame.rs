@@ -1,6 +1,6 @@
 //! One frame of one camera, as a plan that something else runs: a page in a browser.
 
-use super::plan::{Plan, PlannedTile};
+use super::plan::{PartTiles, PlannedTile};
 use super::renderer::Renderer;
 use crate::forward::bin::Bins;
 use crate::forward::part::Part;
@@ -55,11 +55,11 @@ impl Renderer {
             let device = self.device();
             let camera = std::slice::from_ref(camera);
             let bins = Bins::new(scene, camera, &plan, None)?;
-            let (pairs, members) = (bins.pairs.count.at_most(), bins.members.at_most());
+            let (pairs, members) = (bins.pairs.count.upper_bound(), bins.members.upper_bound());
             for (&steps, needed) in steps.iter().zip(&mut needed) {
                 let scene = &scene.with_ray_steps(steps.into());
                 let (_, first_sample) = segments(scene, &bins.pairs)?;
-                let samples = bins.pairs.read_samples(device, &first_sample)?.at_most();
+                let samples = bins.pairs.read_samples(device, &first_sample)?.upper_bound();
                 *needed = Capacity {
                     // what parts have in common is counted once for each: that is room to spare
                     pairs: needed.pairs.saturating_add(pairs).min(scene.gaussians),
@@ -82,14 +82,15 @@ impl Renderer {
         // Whoever runs it puts the others anywhere to the right and below: no Gaussian of those is to be left out.
         let origin = |place| if place == 0 { [0, 0] } else { [MAX_IMAGE_SIDE as i32; 2] };
         let tile = |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place };
-        let plan = Plan { side: shape.side, tiles: (0..shape.tiles as usize).map(tile).collect() };
+        let plan =
+            PartTiles { side: shape.side, tiles: (0..shape.tiles as usize).map(tile).collect() };
         let eye = [0.0, -1.0, 0.0];
         let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;
         let camera = std::slice::from_ref(&camera);
         let scene = &scene.with_ray_steps(shape.steps.into());
         let part = Part::evaluate(scene, camera, &plan, false, Some(shape.capacity))?;
         let bins = &part.bins;
-        let counts = bins.tally.as_ref().expect("there is a capacity").counts().planned();
+        let counts = bins.part_counts.as_ref().expect("there is a capacity").counts().planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");
         Ok(Frame {
             camera: number(bins.pairs.camera.planned()),

@@ -7,4 +7,4 @@ pub mod plan;
 pub mod recording;
 pub mod renderer;
 pub mod results;
-pub mod share;
+pub mod shard;

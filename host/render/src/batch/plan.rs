@@ -13,7 +13,7 @@ pub const PART_BYTES: u64 = 512 << 20;
 
 /// One part of a batch: tiles ordered by camera.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct PartTiles {
     pub side: u32,
     pub tiles: Vec<PlannedTile>,
 }
@@ -25,10 +25,10 @@ pub struct PlannedTile {
     pub place: usize,
 }
 
-impl Plan {
+impl PartTiles {
     /// The parts of a batch, last first.
     pub fn split(scene: &DeviceScene, batch: &TileBatch, part_bytes: u64) -> Result<Vec<Self>> {
-        let limits = Limits::of(scene, batch.side, part_bytes)?;
+        let limits = Limits::new(scene, batch.side, part_bytes)?;
         let mut parts = limits.join(&limits.view_batches(batch));
         parts.reverse();
         Ok(parts)
@@ -40,7 +40,7 @@ impl Plan {
         batch: &TileBatch,
         part_bytes: u64,
     ) -> Result<(Vec<Self>, Limits)> {
-        let limits = Limits::of(scene, batch.side, part_bytes)?;
+        let limits = Limits::new(scene, batch.side, part_bytes)?;
         Ok((limits.view_batches(batch), limits))
     }
 
@@ -104,7 +104,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    fn of(scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
+    fn new(scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
         let buffer = scene.device().max_buffer_bytes();
         let gaussians = u64::from(scene.gaussians);
         // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
@@ -131,18 +131,18 @@ impl Limits {
     }
 
     /// The tiles of a batch by camera, as parts of one camera each.
-    fn view_batches(&self, batch: &TileBatch) -> Vec<Plan> {
+    fn view_batches(&self, batch: &TileBatch) -> Vec<PartTiles> {
         let tiles = batch.tiles.iter().enumerate();
         let mut tiles: Vec<_> = tiles.map(|(place, &tile)| PlannedTile { tile, place }).collect();
         tiles.sort_by_key(|tile| tile.tile.camera);
         let of_cameras = tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera);
         let views = of_cameras.flat_map(|tiles| tiles.chunks(self.tiles));
-        views.map(|tiles| Plan { side: batch.side, tiles: tiles.to_vec() }).collect()
+        views.map(|tiles| PartTiles { side: batch.side, tiles: tiles.to_vec() }).collect()
     }
 
     /// Joins parts of one camera each, as many as fit into each part, in their order.
-    pub fn join(&self, views: &[Plan]) -> Vec<Plan> {
-        let mut parts: Vec<Plan> = Vec::new();
+    pub fn join(&self, views: &[PartTiles]) -> Vec<PartTiles> {
+        let mut parts: Vec<PartTiles> = Vec::new();
         let mut cameras = 0;
         for view in views {
             match parts.last_mut() {

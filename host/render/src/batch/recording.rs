@@ -4,18 +4,18 @@
 //! 13 without another message, and from them the gradients of its own Gaussians. Those of the fields and the poses are
 //! added up as integers, as in [a step over views](crate::backward::step): their bits do not depend on the number of
 //! ranks, either. In a [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the
-//! same share add up its Gaussians' gradients camera by camera, as [`Rows`](crate::backward::rows::Rows).
+//! same shard add up its Gaussians' gradients camera by camera, as [`Rows`](crate::backward::rows::Rows).
 
 use std::slice::from_ref;
 use std::sync::atomic::Ordering;
 
 use super::renderer::Renderer;
 use super::results::place;
-use super::share::{KeptPart, ShareForward};
+use super::shard::{KeptPart, ShardForward};
 use crate::backward::gradient::SceneGradient;
 use crate::backward::pose::POSE;
 use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_share::DeviceShare;
+use crate::scene::device_shard::DeviceShard;
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::ranks::{Grid, Ranks};
@@ -134,39 +134,39 @@ impl Renderer {
         })
     }
 
-    /// Like [`Renderer::render_share`], but keeps what the gradient needs.
+    /// Like [`Renderer::render_shard`], but keeps what the gradient needs.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::render_share`]; [`Error::Argument`] where the scene's grids or networks are
+    /// The same errors as [`Renderer::render_shard`]; [`Error::Argument`] where the scene's grids or networks are
     /// halves.
-    pub fn record_share<'a>(
+    pub fn record_shard<'a>(
         &self,
-        share: &DeviceShare,
+        shard: &DeviceShard,
         cameras: &[Camera],
         batch: &TileBatch,
         ranks: &'a dyn Ranks,
     ) -> Result<Recording<'a>> {
         batch.validate(cameras)?;
-        let grid = Grid::of_one_group(ranks);
-        self.record_group((share, grid), cameras, batch, batch.tiles.len())
+        let grid = Grid::one_group(ranks);
+        self.record_group((shard, grid), cameras, batch, batch.tiles.len())
     }
 
     /// What a group renders of a batch that shows so many cameras.
     pub(crate) fn record_group<'a>(
         &self,
-        (share, grid): (&DeviceShare, Grid<'a>),
+        (shard, grid): (&DeviceShard, Grid<'a>),
         cameras: &[Camera],
         batch: &TileBatch,
         views: usize,
     ) -> Result<Recording<'a>> {
-        share.fields().require_gradients()?;
-        let version = version(share.blocks());
-        let ShareForward { tiles, sums, parts } =
-            self.share_forward(share, cameras, batch, &grid.row(), true)?;
+        shard.fields().require_gradients()?;
+        let version = version(shard.blocks());
+        let ShardForward { tiles, sums, parts } =
+            self.shard_forward(shard, cameras, batch, &grid.row(), true)?;
         Ok(Recording {
             renderer: self.clone(),
-            fields: share.fields().view(),
-            blocks: share.blocks().iter().map(DeviceScene::view).collect(),
+            fields: shard.fields().view(),
+            blocks: shard.blocks().iter().map(DeviceScene::view).collect(),
             version,
             cameras: cameras.to_vec(),
             batch: batch.clone(),
@@ -223,7 +223,7 @@ impl Recording<'_> {
         let device = self.renderer.device();
         self.check(grad_output)?;
         if self.shared.is_some() {
-            let reason = "the gradient of a share is not in one piece: use `backward`".to_owned();
+            let reason = "the gradient of a shard is not in one piece: use `backward`".to_owned();
             return Err(Error::Argument { reason });
         }
         gradient.clear(device);
@@ -256,7 +256,7 @@ impl Recording<'_> {
             fields.check(device)?;
             return fields.download(device, config, self.fields.len());
         }
-        let of_blocks = self.blocks.iter().map(|block| fields.of_block(device, block));
+        let of_blocks = self.blocks.iter().map(|block| fields.zeros_for_block(device, block));
         let of_blocks = of_blocks.collect::<Result<Vec<_>>>()?;
         self.add_to(grad_output, fields, &of_blocks)?;
         fields.check(device)?;
@@ -273,6 +273,6 @@ impl Recording<'_> {
                     Ok::<_, Error>(after)
                 })?;
         }
-        Ok(Gradient::of(values))
+        Ok(Gradient::new(values))
     }
 }

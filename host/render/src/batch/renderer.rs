@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::capacity::CapacityPredictor;
-use super::plan::{Limits, PART_BYTES, Plan};
+use super::plan::{Limits, PART_BYTES, PartTiles};
 use super::results::place;
 use crate::forward::part::{self, Part, RenderedPart};
 use crate::forward::part_counts::{Capacity, Needed};
@@ -133,7 +133,7 @@ impl Renderer {
         batch: &TileBatch,
         channels: &[Channel],
         progress: &mut dyn FnMut(usize, usize),
-        render: &mut dyn FnMut(&Plan) -> Result<Option<RenderedPart>>,
+        render: &mut dyn FnMut(&PartTiles) -> Result<Option<RenderedPart>>,
     ) -> Result<Option<RenderedTiles>> {
         let mut tiles = RenderedTiles::zeros(batch, channels)?;
         let mut done = 0;
@@ -161,7 +161,7 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         cameras: &[Camera],
-        plan: &Plan,
+        plan: &PartTiles,
         channels: &[Channel],
         keep: bool,
     ) -> Result<(Part, RenderedPart)> {
@@ -187,8 +187,8 @@ impl Renderer {
     }
 
     /// The parts of a batch, last first.
-    pub(crate) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<Plan>> {
-        Ok(Plan::split(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    pub(crate) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<PartTiles>> {
+        Ok(PartTiles::split(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
     /// The view batches of a batch, and what joins them to parts.
@@ -196,8 +196,8 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         batch: &TileBatch,
-    ) -> Result<(Vec<Plan>, Limits)> {
-        Ok(Plan::view_batches(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    ) -> Result<(Vec<PartTiles>, Limits)> {
+        Ok(PartTiles::view_batches(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
     }
 
     /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the
@@ -205,7 +205,7 @@ impl Renderer {
     pub(crate) fn with_predicted_capacity<R>(
         &self,
         scene: &DeviceScene,
-        plan: &Plan,
+        plan: &PartTiles,
         mut work: impl FnMut(Option<Capacity>) -> Result<(R, Needed)>,
     ) -> Result<R> {
         let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());

@@ -1,11 +1,16 @@
 //! The results of the parts of a batch.
 
-use super::plan::Plan;
+use super::plan::PartTiles;
 use crate::forward::part::RenderedPart;
 use organza_core::{Channel, RenderReport, RenderedTiles};
 
 /// Puts the tiles of a part in their places; `channels` are those of the part.
-pub fn place(tiles: &mut RenderedTiles, plan: &Plan, part: &RenderedPart, channels: &[Channel]) {
+pub fn place(
+    tiles: &mut RenderedTiles,
+    plan: &PartTiles,
+    part: &RenderedPart,
+    channels: &[Channel],
+) {
     let area = (tiles.side * tiles.side) as usize;
     let place = |values: &[f32], len: usize, batch: &mut [f32]| {
         for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {

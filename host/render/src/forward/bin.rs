@@ -11,7 +11,7 @@ use organza_shaders::tile::{
 
 use super::mask::Mask;
 use super::part_counts::{Capacity, PartCounts};
-use crate::batch::plan::{Plan, words};
+use crate::batch::plan::{PartTiles, words};
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Count, Device, Result};
 use organza_core::camera::Camera;
@@ -38,7 +38,7 @@ impl Pairs {
 
     /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: waits for the device.
     pub fn read_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
-        let pairs = self.count.at_most() as usize;
+        let pairs = self.count.upper_bound() as usize;
         Ok(Count::known(device.read_range(first_sample, pairs, 1)?[0]))
     }
 }
@@ -66,7 +66,7 @@ pub struct Bins {
     /// Members of the fullest tile, or more.
     pub largest: u32,
     /// Where the host does not know how many there are.
-    pub tally: Option<PartCounts>,
+    pub part_counts: Option<PartCounts>,
     /// Gaussians that could not be projected.
     pub degenerate: Buffer<u32>,
 }
@@ -179,7 +179,7 @@ impl Numbers {
         tally.record_total(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
         tally.clear_on_overflow(device, [pair_mask, tile_mask], &[tile_first])?;
         let (pairs, members) = (tally.count(PAIRS), tally.count(MEMBERS));
-        let largest = members.at_most().min(gaussians);
+        let largest = members.upper_bound().min(gaussians);
         Ok(Self { pairs, members, largest, tally: Some(tally) })
     }
 }
@@ -189,7 +189,7 @@ impl Bins {
     pub fn new(
         scene: &DeviceScene,
         cameras: &[Camera],
-        plan: &Plan,
+        plan: &PartTiles,
         capacity: Option<Capacity>,
     ) -> Result<Self> {
         let device = scene.device();
@@ -218,7 +218,7 @@ impl Bins {
         };
         let Numbers { pairs: count, members, largest, tally } = numbers;
 
-        let pair = device.unwritten("pairs", count.at_most() as usize)?;
+        let pair = device.unwritten("pairs", count.upper_bound() as usize)?;
         let kernel = PairFillKernel {
             params: PairFillParams { words, gaussians },
             mask: &pair_mask.bits,
@@ -226,7 +226,7 @@ impl Bins {
             pair: &pair,
         };
         device.run(&kernel, words, slots)?;
-        let member = device.unwritten("members", members.at_most() as usize)?;
+        let member = device.unwritten("members", members.upper_bound() as usize)?;
         let kernel = TileFillKernel {
             params: TileFillParams { words },
             tile: &tile,
@@ -255,17 +255,22 @@ impl Bins {
             member,
             members,
             largest,
-            tally,
+            part_counts: tally,
             degenerate,
         })
     }
 
     /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`.
     pub fn count_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
-        let Some(tally) = &self.tally else {
+        let Some(tally) = &self.part_counts else {
             return self.pairs.read_samples(device, first_sample);
         };
-        tally.record_total(device, SAMPLES, first_sample, self.pairs.count.at_most() as usize)?;
+        tally.record_total(
+            device,
+            SAMPLES,
+            first_sample,
+            self.pairs.count.upper_bound() as usize,
+        )?;
         let ranges = [&self.tile_first, first_sample];
         tally.clear_on_overflow(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
         Ok(tally.count(SAMPLES))

@@ -65,7 +65,7 @@ impl Layout {
     }
 
     /// The same, for no more than so many chunks.
-    fn at_most(self, chunks: u32) -> Self {
+    fn with_chunks(self, chunks: u32) -> Self {
         let chunks = self.chunks.min(chunks);
         Self { chunks, group: self.group.clamp(1, chunks.max(1)), ..self }
     }
@@ -86,7 +86,7 @@ impl Layout {
     }
 
     /// A chunk's part of a buffer `[chunks, rows, stride]`.
-    pub fn of_chunk(&self, buffer: &Buffer<f32>, chunk: u32, rows: u32) -> Buffer<f32> {
+    pub fn chunk_view(&self, buffer: &Buffer<f32>, chunk: u32, rows: u32) -> Buffer<f32> {
         buffer.tail(self.first(chunk, rows))
     }
 
@@ -172,7 +172,7 @@ impl Blocks {
         keep: bool,
         ends: &[u32],
     ) -> Result<Self> {
-        let samples = count.at_most();
+        let samples = count.upper_bound();
         let ends = if ends.is_empty() { &[samples] } else { ends };
         let begins = std::iter::once(&0).chain(ends);
         let pieces: Vec<_> = begins.zip(ends).map(|(&begin, &end)| begin..end).collect();
@@ -180,7 +180,7 @@ impl Blocks {
         let layout = Layout::new(device, largest);
         let chunks = pieces.into_iter().flat_map(|piece| piece.step_by(layout.chunk as usize));
         let mut first: Vec<_> = chunks.collect();
-        let (layout, rows) = (layout.at_most(first.len() as u32), rows as u32);
+        let (layout, rows) = (layout.with_chunks(first.len() as u32), rows as u32);
         let all = first.len().div_ceil(layout.chunks.max(1) as usize);
         first.push(samples);
         let mut blocks = vec![Block::new(device, layout, rows)?];
@@ -200,7 +200,7 @@ impl Blocks {
 
     /// Their number, or the capacity.
     pub fn samples(&self) -> u32 {
-        self.count.at_most()
+        self.count.upper_bound()
     }
 
     /// In order.
@@ -245,17 +245,17 @@ impl<'a> BlockOf<'a> {
 
     /// Points: `[chunks, 7, stride]`.
     pub fn point(&self) -> Buffer<f32> {
-        self.of_block(&self.block.point, ROWS_OF_POINT)
+        self.block_view(&self.block.point, ROWS_OF_POINT)
     }
 
     /// Inputs: `[chunks, rows, stride]`.
     pub fn input(&self) -> Buffer<f32> {
-        self.of_block(&self.block.input, self.block.rows)
+        self.block_view(&self.block.input, self.block.rows)
     }
 
-    fn of_block(&self, buffer: &Buffer<f32>, rows: u32) -> Buffer<f32> {
+    fn block_view(&self, buffer: &Buffer<f32>, rows: u32) -> Buffer<f32> {
         let chunk = (self.chunks.start - self.first_of_block) as u32;
-        self.block.layout.of_chunk(buffer, chunk, rows)
+        self.block.layout.chunk_view(buffer, chunk, rows)
     }
 
     fn with(&self, first_of_group: usize, chunks: Range<usize>) -> Self {

@@ -90,7 +90,7 @@ impl ChannelSums {
             return Ok(Self(sums));
         }
         let pairs = &bins.pairs;
-        let capacity = pairs.count.at_most();
+        let capacity = pairs.count.upper_bound();
         let zeros = |name| device.zeros(name, 3 * capacity as usize);
         let (measure, normals) = (zeros("depths and visibilities")?, zeros("normals")?);
         let gaussians = &scene.tensors.gaussians;

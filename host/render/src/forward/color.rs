@@ -44,7 +44,7 @@ impl Color {
     ) -> Result<Self> {
         let device = scene.device();
         let (config, field) = (&scene.config, &scene.color);
-        let color = device.unwritten("color", pairs.count.at_most() as usize * 3)?;
+        let color = device.unwritten("color", pairs.count.upper_bound() as usize * 3)?;
         let ends = pairs.chunk_ends(keep);
         let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep, ends)?;
         let scratches = Mutex::default();
@@ -117,7 +117,7 @@ impl Color {
     ) -> Result<Option<PairVectors>> {
         let device = scene.device();
         let pairs = &bins.pairs;
-        let capacity = pairs.count.at_most();
+        let capacity = pairs.count.upper_bound();
         if capacity == 0 {
             return Ok(None);
         }

@@ -72,7 +72,7 @@ impl Composite {
         }
 
         let pairs = &bins.pairs;
-        let capacity = pairs.count.at_most();
+        let capacity = pairs.count.upper_bound();
         let pair_gradient =
             device.unwritten("gradient of the pairs", (capacity * VECTORS) as usize)?;
         let kernel = SplatBackwardKernel {
@@ -97,7 +97,7 @@ impl Composite {
 
 /// Room for gradients of each tile's members, `[members, 3]`: zeros.
 fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
-    let members = bins.members.at_most();
+    let members = bins.members.upper_bound();
     let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
     // kernels number the vectors in 32 bits
     if members > u32::MAX / VECTORS {
@@ -117,7 +117,7 @@ fn add_members(
     sum_gradient: &Buffer<f32>,
     member_gradient: &Buffer<Vec4>,
 ) -> Result<()> {
-    let members = bins.members.at_most();
+    let members = bins.members.upper_bound();
     let band = band_rows(side);
     for first_row in (0..side).step_by(band as usize) {
         let kernel = CompositeBackwardKernel {

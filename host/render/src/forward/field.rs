@@ -48,7 +48,7 @@ impl DeviceField {
             half_table: options.half_grids.then(half_table).transpose()?,
             parameters: tensors.network.view(),
             features: grid.features,
-            layers: LayerPlace::of(&field.network),
+            layers: LayerPlace::from_network(&field.network),
         })
     }
 

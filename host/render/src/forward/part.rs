@@ -6,7 +6,7 @@ use super::color::Color;
 use super::composite::Composite;
 use super::part_counts::{Capacity, Needed};
 use super::transmittance::Transmittance;
-use crate::batch::plan::Plan;
+use crate::batch::plan::PartTiles;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device, Result};
 use organza_core::camera::Camera;
@@ -27,7 +27,7 @@ impl Part {
     pub fn evaluate(
         scene: &DeviceScene,
         cameras: &[Camera],
-        plan: &Plan,
+        plan: &PartTiles,
         keep: bool,
         capacity: Option<Capacity>,
     ) -> Result<Self> {
@@ -52,18 +52,18 @@ impl Part {
         device: &Device,
         mut buffers: Vec<Buffer<u32>>,
     ) -> Result<(Vec<Vec<u32>>, Needed)> {
-        let Some(tally) = &self.bins.tally else {
+        let Some(tally) = &self.bins.part_counts else {
             let needed = Needed::Capacity(Capacity {
-                pairs: self.bins.pairs.count.at_most(),
-                members: self.bins.members.at_most(),
-                samples: self.transmittance.samples.at_most(),
+                pairs: self.bins.pairs.count.upper_bound(),
+                members: self.bins.members.upper_bound(),
+                samples: self.transmittance.samples.upper_bound(),
             });
             return Ok((device.read_all(&buffers)?, needed));
         };
         buffers.push(tally.counts().view());
         let mut values = device.read_all(&buffers)?;
         let counts = values.pop().expect("pushed above");
-        Ok((values, Needed::of(&counts)))
+        Ok((values, Needed::from_counts(&counts)))
     }
 }
 
@@ -81,7 +81,7 @@ pub struct RenderedPart {
 pub fn render(
     scene: &DeviceScene,
     cameras: &[Camera],
-    plan: &Plan,
+    plan: &PartTiles,
     channels: &[Channel],
     keep: bool,
     capacity: Option<Capacity>,
@@ -108,7 +108,7 @@ pub fn report_of_part(degenerate: u32, needed: Needed) -> RenderReport {
 /// Reads the tiles of a part and their channels, and how many Gaussians could not be projected. The report is still empty.
 pub fn read_tiles<R>(
     scene: &DeviceScene,
-    plan: &Plan,
+    plan: &PartTiles,
     channels: &[Channel],
     seen: Seen<'_>,
     read: impl FnOnce(Vec<Buffer<u32>>) -> Result<(Vec<Vec<u32>>, R)>,

@@ -33,7 +33,7 @@ pub enum Needed {
 
 impl Needed {
     /// Reads the values of [`PartCounts::counts`].
-    pub fn of(counts: &[u32]) -> Self {
+    pub fn from_counts(counts: &[u32]) -> Self {
         let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
         match counts[OVERFLOW as usize] {
             0 => Self::Capacity(Capacity { pairs, members, samples }),
@@ -90,7 +90,7 @@ impl PartCounts {
         Count::on_device(&self.counts, slot, self.capacity_for(slot))
     }
 
-    /// The buffer of the numbers; [`Needed::of`] reads its values.
+    /// The buffer of the numbers; [`Needed::from_counts`] reads its values.
     pub fn counts(&self) -> &Buffer<u32> {
         &self.counts
     }

@@ -52,7 +52,7 @@ impl Transmittance {
         count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
         let device = scene.device();
-        let capacity = pairs.count.at_most();
+        let capacity = pairs.count.upper_bound();
         let (segment, first_sample) = segments(scene, pairs)?;
         let samples = count_samples(&first_sample)?;
 
@@ -116,7 +116,7 @@ impl Transmittance {
 pub fn segments(scene: &DeviceScene, pairs: &Pairs) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
     let device = scene.device();
     check_samples(scene, pairs)?;
-    let capacity = pairs.count.at_most();
+    let capacity = pairs.count.upper_bound();
     let segment = device.unwritten("segments", capacity as usize * SEGMENT_VECTORS as usize)?;
     let count = device.zeros("sample counts", capacity as usize)?;
     let kernel = SegmentKernel {
@@ -141,7 +141,7 @@ pub fn segments(scene: &DeviceScene, pairs: &Pairs) -> Result<(Buffer<Vec4>, Buf
 /// Samples are numbered in 32 bits.
 fn check_samples(scene: &DeviceScene, pairs: &Pairs) -> Result<()> {
     let longest = (3f64.sqrt() / scene.ray_step()).ceil().min(f64::from(MAX_SAMPLES));
-    let pairs = pairs.count.at_most();
+    let pairs = pairs.count.upper_bound();
     let most = f64::from(pairs) * longest;
     if most > f64::from(u32::MAX) {
         let what = format!("the samples of {pairs} segments with up to {longest} each");
@@ -220,7 +220,7 @@ fn inputs(
             samples: chunk.samples,
             first_sample: chunk.first,
             stride: chunk.stride,
-            pairs: pairs.count.at_most(),
+            pairs: pairs.count.upper_bound(),
             gaussians: scene.gaussians,
             extra: config.extra,
             extra_row: config.transmittance_grid.width() as u32,
@@ -247,7 +247,7 @@ impl Transmittance {
         gradient: &SceneGradient,
     ) -> Result<Option<PairVectors>> {
         let device = scene.device();
-        if self.samples.at_most() == 0 {
+        if self.samples.upper_bound() == 0 {
             return Ok(None);
         }
         let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
@@ -256,10 +256,10 @@ impl Transmittance {
         let group_scratch = GroupScratch::new(device, field, &self.blocks, samples)?;
         let of_field = &gradient.transmittance;
         let scratches = Mutex::default();
-        let capacity = pairs.count.at_most();
+        let capacity = pairs.count.upper_bound();
         let pair_extra =
             device.zeros("gradient of the pairs' extra vectors", (capacity * extra) as usize)?;
-        let owners = AllOwners::of(device, bins, &self.first_sample)?;
+        let owners = AllOwners::new(device, bins, &self.first_sample)?;
         for block in self.blocks.iter() {
             if !block.is_kept {
                 encode(scene, pairs, &self.segment, &self.first_sample, &block)?;
@@ -268,13 +268,13 @@ impl Transmittance {
                 let new = || TransmittanceScratch::new(device, field, layout);
                 device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
                     field.activate(device, &scratch.network, &chunk)?;
-                    let owners = owners.of_chunk(&chunk);
+                    let owners = owners.owners_of_chunk(&chunk);
                     self.head_backward(scene, scratch, &chunk, &owners, pair_gradient)?;
                     field.backward(device, &group_scratch, &scratch.network, &chunk, 0, of_field)
                 })?;
                 // in their order: a pair may have samples of two
                 for chunk in group.chunks() {
-                    let owners = owners.of_chunk(&chunk);
+                    let owners = owners.owners_of_chunk(&chunk);
                     let inputs = group_scratch.input_gradient(field, &chunk);
                     self.extra_backward(scene, &inputs, &chunk, &owners, &pair_extra)?;
                 }
@@ -297,7 +297,7 @@ impl Transmittance {
         let log_rho_gradient = &scratch.log_rho_gradient;
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
-                pairs: owners.pairs.at_most(),
+                pairs: owners.pairs.upper_bound(),
                 first_pair: owners.first,
                 samples: chunk.samples,
                 first_sample: chunk.first,
@@ -308,7 +308,7 @@ impl Transmittance {
             pair_gradient,
             log_rho_gradient,
         };
-        device.run(&kernel.counted(&owners.pairs, &chunk.count), owners.pairs.at_most(), 1)?;
+        device.run(&kernel.counted(&owners.pairs, &chunk.count), owners.pairs.upper_bound(), 1)?;
         let field = &scene.transmittance;
         let kernel = TransmittanceHeadBackwardKernel {
             params: head_params(field, chunk),
@@ -332,7 +332,7 @@ impl Transmittance {
     ) -> Result<()> {
         let kernel = ExtraBackwardKernel {
             params: ExtraBackwardParams {
-                pairs: owners.pairs.at_most(),
+                pairs: owners.pairs.upper_bound(),
                 first_pair: owners.first,
                 samples: chunk.samples,
                 first_sample: chunk.first,
@@ -346,7 +346,7 @@ impl Transmittance {
         };
         scene.device().run(
             &kernel.counted(&owners.pairs, &chunk.count),
-            owners.pairs.at_most(),
+            owners.pairs.upper_bound(),
             scene.config.extra,
         )
     }
@@ -385,14 +385,14 @@ struct Owners {
 
 impl AllOwners {
     /// `first_sample [pairs + 1]`
-    fn of(device: &Device, bins: &Bins, first_sample: &Buffer<u32>) -> Result<Self> {
-        Ok(match &bins.tally {
+    fn new(device: &Device, bins: &Bins, first_sample: &Buffer<u32>) -> Result<Self> {
+        Ok(match &bins.part_counts {
             None => Self::Known(device.read(first_sample)?),
             Some(_) => Self::OnDevice(bins.pairs.count.clone()),
         })
     }
 
-    fn of_chunk(&self, chunk: &Chunk) -> Owners {
+    fn owners_of_chunk(&self, chunk: &Chunk) -> Owners {
         match self {
             Self::Known(first) => {
                 let begin = first.partition_point(|&begin| begin <= chunk.first) as u32 - 1;

@@ -21,7 +21,7 @@ pub fn weighted_sum(
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
     let device = scene.device();
     let pairs = &bins.pairs;
-    let capacity = pairs.count.at_most();
+    let capacity = pairs.count.upper_bound();
     let splat = device.unwritten("splats", (capacity * VECTORS) as usize)?;
     let kernel = SplatKernel {
         params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
@@ -34,7 +34,7 @@ pub fn weighted_sum(
     };
     device.run(&kernel.counted(&pairs.count), capacity, 1)?;
 
-    let (tiles, members) = (bins.tiles, bins.members.at_most());
+    let (tiles, members) = (bins.tiles, bins.members.upper_bound());
     let cells = device.unwritten("cells", members as usize)?;
     let kernel = TileCellsKernel {
         params: TileCellsParams { members, tiles, side },

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::leakage::{OPEN, SURFACE};
 use super::members::{Member, Members, depths, surface};
-use crate::batch::plan::Plan;
+use crate::batch::plan::PartTiles;
 use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
 use crate::scene::device_scene::DeviceScene;
@@ -128,7 +128,7 @@ impl Renderer {
         &self,
         scene: &DeviceScene,
         camera: &Camera,
-        plan: &Plan,
+        plan: &PartTiles,
         depths: Option<&[f64]>,
     ) -> Result<Vec<(usize, Sums)>> {
         let device = self.device();
@@ -159,7 +159,7 @@ impl Renderer {
 }
 
 /// dL/dI `[tiles, 3, S, S]`: 1 in the red channel of pixels inside the image, 0 elsewhere.
-fn red(camera: &Camera, plan: &Plan) -> Vec<f32> {
+fn red(camera: &Camera, plan: &PartTiles) -> Vec<f32> {
     let side = plan.side as i32;
     let area = (side * side) as usize;
     let mut red = vec![0.0; plan.tiles.len() * 3 * area];

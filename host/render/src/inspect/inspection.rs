@@ -7,7 +7,7 @@ use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
 use serde::Serialize;
 
-use crate::batch::plan::{PART_BYTES, Plan};
+use crate::batch::plan::{PART_BYTES, PartTiles};
 use crate::batch::renderer::Renderer;
 use crate::forward::bin::{Pairs, project};
 use crate::forward::color::Color;
@@ -215,7 +215,7 @@ impl Renderer {
         let device = self.device();
         let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
         batch.validate(cameras)?;
-        let plans = Plan::split(scene, &batch, PART_BYTES)?;
+        let plans = PartTiles::split(scene, &batch, PART_BYTES)?;
         let part = Part::evaluate(scene, cameras, &plans[0], false, None)?;
 
         let pair = device.read(&part.bins.pairs.pair)?;

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::members::{Member, Members, depths, surface};
-use crate::batch::plan::{PART_BYTES, Plan};
+use crate::batch::plan::{PART_BYTES, PartTiles};
 use crate::batch::renderer::Renderer;
 use crate::forward::part::Part;
 use crate::scene::device_scene::DeviceScene;
@@ -35,7 +35,7 @@ pub struct Leakage {
 
 impl Leakage {
     /// That of one pixel.
-    fn of(members: &mut [Member]) -> Self {
+    fn from_members(members: &mut [Member]) -> Self {
         let Some((surface, sum)) = surface(members) else { return Self::default() };
         let share = |is_there: &dyn Fn(f64) -> bool| {
             let there = members.iter().filter(|member| is_there(member.depth));
@@ -84,11 +84,15 @@ impl Renderer {
         let batch = spaced(cameras, camera, most)?;
         let depths = depths(&device.read(&scene.tensors.gaussians.position)?, &cameras[camera]);
         let mut found = Vec::with_capacity(batch.tiles.len());
-        for plan in Plan::split(scene, &batch, PART_BYTES)? {
+        for plan in PartTiles::split(scene, &batch, PART_BYTES)? {
             let part = Part::evaluate(scene, cameras, &plan, false, None)?;
             let members = Members::read(device, &part)?;
             for (index, tile) in plan.tiles.iter().enumerate() {
-                found.push(Leakage::of(&mut members.at(index, tile.tile.origin, &depths)));
+                found.push(Leakage::from_members(&mut members.at(
+                    index,
+                    tile.tile.origin,
+                    &depths,
+                )));
             }
         }
         Ok(Leakage::mean(&found))
@@ -130,14 +134,14 @@ mod tests {
         for scale in [1.0, 0.05] {
             let member = |(depth, weight)| Member { gaussian: 0, depth, weight: weight * scale };
             let mut members = members.map(member);
-            let found = Leakage::of(&mut members);
+            let found = Leakage::from_members(&mut members);
             let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{found:?}");
             close(found.behind, 0.1);
             close(found.in_front, 0.1);
             close(found.members, 5.0);
             close(found.open, if scale < 0.1 { 1.0 } else { 0.0 });
         }
-        assert_eq!(Leakage::of(&mut []), Leakage::default());
+        assert_eq!(Leakage::from_members(&mut []), Leakage::default());
         let parts = [(1, 0.5), (3, 0.1), (0, 0.9)].map(|(pixels, behind)| Leakage {
             pixels,
             behind,

@@ -17,7 +17,7 @@ pub struct LayerPlace {
 
 impl LayerPlace {
     /// The places of a network's layers.
-    pub fn of(network: &Network) -> Vec<Self> {
+    pub fn from_network(network: &Network) -> Vec<Self> {
         let last = network.layers.len().saturating_sub(1);
         let mut end = 0;
         let place = |(index, layer): (usize, &organza_core::scene::Layer)| {
@@ -58,14 +58,15 @@ impl LayerPlace {
 
 /// Values of a network's parameters, with the padding.
 pub fn packed_len(network: &Network) -> usize {
-    let vectors = LayerPlace::of(network).last().map_or(0, |last| last.bias + last.columns);
+    let vectors =
+        LayerPlace::from_network(network).last().map_or(0, |last| last.bias + last.columns);
     4 * vectors as usize
 }
 
 /// A network's parameters, four values a vector.  Outputs past a layer's last are zero, and nothing reads them.
 pub fn pack_network(network: &Network) -> Vec<f32> {
     let mut parameters = vec![0.0; packed_len(network)];
-    for (layer, place) in network.layers.iter().zip(LayerPlace::of(network)) {
+    for (layer, place) in network.layers.iter().zip(LayerPlace::from_network(network)) {
         place.pack_weight(&layer.weight, &mut parameters[place.weight_values()]);
         parameters[place.bias_value()..][..layer.outputs].copy_from_slice(&layer.bias);
     }
@@ -74,7 +75,7 @@ pub fn pack_network(network: &Network) -> Vec<f32> {
 
 /// The inverse of [`pack_network`]: what pads the outputs is left out.
 pub fn unpack_network(parameters: &[f32], network: &mut Network) {
-    let places = LayerPlace::of(network);
+    let places = LayerPlace::from_network(network);
     for (layer, place) in network.layers.iter_mut().zip(places) {
         for (at, weight) in layer.weight.iter_mut().enumerate() {
             *weight = parameters[place.weight_value(at)];
@@ -100,7 +101,7 @@ mod tests {
 
     #[test]
     fn a_packed_network_is_the_transpose_padded() {
-        let places = LayerPlace::of(&network());
+        let places = LayerPlace::from_network(&network());
         assert_eq!(places[0], LayerPlace { inputs: 2, columns: 4, weight: 0, bias: 8 });
         assert_eq!(places[1], LayerPlace { inputs: 5, columns: 1, weight: 12, bias: 17 });
         let parameters = pack_network(&network());

@@ -7,13 +7,13 @@ use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
 use super::device_scene::DeviceScene;
-use super::device_share::DeviceShare;
+use super::device_shard::DeviceShard;
 use super::options::UploadOptions;
 use super::packed::{pack, upload};
 use crate::batch::renderer::Renderer;
 use crate::forward::field::DeviceField;
 use organza_core::error::{Error, Result};
-use organza_core::scene::{Scene, SceneShare};
+use organza_core::scene::{Scene, SceneShard};
 
 impl Renderer {
     /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
@@ -78,8 +78,8 @@ impl DeviceScene {
     }
 }
 
-impl DeviceShare {
-    /// The Gaussians of `scene`, which are a share, and its fields.
+impl DeviceShard {
+    /// The Gaussians of `scene`, which are a shard, and its fields.
     ///
     /// # Errors
     /// The same errors as [`Renderer::upload_with`].
@@ -98,11 +98,11 @@ impl DeviceShare {
 }
 
 impl Renderer {
-    /// Copies a share to the device.
+    /// Copies a shard to the device.
     ///
     /// # Errors
     /// The same errors as [`Renderer::upload_with`].
-    pub fn upload_share(&self, share: &SceneShare, options: UploadOptions) -> Result<DeviceShare> {
-        DeviceShare::upload(self, &share.scene, options)
+    pub fn upload_shard(&self, shard: &SceneShard, options: UploadOptions) -> Result<DeviceShard> {
+        DeviceShard::upload(self, &shard.scene, options)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{all_devices, every, tiles};
 use crate::backward::distortion::sums;
-use crate::batch::plan::{PART_BYTES, Plan};
+use crate::batch::plan::{PART_BYTES, PartTiles};
 use crate::forward::part::Part;
 use crate::{LossTarget, Renderer, SceneGradient};
 use organza_core::demo;
@@ -23,7 +23,7 @@ fn valid() -> Vec<f32> {
 fn distortion(renderer: &Renderer, scene: &Scene) -> f64 {
     let device = renderer.device();
     let scene = renderer.upload(scene).expect("a scene");
-    let plans = Plan::split(&scene, &tiles(), PART_BYTES).expect("a plan");
+    let plans = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("a plan");
     let [plan] = &plans[..] else { panic!("one part") };
     let cameras = demo::turntable(2, 64);
     let part = Part::evaluate(&scene, &cameras, plan, false, None).expect("a part");

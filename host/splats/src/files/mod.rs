@@ -46,7 +46,7 @@ impl Format {
     ///
     /// # Errors
     /// [`Error::Invalid`] for any other extension.
-    pub fn of(path: &Path) -> Result<Self> {
+    pub fn from_path(path: &Path) -> Result<Self> {
         let name = path.file_name().unwrap_or_default().to_ascii_lowercase();
         let name = name.to_string_lossy();
         match name.rsplit_once('.') {

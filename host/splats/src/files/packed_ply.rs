@@ -62,7 +62,7 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     let order = along_a_curve(splats);
     let chunks =
         || order.chunks(CHUNK).map(|part| part.iter().map(|&index| splats[index]).collect());
-    let chunks = || chunks().map(|part: Vec<Splat>| (Ranges::of(&part), part));
+    let chunks = || chunks().map(|part: Vec<Splat>| (Ranges::from_splats(&part), part));
     for (ranges, _) in chunks() {
         ranges.values().iter().try_for_each(|value| file.write_all(&value.to_le_bytes()))?;
     }
@@ -87,7 +87,7 @@ struct Ranges {
 }
 
 impl Ranges {
-    fn of(part: &[Splat]) -> Self {
+    fn from_splats(part: &[Splat]) -> Self {
         let all = |of: fn(&Splat) -> [f32; 3]| {
             [0, 1, 2].map(|axis| ends(part.iter().map(|splat| of(splat)[axis])))
         };

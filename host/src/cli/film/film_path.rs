@@ -105,7 +105,7 @@ impl PathArgs {
             }
             None => {
                 let aabb = inputs.scene.config.aabb;
-                self.orbit(Orbit::of_box(aabb, self.size.unwrap_or(Orbit::SIZE)), frames, size)?
+                self.orbit(Orbit::from_box(aabb, self.size.unwrap_or(Orbit::SIZE)), frames, size)?
             }
         };
         Ok(FilmPath { frames, cameras })

@@ -99,7 +99,7 @@ fn depth_range(text: &str) -> Result<[f32; 2], String> {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
-    let kind = Kind::of(&args.output)?;
+    let kind = Kind::from_path(&args.output)?;
     let channel = args.channel.map(ChannelName::channel);
     if args.depth_range.is_some() && channel != Some(Channel::Depth) {
         return refuse("`--depth-range` is for `--channel depth`");

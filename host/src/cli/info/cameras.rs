@@ -70,7 +70,7 @@ impl CameraFile {
     }
 
     /// Reads a data set's cameras as training has them, unless an option says otherwise.
-    pub fn of_data_set(path: &Path) -> Result<Self> {
+    pub fn from_data_set(path: &Path) -> Result<Self> {
         let poses = Poses::load(path, &DatasetOptions::default())?;
         let info = |pose: Pose| CameraInfo {
             held_out: Some(pose.held_out),

@@ -35,8 +35,8 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    if Kind::of(&args.file) == Some(Kind::DataSet) {
-        return show(args, &cameras::CameraFile::of_data_set(&args.file)?);
+    if Kind::from_path(&args.file) == Some(Kind::DataSet) {
+        return show(args, &cameras::CameraFile::from_data_set(&args.file)?);
     }
     let source = SceneSource::find(&args.file)?;
     let path = source.file();

@@ -38,15 +38,15 @@ impl Cameras {
         console: Console,
     ) -> Result<Self> {
         let cameras = match named {
-            Some(file) if !file.is_dir() && !args.is_given() => Self::of_file(file)?,
-            _ => Self::of_data_set(scene, named, args, usage, console)?,
+            Some(file) if !file.is_dir() && !args.is_given() => Self::from_file(file)?,
+            _ => Self::from_data_set(scene, named, args, usage, console)?,
         };
         let number = count(cameras.list.len() as u64, "view");
         console.detail(&format!("cameras {}: {number}", cameras.origin.display()));
         Ok(cameras)
     }
 
-    fn of_file(file: &Path) -> Result<Self> {
+    fn from_file(file: &Path) -> Result<Self> {
         let list =
             Camera::load_all(file).map_err(|error| told_apart(error, file, Expected::Cameras))?;
         let named = list.iter().flat_map(|camera| photographs(camera, file));
@@ -54,7 +54,7 @@ impl Cameras {
         Ok(Self { all: list.clone(), list, origin: file.to_owned(), photographs })
     }
 
-    fn of_data_set(
+    fn from_data_set(
         scene: &SceneSource,
         named: Option<&Path>,
         args: &DataArgs,

@@ -208,11 +208,11 @@ impl DataSet {
         match self.poses {
             Some(poses) => {
                 let points = poses.points().to_vec();
-                (Photographs::of_poses(poses), points)
+                (Photographs::from_poses(poses), points)
             }
             None => {
                 let cameras = built_in_cameras(&self.settings).into_iter().map(|pose| pose.camera);
-                (Photographs::of_built_in(cameras.collect()), Vec::new())
+                (Photographs::built_in(cameras.collect()), Vec::new())
             }
         }
     }

@@ -40,7 +40,7 @@ pub enum Expected {
 
 impl Kind {
     /// The kind of a path's content; `None` if it is unknown.
-    pub fn of(path: &Path) -> Option<Self> {
+    pub fn from_path(path: &Path) -> Option<Self> {
         if path.is_dir() {
             let is_run = [CHECKPOINT, CONFIG].iter().any(|name| path.join(name).exists());
             return match data::kind_of(path) {
@@ -96,7 +96,7 @@ impl Expected {
 /// A better error than the loader's if the path holds something of another kind: then the arguments are probably in
 /// the wrong order.
 pub fn told_apart(error: Error, path: &Path, expected: Expected) -> Error {
-    match Kind::of(path) {
+    match Kind::from_path(path) {
         Some(found) if !expected.accepts(found) => Error::Invalid {
             origin: path.to_owned(),
             reason: format!(

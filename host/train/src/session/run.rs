@@ -16,12 +16,12 @@ use crate::plan::Planner;
 use crate::progress::Progress;
 use crate::ranks::{self, Split};
 use crate::resume::OpenLog;
-use crate::share::check_shares;
+use crate::shard::check_shards;
 use crate::start::first_scene;
 use crate::trainer::Trainer;
 use organza_core::error::{self, Result};
 use organza_core::ranks::Grid;
-use organza_core::scene::SceneShare;
+use organza_core::scene::SceneShard;
 
 /// A trainer, the progress of its run, and the settings that have changed.
 type Begun = (Trainer, Progress, Vec<Change>);
@@ -91,10 +91,10 @@ impl Session<'_> {
 
     /// The trainer, the progress of its run, and the settings that have changed.
     fn begin(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
-        let shares = match (&self.ranks, self.split) {
+        let shards = match (&self.ranks, self.split) {
             (Some(ranks), Split::Gaussians) => {
-                check_shares(self.config)?;
-                Some(Grid::new(&**ranks, self.shares.unwrap_or(ranks.size()))?.shares)
+                check_shards(self.config)?;
+                Some(Grid::new(&**ranks, self.shards.unwrap_or(ranks.size()))?.shards)
             }
             _ => None,
         };
@@ -104,14 +104,14 @@ impl Session<'_> {
             true => None,
             false => Some(first_scene(self.config, self.dataset)?),
         };
-        let share = |index: usize| match &scene {
+        let shard = |index: usize| match &scene {
             Some(scene) => {
-                let share = SceneShare::of(scene, index, shares.unwrap_or(1));
-                Checkpoint::begin_share(share, self.config)
+                let shard = SceneShard::new(scene, index, shards.unwrap_or(1));
+                Checkpoint::begin_shard(shard, self.config)
             }
-            None => Checkpoint::load_share(&path, index, shares.unwrap_or(1)),
+            None => Checkpoint::load_shard(&path, index, shards.unwrap_or(1)),
         };
-        let mut mine = share(0)?;
+        let mut mine = shard(0)?;
         let progress = mine.progress;
         let mut changes = Vec::new();
         if resumes {
@@ -125,9 +125,9 @@ impl Session<'_> {
             return Ok((trainer, progress, changes));
         };
         let run = (self.config, &**self.dataset);
-        ranks::lead((&**ranks, shares), self.renderer, run, &mut mine, share, self.mixed)?;
+        ranks::lead((&**ranks, shards), self.renderer, run, &mut mine, shard, self.mixed)?;
         drop(scene);
-        let trainer = ranks::trainer((ranks, shares), self.renderer, config, dataset, &mine)?;
+        let trainer = ranks::trainer((ranks, shards), self.renderer, config, dataset, &mine)?;
         Ok((trainer, progress, changes))
     }
 

@@ -269,7 +269,7 @@ impl State<'_, '_, '_> {
                 parts.push(part);
             }
         }
-        let evaluation = Evaluation::of_parts(parts);
+        let evaluation = Evaluation::join(parts);
         // written before the log entry: if the run is killed in between, a resume makes both again
         if let Some(psnr) = held_out::comparable(&evaluation.views, count, views)
             && self.best.is_none_or(|best| psnr > best)

@@ -107,7 +107,7 @@ fn table(far: usize) -> (Vec<Point>, Vec<Point>) {
 fn cameras_look_at_their_target() {
     let at = DVec3::new(1.0, 2.0, 3.0);
     let mut cameras: Vec<_> = circle(20, 4.0, 3.0).map(|eye| look(at + eye, at)).collect();
-    let target = Target::of(&cameras);
+    let target = Target::from_cameras(&cameras);
     assert!(target.is_met && target.center.distance(at) < 1e-2, "{target:?}");
     assert!((target.distance - 5.0).abs() < 1e-2);
     // some cameras look elsewhere, and one has a wrong pose
@@ -115,7 +115,7 @@ fn cameras_look_at_their_target() {
         cameras.push(look(at + eye, at + 3.0 * eye));
     }
     cameras.push(look(DVec3::splat(900.0), DVec3::ZERO));
-    let target = Target::of(&cameras);
+    let target = Target::from_cameras(&cameras);
     assert!(target.is_met && target.center.distance(at) < 0.1, "{target:?}");
     assert!((target.distance - 5.0).abs() < 0.1);
 }
@@ -124,7 +124,7 @@ fn cameras_look_at_their_target() {
 fn axes_that_do_not_meet_have_no_target() {
     let still: Vec<_> = circle(20, 1.0, 0.1).map(|at| look(DVec3::ONE, DVec3::ONE + at)).collect();
     for cameras in [outward(), grid(0.1, DVec3::X), still, inward()[..1].to_vec()] {
-        let target = Target::of(&cameras);
+        let target = Target::from_cameras(&cameras);
         assert!(!target.is_met && target.center.is_finite() && target.radius > 0.0, "{target:?}");
     }
 }

@@ -149,7 +149,7 @@ fn step(step: &Step, number: &impl Fn(u32) -> u32) -> Value {
         Step::Dispatch { kernel, params, counts, buffers, workgroups } => {
             let counts = counts.iter().map(|count| {
                 let counts = number(count.counts);
-                json!([count.offset / 4, counts, count.place, count.first, count.at_most])
+                json!([count.offset / 4, counts, count.place, count.first, count.upper_bound])
             });
             let params: Vec<u32> = bytemuck::pod_collect_to_vec(params);
             let counts: Vec<_> = counts.collect();
@@ -169,7 +169,7 @@ pub fn kernels(frames: &[PlannedFrame]) -> Result<Vec<Kernel>> {
     let names = frames.iter().flat_map(|frame| &frame.frame).filter_map(|step| step[0].as_str());
     let names: BTreeSet<_> = names.chain(["count_fill"]).collect();
     let kernel = |info: &'static KernelInfo| {
-        let compiled = MODULES.of(info, &info.plain())?;
+        let compiled = MODULES.compiled_kernel(info, &info.plain())?;
         let Some(code) = compiled.wgsl() else {
             let reason = format!("`{}` is not there in WGSL", info.name);
             return Err(muslin_device::Error::StaleKernels { reason }.into());

@@ -38,7 +38,7 @@ pub fn apply(function: &mut Function, cycle: &Loop, path: &Path, bound: &mut Wor
         }
         leave(function, cycle, exit);
     }
-    go_on(function, cycle, path);
+    branch_back(function, cycle, path);
     function.blocks.retain(|block| !unreached.contains(&label(block)));
     carry_out(function, cycle, &chosen, &edges, bound);
     join_head(function, cycle);
@@ -144,7 +144,7 @@ fn leave(function: &mut Function, cycle: &Loop, exit: &Exit) {
 }
 
 /// Ends the path of an iteration at the last block.
-fn go_on(function: &mut Function, cycle: &Loop, path: &Path) {
+fn branch_back(function: &mut Function, cycle: &Loop, path: &Path) {
     let join = path.exits.last().expect("there is an exit").join;
     match path.condition {
         None => retarget(function, path.from, join, cycle.next),

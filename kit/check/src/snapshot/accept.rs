@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex};
 use insta::internals::{SnapshotContents, TextSnapshotContents};
 use insta::{Settings, Snapshot, TextSnapshotKind};
 
-use super::compare::{Held, Mismatch, Rule, Tolerance};
+use super::compare::{Mismatch, RecordedRule, Rule, Tolerance};
 use super::picture::{self, Montage};
 use super::report;
 use super::tensors::Tensors;
@@ -110,7 +110,7 @@ impl Snapshots {
     fn assert(&self, device: &str, record: &Record<'_>) {
         let picture = report::path(record.name, device);
         let found = Arc::new(Mutex::new(None));
-        let held = Held { rule: record.rule, found: found.clone() };
+        let held = RecordedRule { rule: record.rule, found: found.clone() };
         let result = catch_unwind(AssertUnwindSafe(|| match device {
             "cpu" => self.assert_accepted(record, held),
             _ => self.assert_same(record, &held),
@@ -131,7 +131,7 @@ impl Snapshots {
         }
     }
 
-    fn assert_accepted(&self, record: &Record<'_>, held: Held) {
+    fn assert_accepted(&self, record: &Record<'_>, held: RecordedRule) {
         let mut settings = Settings::clone_current();
         settings.set_snapshot_path(self.folder());
         settings.set_prepend_module_to_snapshot(false);
@@ -144,7 +144,7 @@ impl Snapshots {
         });
     }
 
-    fn assert_same(&self, record: &Record<'_>, held: &Held) {
+    fn assert_same(&self, record: &Record<'_>, held: &RecordedRule) {
         let path = self.folder().join(format!("{}.snap", record.name));
         let accepted = Snapshot::from_file(&path)
             .unwrap_or_else(|error| panic!("{}: {error}: accept the CPU's first", path.display()));

@@ -203,14 +203,14 @@ impl Rule {
 
 /// A [`Rule`] in the form that insta wants. It keeps the mismatch for the message.
 #[derive(Clone, Debug)]
-pub struct Held {
+pub struct RecordedRule {
     /// The rule for the comparison.
     pub rule: Rule,
     /// The mismatch, if there was one.
     pub found: Arc<Mutex<Option<Mismatch>>>,
 }
 
-impl Held {
+impl RecordedRule {
     /// Whether the rule accepts the content of `test` in place of `reference`.
     pub fn allows(&self, reference: &SnapshotContents, test: &SnapshotContents) -> bool {
         let found = self.rule.compare(reference, test).err();
@@ -220,7 +220,7 @@ impl Held {
     }
 }
 
-impl Comparator for Held {
+impl Comparator for RecordedRule {
     fn matches(&self, reference: &Snapshot, test: &Snapshot) -> bool {
         self.allows(reference.contents(), test.contents())
     }

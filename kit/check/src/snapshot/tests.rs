@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex};
 
 use insta::internals::{SnapshotContents, TextSnapshotContents};
 
-use super::compare::{Held, Rule, Tolerance, compare_pictures};
+use super::compare::{RecordedRule, Rule, Tolerance, compare_pictures};
 use super::picture::{self, Montage};
 use super::report;
 use super::tensors::Tensors;
@@ -110,7 +110,7 @@ fn a_wrong_tensor_leaves_a_picture_and_says_where() {
         let text = tensors("tiles", &[2, 3, 4, 4], values).to_string();
         TextSnapshotContents::new(text, insta::TextSnapshotKind::File).into()
     };
-    let held = Held { rule: Rule::Tensors(TOLERANCE), found: Arc::new(Mutex::new(None)) };
+    let held = RecordedRule { rule: Rule::Tensors(TOLERANCE), found: Arc::new(Mutex::new(None)) };
     assert!(held.allows(&text(&expected), &text(&expected)));
     assert!(held.found.lock().expect("one thread").is_none());
     assert!(!held.allows(&text(&expected), &text(&wrong)));
@@ -148,7 +148,7 @@ fn a_wrong_picture_leaves_a_picture_and_says_where() {
     values[48 + 32 + 4 + 2] -= 10.0 / 255.0; // tile 1, blue, row 1, column 2
     let wrong = picture::encode(&montage.draw(&bytes(&values)));
     let png = |bytes: &[u8]| SnapshotContents::Binary(Some(std::rc::Rc::new(bytes.to_vec())));
-    let held = Held { rule: Rule::Picture(montage), found: Arc::new(Mutex::new(None)) };
+    let held = RecordedRule { rule: Rule::Picture(montage), found: Arc::new(Mutex::new(None)) };
     assert!(held.allows(&png(&right), &png(&right)));
     assert!(!held.allows(&png(&right), &png(&wrong)));
     let mismatch = held.found.lock().expect("one thread").take().expect("it differs");

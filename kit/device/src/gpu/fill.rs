@@ -39,7 +39,7 @@ impl Fills {
             panic!("the counts belong to the CPU")
         };
         assert_eq!(counts.raw().begin, 0, "counts have a buffer of their own");
-        let row = [word, *place, *first, count.at_most()];
+        let row = [word, *place, *first, count.upper_bound()];
         match self.fills.iter_mut().find(|fill| fill.counts == *buffer) {
             Some(fill) => fill.placement.extend(row),
             None => self.fills.push(Fill {

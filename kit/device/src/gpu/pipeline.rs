@@ -107,7 +107,7 @@ fn module(
     spirv: SpirvPath,
     modules: &'static Modules,
 ) -> Result<wgpu::ShaderModule> {
-    let words = modules.of(kernel, point)?.spirv_words();
+    let words = modules.compiled_kernel(kernel, point)?.spirv_words();
     let label = Some(point.name);
     let [x, y, z] = kernel.workgroup_size;
     Ok(match spirv {

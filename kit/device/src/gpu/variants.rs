@@ -8,7 +8,7 @@ pub struct Variants(bool);
 
 impl Variants {
     /// The choice for an adapter. `wanted` is [`DeviceOptions::variants`](crate::DeviceOptions::variants).
-    pub fn of(adapter: &wgpu::Adapter, wanted: Option<bool>) -> Self {
+    pub fn new(adapter: &wgpu::Adapter, wanted: Option<bool>) -> Self {
         // on a software device, workgroup memory is ordinary memory, and slower
         let is_hardware = adapter.get_info().device_type != wgpu::DeviceType::Cpu;
         Self(wanted.unwrap_or(is_hardware))

@@ -11,7 +11,7 @@ use super::reverse::{Operand, Place, Reverse, Term};
 /// Functions and methods whose value stays the same around almost every number.
 const FLAT: [&str; 11] = [
     "less",
-    "at_most",
+    "less_equal",
     "both",
     "any",
     "index",
@@ -28,7 +28,7 @@ pub const LANE: [(&str, usize); 8] = [
     ("truncate", 1),
     ("sqrt", 1),
     ("exp", 1),
-    ("settled", 1),
+    ("materialize", 1),
     ("min", 2),
     ("max", 2),
     ("mul_add", 3),

@@ -121,7 +121,7 @@ fn empty_vectors_may_be_absent_or_present() {
     let tensors: Vec<_> = all
         .iter()
         .filter(|(spec, _)| spec.values() > 0)
-        .map(|(spec, data)| spec.of(data))
+        .map(|(spec, data)| spec.with_data(data))
         .collect();
     assert_eq!(tensors.len(), all.len() - 2);
     let metadata = [("format", file::FORMAT), ("version", file::VERSION), ("config", &*config)];

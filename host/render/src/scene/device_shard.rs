@@ -1,4 +1,4 @@
-//! A scene on a device as training has it: whole, or a share of its Gaussians.
+//! A scene on a device as training has it: whole, or a shard of its Gaussians.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -6,22 +6,22 @@ use std::sync::Arc;
 use super::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
-use organza_core::scene::{GaussianTensors, Gaussians, SLICE, Scene, SceneConfig};
+use organza_core::scene::{GAUSSIANS_PER_BLOCK, GaussianTensors, Gaussians, Scene, SceneConfig};
 
 /// A scene on a device as training has it: the fields, and the Gaussians in blocks. A whole scene is one block. A
-/// [share](organza_core::scene::SceneShare) of one has a block for each [slice](organza_core::scene::SLICE).
+/// [shard](organza_core::scene::SceneShard) of one has them in [blocks](organza_core::scene::GAUSSIANS_PER_BLOCK).
 #[derive(Debug)]
-pub struct DeviceShare {
-    /// The fields, with a Gaussian that is never rendered: a share may have none.
+pub struct DeviceShard {
+    /// The fields, with a Gaussian that is never rendered: a shard may have none.
     pub(crate) fields: DeviceScene,
     /// Scenes with the same fields, on the same memory.
     pub(super) blocks: Vec<DeviceScene>,
     pub(super) is_whole: bool,
 }
 
-impl DeviceShare {
+impl DeviceShard {
     /// A whole scene.
-    pub fn of_whole(device: &Device, scene: DeviceScene) -> Result<Self> {
+    pub fn from_scene(device: &Device, scene: DeviceScene) -> Result<Self> {
         let fields = scene.with_gaussians(device, &Gaussians::zeros(scene.config(), 1)?)?;
         Ok(Self { fields, blocks: vec![scene], is_whole: true })
     }
@@ -43,19 +43,19 @@ impl DeviceShare {
         &self.fields.config
     }
 
-    /// Gaussians of the share.
+    /// Gaussians of the shard.
     #[must_use]
     pub fn len(&self) -> usize {
         self.blocks.iter().map(DeviceScene::len).sum()
     }
 
-    /// Whether the share has no Gaussians.
+    /// Whether the shard has no Gaussians.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.blocks.is_empty()
     }
 
-    /// The share has these Gaussians from now on.
+    /// The shard has these Gaussians from now on.
     ///
     /// # Errors
     /// The same errors as [`Device::upload`]. Some Gaussians are missing then.
@@ -68,7 +68,7 @@ impl DeviceShare {
         Ok(())
     }
 
-    /// The same share, on the same memory: see [`DeviceScene::coarser`].
+    /// The same shard, on the same memory: see [`DeviceScene::coarser`].
     pub fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
         let of = |scene: &DeviceScene| scene.coarser(factor, ray_steps);
         let blocks = self.blocks.iter().map(of).collect();
@@ -81,7 +81,7 @@ impl DeviceShare {
         scenes.for_each(|scene| scene.divide_above = f32::MAX);
     }
 
-    /// The fields and the share's Gaussians as they are now.
+    /// The fields and the shard's Gaussians as they are now.
     ///
     /// # Errors
     /// The same errors as [`DeviceScene::download`].
@@ -99,12 +99,12 @@ impl DeviceShare {
     }
 }
 
-/// The Gaussians of a share in slices; those of a whole scene as they are.
+/// The Gaussians of a shard in blocks; those of a whole scene as they are.
 pub fn in_blocks(
     gaussians: &Gaussians,
     is_whole: bool,
 ) -> impl Iterator<Item = Cow<'_, Gaussians>> {
-    let size = if is_whole { gaussians.len().max(1) } else { SLICE };
+    let size = if is_whole { gaussians.len().max(1) } else { GAUSSIANS_PER_BLOCK };
     (0..gaussians.len()).step_by(size).map(move |first| {
         if size >= gaussians.len() {
             return Cow::Borrowed(gaussians);

@@ -2,22 +2,22 @@
 //!
 //! A pixel's C and S (Eq. 12) are sums over Gaussians, and nothing is sorted: each rank adds up its own, and one sum
 //! over the ranks gives the image. Its bits do not depend on the number of ranks. Gaussians are cut into
-//! [slices](organza_core::scene::SLICE) by index. Each slice is added up in f32, by the rank that holds it. The sums of
-//! slices are rounded to multiples of 2^-32 and added as 64-bit integers, which is exact in any order.
+//! [blocks](organza_core::scene::GAUSSIANS_PER_BLOCK) by index. Each block is added up in f32, by the rank that holds it. The sums of
+//! blocks are rounded to multiples of 2^-32 and added as 64-bit integers, which is exact in any order.
 
-use super::plan::{Plan, PlannedTile};
+use super::plan::{PartTiles, PlannedTile};
 use super::renderer::Renderer;
 use super::results::{REPORT_NUMBERS, report_from_numbers, report_to_numbers};
 use crate::forward::composite::resolve;
 use crate::forward::part::{Part, report_of_part};
 use crate::forward::part_counts::Capacity;
 use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_share::DeviceShare;
+use crate::scene::device_shard::DeviceShard;
 use muslin_device::memory;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::ranks::Ranks;
-use organza_core::scene::SLICE;
+use organza_core::scene::GAUSSIANS_PER_BLOCK;
 use organza_core::tile::TileBatch;
 use organza_core::{RenderReport, RenderedTiles};
 
@@ -25,49 +25,49 @@ use organza_core::{RenderReport, RenderedTiles};
 pub(crate) const PLANES: usize = 4;
 /// The unit of sums is 2^-32.
 const UNITS: f64 = (1_u64 << 32) as f64;
-/// Weights and colors are at most 1, so a slice's sums are at most its size. What is larger is no sum of theirs.
-const LARGEST: f32 = 2.0 * SLICE as f32;
+/// Weights and colors are at most 1, so a block's sums are at most its size. What is larger is no sum of theirs.
+const LARGEST: f32 = 2.0 * GAUSSIANS_PER_BLOCK as f32;
 /// The most samples of parts that are kept for the gradient: about 2 GiB of tables.
 const KEPT_SAMPLES: u64 = 1 << 24;
 /// Pixels that are resolved at once.
 const RESOLVED_PIXELS: usize = 1 << 22;
 
 impl Renderer {
-    /// Renders a batch of tiles together with other ranks: each has its share of the same scene, and the same batch,
+    /// Renders a batch of tiles together with other ranks: each has its shard of the same scene, and the same batch,
     /// and gets all tiles. The report counts what all ranks did.
     ///
-    /// The tiles differ from those of [`Renderer::render`] by rounding: by 2^-32 for each slice, and because a pixel's
+    /// The tiles differ from those of [`Renderer::render`] by rounding: by 2^-32 for each block, and because a pixel's
     /// sum begins anew with each.
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank) where another rank has
     /// failed. The caller [tells](Ranks::fail) the others of its own.
-    pub fn render_share(
+    pub fn render_shard(
         &self,
-        share: &DeviceShare,
+        shard: &DeviceShard,
         cameras: &[Camera],
         batch: &TileBatch,
         ranks: &dyn Ranks,
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
-        Ok(self.share_forward(share, cameras, batch, ranks, false)?.tiles)
+        Ok(self.shard_forward(shard, cameras, batch, ranks, false)?.tiles)
     }
 
-    /// Renders a share's slices, and adds up the sums of all ranks; with `keep`, keeps what the gradient needs.
-    pub(crate) fn share_forward(
+    /// Renders a shard's blocks, and adds up the sums of all ranks; with `keep`, keeps what the gradient needs.
+    pub(crate) fn shard_forward(
         &self,
-        share: &DeviceShare,
+        shard: &DeviceShard,
         cameras: &[Camera],
         batch: &TileBatch,
         ranks: &dyn Ranks,
         keep: bool,
-    ) -> Result<ShareForward> {
+    ) -> Result<ShardForward> {
         let mut all = FixedSums::new(batch)?;
         let mut report = RenderReport::default();
-        let mut parts = Vec::with_capacity(share.blocks().len());
+        let mut parts = Vec::with_capacity(shard.blocks().len());
         let mut room = if keep { KEPT_SAMPLES } else { 0 };
-        for slice in share.blocks() {
-            let render = |room: &mut u64| self.slice_sums(slice, cameras, batch, keep, room);
+        for block in shard.blocks() {
+            let render = |room: &mut u64| self.block_sums(block, cameras, batch, keep, room);
             let (sums, found, of_slice) = match render(&mut room) {
                 Err(error) if error.is_out_of_memory() && room < KEPT_SAMPLES && keep => {
                     // parts that were kept may be what takes the memory
@@ -84,15 +84,15 @@ impl Renderer {
         }
         let (sums, report) = all.finish(ranks, report)?;
         let mut tiles = RenderedTiles::zeros(batch, &[])?;
-        tiles.data = self.resolve_sums(&share.fields, batch, &sums)?;
+        tiles.data = self.resolve_sums(&shard.fields, batch, &sums)?;
         tiles.report = report;
-        Ok(ShareForward { tiles, sums, parts })
+        Ok(ShardForward { tiles, sums, parts })
     }
 
-    /// C and S of a slice, `[K, 4, S, S]`, and its parts. Parts are kept as long as there is `room` for their samples.
-    fn slice_sums(
+    /// C and S of a block, `[K, 4, S, S]`, and its parts. Parts are kept as long as there is `room` for their samples.
+    fn block_sums(
         &self,
-        slice: &DeviceScene,
+        block: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
         keep: bool,
@@ -100,19 +100,19 @@ impl Renderer {
     ) -> Result<(Vec<f32>, RenderReport, Vec<KeptPart>)> {
         let device = self.device();
         let len = PLANES * (batch.side * batch.side) as usize;
-        self.in_parts(slice, batch, |plans| {
-            let mut sums = memory::zeros(batch.tiles.len() * len, "the sums of a slice")?;
+        self.in_parts(block, batch, |plans| {
+            let mut sums = memory::zeros(batch.tiles.len() * len, "the sums of a block")?;
             let (mut report, mut parts) = (RenderReport::default(), Vec::new());
             let mut left = *room;
             // plans are last first
             for plan in plans.iter().rev() {
                 let render = |capacity: Option<Capacity>| {
-                    let part = Part::evaluate(slice, cameras, plan, keep, capacity)?;
+                    let part = Part::evaluate(block, cameras, plan, keep, capacity)?;
                     let buffers = vec![part.composite.sum.view(), part.bins.degenerate.view()];
                     let (values, needed) = part.read(device, buffers)?;
                     Ok(((part, values, needed), needed))
                 };
-                let work = || self.with_predicted_capacity(slice, plan, render);
+                let work = || self.with_predicted_capacity(block, plan, render);
                 let (part, values, needed) = device.run_in_pool(work)?;
                 let found = report_of_part(values[1][0], needed);
                 let values: &[f32] = bytemuck::cast_slice(&values[0]);
@@ -157,7 +157,7 @@ impl Renderer {
 /// A part of a batch, of one block.
 #[derive(Debug)]
 pub(crate) struct KeptPart {
-    pub plan: Plan,
+    pub plan: PartTiles,
     /// Those of the color and of the transmittance field.
     pub samples: [u64; 2],
     /// None where it is rendered again.
@@ -166,7 +166,7 @@ pub(crate) struct KeptPart {
 
 /// A batch that ranks have rendered.
 #[derive(Debug)]
-pub(crate) struct ShareForward {
+pub(crate) struct ShardForward {
     pub tiles: RenderedTiles,
     /// `[K, 4, S, S]`: C and S of all Gaussians.
     pub sums: Vec<f32>,
@@ -178,21 +178,21 @@ pub(crate) struct ShareForward {
 fn resolved_at_once<'a>(
     batch: &'a TileBatch,
     sums: &'a [f32],
-) -> impl Iterator<Item = (Plan, &'a [f32])> {
+) -> impl Iterator<Item = (PartTiles, &'a [f32])> {
     let area = (batch.side * batch.side) as usize;
     let most = (RESOLVED_PIXELS / area).max(1);
     batch.tiles.chunks(most).zip(sums.chunks(most * PLANES * area)).map(|(tiles, sums)| {
         let tiles = tiles.iter().enumerate();
         let tiles = tiles.map(|(place, &tile)| PlannedTile { tile, place }).collect();
-        (Plan { side: batch.side, tiles }, sums)
+        (PartTiles { side: batch.side, tiles }, sums)
     })
 }
 
-/// Sums of slices, in units of 2^-32.
+/// Sums of blocks, in units of 2^-32.
 struct FixedSums {
     /// `[K, 4, S, S]`
     values: Vec<i64>,
-    /// A bit for each value: whether some slice's was NaN, infinite or too large.
+    /// A bit for each value: whether some block's was NaN, infinite or too large.
     odd: Vec<u32>,
 }
 
@@ -237,7 +237,7 @@ impl FixedSums {
 
 /// Bytes that a rank hands over for a batch of tiles: an i64 and a bit for each of `[K, 4, S, S]`, and the report.
 #[must_use]
-pub fn share_bytes(tiles: usize, side: u32) -> u64 {
+pub fn shard_bytes(tiles: usize, side: u32) -> u64 {
     let values = tiles * PLANES * (side * side) as usize;
     (8 * (values + REPORT_NUMBERS) + 4 * values.div_ceil(32)) as u64
 }
@@ -252,16 +252,16 @@ mod tests {
     #[test]
     fn sums_do_not_depend_on_the_order() {
         let batch = TileBatch { side: 4, tiles: vec![Tile { camera: 0, origin: [0, 0] }] };
-        let slices: Vec<Vec<f32>> = (0..5)
-            .map(|slice| {
-                (0..64).map(|at| (1.7_f32 * slice as f32 + at as f32).sin() * 1e3).collect()
+        let blocks: Vec<Vec<f32>> = (0..5)
+            .map(|block| {
+                (0..64).map(|at| (1.7_f32 * block as f32 + at as f32).sin() * 1e3).collect()
             })
             .collect();
         let sums = |order: &[usize], odd: f32| {
             let mut sums = FixedSums::new(&batch).expect("sums");
-            for &slice in order {
-                let mut values = slices[slice].clone();
-                values[7] = if slice == 2 { odd } else { values[7] };
+            for &block in order {
+                let mut values = blocks[block].clone();
+                values[7] = if block == 2 { odd } else { values[7] };
                 sums.add(&values);
             }
             let ranks = ThreadRanks::new(1).remove(0);
@@ -273,7 +273,7 @@ mod tests {
         let found = sums(&[0, 1, 2, 3, 4], 0.5);
         assert_eq!(found, sums(&[3, 1, 4, 2, 0], 0.5));
         for (at, found) in found.iter().enumerate().filter(|(at, _)| *at != 7) {
-            let exact: f64 = slices.iter().map(|values| f64::from(values[at])).sum();
+            let exact: f64 = blocks.iter().map(|values| f64::from(values[at])).sum();
             assert!(
                 (f64::from(*found) - exact).abs() < 1e-7 * exact.abs() + 1e-9,
                 "{found} {exact}"

@@ -8,7 +8,7 @@ use organza_splats::{Splat, psnr};
 
 /// Mean PSNRs compared with photographs, in dB.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beside {
+pub struct SplatComparison {
     /// Number of photographs.
     pub photographs: usize,
     /// PSNR of the scene's own images.
@@ -22,12 +22,12 @@ pub struct Beside {
 ///
 /// # Errors
 /// The same errors as [`Renderer::render`].
-pub fn beside(
+pub fn compare_splats(
     renderer: &Renderer,
     scene: &DeviceScene,
     splats: &[Splat],
     photographs: &[&Frame],
-) -> Result<Option<Beside>> {
+) -> Result<Option<SplatComparison>> {
     let Some(own) = evaluate(renderer, scene, photographs)?.mean.psnr else { return Ok(None) };
     let background = scene.config().background.map(|x| x as f32);
     let of = |frame: &&Frame| {
@@ -36,5 +36,5 @@ pub fn beside(
     };
     let found: Vec<_> = photographs.iter().filter_map(of).collect();
     let splats = found.iter().sum::<f64>() / found.len() as f64;
-    Ok(Some(Beside { photographs: found.len(), scene: own, splats }))
+    Ok(Some(SplatComparison { photographs: found.len(), scene: own, splats }))
 }

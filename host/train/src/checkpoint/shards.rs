@@ -1,4 +1,4 @@
-//! The checkpoint of a training whose Gaussians are dealt to ranks. In memory, each rank has its share. The file is
+//! The checkpoint of a training whose Gaussians are dealt to ranks. In memory, each rank has its shard. The file is
 //! that of any run: rank 0 writes it, and has the others' rows one tensor of one rank at a time.
 
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::per_photograph::PerPhotograph;
 use crate::progress::Progress;
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::ranks::{Grid, Ranks, ThreadRanks};
-use organza_core::scene::{Scene, SceneConfig, SceneShare, Tensor, TensorSpec, range_of};
+use organza_core::scene::{Scene, SceneConfig, SceneShard, Tensor, TensorSpec, range_of};
 use organza_core::scene::{scene_metadata, write_streamed};
 
 /// The parts of a scene that all ranks know.
@@ -25,11 +25,11 @@ struct Outline {
 }
 
 impl Checkpoint {
-    /// Gives the other ranks their shares, which `share` makes or reads. This is that of rank 0.
-    pub(crate) fn deal(
+    /// Gives the other ranks their shards, which `shard` makes or reads. This is that of rank 0.
+    pub(crate) fn send_to_ranks(
         &mut self,
-        Grid { all: ranks, shares }: Grid<'_>,
-        share: impl Fn(usize) -> Result<Self>,
+        Grid { all: ranks, shards }: Grid<'_>,
+        shard: impl Fn(usize) -> Result<Self>,
     ) -> Result<()> {
         let outline = Outline {
             config: self.scene.config.clone(),
@@ -43,39 +43,39 @@ impl Checkpoint {
         ranks.broadcast(outline)?;
         for rank in 1..ranks.size() {
             let mut for_each = vec![Vec::new(); ranks.size()];
-            for_each[rank] = match rank % shares {
+            for_each[rank] = match rank % shards {
                 0 => self.bytes_of_values(),
-                other => share(other)?.bytes_of_values(),
+                other => shard(other)?.bytes_of_values(),
             };
             ranks.exchange(for_each)?;
         }
         Ok(())
     }
 
-    /// The share of another rank, from rank 0, which [deals](Checkpoint::deal).
+    /// The shard of another rank, from rank 0, which [sends it](Checkpoint::send_to_ranks).
     pub(crate) fn receive(grid: Grid<'_>) -> Result<Self> {
         let ranks = grid.all;
         let outline = ranks.broadcast(Vec::new())?;
         let outline: Outline = serde_json::from_slice(&outline)
             .map_err(|error| Error::Argument { reason: format!("rank 0 has sent {error}") })?;
         let Outline { config, gaussians, progress, exposures, poses } = outline;
-        let range = range_of(gaussians, grid.share(), grid.shares);
+        let range = range_of(gaussians, grid.shard(), grid.shards);
         let scene = Scene::zeros(config, range.len())?;
-        let mut share = Self::of_share(SceneShare { scene, range, gaussians }, progress)?;
-        (share.exposures, share.poses) = (exposures, poses);
+        let mut shard = Self::from_shard(SceneShard { scene, range, gaussians }, progress)?;
+        (shard.exposures, shard.poses) = (exposures, poses);
         for rank in 1..ranks.size() {
             let bytes = ranks.exchange(vec![Vec::new(); ranks.size()])?.swap_remove(0);
             if rank != ranks.rank() {
                 continue;
             }
             let mut rest = &bytes[..];
-            for values in share.values_mut() {
+            for values in shard.values_mut() {
                 let (mine, after) = rest.split_at(size_of_val(values));
                 bytemuck::cast_slice_mut(values).copy_from_slice(mine);
                 rest = after;
             }
         }
-        Ok(share)
+        Ok(shard)
     }
 
     /// All its values, one after the other.
@@ -100,7 +100,7 @@ impl Checkpoint {
     /// # Errors
     /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
-        self.save_shares(path, binding, &ThreadRanks::alone())
+        self.save_shards(path, binding, &ThreadRanks::alone())
     }
 
     /// Writes the checkpoint of all ranks, as [`Checkpoint::save`] does: the file does not depend on the number of
@@ -108,7 +108,7 @@ impl Checkpoint {
     ///
     /// # Errors
     /// The same errors as [`Checkpoint::save`]; [`Error::Rank`] where another rank has failed.
-    pub fn save_shares(
+    pub fn save_shards(
         &self,
         path: impl AsRef<Path>,
         binding: Option<&Binding>,
@@ -118,7 +118,7 @@ impl Checkpoint {
         let beside = self.metadata(binding)?;
         let mut metadata = scene_metadata(&config).to_vec();
         metadata.extend(beside.iter().map(|(key, text)| (*key, &**text)));
-        let photographs = self.of_photographs();
+        let photographs = self.photograph_tensors();
         let mut specs: Vec<_> =
             self.tensors(&photographs).into_iter().map(|(spec, _)| spec).collect();
         if ranks.size() > 1 {
@@ -129,10 +129,10 @@ impl Checkpoint {
         write_streamed(path, &shapes, &metadata, |write| self.stream(ranks, write))
     }
 
-    /// Takes part in [`Checkpoint::save_shares`] of rank 0.
+    /// Takes part in [`Checkpoint::save_shards`] of rank 0.
     ///
     /// # Errors
-    /// The same errors as [`Checkpoint::save_shares`].
+    /// The same errors as [`Checkpoint::save_shards`].
     pub fn hand_over(&self, ranks: &dyn Ranks) -> Result<()> {
         self.stream(ranks, &mut |_| Ok(()))
     }
@@ -144,7 +144,7 @@ impl Checkpoint {
             self.scene.validate()?;
         }
         self.check(Path::new(IN_MEMORY))?;
-        let photographs = self.of_photographs();
+        let photographs = self.photograph_tensors();
         for (spec, values) in self.tensors(&photographs) {
             write(values)?;
             if !is_row(&spec.name) {
@@ -165,7 +165,7 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// The tensors of the file, in its order; `photographs` are those of [`Checkpoint::of_photographs`].
+    /// The tensors of the file, in its order; `photographs` are those of [`Checkpoint::photograph_tensors`].
     fn tensors<'a>(&'a self, photographs: &'a [(String, Tensor)]) -> Vec<(TensorSpec, &'a [f32])> {
         let mut tensors = self.scene.tensors();
         tensors.extend(self.beside_scene(photographs));

@@ -8,7 +8,7 @@ use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::ranks::{self, Order};
 use super::trainer::{Trainer, grid_of};
-use crate::evaluate::{Evaluation, evaluate_share};
+use crate::evaluate::{Evaluation, evaluate_shard};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::image::Image;
@@ -18,12 +18,12 @@ use organza_render::Renderer;
 
 /// Training with Gaussians that are dealt to ranks.
 impl Trainer {
-    /// Continues from a checkpoint, of which each of many [ranks](organza_core::ranks) has a share of the Gaussians,
+    /// Continues from a checkpoint, of which each of many [ranks](organza_core::ranks) has a shard of the Gaussians,
     /// and all of the fields. All ranks take the same steps. The scene's bits do not depend on the number of ranks.
     /// They are not those of [`Trainer::resume`], which adds the same terms in another order.
     ///
-    /// Ranks are in groups of `shares`, which share the views. Each group holds all Gaussians: the checkpoint of rank r
-    /// is share `r % shares` of so many.
+    /// Ranks are in groups of `shards`, which share the views. Each group holds all Gaussians: the checkpoint of rank r
+    /// is shard `r % shards` of so many.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -41,9 +41,9 @@ impl Trainer {
     ///         let mut config = TrainConfig::default();
     ///         (config.run.tiles_per_step, config.run.tile_size) = (1, 16);
     ///         let begin = Checkpoint::begin(demo::scene(), &config)?;
-    ///         let share = begin.share(ranks.rank(), ranks.size());
+    ///         let shard = begin.shard(ranks.rank(), ranks.size());
     ///         let mut trainer =
-    ///             Trainer::resume_share(&renderer, config, dataset, &share, Arc::new(ranks), 2)?;
+    ///             Trainer::resume_shard(&renderer, config, dataset, &shard, Arc::new(ranks), 2)?;
     ///         Ok::<_, organza_core::Error>(trainer.step()?.loss)
     ///     })
     /// });
@@ -55,22 +55,22 @@ impl Trainer {
     ///
     /// # Errors
     /// The same errors as [`Trainer::resume`]; [`Error::Argument`] where ranks cannot learn what the settings ask for,
-    /// or where `shares` does not divide their number.
-    pub fn resume_share(
+    /// or where `shards` does not divide their number.
+    pub fn resume_shard(
         renderer: &Renderer,
         config: TrainConfig,
         dataset: impl Into<Arc<Dataset>>,
         checkpoint: &Checkpoint,
         ranks: Arc<dyn Ranks>,
-        shares: usize,
+        shards: usize,
     ) -> Result<Self> {
-        check_shares(&config)?;
-        let shares = Grid::new(&*ranks, shares)?.shares;
+        check_shards(&config)?;
+        let shards = Grid::new(&*ranks, shards)?.shards;
         let dataset = dataset.into();
-        Self::with_ranks_of(renderer, config, dataset, checkpoint, Some((ranks, shares)))
+        Self::with_ranks_of(renderer, config, dataset, checkpoint, Some((ranks, shards)))
     }
 
-    /// The ranks that hold the whole scene together with this one, if it has a share.
+    /// The ranks that hold the whole scene together with this one, if it has a shard.
     #[must_use]
     pub fn group(&self) -> Option<impl Ranks> {
         self.grid().map(Grid::row)
@@ -78,7 +78,7 @@ impl Trainer {
 
     /// The ranks in their groups, if they split the Gaussians.
     pub(super) fn grid(&self) -> Option<Grid<'_>> {
-        grid_of(&self.ranks, self.shares)
+        grid_of(&self.ranks, self.shards)
     }
 
     /// The cameras of the frames to train on, if their poses are refined.
@@ -88,7 +88,7 @@ impl Trainer {
 
     /// How many views are measured at once.
     pub(super) fn views_at_once(&self) -> usize {
-        let ranks = self.ranks.as_ref().filter(|_| self.shares.is_none());
+        let ranks = self.ranks.as_ref().filter(|_| self.shards.is_none());
         ranks.map_or(1, |ranks| ranks.size())
     }
 
@@ -101,10 +101,10 @@ impl Trainer {
         match (self.grid(), &self.ranks) {
             (Some(grid), _) => {
                 let frame = frames[first];
-                Ok(vec![evaluate_share(&self.renderer, self.share(), frame, &grid.row())?])
+                Ok(vec![evaluate_shard(&self.renderer, self.shard(), frame, &grid.row())?])
             }
             (None, Some(ranks)) => {
-                ranks::measure(&**ranks, &self.renderer, &self.share().blocks()[0], frames, first)
+                ranks::measure(&**ranks, &self.renderer, &self.shard().blocks()[0], frames, first)
             }
             (None, None) => self.measure_alone(frames[first]),
         }
@@ -112,10 +112,10 @@ impl Trainer {
 
     /// Measures a view of the whole scene, as this rank alone.
     pub(super) fn measure_alone(&self, frame: &Frame) -> Result<Vec<(Evaluation, Image)>> {
-        Ok(vec![ranks::measure_one(&self.renderer, &self.share().blocks()[0], frame)?])
+        Ok(vec![ranks::measure_one(&self.renderer, &self.shard().blocks()[0], frame)?])
     }
 
-    /// Calls `f` with the ranks that hold the whole scene together: this one alone, if it has no share.
+    /// Calls `f` with the ranks that hold the whole scene together: this one alone, if it has no shard.
     pub(super) fn with_group<R>(&self, f: impl FnOnce(&dyn Ranks) -> R) -> R {
         match self.grid() {
             Some(grid) => f(&grid.row()),
@@ -129,7 +129,7 @@ impl Trainer {
             Order::Save.give(grid.all)?;
         }
         let checkpoint = self.checkpoint(seconds)?;
-        self.with_group(|ranks| checkpoint.save_shares(path, Some(binding), ranks))
+        self.with_group(|ranks| checkpoint.save_shards(path, Some(binding), ranks))
     }
 }
 
@@ -137,7 +137,7 @@ impl Trainer {
 ///
 /// # Errors
 /// [`Error::Argument`] where the settings ask for it.
-pub(super) fn check_shares(config: &TrainConfig) -> Result<()> {
+pub(super) fn check_shards(config: &TrainConfig) -> Result<()> {
     if config.loss.distortion_weight == 0.0 {
         return Ok(());
     }

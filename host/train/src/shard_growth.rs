@@ -1,7 +1,7 @@
 //! Growth. The Gaussians may be dealt to ranks.
 //!
 //! Every rank gets two numbers of each Gaussian of the scene, and finds the same [plan](GrowthPlan). Then the rows of the Gaussians
-//! go to the ranks that have their children: slices are cut anew.
+//! go to the ranks that have their children: blocks are cut anew.
 
 use super::checkpoint::Checkpoint;
 use super::config::GrowthConfig;
@@ -11,15 +11,15 @@ use organza_core::ranks::Ranks;
 use organza_core::scene::{Gaussians, Scene, range_of};
 
 /// Changes the scene of all ranks, to the same bits for any number of them.
-pub fn grow(config: &GrowthConfig, share: &mut Checkpoint, ranks: &dyn Ranks) -> Result<Grown> {
-    let plan = plan(config, share, ranks)?;
-    let Moves { wanted, children, parents } = Moves::of(&plan, share, ranks);
-    let scene_config = share.scene.config.clone();
-    let rows = wanted.iter().map(|indices| encode(share, indices)).collect();
+pub fn grow(config: &GrowthConfig, shard: &mut Checkpoint, ranks: &dyn Ranks) -> Result<Grown> {
+    let plan = growth_plan(config, shard, ranks)?;
+    let Moves { wanted, children, parents } = Moves::new(&plan, shard, ranks);
+    let scene_config = shard.scene.config.clone();
+    let rows = wanted.iter().map(|indices| encode(shard, indices)).collect();
     drop(wanted);
     // not twice in memory
-    let [first, second] = &mut share.moments;
-    for scene in [&mut share.scene, first, second] {
+    let [first, second] = &mut shard.moments;
+    for scene in [&mut shard.scene, first, second] {
         scene.gaussians = Gaussians::default();
     }
     let received = ranks.exchange(rows)?;
@@ -27,22 +27,22 @@ pub fn grow(config: &GrowthConfig, share: &mut Checkpoint, ranks: &dyn Ranks) ->
         decode(&received, || Gaussians::zeros(&scene_config, parents))?;
     drop(received);
     apply(&children, &mut gaussians, [&mut first, &mut second]);
-    share.range = range_of(plan.len(), ranks.rank(), ranks.size());
-    share.gaussians = plan.len();
-    share.scene.gaussians = gaussians;
-    let [of_first, of_second] = &mut share.moments;
+    shard.range = range_of(plan.len(), ranks.rank(), ranks.size());
+    shard.gaussians = plan.len();
+    shard.scene.gaussians = gaussians;
+    let [of_first, of_second] = &mut shard.moments;
     (of_first.gaussians, of_second.gaussians) = (first, second);
-    share.statistics = vec![[0.0; 4]; share.range.len()];
+    shard.statistics = vec![[0.0; 4]; shard.range.len()];
     Ok(plan.grown)
 }
 
 /// The plan of the whole scene.
-fn plan(config: &GrowthConfig, share: &Checkpoint, ranks: &dyn Ranks) -> Result<GrowthPlan> {
-    let opacity = &share.scene.gaussians.opacity;
-    let strengths = share.statistics.iter().copied().map(strength);
+fn growth_plan(config: &GrowthConfig, shard: &Checkpoint, ranks: &dyn Ranks) -> Result<GrowthPlan> {
+    let opacity = &shard.scene.gaussians.opacity;
+    let strengths = shard.statistics.iter().copied().map(strength);
     let mine: Vec<f32> = opacity.iter().copied().chain(strengths).collect();
     let (mut opacity, mut strength) =
-        (Vec::with_capacity(share.gaussians), Vec::with_capacity(share.gaussians));
+        (Vec::with_capacity(shard.gaussians), Vec::with_capacity(shard.gaussians));
     for bytes in ranks.gather(bytemuck::cast_slice(&mine).to_vec())? {
         let values: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
         let (first, second) = values.split_at(values.len() / 2);
@@ -54,7 +54,7 @@ fn plan(config: &GrowthConfig, share: &Checkpoint, ranks: &dyn Ranks) -> Result<
 
 /// Which rows go where.
 struct Moves {
-    /// For each rank, the Gaussians of this share that it has children of.
+    /// For each rank, the Gaussians of this shard that it has children of.
     wanted: Vec<Vec<usize>>,
     /// The children of this rank. Their parents are counted among those that have children here.
     children: Vec<Child>,
@@ -63,7 +63,7 @@ struct Moves {
 }
 
 impl Moves {
-    fn of(plan: &GrowthPlan, share: &Checkpoint, ranks: &dyn Ranks) -> Self {
+    fn new(plan: &GrowthPlan, shard: &Checkpoint, ranks: &dyn Ranks) -> Self {
         let (rank, size, len) = (ranks.rank(), ranks.size(), plan.len());
         let mut moves = Self { wanted: vec![Vec::new(); size], children: Vec::new(), parents: 0 };
         let (mut owner, mut last) = (0, None);
@@ -71,8 +71,8 @@ impl Moves {
             while index >= range_of(len, owner, size).end {
                 owner += 1;
             }
-            if share.range.contains(&child.parent) {
-                let (wanted, place) = (&mut moves.wanted[owner], child.parent - share.range.start);
+            if shard.range.contains(&child.parent) {
+                let (wanted, place) = (&mut moves.wanted[owner], child.parent - shard.range.start);
                 if wanted.last() != Some(&place) {
                     wanted.push(place);
                 }
@@ -88,10 +88,10 @@ impl Moves {
     }
 }
 
-/// Rows of a share's Gaussians and of both moments, tensor after tensor.
-fn encode(share: &Checkpoint, indices: &[usize]) -> Vec<u8> {
-    let ([first, second], len) = (&share.moments, share.range.len().max(1));
-    let scenes: [&Scene; 3] = [&share.scene, first, second];
+/// Rows of a shard's Gaussians and of both moments, tensor after tensor.
+fn encode(shard: &Checkpoint, indices: &[usize]) -> Vec<u8> {
+    let ([first, second], len) = (&shard.moments, shard.range.len().max(1));
+    let scenes: [&Scene; 3] = [&shard.scene, first, second];
     let tensors = || scenes.into_iter().flat_map(|scene| scene.gaussians.tensors().into_vec());
     let width: usize = tensors().map(|values| values.len() / len).sum();
     let mut bytes = Vec::with_capacity(indices.len() * width * size_of::<f32>());
@@ -136,13 +136,13 @@ mod tests {
     use super::*;
     use crate::config::TrainConfig;
     use organza_core::ranks::ThreadRanks;
-    use organza_core::scene::SLICE;
+    use organza_core::scene::GAUSSIANS_PER_BLOCK;
 
-    /// Some more than one slice of random Gaussians and moments. Many of the first are to be taken away, and the last have the
+    /// Some more than one block of random Gaussians and moments. Many of the first are to be taken away, and the last have the
     /// strongest gradients: most rows have another place afterwards.
     fn state() -> Checkpoint {
         let mut random = Pcg64::seed_from_u64(3);
-        let scene = Scene::zeros(organza_core::demo::config(), SLICE + 300).unwrap();
+        let scene = Scene::zeros(organza_core::demo::config(), GAUSSIANS_PER_BLOCK + 300).unwrap();
         let mut state = Checkpoint::begin(scene, &TrainConfig::default()).unwrap();
         let Checkpoint { scene, moments: [first, second], statistics, .. } = &mut state;
         for scene in [scene, first, second] {
@@ -154,7 +154,7 @@ mod tests {
             *statistics = [index as f32 * random.random::<f32>(), 3.0, 5.0, 0.0];
         }
         let opacity = &mut state.scene.gaussians.opacity;
-        opacity[..SLICE / 2].iter_mut().for_each(|logit| *logit *= 20.0);
+        opacity[..GAUSSIANS_PER_BLOCK / 2].iter_mut().for_each(|logit| *logit *= 20.0);
         state
     }
 
@@ -173,10 +173,10 @@ mod tests {
                     let (begun, whole, config) = (&begun, &whole, &config);
                     scope.spawn(move || {
                         let rank = ranks.rank();
-                        let mut share = begun.share(rank, size);
-                        let found = grow(config, &mut share, &ranks).expect("it grows");
-                        let expected = whole.share(rank, size);
-                        assert!(share == expected, "rank {rank} of {size}");
+                        let mut shard = begun.shard(rank, size);
+                        let found = grow(config, &mut shard, &ranks).expect("it grows");
+                        let expected = whole.shard(rank, size);
+                        assert!(shard == expected, "rank {rank} of {size}");
                         assert_eq!(found, counts);
                     });
                 }

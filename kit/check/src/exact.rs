@@ -7,7 +7,7 @@ use super::measure::{Bound, Measure, Output, Values};
 use super::runner::{Canary, KernelRunner};
 
 /// Runs all sets and compares them with [`Parity::exact`].
-pub fn hold<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {
+pub fn compare_with_exact<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {
     let mut measure = Measure::default();
     for (name, set) in P::sets() {
         for output in set.run(&KernelRunner::new(device, P::KERNEL))? {

@@ -10,7 +10,7 @@ use muslin_device::Device;
 ///
 /// # Errors
 /// [`Error::Rank`], on every rank, for the first rank that differs from rank 0; those of [`Ranks::max`].
-pub fn meet(
+pub fn check_agreement(
     ranks: &dyn Ranks,
     device: &Device,
     commit: &str,

@@ -1,17 +1,17 @@
 //! Gaussians distributed over ranks: the same image and the same gradients for any number of ranks.
 
 use organza::ranks::{Ranks, ThreadRanks};
-use organza::render::share_bytes;
-use organza::scene::{SLICE, Scene, SceneShare};
+use organza::render::shard_bytes;
+use organza::scene::{GAUSSIANS_PER_BLOCK, Scene, SceneShard};
 use organza::{Camera, Renderer, TileBatch, UploadOptions, demo};
 use organza_tests::compare::bits;
 use organza_tests::devices;
 
-/// Copies of the built-in scene's Gaussians, slightly moved and more transparent: three slices.
+/// Copies of the built-in scene's Gaussians, slightly moved and more transparent: three blocks.
 fn scene() -> Scene {
     let mut scene = demo::scene();
     let len = scene.gaussians.len();
-    let indices: Vec<_> = (0..2 * SLICE + 100).map(|index| index % len).collect();
+    let indices: Vec<_> = (0..2 * GAUSSIANS_PER_BLOCK + 100).map(|index| index % len).collect();
     scene.gaussians = scene.gaussians.select(&indices);
     for (index, position) in scene.gaussians.position.iter_mut().enumerate() {
         position[index % 3] += 1e-3 * (index / len) as f32;
@@ -41,16 +41,16 @@ struct Found {
 fn found(scene: &Scene, cameras: &[Camera], size: usize) -> Found {
     let work = |ranks: ThreadRanks| {
         let renderer = Renderer::new(devices::cpu(Some(1)));
-        let share = SceneShare::of(scene, ranks.rank(), ranks.size());
-        let share = renderer.upload_share(&share, UploadOptions::default()).expect("a share");
-        let recording = renderer.record_share(&share, cameras, &batch(cameras), &ranks);
+        let shard = SceneShard::new(scene, ranks.rank(), ranks.size());
+        let shard = renderer.upload_shard(&shard, UploadOptions::default()).expect("a shard");
+        let recording = renderer.record_shard(&shard, cameras, &batch(cameras), &ranks);
         let recording = recording.expect("a recording");
         let tiles = recording.tiles().clone();
-        assert_eq!(ranks.sent(), share_bytes(tiles.count, tiles.side), "of {size}");
+        assert_eq!(ranks.sent(), shard_bytes(tiles.count, tiles.side), "of {size}");
         let gradient = recording.backward(&tiles.data).expect("a gradient");
-        let again = renderer.render_share(&share, cameras, &batch(cameras), &ranks).unwrap();
+        let again = renderer.render_shard(&shard, cameras, &batch(cameras), &ranks).unwrap();
         assert!(bits(&again.data) == bits(&tiles.data), "of {size}");
-        (tiles, gradient, share.len())
+        (tiles, gradient, shard.len())
     };
     let all: Vec<_> = std::thread::scope(|scope| {
         let ranks = ThreadRanks::new(size).into_iter();

@@ -60,7 +60,7 @@ pub fn column<L: Lane>(
     sum
 }
 
-/// What the last layer of a network computes and moves: `outputs`, and `more` values of each sample beside its inputs.
+/// Operations and bytes of a network's last layer: `outputs`, and `more` values of each sample beside its inputs.
 #[cfg(not(target_arch = "spirv"))]
 pub(crate) fn head_work(samples: u32, inputs: u32, outputs: u64, more: u64) -> Work {
     let [samples, inputs] = wide([samples, inputs]);

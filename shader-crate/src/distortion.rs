@@ -64,7 +64,7 @@ pub fn pair_inverse_distance(
 pub struct DistortionParams {
     /// S, in pixels.
     pub side: u32,
-    /// What the distortion of a pixel counts in the loss: its weight, divided by the pixels that count.
+    /// Factor of a pixel's distortion in the loss: the weight of the term, divided by the number of pixels that count.
     pub scale: f32,
 }
 

@@ -130,7 +130,7 @@ pub struct HashGridScaleParams {
 /// The scale from `bound [1 + layers]`, which is cleared for the next time: a single invocation.
 ///
 /// With 2^e above the product of the bounds and 2^b the next power of two of the samples, the scale is `2^(62 - e - b)`,
-/// and 2^126 at most: no sum comes to 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added,
+/// and 2^126 at most: no sum reaches 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added,
 /// and `status` is raised.
 #[kernel(threads(1), iterations = MAX_LAYERS + 1, counts(samples))]
 pub fn hash_grid_scale(

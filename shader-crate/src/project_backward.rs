@@ -115,8 +115,8 @@ pub fn project_gaussian_backward(
     }
 }
 
-/// What a term passes before it is added. Compilers do not know it, so they cannot fuse the sum with the product before, which
-/// would round otherwise than a sum that begins with 0. naga does not tell drivers that they must not.
+/// The mask that each term passes before it is added. Compilers do not know it, so they cannot fuse the sum with the product before, which
+/// would round otherwise than a sum that begins with 0. naga has no way to forbid it.
 pub const ALL_BITS: u32 = u32::MAX;
 
 /// Parameters of [`project_backward`].

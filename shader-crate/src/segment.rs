@@ -92,7 +92,7 @@ fn stretch<L: Lane>(r: L, radius: f32) -> L {
 
 /// The ray between a Gaussian and a camera, both from the cube's center, in steps of about `step` (sigma).
 ///
-/// Its length L is that of r, which is the contracted ray's own where it is near the box; farther away the contraction is a
+/// The length L is that of r, which is the contracted ray's own where it is near the box; farther away the contraction is a
 /// division by the distance.
 #[inline(always)]
 pub fn contracted_ray(p: Vec3, eye: Vec3, step: f32) -> ContractedRay {

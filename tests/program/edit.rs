@@ -1,4 +1,4 @@
-//! `organza edit`: what goes, what stays, and what becomes of the pictures.
+//! `organza edit`: which Gaussians go and stay, and how the pictures change.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::sandbox::Sandbox;
 use crate::train::runs::{self, TINY};
 
-/// What the command says, as JSON, and the scene that it wrote.
+/// Runs the command. Returns its JSON, and the scene that it wrote.
 fn edit(sandbox: &Sandbox, words: &str) -> (Value, Scene) {
     let words = format!("edit {words} -o edited.safetensors --backend cpu --json");
     let outcome = sandbox.run(&words).assert_ok();
@@ -60,7 +60,7 @@ fn a_scene_is_cropped_by_boxes_and_balls() {
     }
 }
 
-/// What contributes nothing goes, and nothing else: images stay the same to the bit, and any other Gaussian would be missed.
+/// Gaussians without a contribution go, and no others: images stay the same to the bit, and would not without any of the rest.
 #[test]
 fn what_no_view_shows_is_removed_exactly() {
     let sandbox = Sandbox::new("crowded");

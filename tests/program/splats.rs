@@ -153,7 +153,7 @@ fn assert_close(found: &[Splat], expected: &[Splat], most: [f32; 6], what: &str)
     assert!(largest.iter().zip(most).all(|(found, most)| *found <= most), "{what}: {largest:?}");
 }
 
-/// What one program decodes, the other decodes alike; and it is what was written, up to the rounding of the format.
+/// Both programs decode a file alike, and to the Gaussians that were written, up to the rounding of the format.
 #[test]
 #[ignore = "takes splat-transform, from npm"]
 fn another_program_reads_and_writes_the_same() {

@@ -138,7 +138,7 @@ pub fn remove_leftovers(folder: &Path) {
     for entry in entries {
         let name = entry.file_name();
         if name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(SUFFIX)) {
-            // what cannot be removed does no harm
+            // a file that stays does no harm
             let _ = fs::remove_file(entry.path());
         }
     }

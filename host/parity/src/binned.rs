@@ -9,7 +9,7 @@ fn unit(row: usize) -> f64 {
     2_f64.powi(16 * row as i32 - 150)
 }
 
-/// What the words of sums `[17, values, 2]` come to.
+/// The numbers in the words of sums `[17, values, 2]`.
 pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
     let integer = |w: &[u32]| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64;
     let rows: Vec<_> = words.chunks_exact(2).map(integer).collect();

@@ -121,7 +121,7 @@ pub(super) fn planes(sum: &[Vec4], area: usize) -> Vec<f32> {
     tiles.flat_map(|tile| (0..4).flat_map(move |channel| plane(tile, channel))).collect()
 }
 
-/// What [`planes`] has taken apart.
+/// The inverse of [`planes`].
 pub(super) fn pixels(mut outputs: Vec<Output>, area: usize) -> Vec<Output> {
     let planes = outputs[0].floats();
     let (tiles, tail) = planes.split_at(planes.len() / (4 * area) * (4 * area));

@@ -230,7 +230,7 @@ impl DenseWeightBackward {
         Some((place / layer.columns, 4 * (place % layer.columns) + value as u32 % 4))
     }
 
-    /// What a parameter's sum over a slice's samples is made of: the samples in the chunk, and what the one before has left.
+    /// The terms of a parameter's sum over a slice: the samples in the chunk, and the sum that the chunk before has left.
     fn terms(&self, slice: &Range<u32>, value: usize) -> (Range<u32>, f64) {
         let chunk = self.chunk();
         let samples = slice.start.max(chunk.start)..slice.end.min(chunk.end);

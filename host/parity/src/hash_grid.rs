@@ -48,7 +48,7 @@ fn rows(grid: &GridConfig) -> usize {
     FIRST_ROW + grid.width()
 }
 
-/// Values of `[chunks, rows, STRIDE]` that hold so many points.
+/// The number of values of `[chunks, rows, STRIDE]` for a number of points.
 fn len(rows: usize, points: usize) -> usize {
     points.div_ceil(CHUNK) * rows * STRIDE
 }
@@ -58,7 +58,7 @@ fn at(rows: usize, row: usize, point: usize) -> usize {
     (point / CHUNK * rows + row) * STRIDE + point % CHUNK
 }
 
-/// The parameters for so many points.
+/// The parameters for a number of points.
 pub(super) fn params(grid: &GridConfig, points: usize) -> HashGridParams {
     HashGridParams {
         points: points as u32,

@@ -178,7 +178,7 @@ impl Parity for PairSum {
         runner.run(&self.kernel(), gaussians * width.div_ceil(SUMMED), 1)
     }
 
-    /// What was there, and the vectors of the pairs, which lie in the order of the masks' bits.
+    /// The vector before, and the vectors of the pairs, which lie in the order of the masks' bits.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let mut exact: Vec<_> = self.vector.iter().copied().map(f64::from).collect();
         let width = self.params.width as usize;

@@ -73,7 +73,7 @@ impl PoseBackward {
     }
 }
 
-/// What a camera sees that has moved by a pose: the same as one that stays, of a Gaussian that has moved in its stead. Right to
+/// Moves a Gaussian as if a pose had moved the camera: the camera stays, and the Gaussian moves the other way. Right to
 /// the first order, at a pose of 0.
 fn moved<N: Number>(view: &View, still: &Gaussian<f64>, pose: [N; POSE]) -> Gaussian<N> {
     let [x, y, z, shift @ ..] = pose;

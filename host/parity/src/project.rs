@@ -314,7 +314,7 @@ fn width(output: &str) -> usize {
 /// How much roundings show in a projection, from f64.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sensitivity {
-    /// Whether rounding decides what becomes of the Gaussian.
+    /// Whether rounding decides if the Gaussian is visible.
     is_undecided: bool,
     mean2d: [f64; 2],
     pub conic: f64,

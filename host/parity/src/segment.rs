@@ -152,7 +152,7 @@ impl Segment {
         size * (1.0 + size / ray.v.length())
     }
 
-    /// What drivers that regroup lose of a coordinate in the box: they know it to 6e-8 of world space alone.
+    /// The error of a coordinate in the box by drivers that regroup: 6e-8 of its size in world space.
     fn world(&self, slot: u32) -> f64 {
         let position = &self.position[3 * (slot % self.gaussians) as usize..][..3];
         let world = (0..3).map(|axis| {

@@ -21,7 +21,7 @@ impl Statistics {
         Self { pairs, statistics: numbers.chunks(4).map(Vec4::from_slice).collect() }
     }
 
-    /// What is left of a Gaussian's: how far the centers are pulled, the cameras that have a pair, the largest radius.
+    /// A Gaussian's statistics: how far the centers are pulled, the cameras that have a pair, the largest radius.
     fn exact_of(&self, gaussian: usize) -> [f64; 4] {
         let mut after = self.statistics[gaussian].as_dvec4().to_array();
         for (camera, [center, ..]) in self.pairs.pairs(gaussian) {

@@ -59,11 +59,11 @@ pub struct Args {
     #[arg(long, value_name = "PIXELS", value_parser = parse_pixels, num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "0")]
     least_contribution: Option<f64>,
-    /// Remove haze: Gaussians that are mostly in front of surfaces and that few views see, at most so many [default: a
+    /// Remove haze: Gaussians that are mostly in front of surfaces and that at most VIEWS views see [default: a
     /// tenth of the views, but 3 at least]
     #[arg(long, value_name = "VIEWS", value_parser = parse_views, num_args = 0..=1, require_equals = true)]
     haze: Option<Option<f64>>,
-    /// Keep only the largest cluster. Gaussians hang together if a cube around the larger one, of so many of its standard
+    /// Keep only the largest cluster. Two Gaussians are in one cluster if a cube around the larger one, REACH of its standard
     /// deviations, reaches the other, or a cube beside it does
     #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "2")]

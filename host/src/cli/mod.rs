@@ -197,7 +197,7 @@ fn size(text: &str, sides: RangeInclusive<u32>) -> Result<[u32; 2], String> {
     size.ok_or_else(|| format!("expected pixels such as 1280x720, each side {least} to {most}"))
 }
 
-/// So many finite numbers with commas between them, such as `0,0,1.5`.
+/// `N` finite numbers with commas between them, such as `0,0,1.5`.
 fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let number = |text: &str| text.trim().parse().ok().filter(|value: &f64| value.is_finite());
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();

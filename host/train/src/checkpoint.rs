@@ -222,7 +222,7 @@ impl Checkpoint {
         Err(Error::Invalid { origin: path.to_owned(), reason })
     }
 
-    /// The exposures of so many photographs: those that are here, or those before the first step.
+    /// The exposures of all photographs: those of the checkpoint, or those before the first step.
     ///
     /// # Errors
     /// [`Error::Invalid`] where they are those of another number.
@@ -261,7 +261,7 @@ impl Checkpoint {
     }
 }
 
-/// What was learned of so many photographs: what is there, or what is there before the first step.
+/// The learned values of all photographs: those of the checkpoint, or those before the first step.
 fn per_photograph_or_start(
     found: Option<&PerPhotograph>,
     photographs: usize,

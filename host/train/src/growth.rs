@@ -5,7 +5,7 @@ use glam::{Quat, Vec3};
 use super::config::GrowthConfig;
 use organza_core::scene::{Gaussians, logit};
 
-/// A split Gaussian's halves lie so many standard deviations from it, along its longest axis;
+/// Distance of a split Gaussian's halves from it, in standard deviations, along its longest axis;
 const SPLIT_OFFSET: f32 = 0.6;
 /// are so much shorter there;
 const SPLIT_SCALE: f32 = 0.65;

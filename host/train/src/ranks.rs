@@ -1,4 +1,4 @@
-//! A run that ranks share: rank 0 leads it, reads and writes its files, and tells the others what comes next.
+//! A run that ranks share: rank 0 leads it, reads and writes its files, and sends the others what comes next.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub enum Split {
 /// The next action of all ranks, which rank 0 chooses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Order {
-    /// A step, of a run of so many.
+    /// A step, and the number of steps of the run.
     Step(u32),
     /// Measure a held-out view each, from this one on: of all, or of those of intermediate evaluations.
     Evaluate { first: usize, all: bool },
@@ -56,7 +56,7 @@ impl Order {
         }
     }
 
-    /// Tells the other ranks, from rank 0.
+    /// Sends it to the other ranks, from rank 0.
     pub fn give(self, ranks: &dyn Ranks) -> Result<()> {
         ranks.broadcast(bytemuck::cast_slice(&self.encode()).to_vec()).map(drop)
     }
@@ -84,8 +84,8 @@ fn check_photographs(
     )
 }
 
-/// Tells the other ranks how to train, and what with: each has one of so many shards, or the whole scene. `mine` is
-/// that of rank 0, and `shard` makes or reads any.
+/// Sends the other ranks the settings, and each its shard, or the whole scene. `mine` is the shard of rank 0, and `shard`
+/// makes or reads any.
 pub(super) fn lead(
     (ranks, shards): (&dyn Ranks, Option<usize>),
     renderer: &Renderer,
@@ -101,7 +101,7 @@ pub(super) fn lead(
     mine.send_to_ranks(Grid::new(ranks, shards.unwrap_or(1))?, shard)
 }
 
-/// The trainer of a rank that has one of so many shards, or the whole scene.
+/// The trainer of a rank that has one of `shards` shards, or the whole scene.
 pub(super) fn trainer(
     (ranks, shards): (&Arc<dyn Ranks>, Option<usize>),
     renderer: &Renderer,

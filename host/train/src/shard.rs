@@ -23,7 +23,7 @@ impl Trainer {
     /// They are not those of [`Trainer::resume`], which adds the same terms in another order.
     ///
     /// Ranks are in groups of `shards`, which share the views. Each group holds all Gaussians: the checkpoint of rank r
-    /// is shard `r % shards` of so many.
+    /// is shard `r % shards`.
     ///
     /// ```
     /// use std::sync::Arc;

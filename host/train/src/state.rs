@@ -21,7 +21,7 @@ pub(super) struct State {
 }
 
 impl State {
-    /// That of the checkpoint of `shard`, and of so many photographs.
+    /// The state of the checkpoint of `shard`, with values for each of the photographs.
     pub fn new(
         renderer: &Renderer,
         config: &TrainConfig,

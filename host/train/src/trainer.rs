@@ -112,7 +112,7 @@ impl Trainer {
         Self::with_ranks_of(renderer, config, dataset.into(), checkpoint, None)
     }
 
-    /// Continues from a checkpoint: of the whole scene, or of one of so many shards of it.
+    /// Continues from a checkpoint, of the whole scene or of a shard.
     pub(super) fn with_ranks_of(
         renderer: &Renderer,
         config: TrainConfig,
@@ -187,7 +187,7 @@ impl Trainer {
         &self.config
     }
 
-    /// From this step on, the run has so many steps: learning rates and growth follow.
+    /// From this step on, the run has `steps` steps: learning rates and growth follow.
     pub(super) fn replan(&mut self, steps: u32) {
         self.config.run.replan(self.step, steps);
     }
@@ -210,7 +210,7 @@ impl Trainer {
         self.state.shard.whole()
     }
 
-    /// What this rank has of the scene as it is now: without ranks that split the Gaussians, the whole of it.
+    /// This rank's shard of the scene as it is now: the whole scene, unless ranks split the Gaussians.
     #[must_use]
     pub fn shard(&self) -> &DeviceShard {
         &self.state.shard
@@ -373,7 +373,7 @@ impl Trainer {
     }
 }
 
-/// Whether the number of Gaussians changes after so many steps.
+/// Whether the number of Gaussians changes after a step.
 pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
     let growth = &config.growth;
     let is_in_time = (growth.begin..=growth.end).contains(&config.run.fraction(step));

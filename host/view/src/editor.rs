@@ -143,7 +143,7 @@ impl Editor {
         (self.shown.clone(), self.version)
     }
 
-    /// Does what a page asks for, and tells how things are then.
+    /// Does what a page asks for, and returns the new state.
     pub(super) fn answer(&mut self, stage: Stage<'_>, request: &EditRequest) -> Result<Vec<u8>> {
         let mut saved = None;
         match request {

@@ -12,7 +12,7 @@ use anyhow::{Context, Result, ensure};
 
 use crate::{Project, tool};
 
-/// Tells this program that it is the compiler.
+/// Set where this program runs as the compiler.
 const AS_COMPILER: &str = "MUSLIN_COVERAGE";
 
 /// If cargo runs this program as the compiler of a crate, compiles it, and counts what runs in it if it is that of the kernels.

@@ -72,7 +72,7 @@ impl Compiler {
                 found.name_as_c_str().is_ok_and(|found| found.to_bytes() == name.as_bytes())
             };
             let found = all.iter().find(is_it).ok_or(format!("it does not tell its {name}"))?;
-            // SAFETY: all that RADV tells are unsigned 64-bit numbers.
+            // SAFETY: all statistics of RADV are unsigned 64-bit numbers.
             Ok::<u64, String>(unsafe { found.value.u64 })
         };
         let assembly = self.assembly(&info).map_err(|error| error.to_string())?;

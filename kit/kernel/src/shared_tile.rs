@@ -114,7 +114,7 @@ macro_rules! impl_shared_tile {
 
             #[inline(always)]
             fn offset<S: Source<T>>(&self, item: u32, _: S) -> u32 {
-                // The mask changes nothing. It tells compilers that sums with the offset do not overflow, so that they become a
+                // The mask changes nothing. With it, compilers know that sums with the offset do not overflow, so that they become a
                 // part of the instruction that reads.
                 let most = const { (N as u32 / S::ELEMENTS).next_power_of_two() };
                 (item & (most - 1)) * S::ELEMENTS

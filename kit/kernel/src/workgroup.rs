@@ -299,7 +299,7 @@ fn take_stack() -> DefaultStack {
 
 /// One workgroup of a kernel, in a test that calls the kernel as a function.
 ///
-/// Its invocations wait for each other at barriers. A device runs whole dispatches, and finds more.
+/// The invocations wait for each other at barriers. A device runs whole dispatches, and finds more mistakes.
 #[derive(Clone, Copy, Debug)]
 pub struct Workgroup {
     size: UVec3,

@@ -41,7 +41,7 @@ fn a_run_of_so_many_minutes_is_repeated_from_its_settings() {
     sandbox.run(words).assert_ok();
     let five = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
     assert_eq!((five.run.steps, five.run.plan.len()), (5, 0));
-    // and it goes on for so many minutes more
+    // and it goes on for some minutes more
     sandbox.run("train --resume five --minutes 0.01 --backend cpu").assert_ok();
     let longer = TrainConfig::load(sandbox.path("five/config.toml")).expect("settings");
     let checkpoint = Checkpoint::load(sandbox.path("five").join(CHECKPOINT)).expect("a checkpoint");

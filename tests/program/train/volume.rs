@@ -63,7 +63,7 @@ impl Ranks for Counted {
     }
 }
 
-/// What each of `size` ranks sends, a line for each.
+/// The bytes that each of `size` ranks sends, a line for each.
 fn sent(size: usize, work: impl Fn(&Renderer, Arc<Counted>) + Sync) -> String {
     let work = |ranks: ThreadRanks| {
         let ranks = Arc::new(Counted { ranks, calls: Mutex::default() });
@@ -81,7 +81,7 @@ fn sent(size: usize, work: impl Fn(&Renderer, Arc<Counted>) + Sync) -> String {
     lines.concat()
 }
 
-/// What `size` ranks send in a step of two shards, followed by growth.
+/// The bytes that `size` ranks send in a step of two shards, followed by growth.
 fn sent_by_shards(size: usize) -> String {
     let (mut config, mut checkpoint, dataset) = begun();
     config.run.steps = 40;

@@ -111,7 +111,7 @@ fn a_pinhole_bends_nothing() {
     assert!(!lens([0.0, 0.0, 1e-9], [0.0; 2]).is_pinhole());
     assert!(!lens([0.0; 3], [0.0, 1e-9]).is_pinhole());
     assert!(!Lens { denominator: [0.0, 0.0, 1e-9], ..Lens::default() }.is_pinhole());
-    // Its radius is a function of the angle, even without coefficients.
+    // A fisheye's radius is a function of the angle, even without coefficients.
     assert!(!fisheye([0.0; 4]).is_pinhole());
 }
 

@@ -192,7 +192,7 @@ fn extra_inputs(
     rows.flat_map(|row| row[..samples as usize].to_vec()).collect()
 }
 
-/// What all pairs of a Gaussian share. `transmittance_inputs` gives each pair a copy of it; three pairs lie before its chunk.
+/// A Gaussian's extra vector, of which `transmittance_inputs` gives each pair a copy. Three pairs lie before its chunk.
 impl Row for PairSum {
     fn is_usual(&self, name: &str) -> bool {
         name.starts_with("Random bits") && (1..2000).contains(&self.params.gaussians)

@@ -12,8 +12,7 @@ use organza_core::error::Result;
 use organza_core::ranks::Ranks;
 use organza_core::tile::TileBatch;
 
-/// What was found of tiles: their losses, and the gradients of their exposures if they are learned. In the order of the
-/// batch.
+/// Losses of tiles, and the gradients of their exposures if they are learned, in the order of the batch.
 pub(crate) type Compared = (Vec<TileLoss>, Vec<ExposureGradient>);
 
 /// Tiles that were compared.
@@ -82,7 +81,7 @@ impl Comparison {
     }
 }
 
-/// What was found of tiles, in any order.
+/// Losses of tiles and gradients of their exposures, in any order.
 #[derive(Debug, Default)]
 pub struct Found {
     /// By the tiles' places in the batch.

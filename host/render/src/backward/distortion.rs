@@ -11,7 +11,7 @@ use crate::scene::device_scene::DeviceScene;
 use glam::Vec4;
 use muslin_device::{Buffer, Result};
 
-/// What the distortion of a part's pixels counts in the loss.
+/// The pixels of a part whose distortion counts in the loss, and its weight.
 #[derive(Debug)]
 pub struct Distortion {
     /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.

@@ -115,7 +115,7 @@ impl SceneGradient {
         })
     }
 
-    /// The same with the gradients of the poses of so many cameras, all that a batch may show.
+    /// The same with the gradients of the poses of `cameras`: all that a batch may show.
     ///
     /// # Errors
     /// The same errors as [`Device::zeros`].

@@ -1,5 +1,5 @@
 //! Rows of Gaussians' gradients, as ranks exchange them: a row goes to the rank that owns the Gaussian. The owner adds the rows
-//! of all view batches in their order, and tells everyone the sums.
+//! of all view batches in their order, and sends everyone the sums.
 
 use std::ops::Range;
 

@@ -117,7 +117,7 @@ impl Renderer {
         let (mut found, grad_output) = self.compare(recording.tiles(), &mine, loss, target)?;
         recording.add_to(&grad_output, &gradient.fields, &gradient.blocks)?;
         if grid.groups() > 1 {
-            // all ranks of a group have the same: one tells it
+            // all ranks of a group have the same: one sends it
             let mine = if grid.shard() == 0 { found } else { Found::default() };
             let all = mine.gather(batch, target, grid.all);
             found = all.inspect_err(|_| gradient.rollback(self.device()))?;
@@ -125,7 +125,7 @@ impl Renderer {
         Ok(found.in_order())
     }
 
-    /// What is found of rendered tiles, and dLoss/dY.
+    /// The losses of rendered tiles, and dLoss/dY.
     fn compare(
         &self,
         rendered: &RenderedTiles,

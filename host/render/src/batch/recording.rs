@@ -151,7 +151,7 @@ impl Renderer {
         self.record_group((shard, grid), cameras, batch, batch.tiles.len())
     }
 
-    /// What a group renders of a batch that shows so many cameras.
+    /// Records a group's part of a batch.
     pub(crate) fn record_group<'a>(
         &self,
         (shard, grid): (&DeviceShard, Grid<'a>),

@@ -64,7 +64,7 @@ impl Layout {
         Self { chunk, stride, chunks, group, slice }
     }
 
-    /// The same, for no more than so many chunks.
+    /// The same, for at most `chunks` chunks.
     fn with_chunks(self, chunks: u32) -> Self {
         let chunks = self.chunks.min(chunks);
         Self { chunks, group: self.group.clamp(1, chunks.max(1)), ..self }

@@ -123,7 +123,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// What a part has of the Gaussians in it, one or more times each.
+    /// The sums of a part's pixels for each Gaussian. A Gaussian can be there several times.
     fn part_sums(
         &self,
         scene: &DeviceScene,
@@ -185,7 +185,7 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
     along(1, height).flat_map(move |y| along(0, width).map(move |x| [x, y]))
 }
 
-/// What the Gaussians of a pixel contribute to it, and whether in front of its surface.
+/// The contributions of Gaussians to a pixel, and whether they are in front of its surface.
 fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, Sums)> {
     let Some((surface, sum)) = surface(&mut members) else { return Vec::new() };
     if sum < OPEN {

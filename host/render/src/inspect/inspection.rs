@@ -166,7 +166,7 @@ impl Renderer {
         Ok((pairs, transmittance))
     }
 
-    /// Renders one pixel of `cameras[camera]` and tells how it came about, Gaussian by Gaussian.
+    /// Renders one pixel of `cameras[camera]`, with the contribution of each Gaussian.
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].

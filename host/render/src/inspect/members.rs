@@ -21,7 +21,7 @@ pub struct Member {
     pub weight: f64,
 }
 
-/// What the members of a part's pixels follow from; all of one camera.
+/// The splats and tiles of a part, for the members of its pixels; all of one camera.
 #[derive(Debug)]
 pub struct Members {
     /// `[pairs]`: with one camera, these are Gaussians.

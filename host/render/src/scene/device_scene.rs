@@ -136,7 +136,7 @@ impl DeviceScene {
         self.config.step * f64::from(self.ray_steps)
     }
 
-    /// The same scene, on the same memory, with steps of T that are so many times as long as sigma.
+    /// The same scene, on the same memory, with steps of T that are `ray_steps` times as long as sigma.
     pub(crate) fn with_ray_steps(&self, ray_steps: u32) -> Self {
         Self { ray_steps, ..self.view() }
     }

@@ -19,7 +19,7 @@ impl Renderer {
     /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
     ///
     /// # Errors
-    /// What [`Scene::validate`] finds, and [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
+    /// The errors of [`Scene::validate`], and [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
     pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
         self.upload_with(scene, UploadOptions::default())
     }

@@ -350,7 +350,7 @@ mod tests {
         assert!(dot.abs() > 1.0 - 1e-6, "{dot}");
     }
 
-    /// What is not compressed has the bytes of the description.
+    /// The header and the table are not compressed: they have the bytes of the description.
     #[test]
     fn version_4_has_the_header_of_its_description() {
         let bytes = packed(write);

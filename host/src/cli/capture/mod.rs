@@ -113,7 +113,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let programs = Programs::new(&work, signals.stop());
     let job = Job { args, work, programs, console };
     let images = job.images(&source).inspect_err(|_| {
-        // Without images there is nothing to keep. What cannot be removed does no harm.
+        // Without images there is nothing to keep. A file that stays does no harm.
         let _ = fs::remove_dir_all(&job.work);
     })?;
     let posed = Colmap::new(&job, is_video)?.run(images)?;
@@ -280,7 +280,7 @@ impl Job<'_> {
             serde_json::to_writer_pretty(&mut *writer, done)?;
             writer.write_all(b"\n")
         })?;
-        // What cannot be removed does no harm.
+        // A file that stays does no harm.
         let _ = fs::remove_dir_all(&self.work);
         Ok(())
     }

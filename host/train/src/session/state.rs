@@ -94,7 +94,7 @@ impl State<'_, '_, '_> {
         Ok(outcome)
     }
 
-    /// Tells the other ranks what comes next.
+    /// Sends the other ranks what comes next.
     fn order(&self, order: Order) -> Result<()> {
         self.session.ranks.as_deref().map_or(Ok(()), |ranks| order.give(ranks))
     }

@@ -22,7 +22,7 @@ struct Chosen {
     value: Word,
     kind: Option<Word>,
     at_edges: Vec<Word>,
-    /// Its value in an iteration that does not end the loop.
+    /// The value in an iteration that does not end the loop.
     carried: Word,
 }
 

@@ -31,7 +31,9 @@ impl Camera {
     #[inline(always)]
     pub fn all_to_camera<L: Lane>(&self, [x, y, z]: [L; 3]) -> [L; 3] {
         let number = L::splat;
-        let (x, y, z) = (x - number(self.eye.x), y - number(self.eye.y), z - number(self.eye.z));
+        let x = x - number(self.eye.x);
+        let y = y - number(self.eye.y);
+        let z = z - number(self.eye.z);
         let [right, down, forward] = self.rotation;
         let along = |axis: Vec3| number(axis.x) * x + number(axis.y) * y + number(axis.z) * z;
         [along(right), along(down), along(forward)]

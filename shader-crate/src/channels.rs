@@ -24,7 +24,8 @@ pub struct PairChannelsParams {
 #[inline(always)]
 pub fn normal(rotation: Vec4, log_scale: Vec3, offset: Vec3) -> Vec3 {
     let [x, y, z] = rotation_columns(rotation);
-    let (mut axis, mut shortest) = (x, log_scale.x);
+    let mut axis = x;
+    let mut shortest = log_scale.x;
     if log_scale.y < shortest {
         axis = y;
         shortest = log_scale.y;

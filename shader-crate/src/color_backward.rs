@@ -41,7 +41,9 @@ pub fn color_head_backward(
     if sample < params.samples {
         let pair = params.first_pair + sample;
         let gradient = pair_gradient.read(pair * VECTORS + 2);
-        let (r, g, b) = (color.read(pair * 3), color.read(pair * 3 + 1), color.read(pair * 3 + 2));
+        let r = color.read(pair * 3);
+        let g = color.read(pair * 3 + 1);
+        let b = color.read(pair * 3 + 2);
         logit_gradient.write(sample, gradient.x * (r * (1.0 - r)));
         logit_gradient.write(params.stride + sample, gradient.y * (g * (1.0 - g)));
         logit_gradient.write(2 * params.stride + sample, gradient.z * (b * (1.0 - b)));

@@ -30,7 +30,8 @@ pub struct CompositeParams {
 /// it does not depend on how the image was cut.
 #[inline(always)]
 pub fn splat_distance<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> L {
-    let (dx, dy) = (x - L::splat(placed.x), y - L::splat(placed.y));
+    let dx = x - L::splat(placed.x);
+    let dy = y - L::splat(placed.y);
     mahalanobis(Vec3::new(conic.x, conic.y, conic.z), dx, dy)
 }
 
@@ -155,14 +156,18 @@ pub fn composite<L: Lane>(
         let t = id.workgroup.z;
         let first = pixel_center(&Tile::read(tile, t), place.x, place.y);
         let last = first.x + (L::WIDTH - 1) as f32;
-        let (x, y) = (L::splat(first.x) + L::ramp(), L::splat(first.y));
+        let x = L::splat(first.x) + L::ramp();
+        let y = L::splat(first.y);
         let begin = tile_first.read(t) + params.skip;
         let all = tile_first.read(t + 1);
         let end = if all < begin + MAX_MEMBERS { all } else { begin + MAX_MEMBERS };
         let area = params.side * params.side;
         let at = t * SUM_PLANES * area + place.y * params.side + place.x;
         let zero = L::splat(0.0);
-        let (mut red, mut green, mut blue, mut weight) = (zero, zero, zero, zero);
+        let mut red = zero;
+        let mut green = zero;
+        let mut blue = zero;
+        let mut weight = zero;
         // an invocation without a pixel copies for the others, and has no sums
         if inside {
             red = L::read_written(sum, at);
@@ -278,12 +283,14 @@ mod tests {
         const MEMBERS: u32 = 150;
 
         fn new() -> Self {
-            let (side, pairs) = (18, 40);
+            let side = 18;
+            let pairs = 40;
             let number = |i: u32| (i * 37 % 101) as f32 / 101.0;
             let member = (0..Self::MEMBERS).map(|i| i * 7 % pairs).collect();
             let cells = (0..Self::MEMBERS).map(|i| if i % 5 == 0 { 0x0f0f_0f0f } else { !0 });
             let splat = (0..pairs).flat_map(|pair| {
-                let (x, y) = (18.0 * number(pair), 18.0 * number(pair + 50));
+                let x = 18.0 * number(pair);
+                let y = 18.0 * number(pair + 50);
                 [
                     Vec4::new(x, y, 0.01, 6.0),
                     Vec4::new(0.3, 0.05, 0.4, 6.0),
@@ -324,14 +331,17 @@ mod tests {
     #[test]
     fn tiles_copy_what_they_read() {
         let inputs = Inputs::new();
-        let (mut plain, mut staged) = (inputs.sums(), inputs.sums());
+        let mut plain = inputs.sums();
+        let mut staged = inputs.sums();
         for index in 0..10 * 64 {
-            let (workgroup, local) = (index / 64, index % 64);
+            let workgroup = index / 64;
+            let local = index % 64;
             let workgroup = UVec3::new(workgroup % 2, workgroup / 2, 0);
             let local = UVec3::new(local % 16, local / 16, 0);
             let id = Invocation::new(local, workgroup, UVec3::new(2, 5, 1), UVec3::new(16, 4, 1));
             inputs.run(id, &mut plain, &mut Unshared, &mut Unshared);
-            let (mut cells, mut splats) = (Copied::new(), Copied::new());
+            let mut cells = Copied::new();
+            let mut splats = Copied::new();
             inputs.run(id, &mut staged, &mut cells, &mut splats);
             assert_eq!((cells.passes, cells.largest.get()), (3, 63));
             assert_eq!(splats.passes, 3);

@@ -51,7 +51,8 @@ impl Span {
     /// is rounded here.
     #[inline(always)]
     fn new(center: f32, extent: f32, origin: i32, begin: u32, end: u32) -> Self {
-        let (low, high) = (begin as f32, end as f32);
+        let low = begin as f32;
+        let high = end as f32;
         let first = clamp(ceil(center - extent - origin as f32 - 0.5), low, high);
         let last = clamp(center + extent - origin as f32 + 0.5, low, high);
         Self { begin: first as u32, end: last as u32 }
@@ -89,24 +90,35 @@ fn moments<L: Lane>(
     let [placed, conic, color] = splat;
     let conic = Vec3::new(conic.x, conic.y, conic.z);
     let area = side * side;
-    let (zero, step) = (L::splat(0.0), L::splat(L::WIDTH as f32));
+    let zero = L::splat(0.0);
+    let step = L::splat(L::WIDTH as f32);
     let left = L::splat((origin[0] + column as i32) as f32 + 0.5) + L::ramp();
-    let (mut red, mut green, mut blue) = (zero, zero, zero);
-    let (mut h, mut hx, mut hy) = (zero, zero, zero);
-    let (mut hxx, mut hxy, mut hyy) = (zero, zero, zero);
+    let mut red = zero;
+    let mut green = zero;
+    let mut blue = zero;
+    let mut h = zero;
+    let mut hx = zero;
+    let mut hy = zero;
+    let mut hxx = zero;
+    let mut hxy = zero;
+    let mut hyy = zero;
     let mut row = rows.begin;
     while row < rows.end {
         let dy = L::splat((origin[1] + row as i32) as f32 + 0.5 - placed.y);
-        let (mut row_h, mut row_hx) = (zero, zero);
+        let mut row_h = zero;
+        let mut row_hx = zero;
         let mut next = at + row * side + column;
         let end = next + blocks * L::WIDTH;
         let mut x = left;
         while next < end {
             let dx = x - L::splat(placed.x);
             let q = mahalanobis(conic, dx, dy);
-            let (f, reached) = (falloff(q), in_support(q));
-            let (r, g) = (L::read(gradient, next), L::read(gradient, next + area));
-            let (b, s) = (L::read(gradient, next + 2 * area), L::read(gradient, next + 3 * area));
+            let f = falloff(q);
+            let reached = in_support(q);
+            let r = L::read(gradient, next);
+            let g = L::read(gradient, next + area);
+            let b = L::read(gradient, next + 2 * area);
+            let s = L::read(gradient, next + 3 * area);
             let by_alpha =
                 r * L::splat(color.x) + g * L::splat(color.y) + b * L::splat(color.z) + s;
             // a falloff of 0 makes NaN of what is not finite
@@ -202,8 +214,9 @@ pub fn composite_backward<L: Lane>(
         let t = owner(tile_first, params.tiles, index);
         let [x, y] = Tile::read(tile, t).origin;
         let vector = member.read(index) * VECTORS;
-        let (placed, conic, color) =
-            (splat.read(vector), splat.read(vector + 1), splat.read(vector + 2));
+        let placed = splat.read(vector);
+        let conic = splat.read(vector + 1);
+        let color = splat.read(vector + 2);
         let side = params.side;
         let columns = Span::new(placed.x, placed.w, x, 0, side);
         let last_row = params.first_row + params.rows;
@@ -213,7 +226,8 @@ pub fn composite_backward<L: Lane>(
             let splat = [placed, conic, color];
             let sum = all_moments::<L>(sum_gradient, at, side, rows, columns, [x, y], splat);
             // dq/dmean2d = -2 conic d
-            let (hx, hy) = (sum.first.y, sum.first.z);
+            let hx = sum.first.y;
+            let hy = sum.first.z;
             let weight = placed.z;
             let geometry = Vec4::new(
                 weight * (conic.x * hx + conic.y * hy),

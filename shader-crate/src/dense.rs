@@ -177,7 +177,8 @@ pub fn write_rectified<S: Samples>(
     sample: u32,
 ) {
     let zero = S::splat(0.0);
-    let (stride, count) = (params.stride, params.samples - sample);
+    let stride = params.stride;
+    let count = params.samples - sample;
     let first = row * stride + sample;
     value.x.max(zero).write(output, first, count);
     value.y.max(zero).write(output, first + stride, count);

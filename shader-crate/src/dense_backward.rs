@@ -107,7 +107,8 @@ pub fn dense_backward<S: Samples>(
         let first = params.first_input + id.workgroup.z * INPUTS_PER_INVOCATION;
         // inputs past the last repeat it, and are not written
         let last = params.inputs - 1;
-        let (weight, columns) = (params.weight, params.columns);
+        let weight = params.weight;
+        let columns = params.columns;
         let at0 = weight + least(first, last) * columns;
         let at1 = weight + least(first + 1, last) * columns;
         let at2 = weight + least(first + 2, last) * columns;
@@ -323,7 +324,8 @@ pub fn dense_weight_backward<L: Lane>(
     sum: Write<u32>,
 ) {
     let index = id.index();
-    let (columns, slice) = (params.columns, params.slice);
+    let columns = params.columns;
+    let slice = params.slice;
     let blocks = (params.inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
     let end = params.first_sample + params.samples;
     let window = params.first_sample + id.workgroup.z * slice;
@@ -370,7 +372,8 @@ fn camera_of(
     first_sample: Read<u32>,
     sample: u32,
 ) -> u32 {
-    let (mut low, mut high) = (0, params.cameras);
+    let mut low = 0;
+    let mut high = params.cameras;
     while low + 1 < high {
         let middle = (low + high) / 2;
         let is_before = first_of(params, first_pair, first_sample, middle) <= sample;
@@ -391,9 +394,12 @@ fn add_slice<L: Lane>(
     carry: Write<Vec4>,
     sum: Write<u32>,
 ) {
-    let (columns, inputs, chunk) = (params.columns, params.inputs, params.first_sample);
+    let columns = params.columns;
+    let inputs = params.inputs;
+    let chunk = params.first_sample;
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
-    let (block, column) = (index / columns, index % columns);
+    let block = index / columns;
+    let column = index % columns;
     // counted from the chunk's first sample
     let begin = if first > chunk { first - chunk } else { 0 };
     let end = least(last - chunk, params.samples);
@@ -402,8 +408,10 @@ fn add_slice<L: Lane>(
     let is_whole = last <= chunk + params.samples;
     // one lane goes on where the chunk before has ended: the sum does not depend on where that was
     let continues = first < chunk;
-    let (of_lanes, of_rest) = (continues && L::WIDTH == 1, continues && L::WIDTH > 1);
-    let (range, stride) = ([begin, end], params.stride);
+    let of_lanes = continues && L::WIDTH == 1;
+    let of_rest = continues && L::WIDTH > 1;
+    let range = [begin, end];
+    let stride = params.stride;
     let g = 4 * column * stride;
     if block < blocks {
         let first = block * WEIGHT_ROWS_PER_INVOCATION;
@@ -417,8 +425,10 @@ fn add_slice<L: Lane>(
         let sums = begin_sums::<L>(carry, from, of_lanes);
         let ([sum0, sum1, sum2, sum3], sample) =
             sum_products::<L>(sums, input, rows, output_gradient, g, stride, range);
-        let (sum0, sum1) = (sum0.materialize(), sum1.materialize());
-        let (sum2, sum3) = (sum2.materialize(), sum3.materialize());
+        let sum0 = sum0.materialize();
+        let sum1 = sum1.materialize();
+        let sum2 = sum2.materialize();
+        let sum3 = sum3.materialize();
         let rests = begin_sums::<L::One>(carry, from, of_rest);
         let range = [sample, end];
         let (rests, _) = sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range);
@@ -561,7 +571,8 @@ fn sum_few<L: Lane>(
 ) -> ([LaneVec4<L>; 4], u32) {
     let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
     let [row0, row1, row2, row3] = [row0 / FEW, row1 / FEW, row2 / FEW, row3 / FEW];
-    let (g, stride) = (g / FEW, stride / FEW);
+    let g = g / FEW;
+    let stride = stride / FEW;
     let mut few = begin / FEW;
     while FEW * few + FEW <= end {
         let g = read_few::<L>(output_gradient, g + few, stride);
@@ -639,7 +650,8 @@ fn sum_few_lanes<L: Lane>(
 /// Where the rows of a block's inputs begin; inputs past the last repeat it.
 #[inline(always)]
 fn input_rows(params: &DenseWeightBackwardParams, first: u32) -> [u32; 4] {
-    let (last, stride) = (params.inputs - 1, params.stride);
+    let last = params.inputs - 1;
+    let stride = params.stride;
     [
         first * stride,
         least(first + 1, last) * stride,
@@ -682,13 +694,17 @@ mod tests {
     #[test]
     fn layers_of_four_samples_are_those_of_one() {
         for samples in [1, 2, 3, 4, 63, 70] {
-            let (stride, inputs, columns) = (samples + 3, 11, 8);
-            let (weight, bias) = (3, 3 + inputs * columns);
+            let stride = samples + 3;
+            let inputs = 11;
+            let columns = 8;
+            let weight = 3;
+            let bias = 3 + inputs * columns;
             let params = DenseParams { samples, stride, inputs, columns, weight, bias };
             let parameters = vectors(3 + (inputs + 1) * columns);
             let input = numbers(inputs * stride);
             let len = (4 * columns * stride) as usize;
-            let (mut one, mut four) = (vec![9.0; len], vec![9.0; len]);
+            let mut one = vec![9.0; len];
+            let mut four = vec![9.0; len];
             let back = DenseBackwardParams {
                 samples,
                 stride,
@@ -701,8 +717,10 @@ mod tests {
             };
             let gradient = numbers(4 * columns * stride);
             let back_len = (inputs * stride) as usize;
-            let (mut back_one, mut back_four) = (vec![9.0; back_len], vec![9.0; back_len]);
-            let (weights, input) = (Read::from(&parameters[..]), Read::from(&input[..]));
+            let mut back_one = vec![9.0; back_len];
+            let mut back_four = vec![9.0; back_len];
+            let weights = Read::from(&parameters[..]);
+            let input = Read::from(&input[..]);
             let gradient = Read::from(&gradient[..]);
             for id in [0, 1].into_iter().flat_map(invocations) {
                 dense::<f32>(id, &params, weights, input, Write::from(&mut one[..]));
@@ -729,7 +747,8 @@ mod tests {
     fn weights_are_summed_slice_by_slice() {
         for (samples, slice) in [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7), (12, 1), (11, 3)] {
             let stride = (samples + 3_u32).next_multiple_of(4);
-            let (inputs, columns) = (6, 2);
+            let inputs = 6;
+            let columns = 2;
             let parameters = (inputs + 1) * columns;
             let params = DenseWeightBackwardParams {
                 samples,
@@ -765,7 +784,8 @@ mod tests {
             assert!(carry.iter().all(|carried| *carried == Vec4::ZERO), "every slice is whole");
             for index in 0..4 * parameters {
                 let place = index / 4;
-                let (row, column) = (place / columns, place % columns);
+                let row = place / columns;
+                let column = place % columns;
                 let output = 4 * column + index % 4;
                 let term = |sum: f32, sample: u32| {
                     let g = gradient[(output * stride + sample) as usize];

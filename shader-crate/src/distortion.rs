@@ -95,10 +95,12 @@ pub fn distortion_backward<L: Lane>(
         let at = place.y * params.side + place.x;
         let area = params.side * params.side;
         let first = t * SUM_PLANES * area + at;
-        let (m1, m2) = (L::read(sum, first), L::read(sum, first + area));
+        let m1 = L::read(sum, first);
+        let m2 = L::read(sum, first + area);
         let weight = L::read(sum, first + 3 * area);
         let counts = L::read(valid, Tile::read(tile, t).output * area + at);
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let zero = L::splat(0.0);
+        let one = L::splat(1.0);
         // without a weight nothing is divided
         let tiny = L::splat(TINY);
         let is_seen = L::both(tiny.less_equal(weight), tiny.less_equal(m1));

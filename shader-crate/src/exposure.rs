@@ -22,7 +22,8 @@ pub fn expose(
     exposure: Read<f32>,
     exposed: Write<f32>,
 ) {
-    let (index, area) = (id.index(), params.side * params.side);
+    let index = id.index();
+    let area = params.side * params.side;
     if index < params.planes * area {
         let first = index / area * 2;
         exposed.write(index, exposure.read(first) * image.read(index) + exposure.read(first + 1));
@@ -43,7 +44,8 @@ pub fn expose_backward(
     let row = id.index();
     if row < params.planes * params.side {
         let gain = exposure.read(row / params.side * 2);
-        let (mut by_gain, mut by_offset) = (0.0, 0.0);
+        let mut by_gain = 0.0;
+        let mut by_offset = 0.0;
         let mut next = row * params.side;
         let end = next + params.side;
         while next < end {

@@ -145,7 +145,8 @@ impl GridLevel {
 fn axes<I: LaneIndex>([x, y, z]: [I; 3], [row, layer]: [u32; 2]) -> [[I; 2]; 3] {
     let number = I::splat;
     let axis = |lower: I, factor: u32| [lower, lower.wrapping_add(number(factor))];
-    let (y, z) = (y.wrapping_mul(number(row)), z.wrapping_mul(number(layer)));
+    let y = y.wrapping_mul(number(row));
+    let z = z.wrapping_mul(number(layer));
     [axis(x, 1), axis(y, row), axis(z, layer)]
 }
 
@@ -179,9 +180,13 @@ impl<L: Lane> Corners<L> {
     pub fn new(level: &GridLevel, cell: Cell<L>) -> Self {
         let [upper_x, upper_y, upper_z] = cell.weight;
         let one = L::splat(1.0);
-        let (lower_x, lower_y, lower_z) = (one - upper_x, one - upper_y, one - upper_z);
-        let (ll, ul) = (lower_x * lower_y, upper_x * lower_y);
-        let (lu, uu) = (lower_x * upper_y, upper_x * upper_y);
+        let lower_x = one - upper_x;
+        let lower_y = one - upper_y;
+        let lower_z = one - upper_z;
+        let ll = lower_x * lower_y;
+        let ul = upper_x * lower_y;
+        let lu = lower_x * upper_y;
+        let uu = upper_x * upper_y;
         let weight = [
             ll * lower_z,
             ul * lower_z,

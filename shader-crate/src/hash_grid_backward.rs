@@ -55,9 +55,12 @@ pub fn hash_grid_backward<L: Lane>(
     if point < params.points {
         let features = params.features;
         let first = params.feature_column(id, id.workgroup.z);
-        let (zero, one, tiny) = (L::splat(0.0), L::splat(1.0), L::splat(TINY));
+        let zero = L::splat(0.0);
+        let one = L::splat(1.0);
+        let tiny = L::splat(TINY);
         let limit = L::splat(scale.read(LIMIT));
-        let (mut largest, mut excess) = (zero, zero);
+        let mut largest = zero;
+        let mut excess = zero;
         let mut row = first;
         let mut f = 0;
         while f < features {

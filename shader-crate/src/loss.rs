@@ -40,11 +40,13 @@ pub fn loss_terms(
         let tile = id.workgroup.z;
         let pixel = place.y * params.side + place.x;
         let at = tile * area + pixel;
-        let (mut d, mut s) = (Vec4::ZERO, Vec4::ZERO);
+        let mut d = Vec4::ZERO;
+        let mut s = Vec4::ZERO;
         // a branch, not a product: what is masked may be infinite
         if valid.read(at) > 0.0 {
             let r = tile * 3 * area + pixel;
-            let (g, b) = (r + area, r + 2 * area);
+            let g = r + area;
+            let b = r + 2 * area;
             let half = Vec4::new(0.5, 0.5, 0.5, 0.0);
             let x = Vec4::new(image.read(r), image.read(g), image.read(b), 1.0);
             let y = Vec4::new(target.read(r), target.read(g), target.read(b), 0.0);
@@ -132,7 +134,8 @@ pub fn loss_gradient(
         let area = params.side * params.side;
         let tile = id.workgroup.z * area;
         let taps = Taps::around(place.y, params.side);
-        let (mut constant, mut by_difference) = (Vec4::ZERO, Vec4::ZERO);
+        let mut constant = Vec4::ZERO;
+        let mut by_difference = Vec4::ZERO;
         let mut by_sum = Vec4::ZERO;
         let mut weight = taps.weight;
         let mut next = (tile + taps.first * params.side + place.x) * SLOPES;

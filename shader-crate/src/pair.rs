@@ -109,7 +109,8 @@ pub fn pair_sum(
     let width = params.width;
     let groups = width.div_ceil(SUMMED);
     if index < params.gaussians * groups {
-        let (gaussian, value) = (index / groups, index % groups * SUMMED);
+        let gaussian = index / groups;
+        let value = index % groups * SUMMED;
         let [second, third, fourth] = [value + 1 < width, value + 2 < width, value + 3 < width];
         let bit = gaussian % 32;
         let mut at = params.first_camera * params.words + gaussian / 32;

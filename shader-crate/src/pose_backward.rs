@@ -82,7 +82,8 @@ pub fn pose_backward(
         let last = first_pair.read((slot + 1) * params.words);
         let mut next = first_pair.read(slot * params.words) + block * BLOCK;
         let end = if next + BLOCK < last { next + BLOCK } else { last };
-        let (mut turn, mut shift) = (Vec3::ZERO, Vec3::ZERO);
+        let mut turn = Vec3::ZERO;
+        let mut shift = Vec3::ZERO;
         let mut first = VECTORS * next;
         while next < end {
             let gaussian = pair.read(next) - slot * params.gaussians;
@@ -90,7 +91,8 @@ pub fn pose_backward(
             let quaternion = read_quaternion(rotation, gaussian);
             let footprint =
                 Footprint::new(&view, center, quaternion, read3(log_scale, 3 * gaussian));
-            let (geometry, conic) = (pair_gradient.read(first), pair_gradient.read(first + 1));
+            let geometry = pair_gradient.read(first);
+            let conic = pair_gradient.read(first + 1);
             let [by_turn, by_shift] = project_pose_backward(
                 &view,
                 params.blur,
@@ -103,7 +105,8 @@ pub fn pose_backward(
             first += VECTORS;
             next += 1;
         }
-        let (values, at) = (params.values, VALUES * params.place);
+        let values = params.values;
+        let at = VALUES * params.place;
         binned::add(sum, values, at, turn.x);
         binned::add(sum, values, at + 1, turn.y);
         binned::add(sum, values, at + 2, turn.z);

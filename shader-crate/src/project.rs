@@ -39,7 +39,10 @@ pub struct Projection {
 #[inline(always)]
 pub fn rotation_columns(q: Vec4) -> [Vec3; 3] {
     let scale = 1.0 / sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-    let (w, x, y, z) = (q.x * scale, q.y * scale, q.z * scale, q.w * scale);
+    let w = q.x * scale;
+    let x = q.y * scale;
+    let y = q.z * scale;
+    let z = q.w * scale;
     [
         Vec3::new(1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)),
         Vec3::new(2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)),
@@ -70,7 +73,8 @@ impl Footprint {
     pub fn new(camera: &Camera, position: Vec3, rotation: Vec4, log_scale: Vec3) -> Self {
         let t = camera.to_camera(position);
         let lens = Lens::new(camera, t);
-        let (row_x, row_y) = (lens.row_x, lens.row_y);
+        let row_x = lens.row_x;
+        let row_y = lens.row_y;
         let axes = rotation_columns(rotation);
         let [x, y, z] = axes;
         let scale = Vec3::new(exp(log_scale.x), exp(log_scale.y), exp(log_scale.z));
@@ -97,8 +101,12 @@ pub fn project_gaussian(
     log_scale: Vec3,
 ) -> Projection {
     let Footprint { t, lens, u, v, .. } = Footprint::new(camera, position, rotation, log_scale);
-    let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
-    let (xx, xy, yy) = (uu + blur, uv, vv + blur);
+    let uu = dot(u, u);
+    let uv = dot(u, v);
+    let vv = dot(v, v);
+    let xx = uu + blur;
+    let xy = uv;
+    let yy = vv + blur;
 
     // |u|^2 |v|^2 - (u.v)^2 = |u x v|^2: the plain determinant of a needle would cancel
     let cross = cross(u, v);
@@ -229,7 +237,8 @@ pub fn project<L: Lane>(
                 let turn = read_quaternion(rotation, gaussian);
                 let log_axes = read3(log_scale, gaussian * 3);
                 let projected = project_gaussian(&view, params.blur, center, turn, log_axes);
-                let (mean2d, extent) = (projected.mean2d, projected.extent);
+                let mean2d = projected.mean2d;
+                let extent = projected.extent;
                 projection.write(slot, Vec4::new(mean2d.x, mean2d.y, projected.radius, extent.x));
                 projection.write(slot + 1, projected.conic.extend(extent.y));
                 if projected.radius == DEGENERATE {

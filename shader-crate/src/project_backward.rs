@@ -25,9 +25,14 @@ pub struct GaussianGradient {
 pub fn rotation_columns_backward(q: Vec4, gradient: [Vec3; 3]) -> Vec4 {
     let [a, b, c] = gradient;
     let scale = 1.0 / sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
-    let (w, x, y, z) = (q.x * scale, q.y * scale, q.z * scale, q.w * scale);
+    let w = q.x * scale;
+    let x = q.y * scale;
+    let y = q.z * scale;
+    let z = q.w * scale;
     let turn = Vec3::new(b.z - c.y, c.x - a.z, a.y - b.x);
-    let (xy, xz, yz) = (a.y + b.x, a.z + c.x, b.z + c.y);
+    let xy = a.y + b.x;
+    let xz = a.z + c.x;
+    let yz = b.z + c.y;
     let d = Vec4::new(
         x * turn.x + y * turn.y + z * turn.z,
         w * turn.x + y * xy + z * xz - 2.0 * x * (b.y + c.z),
@@ -69,22 +74,29 @@ pub fn footprint_backward(
     let Footprint { lens, axes, scale, u, v, .. } = *footprint;
 
     // conic H, without the cancellation of a needle: |v|^2 u - (u.v) v = v x (u x v)
-    let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
+    let uu = dot(u, u);
+    let uv = dot(u, v);
+    let vv = dot(v, v);
     let normal = cross(u, v);
     let inverse = 1.0 / (dot(normal, normal) + blur * (uu + vv) + blur * blur);
     let along_u = (u * blur + cross(v, normal)) * inverse;
     let along_v = (v * blur + cross(normal, u)) * inverse;
     let half = 0.5 * conic.y;
-    let (p, q) = (along_u * conic.x + along_v * half, along_u * half + along_v * conic.z);
-    let (xx, xy, yy) = ((vv + blur) * inverse, -uv * inverse, (uu + blur) * inverse);
+    let p = along_u * conic.x + along_v * half;
+    let q = along_u * half + along_v * conic.z;
+    let xx = (vv + blur) * inverse;
+    let xy = -uv * inverse;
+    let yy = (uu + blur) * inverse;
     let du = (p * xx + q * xy) * -2.0;
     let dv = (p * xy + q * yy) * -2.0;
 
     let log_scale =
         Vec3::new(du.x * u.x + dv.x * v.x, du.y * u.y + dv.y * v.y, du.z * u.z + dv.z * v.z);
     // u_k = s_k row_x . axis_k
-    let (su, sv) = (du * scale, dv * scale);
-    let (row_x, row_y) = (lens.row_x, lens.row_y);
+    let su = du * scale;
+    let sv = dv * scale;
+    let row_x = lens.row_x;
+    let row_y = lens.row_y;
     let columns =
         [row_x * su.x + row_y * sv.x, row_x * su.y + row_y * sv.y, row_x * su.z + row_y * sv.z];
     let [axis_x, axis_y, axis_z] = axes;
@@ -155,7 +167,8 @@ pub fn project_backward(
 ) {
     let gaussian = id.index();
     if gaussian < params.gaussians {
-        let (word, bit) = (gaussian / 32, 1 << (gaussian % 32));
+        let word = gaussian / 32;
+        let bit = 1 << (gaussian % 32);
         let center = read3(position, gaussian * 3);
         let quaternion = read_quaternion(rotation, gaussian);
         let log_axes = read3(log_scale, gaussian * 3);
@@ -167,7 +180,8 @@ pub fn project_backward(
             if bits & bit != 0 {
                 let below = (bits & (bit - 1)).count_ones();
                 let first = VECTORS * (first_pair.read(slot * params.words + word) + below);
-                let (geometry, conic) = (pair_gradient.read(first), pair_gradient.read(first + 1));
+                let geometry = pair_gradient.read(first);
+                let conic = pair_gradient.read(first + 1);
                 let mean2d = Vec2::new(geometry.x, geometry.y);
                 let found = project_gaussian_backward(
                     &Camera::read(camera, slot),

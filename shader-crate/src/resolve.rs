@@ -157,7 +157,8 @@ pub fn resolve_backward<L: Lane>(
         let output = Tile::read(tile, t).output * 3 * area + at;
         let gradient = Color::<L>::read(image_gradient, output, area);
         let one = L::splat(1.0);
-        let (is_divided, inverse) = (params.is_divided(weight), one / weight);
+        let is_divided = params.is_divided(weight);
+        let inverse = one / weight;
         let divided = gradient.scale(inverse);
         let by_weight = L::select(
             is_divided,

@@ -83,7 +83,8 @@ fn squeeze(u: f32, radius: f32) -> f32 {
 /// The place u on a ray of an r.
 #[inline(always)]
 fn stretch<L: Lane>(r: L, radius: f32) -> L {
-    let (zero, number) = (L::splat(0.0), L::splat);
+    let zero = L::splat(0.0);
+    let number = L::splat;
     let size = L::select(r.less(zero), -r, r);
     let beyond = number(radius) / (number(2.0) - size.max(number(radius)) / number(radius));
     let signed = L::select(r.less(zero), -beyond, beyond);
@@ -96,7 +97,8 @@ fn stretch<L: Lane>(r: L, radius: f32) -> L {
 /// division by the distance.
 #[inline(always)]
 pub fn contracted_ray(p: Vec3, eye: Vec3, step: f32) -> ContractedRay {
-    let (p, eye) = (limited(p), limited(eye));
+    let p = limited(p);
+    let eye = limited(eye);
     let v = eye - p;
     let whole = length(v);
     let direction = v * (1.0 / math::max(whole, TINY));
@@ -159,10 +161,12 @@ fn max(a: Split, b: Split) -> Split {
 /// An axis with v = 0 does not limit t if p is between them; otherwise the ray is empty.
 #[inline(always)]
 fn clip_axis(p: Split, v: Split) -> (Split, Split) {
-    let (zero, one) = (Split::whole(0.0), Split::whole(1.0));
+    let zero = Split::whole(0.0);
+    let one = Split::whole(1.0);
     let parallel = abs(v.value()) < TINY;
     let divisor = if parallel { one } else { v };
-    let (a, b) = (zero.minus(p).divide(divisor), one.minus(p).divide(divisor));
+    let a = zero.minus(p).divide(divisor);
+    let b = one.minus(p).divide(divisor);
     let inside = p.value() >= 0.0 && p.value() <= 1.0;
     let (low, high) = if inside { (zero, one) } else { (one, zero) };
     if parallel { (low, high) } else { (min(a, b), max(a, b)) }
@@ -230,8 +234,10 @@ fn joined(coarse: Vec4, fine: Vec4) -> [Split; 3] {
 #[inline(always)]
 pub fn read_segment(segment: Read<Vec4>, pair: u32) -> ([Split; 3], [Split; 3], f32) {
     let first = pair * SEGMENT_VECTORS;
-    let (start, w) = (segment.read(first), segment.read(first + 1));
-    let (start_fine, w_fine) = (segment.read(first + 2), segment.read(first + 3));
+    let start = segment.read(first);
+    let w = segment.read(first + 1);
+    let start_fine = segment.read(first + 2);
+    let w_fine = segment.read(first + 3);
     (joined(start, start_fine), joined(w, w_fine), start.w)
 }
 

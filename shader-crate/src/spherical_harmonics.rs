@@ -32,7 +32,8 @@ pub fn spherical_harmonics(
 ) {
     let z = direction.z;
     // sin(theta)^m * (cos, sin)(m phi)
-    let (mut cos, mut sin) = (1.0, 0.0);
+    let mut cos = 1.0;
+    let mut sin = 0.0;
     let mut diagonal = 0.282_094_79; // sqrt(1 / 4 pi)
     let mut m = 0;
     while m <= degree {
@@ -44,7 +45,8 @@ pub fn spherical_harmonics(
         }
         // the harmonics of orders m and -m are sqrt(2) times larger than the normalization
         let twofold = if m > 0 { core::f32::consts::SQRT_2 } else { 1.0 };
-        let (mut previous, mut current) = (0.0, diagonal);
+        let mut previous = 0.0;
+        let mut current = diagonal;
         let mut l = m;
         while l <= degree {
             if l > m {
@@ -119,8 +121,8 @@ mod tests {
                 spherical_harmonics(direction, degree, Write::from(values.as_mut_slice()), 1, 2);
                 for l in 0..=degree as i32 {
                     for m in -l..=l {
-                        let (found, exact) =
-                            (values[1 + 2 * (l * l + l + m) as usize], exact(l, m, theta, phi));
+                        let found = values[1 + 2 * (l * l + l + m) as usize];
+                        let exact = exact(l, m, theta, phi);
                         assert!(
                             (f64::from(found) - exact).abs() < 3e-6,
                             "Y({l},{m}) is {found}, not {exact}"

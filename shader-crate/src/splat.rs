@@ -89,9 +89,13 @@ pub fn splat_backward(
     let index = id.index();
     if index < params.pairs {
         let slot = pair.read(index);
-        let (camera, gaussian) = (slot / params.gaussians, slot % params.gaussians);
-        let (word, bit) = (gaussian / 32, 1 << (gaussian % 32));
-        let (mut geometry, mut conic, mut color) = (Vec4::ZERO, Vec4::ZERO, Vec4::ZERO);
+        let camera = slot / params.gaussians;
+        let gaussian = slot % params.gaussians;
+        let word = gaussian / 32;
+        let bit = 1 << (gaussian % 32);
+        let mut geometry = Vec4::ZERO;
+        let mut conic = Vec4::ZERO;
+        let mut color = Vec4::ZERO;
         let end = first_tile.read(camera + 1);
         let mut tile = first_tile.read(camera);
         while tile < end {

@@ -81,13 +81,18 @@ pub fn ssim_rows(
     if place.x < params.side && place.y < params.side {
         let row = (id.workgroup.z * params.side + place.y) * params.side;
         let taps = Taps::around(place.x, params.side);
-        let (mut d, mut s, mut dd, mut ss) = (Vec4::ZERO, Vec4::ZERO, Vec4::ZERO, Vec4::ZERO);
+        let mut d = Vec4::ZERO;
+        let mut s = Vec4::ZERO;
+        let mut dd = Vec4::ZERO;
+        let mut ss = Vec4::ZERO;
         let mut weight = taps.weight;
         let mut next = taps.first;
         while next < taps.end {
             let w = window.read(weight);
-            let (a, b) = (difference.read(row + next), sum.read(row + next));
-            let (wa, wb) = (a * w, b * w);
+            let a = difference.read(row + next);
+            let b = sum.read(row + next);
+            let wa = a * w;
+            let wb = b * w;
             d += wa;
             s += wb;
             // the mask is 0 or 1: (m d)^2 is m d^2
@@ -133,15 +138,18 @@ impl Similarity {
     #[inline(always)]
     pub fn new(d: Vec4, s: Vec4, dd: Vec4, ss: Vec4) -> Self {
         let inverse = 1.0 / d.w;
-        let (mean_d, mean_s) = (d * inverse, s * inverse);
+        let mean_d = d * inverse;
+        let mean_s = s * inverse;
         // rounding may leave a little less than nothing
         let variance_d = (dd * inverse - mean_d * mean_d).max(Vec4::ZERO);
         let variance_s = (ss * inverse - mean_s * mean_s).max(Vec4::ZERO);
-        let (one, two) = (Vec4::ONE, Vec4::splat(2.0));
+        let one = Vec4::ONE;
+        let two = Vec4::splat(2.0);
         let center = mean_s + one;
         let q = (center * center + mean_d * mean_d) * 0.5 + Vec4::splat(C1);
         let t = (variance_s + variance_d) * 0.5 + Vec4::splat(C2);
-        let (a, b) = (mean_d * mean_d / q, variance_d / t);
+        let a = mean_d * mean_d / q;
+        let b = variance_d / t;
         let of_means = (one - b) * (mean_d * (two - a) - center * a) / q;
         let of_variances = (one - a) / t;
         let by_difference = of_variances * (two - b);
@@ -176,7 +184,10 @@ pub fn ssim_columns(
     if place.x < params.side && place.y < params.side {
         let tile = id.workgroup.z * params.side * params.side;
         let taps = Taps::around(place.y, params.side);
-        let (mut d, mut s, mut dd, mut ss) = (Vec4::ZERO, Vec4::ZERO, Vec4::ZERO, Vec4::ZERO);
+        let mut d = Vec4::ZERO;
+        let mut s = Vec4::ZERO;
+        let mut dd = Vec4::ZERO;
+        let mut ss = Vec4::ZERO;
         let mut weight = taps.weight;
         let mut next = (tile + taps.first * params.side + place.x) * MOMENTS;
         let end = (tile + taps.end * params.side + place.x) * MOMENTS;
@@ -190,8 +201,10 @@ pub fn ssim_columns(
             next += params.side * MOMENTS;
         }
         let at = tile + place.y * params.side + place.x;
-        let (mut all, mut constant) = (0.0, Vec4::ZERO);
-        let (mut by_difference, mut by_sum) = (Vec4::ZERO, Vec4::ZERO);
+        let mut all = 0.0;
+        let mut constant = Vec4::ZERO;
+        let mut by_difference = Vec4::ZERO;
+        let mut by_sum = Vec4::ZERO;
         if difference.read(at).w > 0.0 {
             let found = Similarity::new(d, s, dd, ss);
             let f = found.dissimilarity;
@@ -224,7 +237,8 @@ pub fn ssim_rows_backward(
     if place.x < params.side && place.y < params.side {
         let row = (id.workgroup.z * params.side + place.y) * params.side;
         let taps = Taps::around(place.x, params.side);
-        let (mut constant, mut by_difference) = (Vec4::ZERO, Vec4::ZERO);
+        let mut constant = Vec4::ZERO;
+        let mut by_difference = Vec4::ZERO;
         let mut by_sum = Vec4::ZERO;
         let mut weight = taps.weight;
         let mut next = (row + taps.first) * SLOPES;

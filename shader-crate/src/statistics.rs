@@ -37,9 +37,12 @@ pub fn statistics(
 ) {
     let gaussian = id.index();
     if gaussian < params.gaussians {
-        let (word, bit) = (gaussian / 32, 1 << (gaussian % 32));
+        let word = gaussian / 32;
+        let bit = 1 << (gaussian % 32);
         let before = statistics.read(gaussian);
-        let (mut moved, mut seen, mut radius) = (before.x, before.y, before.z);
+        let mut moved = before.x;
+        let mut seen = before.y;
+        let mut radius = before.z;
         let end = params.first_camera + params.cameras;
         let mut slot = params.first_camera;
         while slot < end {

@@ -69,12 +69,14 @@ pub fn tile_cells(
     if index < params.members {
         let tile = Tile::read(tile, owner(tile_first, params.tiles, index));
         let first = member.read(index) * VECTORS;
-        let (placed, conic) = (splat.read(first), splat.read(first + 1));
+        let placed = splat.read(first);
+        let conic = splat.read(first + 1);
         let grid = Cells::new(params.side);
         let mut bits = 0;
         let mut cell = 0;
         while cell < COLUMNS * ROWS {
-            let (column, row) = (cell % COLUMNS * grid.width, cell / COLUMNS * grid.height);
+            let column = cell % COLUMNS * grid.width;
+            let row = cell / COLUMNS * grid.height;
             if reaches_cell(&tile, &grid, column, row, placed, conic) {
                 bits |= 1 << cell;
             }

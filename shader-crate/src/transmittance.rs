@@ -47,7 +47,8 @@ pub fn owner(first_sample: Read<u32>, pairs: u32, sample: u32) -> u32 {
 #[loops]
 #[inline(always)]
 fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32 {
-    let (mut low, mut high) = (low, high);
+    let mut low = low;
+    let mut high = high;
     while low + 1 < high {
         let middle = (low + high) / 2;
         let begins_before = first_sample.read(middle) <= sample;

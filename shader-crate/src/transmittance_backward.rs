@@ -30,7 +30,8 @@ pub struct SegmentProductBackwardParams {
 /// A pair's samples within a chunk, counted from the chunk's first: begin and end.
 #[inline(always)]
 fn samples_of(first_sample: Read<u32>, pair: u32, chunk: u32, samples: u32) -> (u32, u32) {
-    let (begin, end) = (first_sample.read(pair), first_sample.read(pair + 1));
+    let begin = first_sample.read(pair);
+    let end = first_sample.read(pair + 1);
     let begin = if begin > chunk { begin } else { chunk };
     let end = if end < chunk + samples { end } else { chunk + samples };
     (begin - chunk, (if end > chunk { end } else { chunk }) - chunk)

@@ -62,7 +62,9 @@ impl<L: Lane> Split<L> {
     /// `self / divisor` limited to [0, 1], a place on a ray: its coarse part is a multiple of 1 / [`RAY_PARTS`].
     #[inline(always)]
     pub fn divide(self, divisor: Self) -> Self {
-        let (zero, one, parts) = (L::splat(0.0), L::splat(1.0), L::splat(RAY_PARTS));
+        let zero = L::splat(0.0);
+        let one = L::splat(1.0);
+        let parts = L::splat(RAY_PARTS);
         let whole = divisor.value();
         let quotient = (self.value() / whole).max(zero).min(one);
         let coarse = (quotient * parts).truncate() * L::splat(1.0 / RAY_PARTS);
@@ -82,7 +84,8 @@ impl<L: Lane> Split<L> {
     /// The coordinate, limited to [0, 1].
     #[inline(always)]
     pub fn clamped(self) -> Self {
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let zero = L::splat(0.0);
+        let one = L::splat(1.0);
         let x = self.coarse + self.fine;
         let inside = L::both(zero.less(x), x.less(one));
         let border = L::select(one.less_equal(x), one, zero);

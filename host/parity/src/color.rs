@@ -29,8 +29,8 @@ const FIRST_PAIR: u32 = 2;
 pub fn joined(output: &mut Output, stride: usize) -> Vec<f64> {
     let point = output.floats();
     let parts = |axis: usize| {
-        let (coarse, fine) =
-            (&point[axis * stride..][..stride], &point[(axis + 3) * stride..][..stride]);
+        let coarse = &point[axis * stride..][..stride];
+        let fine = &point[(axis + 3) * stride..][..stride];
         coarse.iter().zip(fine).map(|(coarse, fine)| coarse + fine)
     };
     let sums = Values::Float((0..3).flat_map(parts).collect());
@@ -164,7 +164,8 @@ impl Parity for ColorInputs {
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
-        let (row, column) = (index / self.stride as usize, index % self.stride as usize);
+        let row = index / self.stride as usize;
+        let column = index % self.stride as usize;
         let is_of_grid = cpu.name == "input" && row == self.sh_rows();
         if column >= self.pairs as usize || is_of_grid {
             return Bound::EXACT;
@@ -208,7 +209,8 @@ impl Parity for ColorInputs {
             let (camera, center, gaussian) = self.camera_and_gaussian(column);
             let eye = camera.eye.as_dvec3();
             let has_direction = (1e-15..1e18).contains(&center.as_dvec3().distance(eye));
-            let (eye, center) = (eye.to_array(), center.as_dvec3().to_array());
+            let eye = eye.to_array();
+            let center = center.as_dvec3().to_array();
             let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
             match output {
                 "point" => {
@@ -276,7 +278,8 @@ impl Parity for ColorHead {
         let Some(at) = index.checked_sub(3 * FIRST_PAIR as usize) else {
             return Bound::EXACT;
         };
-        let (sample, channel) = ((at / 3) as u32, (at % 3) as u32);
+        let sample = (at / 3) as u32;
+        let channel = (at % 3) as u32;
         let Bound { scale: terms, floor } = self.layer.bound(sample, channel);
         let color = cpu.floats()[index];
         // where the logit itself is lost, so is the color

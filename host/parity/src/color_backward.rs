@@ -40,8 +40,8 @@ impl Parity for ColorHeadBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (channel, sample) =
-            (index / self.params.stride as usize, index % self.params.stride as usize);
+        let channel = index / self.params.stride as usize;
+        let sample = index % self.params.stride as usize;
         if sample >= self.params.samples as usize {
             return Bound::EXACT;
         }
@@ -53,8 +53,8 @@ impl Parity for ColorHeadBackward {
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let (channel, sample) =
-            (index / self.params.stride as usize, index % self.params.stride as usize);
+        let channel = index / self.params.stride as usize;
+        let sample = index % self.params.stride as usize;
         (sample < self.params.samples as usize).then(|| {
             let pair = sample + FIRST_PAIR as usize;
             let of_color = Dual::from(f64::from(self.pair_gradient[3 * pair + 2][channel]));
@@ -70,8 +70,10 @@ case!(pub MaterialBackward(MaterialBackwardInputs));
 impl MaterialBackward {
     /// The gradient of a pair's material.  The network's input is a copy of the material, so this copies its gradient.
     fn gradient_at(&self, index: usize) -> Option<f64> {
-        let (material, stride) = (self.params.material as usize, self.params.stride as usize);
-        let (pair, value) = (index / material, index % material);
+        let material = self.params.material as usize;
+        let stride = self.params.stride as usize;
+        let pair = index / material;
+        let value = index % material;
         let sample = pair.checked_sub(FIRST_PAIR as usize);
         let sample = sample.filter(|&sample| sample < self.params.samples as usize)?;
         Some(f64::from(self.input_gradient[(1 + value) * stride + sample]))

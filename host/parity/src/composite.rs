@@ -48,9 +48,11 @@ impl Composite {
         let conic = fill.values(&mut random, 2 * splats, [0.003, 0.4], 1e30);
         let splat = (0..splats).map(|index| {
             let tile = &tiles[index % tiles.len()];
-            let (x, y) = (mean[2 * index], mean[2 * index + 1]);
+            let x = mean[2 * index];
+            let y = mean[2 * index + 1];
             let near = [0, 1].map(|axis| tile.origin[axis] as f32);
-            let (xx, yy) = (conic[2 * index].abs(), conic[2 * index + 1].abs());
+            let xx = conic[2 * index].abs();
+            let yy = conic[2 * index + 1].abs();
             // every tenth is a needle
             let slant = if index % 10 == 3 { 0.999_999 } else { random.between(-0.9, 0.9) };
             let xy = slant * xx.sqrt() * yy.sqrt();
@@ -97,7 +99,8 @@ impl Composite {
         let side = self.side as usize;
         let tile = index / (side * side);
         let [x, y] = self.tiles[tile].origin.map(f64::from);
-        let (row, column) = (index / side % side, index % side);
+        let row = index / side % side;
+        let column = index % side;
         (tile, [x + column as f64 + 0.5, y + row as f64 + 0.5])
     }
 }
@@ -197,14 +200,16 @@ impl Parity for Composite {
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
-        let (at, channel) = (index / 4, index % 4);
+        let at = index / 4;
+        let channel = index % 4;
         let (tile, pixel) = self.pixel(at);
         let members = self.members(tile);
         let mut scale = f64::from(self.sum[at][channel].abs());
         let mut floor = f64::from(TINY) * (1.0 + members.len() as f64);
         for &member in members {
             let [placed, conic, color] = self.splat[member as usize].map(|v| v.as_dvec4());
-            let (dx, dy) = (pixel[0] - placed.x, pixel[1] - placed.y);
+            let dx = pixel[0] - placed.x;
+            let dy = pixel[1] - placed.y;
             let terms = [conic.x * dx * dx, 2.0 * conic.y * dx * dy, conic.z * dy * dy];
             // the difference itself is rounded too: to 1e-7 of the pixel's and the center's size
             let d = |d: f64, x: f64| 1.0 + 0.2 * x.abs() / d.abs().max(1e-3);

@@ -52,7 +52,8 @@ impl CompositeBackward {
 
     /// The derivatives of the band's sums: center, weight, conic and color.
     fn derivatives(&self, index: usize) -> [f64; 9] {
-        let (set, tile) = (&self.forward, self.tile(index));
+        let set = &self.forward;
+        let tile = self.tile(index);
         let area = (set.side * set.side) as usize;
         let Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] } =
             Splat::from_vectors(&set.splat[set.member[index] as usize]);
@@ -82,7 +83,8 @@ impl CompositeBackward {
         let mut sizes = [[DVec4::ZERO; 3]; 2];
         for at in band {
             let (_, [x, y]) = set.pixel(tile * area + at as usize);
-            let (dx, dy) = ((x - placed.x).abs(), (y - placed.y).abs());
+            let dx = (x - placed.x).abs();
+            let dy = (y - placed.y).abs();
             let cross = 2.0 * conic.y * (x - placed.x) * (y - placed.y);
             let q = conic.x * dx * dx + cross + conic.z * dy * dy;
             let slack = 2e-6 * (conic.x * dx * dx + cross.abs() + conic.z * dy * dy);

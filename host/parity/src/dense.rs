@@ -87,7 +87,8 @@ impl Layer {
 
     /// Row and sample of an element of `[rows, stride]`; `None` for padding.
     pub fn place(&self, index: usize) -> Option<(u32, u32)> {
-        let (row, sample) = (index as u32 / self.stride, index as u32 % self.stride);
+        let row = index as u32 / self.stride;
+        let sample = index as u32 % self.stride;
         (sample < self.samples).then_some((row, sample))
     }
 
@@ -101,7 +102,8 @@ impl Layer {
         let mut scale = self.bias(output).abs();
         let mut reach = 1.0;
         for input in 0..self.inputs {
-            let (w, x) = (self.weight(input, output).abs(), self.value(input, sample).abs());
+            let w = self.weight(input, output).abs();
+            let x = self.value(input, sample).abs();
             scale += w * x;
             reach += w + x + 1.0;
         }

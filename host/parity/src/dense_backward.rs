@@ -16,7 +16,9 @@ use super::exact::numeric::{Dual, gradient};
 
 /// How far a sum of products may be off: a rounding for each, of the terms' sizes, and what denormals may come to.
 fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
-    let (mut count, mut scale, mut reach) = (0.0, 0.0, 1.0);
+    let mut count = 0.0;
+    let mut scale = 0.0;
+    let mut reach = 1.0;
     for (a, b) in terms {
         count += 1.0;
         scale += (a * b).abs();
@@ -107,7 +109,8 @@ impl Parity for DenseBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let layer = &self.layer;
-        let (row, sample) = (index as u32 / layer.stride, index as u32 % layer.stride);
+        let row = index as u32 / layer.stride;
+        let sample = index as u32 % layer.stride;
         let is_written = row >= self.first && row < layer.inputs && sample < layer.samples;
         if !is_written {
             return Bound::EXACT;
@@ -195,7 +198,8 @@ impl DenseWeightBackward {
         let parameters = 4 * layer.parameters.len();
         let carry = vectors(&fill.values(random, 2 * parameters, [-1.0, 1.0], 1e15));
         let before = fill.values(random, parameters, [-1.0, 1.0], 1e15);
-        let (turn, of_rays) = (random.below(2), random.below(2) == 1);
+        let turn = random.below(2);
+        let of_rays = random.below(2) == 1;
         Self { layer, gradient, first, slice, of_rays, first_sample, carry, turn, before }
     }
 
@@ -253,7 +257,8 @@ impl DenseWeightBackward {
             return Some((self.in_chunk(true).collect(), index, before));
         }
         let before = f64::from(self.carry.get(index / 4)?[index % 4]);
-        let (half, value) = (index / values, index % values);
+        let half = index / values;
+        let value = index % values;
         let continues: Vec<_> = self.in_chunk(false).collect();
         let is_written = half != self.turn as usize && !continues.is_empty();
         let is_parameter = self.place(value).is_some();
@@ -347,7 +352,8 @@ impl Parity for DenseWeightBackward {
             return Bound::EXACT;
         };
         let Some((input, row)) = self.place(value) else { return Bound::EXACT };
-        let (mut scale, mut floor) = (0.0, 0.0);
+        let mut scale = 0.0;
+        let mut floor = 0.0;
         for slice in slices {
             let (samples, before) = self.terms(&slice, value);
             let terms = samples.map(|sample| {

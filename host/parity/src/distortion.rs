@@ -87,7 +87,8 @@ impl Parity for PairInverseDistance {
             return Bound::EXACT;
         }
         let [distance, sizes] = self.distance(index / 3);
-        let (u, error) = (1.0 / distance, 1.0 + sizes / distance);
+        let u = 1.0 / distance;
+        let error = 1.0 + sizes / distance;
         Bound::relative_to(if index.is_multiple_of(3) { u * error } else { 2.0 * u * u * error })
     }
 }
@@ -188,12 +189,14 @@ impl Parity for DistortionBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (pixel, plane) = (index / 4, index % 4);
+        let pixel = index / 4;
+        let plane = index % 4;
         let sum = self.sum[pixel].as_dvec4();
         if sum.w <= 0.0 || plane == 2 {
             return Bound::EXACT;
         }
-        let (mean, spread) = (sum.x / sum.w, sum.w * sum.y / (sum.x * sum.x));
+        let mean = sum.x / sum.w;
+        let spread = sum.w * sum.y / (sum.x * sum.x);
         let share = if sum.w > 1.0 { 1.0 / sum.w } else { sum.w };
         let size = match plane {
             0 => 2.0 * share * spread / mean,

@@ -9,7 +9,8 @@ case!(pub Elementary(ElementaryInputs));
 impl Elementary {
     /// The function of an element, its arguments, and what it is in f64.
     fn at(&self, index: usize) -> (usize, [f64; 3], f64) {
-        let (row, at) = (index / self.x.len(), index % self.x.len());
+        let row = index / self.x.len();
+        let at = index % self.x.len();
         let [x, y, p] = [&self.x, &self.y, &self.positive].map(|values| f64::from(values[at]));
         let all = [x.sin(), x.cos(), x.tan(), p.ln(), p.powf(y), x.floor(), x.round(), x.abs()];
         let exact = match row {
@@ -37,7 +38,8 @@ impl Parity for Elementary {
             let positive = sizes
                 .iter()
                 .map(|size| if count % 2 == 0 { size.exp() } else { 1.0 + 0.01 * size });
-            let (positive, output) = (positive.collect(), unwritten(10 * len));
+            let positive = positive.collect();
+            let output = unwritten(10 * len);
             Self(ElementaryInputs { params: ElementaryParams { count }, x, y, positive, output })
         })
     }

@@ -102,7 +102,8 @@ impl Parity for ExposeBackward {
         }
         let Some(row) = self.row(index / 2) else { return Bound::relative_to(0.0) };
         let roundings = f64::from(self.params.side + 1);
-        let (mut scale, mut floor) = (0.0, 0.0);
+        let mut scale = 0.0;
+        let mut floor = 0.0;
         for [x, slope] in row {
             let size = if index.is_multiple_of(2) { x.abs() } else { 1.0 };
             scale += size * slope.abs();

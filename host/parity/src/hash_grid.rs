@@ -187,7 +187,8 @@ impl HashGrid {
 
     /// The place of an element of the output: level, feature and point; none where nothing is written.
     pub fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
-        let (chunk_row, column) = (index / STRIDE, index % STRIDE);
+        let chunk_row = index / STRIDE;
+        let column = index % STRIDE;
         let rows = rows(&self.grid);
         let point = chunk_row / rows * CHUNK + column;
         let row = (chunk_row % rows).checked_sub(FIRST_ROW)?;

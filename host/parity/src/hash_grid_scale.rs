@@ -38,7 +38,8 @@ impl Parity for HashGridPeak {
 
     fn sets() -> Vec<(String, Self)> {
         let set = |pair_gradient, transmittance: Vec<f32>, color, power| {
-            let (pairs, color) = (transmittance.len() as u32, u32::from(color));
+            let pairs = transmittance.len() as u32;
+            let color = u32::from(color);
             let params = HashGridPeakParams { pairs, color, power };
             Self(HashGridPeakInputs { params, pair_gradient, transmittance, bound: vec![0] })
         };

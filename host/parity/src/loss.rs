@@ -79,7 +79,8 @@ impl LossTerms {
             all.filter(|(at, _)| masked(*at)).for_each(|(_, color)| *color = f32::NAN);
             colors
         };
-        let (image, target) = (colors(), colors());
+        let image = colors();
+        let target = colors();
         let valid: Vec<_> = valid.iter().map(|&valid| f32::from(u8::from(valid))).collect();
         Self(LossTermsInputs {
             params: LossParams { side, tiles: TILES },
@@ -106,7 +107,8 @@ impl Parity for LossTerms {
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
-        let (at, channel) = (index / 4, index % 4);
+        let at = index / 4;
+        let channel = index % 4;
         let is_valid = self.valid[at] > 0.0;
         if !is_valid || channel == 3 {
             return Bound::EXACT;
@@ -120,7 +122,8 @@ impl Parity for LossTerms {
 
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let area = (self.params.side * self.params.side) as usize;
-        let (pixel, channel) = (index / 4, index % 4);
+        let pixel = index / 4;
+        let channel = index % 4;
         let is_valid = self.valid[pixel] > 0.0;
         let is_difference = output == "difference";
         if !is_valid || channel == 3 {
@@ -169,7 +172,9 @@ impl Parity for LossRows {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (row, part, side) = (index / 4, index % 4, self.params.side as usize);
+        let row = index / 4;
+        let part = index % 4;
+        let side = self.params.side as usize;
         let sizes = (row * side..(row + 1) * side).map(|at| {
             let d = self.difference[at].as_dvec4().truncate().abs();
             match part {
@@ -187,7 +192,8 @@ impl Parity for LossRows {
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.params.side as usize;
-        let (row, part) = (index / 4, index % 4);
+        let row = index / 4;
+        let part = index % 4;
         let pixels = row * side..(row + 1) * side;
         let of = |at: usize| {
             let d = self.difference[at].as_dvec4();
@@ -233,7 +239,9 @@ impl Parity for LossGradient {
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let side = self.params.side as usize;
         let area = side * side;
-        let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
+        let tile = index / 3 / area;
+        let channel = index / area % 3;
+        let at = index % area;
         let pixel = tile * area + at;
         if self.difference[pixel].w == 0.0 {
             return Bound::EXACT;
@@ -257,12 +265,15 @@ impl Parity for LossGradient {
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.params.side as usize;
         let area = side * side;
-        let (tile, channel, at) = (index / 3 / area, index / area % 3, index % area);
+        let tile = index / 3 / area;
+        let channel = index / area % 3;
+        let at = index % area;
         let pixel = tile * area + at;
         let Some([d, s]) = pixel_slopes(&self.difference, &self.sum, pixel, channel) else {
             return Some(0.0);
         };
-        let (row, column) = (at / side, at % side);
+        let row = at / side;
+        let column = at % side;
         let slope = |part: usize| {
             let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
             let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);

@@ -129,7 +129,8 @@ case!(pub PairSum(PairSumInputs));
 impl PairSum {
     /// The vectors of a Gaussian's pairs, by camera.
     fn vectors_of_gaussian(&self, gaussian: u32) -> Vec<&[f32]> {
-        let (word, bit) = ((gaussian / 32) as usize, gaussian % 32);
+        let word = (gaussian / 32) as usize;
+        let bit = gaussian % 32;
         (word..self.mask.len())
             .step_by(self.params.words as usize)
             .filter(|&at| self.mask[at] >> bit & 1 == 1)
@@ -194,8 +195,8 @@ impl Parity for PairSum {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let before = self.vector[index];
-        let (gaussian, value) =
-            (index / self.params.width as usize, index % self.params.width as usize);
+        let gaussian = index / self.params.width as usize;
+        let value = index % self.params.width as usize;
         let terms =
             self.vectors_of_gaussian(gaussian as u32).into_iter().map(|vector| vector[value]);
         let sum: f64 = terms.chain([before]).map(|x| f64::from(x.abs())).sum();

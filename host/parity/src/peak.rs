@@ -74,7 +74,8 @@ impl PeakRead {
 
     /// The values that an invocation reads.
     fn read_by(&self, index: u32) -> impl Iterator<Item = f64> {
-        let (rows, local) = (self.params.steps * READS, index % WORKGROUP);
+        let rows = self.params.steps * READS;
+        let local = index % WORKGROUP;
         let first = index / WORKGROUP * rows;
         (first..first + rows)
             .map(move |row| f64::from(self.values[(row * WORKGROUP + local) as usize]))

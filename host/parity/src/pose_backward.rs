@@ -46,7 +46,8 @@ impl PoseBackward {
 
     /// The derivatives of what a pair has in the loss; `None` where rounding decides about its projection.
     fn derivatives(&self, [camera, gaussian, pair]: Pair) -> Option<[f64; POSE]> {
-        let (set, pair) = (&self.0.forward, &self.0.pair_gradient[pair]);
+        let set = &self.0.forward;
+        let pair = &self.0.pair_gradient[pair];
         if !matches!(set.fate(camera, gaussian), Some(Fate::Projected(_))) {
             return None;
         }
@@ -119,7 +120,8 @@ impl Parity for PoseBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let (set, forward) = (&self.0, &self.0.forward);
+        let set = &self.0;
+        let forward = &self.0.forward;
         let packed: Vec<_> = forward.cameras.iter().flat_map(Camera::pack).collect();
         let mut first_pair = set.first_pair.clone();
         first_pair.push(set.pair_gradient.len() as u32);
@@ -130,7 +132,8 @@ impl Parity for PoseBackward {
         let slots: Vec<_> = pairs.iter().map(slot).collect();
         let pair_gradient = set.pair_gradient.as_flattened().to_vec();
         let mut sum = write_sums(&self.before());
-        let (words, blocks) = (forward.gaussians.div_ceil(32), forward.gaussians.div_ceil(BLOCK));
+        let words = forward.gaussians.div_ceil(32);
+        let blocks = forward.gaussians.div_ceil(BLOCK);
         for (camera, place) in (0..).zip(self.places()) {
             let kernel = PoseBackwardKernel {
                 params: PoseBackwardParams {

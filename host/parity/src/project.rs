@@ -278,7 +278,8 @@ impl Parity for Project {
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let width = width(cpu.name);
-        let (slot, part) = (index / width, index % width);
+        let slot = index / width;
+        let part = index % width;
         let gaussians = self.gaussians as usize;
         let sensitivity = self.sensitivity(slot / gaussians, slot % gaussians);
         Bound::relative_to(match cpu.name {

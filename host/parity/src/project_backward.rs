@@ -87,14 +87,16 @@ impl ProjectBackward {
     pub(super) fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
         let words = (self.forward.gaussians as usize).div_ceil(32);
         let word = camera * words + gaussian / 32;
-        let (bits, bit) = (self.pair_mask[word], gaussian % 32);
+        let bits = self.pair_mask[word];
+        let bit = gaussian % 32;
         let below = (bits & ((1 << bit) - 1)).count_ones();
         (bits >> bit & 1 == 1).then_some((self.first_pair[word] + below) as usize)
     }
 
     /// Where the centers of all pairs lie in their images, in pixels.
     pub fn pairs_in_image(&self) -> Vec<[f64; 2]> {
-        let (set, count) = (&self.forward, self.forward.gaussians as usize);
+        let set = &self.forward;
+        let count = self.forward.gaussians as usize;
         let slots = (0..set.cameras.len() * count).map(|slot| (slot / count, slot % count));
         let pairs = slots.filter(|&(camera, gaussian)| self.pair(camera, gaussian).is_some());
         pairs
@@ -110,7 +112,8 @@ impl ProjectBackward {
         let set = &self.forward;
         let [geometry, shape, _] = pair.map(|v| v.as_dvec4().abs());
         let sensitivity = set.sensitivity(camera, gaussian);
-        let (view, limited) = (View::from_camera(&set.cameras[camera]), set.limited(gaussian));
+        let view = View::from_camera(&set.cameras[camera]);
+        let limited = set.limited(gaussian);
         let blur = f64::from(set.blur);
         let found = project(&view, blur, &limited).expect("it has a pair");
         let t = DVec3::from(found.place);

@@ -82,7 +82,9 @@ impl Parity for Resolve {
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let area = area(&self.params);
         // Y [K, 3, S, S], each tile at its own place of the batch
-        let (place, channel, at) = (index / (3 * area), index / area % 3, index % area);
+        let place = index / (3 * area);
+        let channel = index / area % 3;
+        let at = index % area;
         let tile = tiles().iter().position(|tile| tile.output as usize == place)?;
         let sum = weighted_sum(&self.sum, area, tile * area + at);
         Some(pixel(sum[channel], sum.w, background(&self.params)[channel]))
@@ -90,7 +92,9 @@ impl Parity for Resolve {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let area = area(&self.params);
-        let (output, channel, at) = (index / 3 / area, index / area % 3, index % area);
+        let output = index / 3 / area;
+        let channel = index / area % 3;
+        let at = index % area;
         let Some(tile) = tiles().iter().position(|tile| tile.output as usize == output) else {
             return Bound::EXACT;
         };
@@ -151,7 +155,8 @@ impl Parity for ResolveBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (at, channel) = (index / 4, index % 4);
+        let at = index / 4;
+        let channel = index % 4;
         let area = area(&self.params);
         let sum = weighted_sum(&self.sum, area, at);
         let output = tiles()[at / area].output as usize;

@@ -48,7 +48,8 @@ impl Parity for ScanBlock {
     /// Sums from a block's begin on, one of them behind the last value; and those of whole blocks.
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
         let mut sum = 0;
-        let (mut prefix, mut block_sum) = (Vec::new(), Vec::new());
+        let mut prefix = Vec::new();
+        let mut block_sum = Vec::new();
         for (index, value) in self.value.iter().copied().chain([0]).enumerate() {
             if index > 0 && index % 1024 == 0 {
                 block_sum.push(std::mem::take(&mut sum));

@@ -68,7 +68,8 @@ impl Ray {
         }
         // a coordinate on a plane that the ray runs along, or that the box's rounding may move over it
         let grazes = (0..3).any(|axis| {
-            let (p, v) = (self.p[axis], self.v[axis]);
+            let p = self.p[axis];
+            let v = self.v[axis];
             v.abs() < AWAY * size && p.abs().min((p - 1.0).abs()) < AWAY * (1.0 + p.abs())
         });
         let [enter, exit] = self.planes;
@@ -106,7 +107,8 @@ impl Segment {
         cameras[1].eye = Vec3::from_array(middle) + Vec3::splat(0.013);
         let position = (0..3 * gaussians).map(|at| {
             let axis = at as usize % 3;
-            let (low, high) = (aabb[0][axis] as f32, aabb[1][axis] as f32);
+            let low = aabb[0][axis] as f32;
+            let high = aabb[1][axis] as f32;
             // far behind the box, and beside it
             let far = [0.0, 0.0, 3.0, 100.0][at as usize / 3 % 4];
             let margin = if is_contracted { far } else { 0.3 } * (high - low);

@@ -138,7 +138,8 @@ impl SplatBackward {
         let row = 32 * self.params.gaussians.div_ceil(32) as usize;
         let mut sums = BTreeMap::new();
         for (vectors, at) in self.member_gradient.chunks(3).zip(bits(&self.tile_mask)) {
-            let (tile, gaussian) = (at / row, at % row);
+            let tile = at / row;
+            let gaussian = at % row;
             let camera = FIRST_TILE.iter().rposition(|&first| first as usize <= tile);
             let slot =
                 camera.expect("the first is 0") as u32 * self.params.gaussians + gaussian as u32;
@@ -152,11 +153,12 @@ impl SplatBackward {
     /// Members that a pair is.
     pub(super) fn members(&self, slot: u32) -> Vec<usize> {
         let words = self.params.gaussians.div_ceil(32);
-        let (camera, gaussian) =
-            ((slot / self.params.gaussians) as usize, slot % self.params.gaussians);
+        let camera = (slot / self.params.gaussians) as usize;
+        let gaussian = slot % self.params.gaussians;
         let of = |tile: u32| {
             let word = (tile * words + gaussian / 32) as usize;
-            let (bits, bit) = (self.tile_mask[word], gaussian % 32);
+            let bits = self.tile_mask[word];
+            let bit = gaussian % 32;
             let below = (bits & ((1 << bit) - 1)).count_ones();
             (bits >> bit & 1 == 1).then_some((self.first_member[word] + below) as usize)
         };
@@ -199,7 +201,8 @@ impl Parity for SplatBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (pair, part) = (index / 12, index % 12);
+        let pair = index / 12;
+        let part = index % 12;
         let slot = self.pair[pair];
         let sum = |part: usize| -> f64 {
             let terms = self.members(slot).into_iter();

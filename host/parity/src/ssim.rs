@@ -47,7 +47,9 @@ impl Parity for SsimRows {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
+        let pixel = index / 16;
+        let part = index / 4 % 4;
+        let channel = index % 4;
         let side = self.params.side as usize;
         let [tile, row, column] = place(pixel, side);
         let size = |tap| {
@@ -59,7 +61,9 @@ impl Parity for SsimRows {
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.params.side as usize;
-        let (pixel, part, channel) = (index / 16, index / 4 % 4, index % 4);
+        let pixel = index / 16;
+        let part = index / 4 % 4;
+        let channel = index % 4;
         let [tile, row, column] = place(pixel, side);
         let value =
             |tap| moment([&self.difference, &self.sum], tile + row * side + tap, part, channel);
@@ -74,7 +78,8 @@ impl SsimColumns {
         let Terms { difference, sum } = Terms::new(side, fill, random);
         let width = side as usize;
         let vector = |index: usize| {
-            let (pixel, part) = (index / MOMENTS as usize, index % MOMENTS as usize);
+            let pixel = index / MOMENTS as usize;
+            let part = index % MOMENTS as usize;
             let [tile, row, column] = place(pixel, width);
             let sum = |channel: usize| {
                 let value =
@@ -114,13 +119,15 @@ impl SsimColumns {
 /// `1 - SSIM` and its three slopes in f64 from a window's sums, as [`organza_shaders::ssim`] has them, and the sizes of
 /// what they are sums of.
 fn similarity([d, s, dd, ss, weight]: [f64; 5]) -> [[f64; 4]; 2] {
-    let (mean_d, mean_s) = (d / weight, s / weight);
+    let mean_d = d / weight;
+    let mean_s = s / weight;
     let variance_d = (dd / weight - mean_d * mean_d).max(0.0);
     let variance_s = (ss / weight - mean_s * mean_s).max(0.0);
     let center = mean_s + 1.0;
     let q = (center * center + mean_d * mean_d) / 2.0 + f64::from(C1);
     let t = (variance_s + variance_d) / 2.0 + f64::from(C2);
-    let (a, b) = (mean_d * mean_d / q, variance_d / t);
+    let a = mean_d * mean_d / q;
+    let b = variance_d / t;
     let by_difference = (1.0 - a) * (2.0 - b) / t;
     let by_sum = -(1.0 - a) * b / t;
     let of_means = (1.0 - b) * (mean_d * (2.0 - a) - center * a) / q;
@@ -167,7 +174,8 @@ impl Parity for SsimColumns {
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
         let values = if output.name == "slopes" { 4 * SLOPES as usize } else { 1 };
-        let (pixel, channel) = (index / values, index % 4);
+        let pixel = index / values;
+        let channel = index % 4;
         let is_valid = self.difference[pixel].w > 0.0;
         if !is_valid || values > 1 && channel == 3 {
             return Bound::EXACT;
@@ -184,7 +192,8 @@ impl Parity for SsimColumns {
     /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and x enters d and s alike.
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
-        let (pixel, channel) = (index / values, index % 4);
+        let pixel = index / values;
+        let channel = index % 4;
         let is_valid = self.difference[pixel].w > 0.0;
         if !is_valid || values > 1 && channel == 3 {
             return Some(0.0);
@@ -228,8 +237,11 @@ impl Parity for SsimRowsBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let (vector, channel, side) = (index / 4, index % 4, self.params.side as usize);
-        let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
+        let vector = index / 4;
+        let channel = index % 4;
+        let side = self.params.side as usize;
+        let pixel = vector / SLOPES as usize;
+        let part = vector % SLOPES as usize;
         let [tile, row, column] = place(pixel, side);
         let size = |tap: usize| {
             let at = (tile + row * side + tap) * SLOPES as usize + part;
@@ -242,8 +254,10 @@ impl Parity for SsimRowsBackward {
     /// The transpose of a symmetric window is the window itself.
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let side = self.params.side as usize;
-        let (vector, channel) = (index / 4, index % 4);
-        let (pixel, part) = (vector / SLOPES as usize, vector % SLOPES as usize);
+        let vector = index / 4;
+        let channel = index % 4;
+        let pixel = vector / SLOPES as usize;
+        let part = vector % SLOPES as usize;
         let [tile, row, column] = place(pixel, side);
         let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
         let value = |tap| f64::from(self.slopes[at(tap)][channel]);

@@ -48,7 +48,8 @@ impl TileMask {
             // nothing may depend on the conic
             projection.push(Vec4::splat(f32::NAN));
         }
-        let (tiles, words) = (tiles(), gaussians.div_ceil(32));
+        let tiles = tiles();
+        let words = gaussians.div_ceil(32);
         let len = tiles.len() * words as usize;
         let mut set = Self(TileMaskInputs {
             params: TileMaskParams { gaussians, words, side },
@@ -164,7 +165,8 @@ impl Parity for TileFill {
 
     /// A pair's number is its place among those of its camera, behind those of the cameras before.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let (words, gaussians) = (self.params.words as usize, 32 * self.params.words as usize);
+        let words = self.params.words as usize;
+        let gaussians = 32 * self.params.words as usize;
         let pairs: Vec<_> = bits(&self.pair_mask).collect();
         let tiles = tiles();
         let members = tiles.iter().enumerate().flat_map(|(t, tile)| {

@@ -54,7 +54,8 @@ impl Parity for TileCells {
         let cells = |(place, &member): (usize, &u32)| {
             let tile = self.tile_first.partition_point(|&first| first as usize <= place) - 1;
             let [placed, conic, _] = splats[member as usize].map(|v| v.as_dvec4());
-            let (center, extent) = ([placed.x, placed.y], [placed.w, conic.w]);
+            let center = [placed.x, placed.y];
+            let extent = [placed.w, conic.w];
             let mut bits = 0_u32;
             for cell in 0..32 {
                 let beyond = [0, 1].map(|axis| {

@@ -118,7 +118,8 @@ impl TransmittanceInputs {
     fn midpoint(&self, pair: usize, k: u32, count: u32) -> [f64; 3] {
         let vector = |part: usize| self.segment[4 * pair + part].as_dvec4();
         if !self.is_contracted {
-            let (s, w) = (vector(0) + vector(2), vector(1) + vector(3));
+            let s = vector(0) + vector(2);
+            let w = vector(1) + vector(3);
             return midpoint(s.truncate().to_array(), w.truncate().to_array(), k, count);
         }
         let [foot, direction, ends] = [0, 1, 2].map(vector);
@@ -199,7 +200,8 @@ impl Parity for TransmittanceInputs {
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let (row, column) = (index / self.stride as usize, index % self.stride as usize);
+        let row = index / self.stride as usize;
+        let column = index % self.stride as usize;
         // the rows before and after the extra vector belong to others
         let is_written = cpu.name != "input" || (1..3).contains(&row);
         if column >= self.samples as usize || !is_written {
@@ -308,7 +310,8 @@ impl Parity for TransmittanceHead {
         let sample = index.checked_sub(FIRST_SAMPLE as usize);
         let Some(sample) = sample else { return Bound::EXACT };
         let Bound { scale: terms, floor } = self.layer.bound(sample as u32, 0);
-        let (log_rho, factor) = (cpu.floats()[index].abs(), f64::from(self.factor[sample]));
+        let log_rho = cpu.floats()[index].abs();
+        let factor = f64::from(self.factor[sample]);
         // the slope of log sigmoid is at most 1, and at most its own size where that is small
         let is_lost = terms * Self::TOLERANCE > 0.1;
         let scale =

@@ -79,7 +79,8 @@ fn evaluate(
 
 #[test]
 fn what_is_not_waited_for_has_the_same_bits() {
-    let (scene, cameras) = (some(), demo::turntable(2, 64));
+    let scene = some();
+    let cameras = demo::turntable(2, 64);
     for device in all_devices() {
         let renderer = Renderer::new(device);
         let device = renderer.device();
@@ -102,7 +103,9 @@ fn what_is_not_waited_for_has_the_same_bits() {
         }
         // too little of one: background, and no gradient at all
         let background = scene.config.background.map(|channel| (channel as f32).to_bits());
-        let (pairs, members, samples) = (pairs - 1, members - 1, samples - 1);
+        let pairs = pairs - 1;
+        let members = members - 1;
+        let samples = samples - 1;
         for capacity in
             [Capacity { pairs, ..more }, Capacity { members, ..more }, Capacity { samples, ..more }]
         {
@@ -123,7 +126,8 @@ fn what_is_not_waited_for_has_the_same_bits() {
 
 #[test]
 fn a_tile_that_does_not_fit_with_more_room_is_tried_with_what_it_needs() {
-    let (scene, cameras) = (some(), demo::turntable(1, 64));
+    let scene = some();
+    let cameras = demo::turntable(1, 64);
     let tiles = vec![Tile { camera: 0, origin: [20, 30] }];
     let batch = TileBatch { side: 16, tiles };
     for device in all_devices() {

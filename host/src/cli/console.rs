@@ -184,7 +184,8 @@ impl Progress {
             let all = grouped(self.bar.length().unwrap_or(done));
             let done = grouped(done);
             let left = HumanDuration(self.bar.eta());
-            let (what, unit) = (self.bar.message(), &log.unit);
+            let what = self.bar.message();
+            let unit = &log.unit;
             write(&format!("{what}: {done} of {all} {unit}, {left:#} left\n"));
         }
     }

@@ -93,7 +93,8 @@ impl Checkpoint {
         let zeros = Scene::zeros(scene.config.clone(), range.len())?;
         let moments = [zeros.clone(), zeros];
         let statistics = vec![[0.0; 4]; range.len()];
-        let (exposures, poses) = (None, None);
+        let exposures = None;
+        let poses = None;
         Ok(Self { scene, moments, statistics, range, gaussians, exposures, poses, progress })
     }
 
@@ -118,7 +119,8 @@ impl Checkpoint {
         let moments = self.moments.iter().zip(MOMENTS);
         let mut tensors: Vec<_> =
             moments.flat_map(|(moment, prefix)| moment.tensors_with_prefix(prefix)).collect();
-        let (name, shape) = (STATISTICS.to_owned(), vec![self.statistics.len(), 4]);
+        let name = STATISTICS.to_owned();
+        let shape = vec![self.statistics.len(), 4];
         let statistics = self.statistics.as_flattened();
         tensors.push((TensorSpec { name, shape, why: "" }, statistics));
         tensors.extend(photographs.iter().map(|(name, Tensor { shape, data })| {
@@ -243,7 +245,8 @@ impl Checkpoint {
         for (spec, values) in self.beside_scene(&self.photograph_tensors()) {
             let tensor = spec.name;
             if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-                let (origin, value) = (origin.to_owned(), values[index]);
+                let origin = origin.to_owned();
+                let value = values[index];
                 return Err(Error::NotFinite { origin, tensor, index, value });
             }
             // means of squares, of which roots are taken

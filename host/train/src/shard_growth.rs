@@ -41,8 +41,8 @@ fn growth_plan(config: &GrowthConfig, shard: &Checkpoint, ranks: &dyn Ranks) -> 
     let opacity = &shard.scene.gaussians.opacity;
     let strengths = shard.statistics.iter().copied().map(strength);
     let mine: Vec<f32> = opacity.iter().copied().chain(strengths).collect();
-    let (mut opacity, mut strength) =
-        (Vec::with_capacity(shard.gaussians), Vec::with_capacity(shard.gaussians));
+    let mut opacity = Vec::with_capacity(shard.gaussians);
+    let mut strength = Vec::with_capacity(shard.gaussians);
     for bytes in ranks.gather(bytemuck::cast_slice(&mine).to_vec())? {
         let values: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
         let (first, second) = values.split_at(values.len() / 2);
@@ -64,15 +64,19 @@ struct Moves {
 
 impl Moves {
     fn new(plan: &GrowthPlan, shard: &Checkpoint, ranks: &dyn Ranks) -> Self {
-        let (rank, size, len) = (ranks.rank(), ranks.size(), plan.len());
+        let rank = ranks.rank();
+        let size = ranks.size();
+        let len = plan.len();
         let mut moves = Self { wanted: vec![Vec::new(); size], children: Vec::new(), parents: 0 };
-        let (mut owner, mut last) = (0, None);
+        let mut owner = 0;
+        let mut last = None;
         for (index, child) in plan.children().enumerate() {
             while index >= range_of(len, owner, size).end {
                 owner += 1;
             }
             if shard.range.contains(&child.parent) {
-                let (wanted, place) = (&mut moves.wanted[owner], child.parent - shard.range.start);
+                let wanted = &mut moves.wanted[owner];
+                let place = child.parent - shard.range.start;
                 if wanted.last() != Some(&place) {
                     wanted.push(place);
                 }
@@ -170,7 +174,9 @@ mod tests {
         for size in [2, 3] {
             std::thread::scope(|scope| {
                 for ranks in ThreadRanks::new(size) {
-                    let (begun, whole, config) = (&begun, &whole, &config);
+                    let begun = &begun;
+                    let whole = &whole;
+                    let config = &config;
                     scope.spawn(move || {
                         let rank = ranks.rank();
                         let mut shard = begun.shard(rank, size);

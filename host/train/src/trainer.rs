@@ -143,7 +143,8 @@ impl Trainer {
         };
         let state = State::new(renderer, &config, shard, checkpoint, cameras.len())?;
         let (ranks, shards) = shared.unzip();
-        let (renderer, step) = (renderer.clone(), checkpoint.progress.step);
+        let renderer = renderer.clone();
+        let step = checkpoint.progress.step;
         Ok(Self {
             renderer,
             config,
@@ -243,7 +244,8 @@ impl Trainer {
     /// The same errors as [`Device::read`](muslin_device::Device::read); [`Error::Diverged`] where a gradient was not
     /// finite.
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
-        let (device, state) = (self.renderer.device(), &self.state);
+        let device = self.renderer.device();
+        let state = &self.state;
         state.gradient.fields.check(device)?;
         let (shard, shards) = self.grid().map_or((0, 1), |grid| (grid.shard(), grid.shards));
         Ok(Checkpoint {
@@ -285,12 +287,14 @@ impl Trainer {
         let State { shard, optimizer, gradient, .. } = &self.state;
         if let Some(hook) = &mut hooks.gradient {
             // without ranks, all Gaussians are one block
-            let (scene, gradient) = (&shard.blocks()[0], &gradient.blocks[0]);
+            let scene = &shard.blocks()[0];
+            let gradient = &gradient.blocks[0];
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| rollback(self))?;
         }
         let done = self.config.run.fraction(self.step);
-        let (settings, now) = (&self.config.optimizer, (self.step, done));
+        let settings = &self.config.optimizer;
+        let now = (self.step, done);
         if let Some(learned) = &mut self.exposures {
             let rate = settings.rate_at(settings.exposure, done);
             let moved = learned.step(&exposures, settings, rate);
@@ -326,10 +330,12 @@ impl Trainer {
         let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
         let target = target.loss_target(&self.config.loss, exposure.as_deref());
         let State { shard, gradient, .. } = &self.state;
-        let (renderer, cameras) = (&self.renderer, &drawn.cameras(&self.cameras)[..]);
+        let renderer = &self.renderer;
+        let cameras = &drawn.cameras(&self.cameras)[..];
         if let Some(grid) = grid_of(&self.ranks, self.shards) {
             let seen = &shard.coarser(*factor, *ray_steps);
-            let (shared, kept) = ((seen, grid), &mut self.loss);
+            let shared = (seen, grid);
+            let kept = &mut self.loss;
             let (losses, exposures) =
                 renderer.add_shard_gradient(shared, cameras, batch, kept, &target, gradient)?;
             return Ok((StepReport::new(&losses, target.ssim_weight), exposures));
@@ -340,11 +346,14 @@ impl Trainer {
         if let Some(own) = &mut hooks.loss {
             let (loss, squared) =
                 renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
-            let (psnr, tiles, none) = (metrics::psnr_of(squared), batch.tiles.len(), f64::NAN);
+            let psnr = metrics::psnr_of(squared);
+            let tiles = batch.tiles.len();
+            let none = f64::NAN;
             let report = StepReport { loss, l1: none, ssim: none, psnr, tiles, grown: None };
             return Ok((report, Vec::new()));
         }
-        let (kept, ranks) = (&mut self.loss, self.ranks.as_deref());
+        let kept = &mut self.loss;
+        let ranks = self.ranks.as_deref();
         let (losses, exposures) =
             renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
         Ok((StepReport::new(&losses, target.ssim_weight), exposures))
@@ -382,6 +391,7 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
 
 /// See [`Trainer::grid`].
 pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shards: Option<usize>) -> Option<Grid<'_>> {
-    let (all, shards) = (ranks.as_deref()?, shards?);
+    let all = ranks.as_deref()?;
+    let shards = shards?;
     Some(Grid { all, shards })
 }

@@ -45,7 +45,8 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
             }
             rows.extend(of_cpu.map(|measure| Row::new(case, &device, measure)));
         }
-        let (adapter, driver) = (name.to_owned(), device.arithmetic());
+        let adapter = name.to_owned();
+        let driver = device.arithmetic();
         println!("{}", Report { adapter, driver, path: device.backend(), kernels: rows });
     }
     checked(cases, &cpu, &mut failures);

@@ -18,7 +18,8 @@ pub fn command(case: &Case, worst: &Worst) -> Option<String> {
     device.watch(worst.output, worst.index);
     case.run(&device, &worst.set).ok()?;
     let [x, y, z] = device.writer()?;
-    let (kernel, set) = (case.kernel, &worst.set);
+    let kernel = case.kernel;
+    let set = &worst.set;
     let program = env::current_exe().ok()?;
     let test = std::thread::current().name().unwrap_or_default().to_owned();
     Some(format!(

@@ -195,7 +195,8 @@ impl Measure {
     #[must_use]
     pub fn describe(&self, kernel: &str, beside: &str, why: &str) -> String {
         let Worst { set, output, index, cpu, found, .. } = &self.share;
-        let (failures, values) = (self.failures, self.values);
+        let failures = self.failures;
+        let values = self.values;
         format!(
             "{kernel}: {failures} of {values} values are too far from {beside}, the worst is `{output}[{index}]` of \"{set}\": \
              {found:e}, not {cpu:e}; tolerance: {why}"

@@ -173,7 +173,8 @@ impl<'d> KernelRunner<'d> {
         kernel: &impl Dispatch<'a, Given>,
         dispatch: impl FnOnce(&Uploaded<'_>) -> Result<()>,
     ) -> Result<Vec<Output>> {
-        let (info, uniform) = (kernel.info(), kernel.uniform());
+        let info = kernel.info();
+        let uniform = kernel.uniform();
         assert_eq!(info.name, self.kernel, "the parity case of `{}` runs another", self.kernel);
         let given = given::words(kernel);
         let buffers = given.iter().map(|(binding, words)| self.upload_given(binding, words));

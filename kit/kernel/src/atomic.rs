@@ -137,7 +137,8 @@ macro_rules! host_atomics {
             #[inline(always)]
             #[track_caller]
             pub fn atomic_compare_exchange(&$self, index: u32, expected: $element, value: $element) -> $element {
-                let (order, at) = (Ordering::Relaxed, $view.address(index, Touch::Atomic));
+                let order = Ordering::Relaxed;
+                let at = $view.address(index, Touch::Atomic);
                 // SAFETY: as in the others
                 let result = unsafe { <$atomic>::from_ptr(at) }.compare_exchange(expected, value, order, order);
                 result.unwrap_or_else(|found| found)

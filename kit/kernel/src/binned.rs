@@ -31,7 +31,8 @@ pub fn add(sum: Write<u32>, sums: u32, index: u32, x: f32) {
     let bits = x.to_bits();
     let exponent = bits >> 23 & 0xff;
     if exponent != 0 {
-        let (row, shift) = (exponent / RANGE, exponent % RANGE);
+        let row = exponent / RANGE;
+        let shift = exponent % RANGE;
         let mantissa = bits & 0x7f_ffff | 0x80_0000;
         let words = [mantissa << shift, mantissa >> (31 - shift) >> 1];
         let words = if bits >> 31 != 0 { fixed::negated(words) } else { words };

@@ -31,7 +31,9 @@ pub fn elementary(
     let index = id.index();
     let count = params.count;
     if index < count {
-        let (x, y, positive) = (x.read(index), y.read(index), positive.read(index));
+        let x = x.read(index);
+        let y = y.read(index);
+        let positive = positive.read(index);
         output.write(index, sin(x));
         output.write(count + index, cos(x));
         output.write(2 * count + index, tan(x));

@@ -241,14 +241,16 @@ pub fn materialize_backward<L: Lane>(_: L, gradient: L) -> L {
 /// Of the smaller of two: all of it, or of two equal ones the second's.
 #[inline(always)]
 pub fn min_backward<L: Lane>(a: L, b: L, gradient: L) -> (L, L) {
-    let (is_first, none) = (a.less(b), L::splat(0.0));
+    let is_first = a.less(b);
+    let none = L::splat(0.0);
     (L::select(is_first, gradient, none), L::select(is_first, none, gradient))
 }
 
 /// Of the larger of two: all of it, or of two equal ones the second's.
 #[inline(always)]
 pub fn max_backward<L: Lane>(a: L, b: L, gradient: L) -> (L, L) {
-    let (is_first, none) = (b.less(a), L::splat(0.0));
+    let is_first = b.less(a);
+    let none = L::splat(0.0);
     (L::select(is_first, gradient, none), L::select(is_first, none, gradient))
 }
 

@@ -74,7 +74,8 @@ pub const MAX_WORKGROUP_INVOCATIONS: u32 = 256;
 
 /// Bytes of all arrays in workgroup memory.
 pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
-    let (mut bytes, mut i) = (0, 0);
+    let mut bytes = 0;
+    let mut i = 0;
     while i < shared.len() {
         bytes += shared[i].bytes;
         i += 1;

@@ -122,7 +122,8 @@ pub fn floor<L: Lane>(x: L) -> L {
 /// Nearest integer, for |x| below 2^31; halves away from 0.
 #[inline(always)]
 pub fn round<L: Lane>(x: L) -> L {
-    let (whole, half) = (x.truncate(), L::splat(0.5));
+    let whole = x.truncate();
+    let half = L::splat(0.5);
     let rest = x - whole;
     let up = L::select(half.less_equal(rest), whole + L::splat(1.0), whole);
     L::select(rest.less_equal(-half), whole - L::splat(1.0), up)
@@ -209,7 +210,8 @@ pub fn is_finite(x: f32) -> bool {
 /// 1 / (1 + e^-x), without overflow for any x.
 #[inline(always)]
 pub fn sigmoid<L: Lane>(x: L) -> L {
-    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let zero = L::splat(0.0);
+    let one = L::splat(1.0);
     let e = minus_size(x).exp();
     let larger = one / (one + e);
     L::select(x.less(zero), e * larger, larger)

@@ -84,7 +84,8 @@ pub fn peak_multiply_add<L: Lane>(
     let index = id.index();
     if index < params.count {
         let base = (L::splat(index as f32) + L::ramp()) * L::splat(INVOCATION_SHARE);
-        let (factor, addend) = (L::splat(params.factor), L::splat(params.addend));
+        let factor = L::splat(params.factor);
+        let addend = L::splat(params.addend);
         // twelve: a multiply-add takes several cycles, and others begin meanwhile
         let mut a = start(base, FIRST_SUMS).materialize();
         let mut b = start(base, FIRST_SUMS + 4.0).materialize();
@@ -96,7 +97,9 @@ pub fn peak_multiply_add<L: Lane>(
             c = next_four(c, factor, addend);
             step += 1;
         }
-        let (a, b, c) = (a.materialize(), b.materialize(), c.materialize());
+        let a = a.materialize();
+        let b = b.materialize();
+        let c = c.materialize();
         let sum = (a.x + a.y) + (a.z + a.w);
         let sum = sum + ((b.x + b.y) + (b.z + b.w));
         (sum + ((c.x + c.y) + (c.z + c.w))).write(output, index);
@@ -136,7 +139,10 @@ pub fn peak_read<L: Lane>(
         let mut at = id.workgroup_index() * params.steps * READS * row + id.local.x;
         let zero = L::splat(0.0);
         // four: an addition takes several cycles
-        let (mut a, mut b, mut c, mut d) = (zero, zero, zero, zero);
+        let mut a = zero;
+        let mut b = zero;
+        let mut c = zero;
+        let mut d = zero;
         let mut step = 0;
         while step < params.steps {
             a = a + L::read(values, at);

@@ -153,7 +153,8 @@ mod tests {
 
     /// A few steps of a layer, with samples.
     fn layer<S: Samples>(input: &[f32], output: &mut [f32], first: u32, count: u32) {
-        let (a, b) = (S::read(Read::from(input), first), S::read(Read::from(input), first + 1));
+        let a = S::read(Read::from(input), first);
+        let b = S::read(Read::from(input), first + 1);
         let sum = a.mul_add(S::splat(-1.5), S::splat(0.25)).max(b);
         sum.where_positive(a).write(Write::from(output), first, count);
     }
@@ -163,7 +164,8 @@ mod tests {
         let input = [0.5, -2.0, 0.0, 3.0, -0.25, 7.0, f32::MIN_POSITIVE, -1.0, 2.0, 1.0, 4.0];
         for count in 1..=4 {
             for first in 0..6 {
-                let (mut four, mut one) = ([9.0; 12], [9.0; 12]);
+                let mut four = [9.0; 12];
+                let mut one = [9.0; 12];
                 layer::<Four>(&input, &mut four, first, count);
                 (first..first + count).for_each(|at| layer::<f32>(&input, &mut one, at, 1));
                 assert_eq!(four, one, "{count} from {first}");

@@ -113,7 +113,8 @@ pub(crate) fn conflict(reason: &str, at: &'static Location<'static>) {
 fn wait(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
-    let (invocation, left) = (running::invocation(), running::iterations_left());
+    let invocation = running::invocation();
+    let left = running::iterations_left();
     let path = path::take();
     // SAFETY: nobody looks at it after this coroutine was resumed or dropped, and until then `path` is not touched
     let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
@@ -277,7 +278,8 @@ fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
             more => format!("invocation {place} (with {more} more) {does}"),
         }
     };
-    let (first, others) = (side(&first), side(&others));
+    let first = side(&first);
+    let others = side(&others);
     format!("a barrier in divergent control flow: {first}, while {others}")
 }
 

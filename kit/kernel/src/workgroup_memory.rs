@@ -133,7 +133,8 @@ impl AccessMonitor for WorkgroupMemory {
         touch: Touch,
         at: &'static Location<'static>,
     ) -> Result<(), String> {
-        let (element, own) = (&self.elements[index as usize], Self::stamp());
+        let element = &self.elements[index as usize];
+        let own = Self::stamp();
         if let Some(fault) = self.fault(element, touch, own) {
             let does = match touch {
                 Touch::Read => "reads",

@@ -49,7 +49,8 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
     let mut binding = 0usize;
     let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
     let views = kernel.parameters.iter().filter_map(|parameter| {
-        let (name, element) = (&parameter.name, &parameter.element);
+        let name = &parameter.name;
+        let element = &parameter.element;
         let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
         let index = *slot;
         let view = match &parameter.role {
@@ -105,7 +106,8 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
     let mut binding = 0usize;
     let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
     let views = kernel.parameters.iter().map(|parameter| {
-        let (name, element) = (&parameter.name, &parameter.element);
+        let name = &parameter.name;
+        let element = &parameter.element;
         let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
         let index = *slot;
         *slot += 1;

@@ -35,10 +35,12 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
 /// The kernel itself. On the CPU it knows who it is and what its buffers are called: for messages.
 fn function(kernel: &Kernel) -> syn::ItemFn {
     let mut function = kernel.function.clone();
-    let (name, id) = (function.sig.ident.to_string(), &kernel.id);
+    let name = function.sig.ident.to_string();
+    let id = &kernel.id;
     let buffers = kernel.parameters.iter().filter(|parameter| parameter.role.is_named());
     let named = buffers.map(|parameter| {
-        let (name, text) = (&parameter.name, parameter.name.to_string());
+        let name = &parameter.name;
+        let text = parameter.name.to_string();
         parse_quote! { #[cfg(not(target_arch = "spirv"))] let #name = #name.named(#text); }
     });
     let witness = parse_quote! {
@@ -130,7 +132,8 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
     let [x, y, z] = &kernel.threads;
     let mut binding = 0;
     let parameters = kernel.parameters.iter().filter_map(|parameter| {
-        let (name, element) = (&parameter.name, &parameter.element);
+        let name = &parameter.name;
+        let element = &parameter.element;
         let number = Literal::u32_unsuffixed(binding);
         binding += u32::from(parameter.role.is_binding());
         Some(match &parameter.role {
@@ -196,7 +199,8 @@ fn info(kernel: &Kernel) -> TokenStream {
     let info_name = info_name(kernel);
     let [x, y, z] = &kernel.threads;
     let bindings = kernel.parameters.iter().filter_map(|parameter| {
-        let (name, element) = (parameter.name.to_string(), &parameter.element);
+        let name = parameter.name.to_string();
+        let element = &parameter.element;
         let access = match parameter.role {
             Role::Uniform => quote!(Uniform),
             Role::Read => quote!(Read),
@@ -212,7 +216,8 @@ fn info(kernel: &Kernel) -> TokenStream {
             }
         })
     });
-    let (all_shared, shared) = (shared(kernel, true), shared(kernel, false));
+    let all_shared = shared(kernel, true);
+    let shared = shared(kernel, false);
     let variant = variant(kernel);
     let iterations = match &kernel.iterations {
         Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
@@ -223,7 +228,9 @@ fn info(kernel: &Kernel) -> TokenStream {
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
     let run_fused = run_fused(kernel);
-    let (fused, z_serial, z_innermost) = (kernel.fused, kernel.z_serial, kernel.z_innermost);
+    let fused = kernel.fused;
+    let z_serial = kernel.z_serial;
+    let z_innermost = kernel.z_innermost;
     let each = each(kernel);
     let limit = limit(kernel);
     let work = work(kernel);
@@ -298,7 +305,8 @@ fn work(kernel: &Kernel) -> TokenStream {
 /// The arrays in workgroup memory, with or without those of shared tiles.
 fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
     let arrays = kernel.parameters.iter().filter_map(|parameter| {
-        let (name, element) = (parameter.name.to_string(), &parameter.element);
+        let name = parameter.name.to_string();
+        let element = &parameter.element;
         let len = match &parameter.role {
             Role::Shared(len) => len,
             Role::SharedTile(len) if stages => len,
@@ -321,7 +329,8 @@ fn variant(kernel: &Kernel) -> TokenStream {
     if !kernel.has_shared_tiles() {
         return quote!(::core::option::Option::None);
     }
-    let (name, shared) = (entry_name(kernel, true), shared(kernel, true));
+    let name = entry_name(kernel, true);
+    let shared = shared(kernel, true);
     quote! {
         ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared })
     }
@@ -336,7 +345,8 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
     let mut binds = Vec::new();
     let mut uniform = quote!(&[]);
     for parameter in &kernel.parameters {
-        let (name, element) = (&parameter.name, &parameter.element);
+        let name = &parameter.name;
+        let element = &parameter.element;
         match parameter.role {
             Role::Uniform => {
                 fields.push(quote! { /// Uniform buffer.
@@ -378,7 +388,9 @@ fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
     if fields.is_empty() {
         return quote!();
     }
-    let (params, element, n) = (&uniform.name, &uniform.element, fields.len());
+    let params = &uniform.name;
+    let element = &uniform.element;
+    let n = fields.len();
     quote! {
         #[cfg(not(target_arch = "spirv"))]
         impl<'a, S: ::muslin::kernel::Storage> #struct_name<'a, S> {

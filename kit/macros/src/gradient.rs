@@ -67,7 +67,8 @@ fn adjoint(item: &ItemStruct) -> Result<TokenStream> {
         );
         quote!(#[inline(always)] fn #method(self, other: Self) -> Self { Self { #(#values),* } })
     };
-    let (plus, minus) = (each(quote!(plus)), each(quote!(minus)));
+    let plus = each(quote!(plus));
+    let minus = each(quote!(minus));
     Ok(quote! {
         impl #parameters ::muslin::gradient::Adjoint for #name #arguments #bounds {
             #[inline(always)]
@@ -170,7 +171,8 @@ fn backward(function: &ImplItemFn, by: Option<&Path>) -> Result<TokenStream> {
         Some(_) => doc,
         None => doc.replace("Self::", ""),
     };
-    let (attributes, visibility) = (kept(&function.attrs), &function.vis);
+    let attributes = kept(&function.attrs);
+    let visibility = &function.vis;
     Ok(quote! {
         #[doc = #doc]
         #(#attributes)*

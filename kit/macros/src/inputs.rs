@@ -15,7 +15,8 @@ pub fn inputs(kernel: &Kernel, dispatch: &Ident) -> TokenStream {
     let mut fields = Vec::new();
     let mut lent = Vec::new();
     for parameter in kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()) {
-        let (name, element) = (&parameter.name, &parameter.element);
+        let name = &parameter.name;
+        let element = &parameter.element;
         let (field, value) = match parameter.role {
             Role::Uniform => (quote!(#element), quote!(self.#name)),
             _ => (

@@ -44,10 +44,13 @@ impl Pinhole {
     /// The projected points, in pixels, and the sum of the squares of J, of points that the lens sees.
     #[inline(always)]
     pub fn place<L: Lane>(camera: &Camera, [x, y, z]: [L; 3]) -> ([L; 2], L) {
-        let (number, one) = (L::splat, L::splat(1.0));
+        let number = L::splat;
+        let one = L::splat(1.0);
         let inverse = one / z;
-        let (x, y) = (x * inverse, y * inverse);
-        let (fx, fy) = (number(camera.focal.x), number(camera.focal.y));
+        let x = x * inverse;
+        let y = y * inverse;
+        let fx = number(camera.focal.x);
+        let fy = number(camera.focal.y);
         let pixel = [fx * x + number(camera.center.x), fy * y + number(camera.center.y)];
         let [low, high] = ratio_limits(camera);
         let x = x.max(number(low.x)).min(number(high.x));
@@ -70,7 +73,8 @@ impl Pinhole {
         let ratio = Vec2::new(clamp(t.x / z, low.x, high.x), clamp(t.y / z, low.y, high.y));
 
         let [right, down, forward] = camera.rotation;
-        let (fx, fy) = (camera.focal.x / z, camera.focal.y / z);
+        let fx = camera.focal.x / z;
+        let fy = camera.focal.y / z;
         let row_x = (right - forward * ratio.x) * fx;
         let row_y = (down - forward * ratio.y) * fy;
         Self { pixel, row_x, row_y, t, z, ratio }

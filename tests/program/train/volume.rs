@@ -88,7 +88,8 @@ fn sent_by_shards(size: usize) -> String {
     checkpoint.progress.step = 9;
     sent(size, |renderer, ranks| {
         let shard = checkpoint.shard(ranks.rank() % 2, 2);
-        let (config, dataset) = (config.clone(), dataset.clone());
+        let config = config.clone();
+        let dataset = dataset.clone();
         let trainer = Trainer::resume_shard(renderer, config, dataset, &shard, ranks, 2);
         let report = trainer.expect("a trainer").step().expect("a step");
         assert!(report.grown.is_some());

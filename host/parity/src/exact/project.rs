@@ -39,7 +39,9 @@ impl View {
 
     /// The bounds of x/z (axis 0) and y/z (axis 1) in J: the image's border, and 0.3 of half its size.
     pub fn limits(&self, axis: usize) -> [f64; 2] {
-        let (focal, center, size) = (self.focal[axis], self.center[axis], self.size[axis]);
+        let focal = self.focal[axis];
+        let center = self.center[axis];
+        let size = self.size[axis];
         let margin = 0.3 * 0.5 * size / focal;
         [-center / focal - margin, (size - center) / focal + margin]
     }
@@ -104,7 +106,9 @@ pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Opt
     let footprint = jacobian.map(|row| axes.map(|axis| dot(row, axis)));
     let [u, v] = footprint;
     let blur = N::from(blur);
-    let (uu, uv, vv) = (dot(u, u), dot(u, v), dot(v, v));
+    let uu = dot(u, u);
+    let uv = dot(u, v);
+    let vv = dot(v, v);
     Some(Projected {
         place,
         jacobian,
@@ -139,7 +143,8 @@ fn scaled_axes<N: Number>(gaussian: &Gaussian<N>) -> [[N; 3]; 3] {
 pub fn unit_axes<N: Number>(rotation: [N; 4]) -> [[N; 3]; 3] {
     let [w, x, y, z] = rotation;
     let length = (w * w + x * x + y * y + z * z).sqrt();
-    let (w, n) = (w / length, [x, y, z].map(|part| part / length));
+    let w = w / length;
+    let n = [x, y, z].map(|part| part / length);
     let two = N::from(2.0);
     std::array::from_fn(|k| {
         let unit: [N; 3] = std::array::from_fn(|i| N::from(f64::from(u8::from(i == k))));

@@ -21,7 +21,8 @@ const MAX_STEPS: f64 = 16_384.0;
 
 /// Eq. 4 and 5 for `p + t v`: where it enters the cube and where it leaves it.
 pub fn planes(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
-    let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut enter = f64::NEG_INFINITY;
+    let mut exit = f64::INFINITY;
     for axis in 0..3 {
         if v[axis] == 0.0 {
             if !(0.0..=1.0).contains(&p[axis]) {
@@ -29,7 +30,8 @@ pub fn planes(p: [f64; 3], v: [f64; 3]) -> [f64; 2] {
             }
             continue;
         }
-        let (zero, one) = ((0.0 - p[axis]) / v[axis], (1.0 - p[axis]) / v[axis]);
+        let zero = (0.0 - p[axis]) / v[axis];
+        let one = (1.0 - p[axis]) / v[axis];
         enter = enter.max(zero.min(one));
         exit = exit.min(zero.max(one));
     }

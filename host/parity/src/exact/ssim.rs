@@ -46,7 +46,8 @@ pub fn window_ssim<N: Number>(pixels: &[(f64, [N; 2])]) -> N {
 pub fn dissimilarity<N: Number>([d, s, dd, ss, weight]: [N; 5]) -> N {
     let [one, two, four] = [1.0, 2.0, 4.0].map(N::from);
     let [d, s, dd, ss] = [d, s, dd, ss].map(|sum| sum / weight);
-    let (of_d, of_s) = (dd - d * d, ss - s * s);
+    let of_d = dd - d * d;
+    let of_s = ss - s * s;
     let means = [(s + one + d) / two, (s + one - d) / two];
     one - similarity(means, (of_s + of_d) / two, (of_s - of_d) / four)
 }

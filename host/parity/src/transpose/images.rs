@@ -24,7 +24,8 @@ impl Row for ExposeBackward {
 
     fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
         let (image, exposure) = point.split_at(self.image.len());
-        let (image, exposure) = (image.to_vec(), exposure.to_vec());
+        let image = image.to_vec();
+        let exposure = exposure.to_vec();
         let exposed = unwritten(image.len());
         let set = Expose(ExposeInputs { params: self.params, image, exposure, exposed });
         output(cpu, &set, "exposed").split_at(self.image.len()).0.to_vec()
@@ -35,7 +36,8 @@ impl Row for ExposeBackward {
     }
 
     fn gradient(&self, cpu: &Device) -> Vec<f64> {
-        let (mut gradient, rows) = (output(cpu, self, "gradient"), output(cpu, self, "row_sum"));
+        let mut gradient = output(cpu, self, "gradient");
+        let rows = output(cpu, self, "row_sum");
         let of_plane = |rows: &[f64]| -> [f64; 2] {
             [0, 1].map(|part| rows.iter().skip(part).step_by(2).sum())
         };
@@ -105,7 +107,9 @@ impl CompositeBackward {
     /// Where the case has the gradient of a pixel's channel.
     fn plane(&self, index: usize) -> usize {
         let area = (self.forward.side * self.forward.side) as usize;
-        let (tile, at, channel) = (index / 4 / area, index / 4 % area, index % 4);
+        let tile = index / 4 / area;
+        let at = index / 4 % area;
+        let channel = index % 4;
         (4 * tile + channel) * area + at
     }
 }

@@ -55,17 +55,21 @@ fn wide(values: &[f32]) -> Vec<f64> {
 fn resolve_backward_is_the_transpose_of_resolve() {
     for (name, set, gradient) in sets::<ResolveBackward>() {
         let side = set.params.side;
-        let (area, tiles) = ((side * side) as usize, set.sum.len() / 4 / (side * side) as usize);
+        let area = (side * side) as usize;
+        let tiles = set.sum.len() / 4 / (side * side) as usize;
         let v = direction(set.sum.len(), |_| true);
         let slopes = Slopes::new(&set.sum, &v);
         let mut image = vec![0.0; set.image_gradient.len()];
-        let (tile, sum, output) =
-            (Read::from(&set.tile[..]), Read::from(&set.sum[..]), Write::from(&mut image[..]));
+        let tile = Read::from(&set.tile[..]);
+        let sum = Read::from(&set.sum[..]);
+        let output = Write::from(&mut image[..]);
         let workgroups = [side.div_ceil(16), side.div_ceil(4), tiles as u32];
         run([16, 4, 1], workgroups, |id| resolve::<Dual>(id, &set.params, tile, sum, output));
         // the case has the channels of a pixel next to each other
         let plane = |index: usize| {
-            let (tile, channel, at) = (index / 4 / area, index / area % 4, index % area);
+            let tile = index / 4 / area;
+            let channel = index / area % 4;
+            let at = index % area;
             gradient[4 * (tile * area + at) + channel]
         };
         let backward: Vec<_> = (0..v.len()).map(plane).collect();
@@ -84,7 +88,8 @@ fn dense_backward_is_the_transpose_of_dense() {
         // above 0, the activation of the outputs does nothing
         let params = layer.params();
         layer.parameters[params.bias as usize..].fill(glam::Vec4::splat(1e4));
-        let (layer, stride) = (&set.layer, set.layer.stride);
+        let layer = &set.layer;
+        let stride = set.layer.stride;
         // below 0, that of the inputs lets nothing through
         let v = direction(layer.input.len(), |index| {
             let row = index as u32 / stride;
@@ -110,7 +115,8 @@ fn dense_backward_is_the_transpose_of_dense() {
 #[test]
 fn transmittance_head_backward_is_the_transpose_of_transmittance_head() {
     for (name, set, gradient) in sets::<TransmittanceHeadBackward>() {
-        let (layer, params) = (&set.layer, head_params(&set.layer));
+        let layer = &set.layer;
+        let params = head_params(&set.layer);
         let v = direction(layer.input.len(), |index| layer.place(index).is_some());
         let slopes = Slopes::new(&layer.input, &v);
         let place = points(layer, &set.factor);
@@ -141,11 +147,14 @@ fn transmittance_head_backward_is_the_transpose_of_transmittance_head() {
 fn hash_grid_backward_is_the_transpose_of_hash_grid() {
     for (name, set, sums) in sets::<HashGridBackward>() {
         let table = vec![0.0; sums.len()];
-        let (grid, points) = (set.grid.clone(), set.points.clone());
+        let grid = set.grid.clone();
+        let points = set.points.clone();
         let forward = HashGrid { grid, points, table, is_unrounded: false };
         let v = direction(sums.len(), |_| true);
         let slopes = Slopes::new(&forward.table, &v);
-        let (levels, position, params) = (forward.levels(), forward.positions(), forward.params());
+        let levels = forward.levels();
+        let position = forward.positions();
+        let params = forward.params();
         let mut output = vec![0.0; forward.output_len()];
         let (levels, table, position, view) = (
             Read::from(&levels[..]),

@@ -54,7 +54,8 @@ impl Row for ProjectBackward {
 impl ProjectBackward {
     /// Center and conic of every pair, as `project` projects a scene.
     fn project_pairs(&self, cpu: &Device, scene: &Project) -> Vec<f64> {
-        let (mean, conic) = (output(cpu, scene, "mean2d"), output(cpu, scene, "conic"));
+        let mean = output(cpu, scene, "mean2d");
+        let conic = output(cpu, scene, "conic");
         let count = scene.gaussians as usize;
         let mut pairs = vec![[0.0; 5]; self.pair_gradient.len()];
         for slot in 0..scene.cameras.len() * count {
@@ -98,7 +99,8 @@ impl Row for PoseBackward {
     }
 
     fn gradient(&self, cpu: &Device) -> Vec<f64> {
-        let (found, before) = (output(cpu, self, "sum"), self.before());
+        let found = output(cpu, self, "sum");
+        let before = self.before();
         let of = |value: usize| found[value] - f64::from(before[value]);
         let places = self.places().into_iter();
         places.flat_map(|place| (6 * place as usize..6 * place as usize + 6).map(of)).collect()
@@ -149,7 +151,8 @@ impl Row for SplatBackward {
         let gaussians = self.params.gaussians as usize;
         let mut projection = vec![0.0; 16 * gaussians];
         let mut opacity = vec![0.0; gaussians];
-        let (mut transmittance, mut color) = (Vec::new(), Vec::new());
+        let mut transmittance = Vec::new();
+        let mut color = Vec::new();
         for (pair, &slot) in found.chunks_exact(12).zip(&self.pair) {
             let to = 8 * slot as usize;
             projection[to..to + 2].copy_from_slice(&pair[..2]);

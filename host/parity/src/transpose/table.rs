@@ -68,7 +68,8 @@ fn differences<R: Row>(set: &R, cpu: &Device, point: &[f32], v: &[f64]) -> [Vec<
             let moved = point.iter().zip(v).map(|(&x, v)| (f64::from(x) + step * v) as f32);
             set.forward(cpu, &moved.collect::<Vec<_>>())
         };
-        let (ahead, behind) = (at(step), at(-step));
+        let ahead = at(step);
+        let behind = at(-step);
         ahead.iter().zip(behind).map(|(a, b)| (a - b) / (2.0 * step)).collect()
     })
 }

@@ -48,7 +48,8 @@ impl Exposed {
         image: &Buffer<f32>,
         gradient: &Buffer<f32>,
     ) -> Result<Buffer<f32>> {
-        let (params, exposure) = (self.params, &self.exposure);
+        let params = self.params;
+        let exposure = &self.exposure;
         let rows = params.planes * params.side;
         let row_sum = device.unwritten("exposures' row sums", 2 * rows as usize)?;
         let kernel = ExposeBackwardKernel { params, image, exposure, gradient, row_sum: &row_sum };

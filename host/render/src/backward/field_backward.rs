@@ -60,7 +60,8 @@ impl GroupScratch {
         samples: CameraSamples,
     ) -> Result<Self> {
         let layout = blocks.layout();
-        let (label, rows) = ("gradient of inputs", field.layers[0].inputs);
+        let label = "gradient of inputs";
+        let rows = field.layers[0].inputs;
         Ok(Self {
             input_gradient: layout.room_for_group(device, label, rows)?,
             carry: device.unwritten("gradients of a slice", 2 * field.parameters.len())?,
@@ -181,8 +182,10 @@ impl DeviceField {
     ) -> Result<()> {
         group.pieces().try_for_each(|piece| {
             let params = self.grid_params(&piece, grid_row);
-            let (count, points) = (&piece.count(), &piece.point());
-            let (input_gradient, rows) = (&scratch.input_gradient, self.layers[0].inputs);
+            let count = &piece.count();
+            let points = &piece.point();
+            let input_gradient = &scratch.input_gradient;
+            let rows = self.layers[0].inputs;
             let of_piece = scratch.layout.chunk_view(input_gradient, piece.index(), rows);
             gradient.table.accumulate(device, self, params, count, points, &of_piece)
         })

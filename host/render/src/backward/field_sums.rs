@@ -25,7 +25,8 @@ pub fn set_scales(
     ranks.map_or(Ok(()), |ranks| ranks.sum(&mut samples))?;
     if let Some(ranks) = ranks.filter(|ranks| ranks.size() > 1) {
         let [color, transmittance] = tables(gradient).map(|table| device.read(&table.bound));
-        let (color, transmittance) = (color?, transmittance?);
+        let color = color?;
+        let transmittance = transmittance?;
         let mut bounds = [&color[..], &transmittance[..]].concat();
         ranks.max(&mut bounds)?;
         let (first, second) = bounds.split_at(color.len());
@@ -81,7 +82,8 @@ impl<'a> Sums<'a> {
 
 /// Only blocks that some rank has touched travel.
 fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
-    let (mut all, mut flags) = (Vec::new(), Vec::new());
+    let mut all = Vec::new();
+    let mut flags = Vec::new();
     for table in tables(gradient) {
         let touched = device.read(&table.touched)?;
         all.push(Sums::read(device, &table.sum, Some(touched))?);

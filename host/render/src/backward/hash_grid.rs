@@ -185,7 +185,8 @@ mod tests {
         };
         let network = Network { layers: vec![layer(4, 3), layer(3, 1)] };
         let table = vec![0.0; grid.entries() * 2];
-        let (field, options) = (Field { grid: table, network }, UploadOptions::default());
+        let field = Field { grid: table, network };
+        let options = UploadOptions::default();
         let upload = |name, values: Cow<'_, [f32]>| device.upload(name, &values);
         let tensors = pack_field(&field).try_map(["grid", "network"], upload).expect("memory");
         DeviceField::new(device, "color", &grid, &field, &tensors, options).expect("a field")
@@ -214,7 +215,8 @@ mod tests {
             let rows = device.upload("rows", &rows).expect("memory");
             let pair = device.upload("pair", &[Vec4::W * size, Vec4::ZERO, Vec4::ZERO]);
             let transmittance = device.upload("transmittance", &[0.5]).expect("memory");
-            let (pair, all) = (pair.expect("memory"), 2 * samples);
+            let pair = pair.expect("memory");
+            let all = 2 * samples;
             let counts = [1, all].map(Count::known);
             let transmittance = Some((&transmittance, 1.0));
             table.raise_bound(&device, &pair, transmittance, &counts[0]).expect("a bound");

@@ -223,21 +223,24 @@ impl Loss {
             slopes: &self.slopes,
         };
         device.run_over(&columns, size)?;
-        let (slopes, row_slopes) = (&self.slopes, &self.row_slopes);
+        let slopes = &self.slopes;
+        let row_slopes = &self.row_slopes;
         Ok(device.run_over(&SsimRowsBackwardKernel { params, window, slopes, row_slopes }, size)?)
     }
 
     /// K
     fn check(&self, inputs: &LossInputs<'_>) -> Result<u32> {
         let area = (self.side * self.side) as usize;
-        let (pixels, tiles) = (inputs.valid.len(), inputs.valid.len() / area);
+        let pixels = inputs.valid.len();
+        let tiles = inputs.valid.len() / area;
         let fits = pixels == tiles * area
             && tiles <= self.tiles as usize
             && [inputs.image, inputs.target].iter().all(|buffer| buffer.len() == 3 * pixels);
         if fits {
             return Ok(tiles as u32);
         }
-        let (image, target) = (inputs.image.len(), inputs.target.len());
+        let image = inputs.image.len();
+        let target = inputs.target.len();
         let reason = format!(
             "{image} values of an image, {target} of its target and {pixels} of the mask are not those of up to {} \
              tiles of side {}",

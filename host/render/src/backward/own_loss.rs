@@ -122,7 +122,8 @@ impl Step<'_> {
     /// Renders a part, has the loss evaluated, and goes back.
     fn part(&self, own: &mut DeviceLoss<'_>, plan: &PartTiles) -> Result<(f64, f64)> {
         let Self { renderer, scene, cameras, target, gradient } = *self;
-        let (device, side) = (renderer.device(), plan.side);
+        let device = renderer.device();
+        let side = plan.side;
         let area = (side * side) as usize;
         let image = values_of_tiles(target.image, &plan.tiles, 3 * area);
         let valid = values_of_tiles(target.valid, &plan.tiles, area);

@@ -35,7 +35,8 @@ impl Part {
         let device = scene.device();
         let pair_gradient = self.pair_gradient(scene, side, image_gradient)?;
         self.raise_bounds(device, &pair_gradient, gradient)?;
-        let (pairs, samples) = (&self.bins.pairs.count, &self.transmittance.samples);
+        let pairs = &self.bins.pairs.count;
+        let samples = &self.transmittance.samples;
         if pairs.upper_bound() > 0 {
             gradient.color.table.set_scale(device, &scene.color, pairs)?;
         }

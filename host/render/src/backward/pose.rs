@@ -20,7 +20,8 @@ pub fn pose_backward(
     pair_gradient: &Buffer<Vec4>,
     gradient: &BinnedGradient,
 ) -> Result<()> {
-    let (pairs, tensors) = (&bins.pairs, &scene.tensors.gaussians);
+    let pairs = &bins.pairs;
+    let tensors = &scene.tensors.gaussians;
     let gaussians = scene.gaussians;
     let blocks = gaussians.div_ceil(BLOCK);
     bins.cameras.iter().zip(0..).try_for_each(|(&place, camera)| {

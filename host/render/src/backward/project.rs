@@ -22,10 +22,14 @@ pub fn project_backward(
     cameras: &Range<u32>,
 ) -> Result<()> {
     let device = scene.device();
-    let (pairs, tensors) = (&bins.pairs, &scene.tensors.gaussians);
-    let (pair_mask, first_pair) = (&bins.pair_mask.bits, &bins.pair_mask.first);
-    let (gaussians, words) = (scene.gaussians, words(scene.gaussians));
-    let (first_camera, cameras) = (cameras.start, cameras.end - cameras.start);
+    let pairs = &bins.pairs;
+    let tensors = &scene.tensors.gaussians;
+    let pair_mask = &bins.pair_mask.bits;
+    let first_pair = &bins.pair_mask.first;
+    let gaussians = scene.gaussians;
+    let words = words(scene.gaussians);
+    let first_camera = cameras.start;
+    let cameras = cameras.end - cameras.start;
     let blur = scene.config.blur as f32;
     let kernel = ProjectBackwardKernel {
         params: ProjectBackwardParams {

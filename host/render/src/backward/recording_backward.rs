@@ -47,7 +47,9 @@ impl Recording<'_> {
         match added {
             Err(error) if error.is_out_of_memory() && self.shared.is_none() => {
                 rollback();
-                let (renderer, scene, cameras) = (&self.renderer, &self.fields, &self.cameras);
+                let renderer = &self.renderer;
+                let scene = &self.fields;
+                let cameras = &self.cameras;
                 renderer.in_parts(scene, &self.batch, |plans| {
                     let added = renderer.add_parts(scene, cameras, plans, grad_output, fields);
                     added.inspect_err(|_| rollback())
@@ -109,7 +111,8 @@ impl Recording<'_> {
         grid: Grid<'_>,
     ) -> Result<Vec<Option<Buffer<Vec4>>>> {
         let device = self.renderer.device();
-        let (mut samples, mut all) = ([0; 2], Vec::new());
+        let mut samples = [0; 2];
+        let mut all = Vec::new();
         for ((block, parts), gradient) in self.blocks.iter().zip(&self.parts).zip(of_blocks) {
             for kept in parts {
                 let pairs = self.with_part(block, kept, |part| {
@@ -132,7 +135,8 @@ impl Recording<'_> {
         kept: &KeptPart,
         work: impl FnOnce(&Part) -> Result<R> + Send,
     ) -> Result<R> {
-        let (renderer, device) = (&self.renderer, self.renderer.device());
+        let renderer = &self.renderer;
+        let device = self.renderer.device();
         let render = |capacity: Option<Capacity>| {
             let part = Part::evaluate(block, &self.cameras, &kept.plan, true, capacity)?;
             let (_, needed) = part.read(device, Vec::new())?;
@@ -159,7 +163,8 @@ impl Recording<'_> {
         part: &Part,
         grad_output: &[f32],
     ) -> Result<Buffer<Vec4>> {
-        let (device, plan) = (self.renderer.device(), &kept.plan);
+        let device = self.renderer.device();
+        let plan = &kept.plan;
         let area = (plan.side * plan.side) as usize;
         let sums = values_of_tiles(&self.sums, &plan.tiles, PLANES * area);
         device.write(&part.composite.sum, 0, &sums)?;

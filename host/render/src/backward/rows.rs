@@ -41,7 +41,8 @@ impl<'a> Rows<'a> {
         ranks: &'a dyn Ranks,
         gradients: impl IntoIterator<Item = &'a SceneGradient>,
     ) -> Result<Self> {
-        let (mut scenes, mut end) = (Vec::new(), 0);
+        let mut scenes = Vec::new();
+        let mut end = 0;
         for gradient in gradients {
             let mut tensors = Vec::new();
             gradient.tensors.gaussians.as_ref().map(|tensor| tensors.push(tensor));
@@ -56,7 +57,8 @@ impl<'a> Rows<'a> {
 
     /// Takes what a view batch has left of a scene on the device.
     pub fn take(&mut self, scene: usize) -> Result<()> {
-        let (device, scene) = (self.device, &self.scenes[scene]);
+        let device = self.device;
+        let scene = &self.scenes[scene];
         let mut columns = Vec::with_capacity(scene.tensors.len());
         for tensor in &scene.tensors {
             let values = tensor.read(device)?;
@@ -119,7 +121,8 @@ impl SceneRows<'_> {
 
     /// The sums of the rows that a rank owns, those that any view batch has. Takes the rows from what each rank has sent.
     fn sum(&self, views: usize, rest: &mut [&[u32]], rank: usize) -> Vec<u32> {
-        let (width, owned) = (self.width(), self.owned(rank, rest.len()));
+        let width = self.width();
+        let owned = self.owned(rank, rest.len());
         let first_statistic = width - STATISTICS;
         let mut sums: Vec<f32> = vec![0.0; owned.len() * width];
         for (row, before) in sums.chunks_exact_mut(width).zip(&self.before[owned.clone()]) {
@@ -152,7 +155,8 @@ impl SceneRows<'_> {
 
     /// Writes the sums of all owners. Takes them from what each has told.
     fn write(&self, device: &Device, rest: &mut [&[u32]]) -> Result<()> {
-        let (width, len) = (self.width(), self.range.len());
+        let width = self.width();
+        let len = self.range.len();
         let zeros = |tensor: &&TensorGradient| vec![0.0_f32; tensor.range.len()];
         let mut columns: Vec<_> = self.tensors.iter().map(zeros).collect();
         let mut statistics = self.before.clone();

@@ -133,10 +133,12 @@ impl Renderer {
         loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
     ) -> Result<(Found, Vec<f32>)> {
-        let (device, side) = (self.device(), rendered.side);
+        let device = self.device();
+        let side = rendered.side;
         let area = (side * side) as usize;
         let most = (COMPARED_PIXELS / area).max(1);
-        let (mut found, mut gradient) = (Found::default(), Vec::new());
+        let mut found = Found::default();
+        let mut gradient = Vec::new();
         for (tiles, pixels) in tiles.chunks(most).zip(rendered.data.chunks(most * 3 * area)) {
             let loss = Loss::reuse(loss, device, side, tiles.len())?;
             let image = device.upload("rendered tiles", pixels)?;
@@ -166,7 +168,8 @@ impl Step<'_> {
 
     /// A step in one part.
     fn at_once(&self, plan: &PartTiles, loss: &mut Option<Loss>) -> Result<Found> {
-        let (device, scene) = (self.device(), self.scene);
+        let device = self.device();
+        let scene = self.scene;
         let loss = Loss::reuse(loss, device, plan.side, plan.tiles.len())?;
         let work = |capacity: Option<Capacity>| {
             let (part, compared) = self.render(plan, loss, capacity)?;
@@ -184,7 +187,9 @@ impl Step<'_> {
         loss: &mut Option<Loss>,
         shared: Option<(&dyn Ranks, usize)>,
     ) -> Result<Found> {
-        let (device, scene, gradient) = (self.device(), self.scene, self.gradient);
+        let device = self.device();
+        let scene = self.scene;
+        let gradient = self.gradient;
         let ranks = shared.map(|(ranks, _)| ranks);
         let Parts { kept, samples, found } = Parts::render(self, &plans, loss)?;
         set_scales(device, ranks, scene, gradient, samples)?;
@@ -237,8 +242,10 @@ struct Parts {
 impl Parts {
     /// Renders and compares all parts, and raises the bounds of the hash grids' sums.
     fn render(step: &Step<'_>, plans: &[&PartTiles], loss: &mut Option<Loss>) -> Result<Self> {
-        let (mut kept, mut samples) = (Vec::new(), [0; 2]);
-        let (mut found, mut keeps) = (Found::default(), true);
+        let mut kept = Vec::new();
+        let mut samples = [0; 2];
+        let mut found = Found::default();
+        let mut keeps = true;
         for plan in plans {
             let (part, of_part, capacity) = match Self::render_one(step, plan, loss) {
                 Err(error) if error.is_out_of_memory() && kept.iter().any(Option::is_some) => {

@@ -93,7 +93,8 @@ impl EyeCache {
             found == 0 || found > steps
         };
         let missing: Vec<_> = gaussians.iter().copied().filter(is_missing).collect();
-        let (mut samples, at_once) = (0, if device.is_cpu_like() { CPU_PAIRS } else { GPU_PAIRS });
+        let mut samples = 0;
+        let at_once = if device.is_cpu_like() { CPU_PAIRS } else { GPU_PAIRS };
         for some in missing.chunks(at_once) {
             if (options.is_cancelled)() {
                 return Ok(None);
@@ -149,7 +150,8 @@ impl EyeCache {
         let Some(samples) = samples else { return Ok(None) };
         let (transmittance, color) = self.gather(device, &gaussians)?;
         let background = options.background.unwrap_or(scene.config.background);
-        let (side, transmittance) = (plan.side, &transmittance);
+        let side = plan.side;
+        let transmittance = &transmittance;
         let composite = &Composite::new(scene, background, side, &bins, transmittance, &color)?;
         let seen = Seen { bins: &bins, transmittance, composite };
         let read = |buffers: Vec<_>| Ok((device.read_all(&buffers)?, ()));
@@ -192,7 +194,8 @@ impl Renderer {
     ) -> Result<Option<RenderedTiles>> {
         batch.validate(std::slice::from_ref(camera))?;
         cache.look_from(camera.for_kernels().eye.to_array(), scene.len())?;
-        let (device, channels) = (self.device(), options.channels);
+        let device = self.device();
+        let channels = options.channels;
         self.render_parts(scene, batch, channels, &mut |_, _| {}, &mut |plan| {
             device.run_in_pool(|| cache.render(scene, camera, plan, options))
         })
@@ -212,7 +215,8 @@ impl Renderer {
         count.par_chunks_mut(ROWS * width).enumerate().for_each(|(band, count)| {
             let top = band * ROWS;
             for [placed, conic] in projection.as_chunks().0 {
-                let (mean, reach) = ([placed.x, placed.y], placed.z);
+                let mean = [placed.x, placed.y];
+                let reach = placed.z;
                 // the pixels whose centers the radius may reach; of what is culled it is negative
                 let range = |axis: usize, first: usize, len: usize| {
                     let at = |value: f32| (value as isize - first as isize).clamp(0, len as isize);

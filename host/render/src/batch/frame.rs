@@ -55,7 +55,8 @@ impl Renderer {
             let device = self.device();
             let camera = std::slice::from_ref(camera);
             let bins = Bins::new(scene, camera, &plan, None)?;
-            let (pairs, members) = (bins.pairs.count.upper_bound(), bins.members.upper_bound());
+            let pairs = bins.pairs.count.upper_bound();
+            let members = bins.members.upper_bound();
             for (&steps, needed) in steps.iter().zip(&mut needed) {
                 let scene = &scene.with_ray_steps(steps.into());
                 let (_, first_sample) = segments(scene, &bins.pairs)?;

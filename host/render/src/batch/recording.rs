@@ -237,7 +237,8 @@ impl Recording<'_> {
     }
 
     fn check(&self, grad_output: &[f32]) -> Result<()> {
-        let (found, shape) = (grad_output.len(), self.batch.output_shape());
+        let found = grad_output.len();
+        let shape = self.batch.output_shape();
         let reason = if found != shape.iter().product::<usize>() {
             format!("the gradient has {found} values, but the batch is {shape:?}")
         } else if self.version != version(&self.blocks) {
@@ -250,7 +251,8 @@ impl Recording<'_> {
 
     /// Adds to new gradients, and reads them.
     fn download(&self, fields: &SceneGradient, grad_output: &[f32]) -> Result<Gradient> {
-        let (device, config) = (self.renderer.device(), &self.fields.config);
+        let device = self.renderer.device();
+        let config = &self.fields.config;
         if self.shared.is_none() {
             self.add_to(grad_output, fields, from_ref(fields))?;
             fields.check(device)?;

@@ -208,7 +208,8 @@ impl Renderer {
         plan: &PartTiles,
         mut work: impl FnMut(Option<Capacity>) -> Result<(R, Needed)>,
     ) -> Result<R> {
-        let (kind, tiles) = ([scene.gaussians, plan.side], plan.tiles.len());
+        let kind = [scene.gaussians, plan.side];
+        let tiles = plan.tiles.len();
         let guesses = self.device.leaves_counts_on_device();
         let mut capacity = if guesses { self.predictor().predict(kind, tiles) } else { None };
         loop {

@@ -102,7 +102,8 @@ impl Renderer {
         let len = PLANES * (batch.side * batch.side) as usize;
         self.in_parts(block, batch, |plans| {
             let mut sums = memory::zeros(batch.tiles.len() * len, "the sums of a block")?;
-            let (mut report, mut parts) = (RenderReport::default(), Vec::new());
+            let mut report = RenderReport::default();
+            let mut parts = Vec::new();
             let mut left = *room;
             // plans are last first
             for plan in plans.iter().rev() {
@@ -140,7 +141,8 @@ impl Renderer {
         sums: &[f32],
     ) -> Result<Vec<f32>> {
         let device = self.device();
-        let (background, divide_above) = (scene.config.background, scene.divide_above);
+        let background = scene.config.background;
+        let divide_above = scene.divide_above;
         let mut image = memory::reserve(sums.len() / PLANES * 3, "the rendered batch")?;
         for (plan, sums) in resolved_at_once(batch, sums) {
             let sum = device.upload("sums", sums)?;

@@ -107,8 +107,8 @@ fn tile_mask(
     projection: &Buffer<Vec4>,
 ) -> Result<Mask> {
     let len = (tiles * params.words) as usize;
-    let (mask, count) =
-        (device.unwritten("tile masks", len)?, device.unwritten("member counts", len)?);
+    let mask = device.unwritten("tile masks", len)?;
+    let count = device.unwritten("member counts", len)?;
     let kernel = TileMaskKernel { params, tile, projection, mask: &mask, count: &count };
     device.run(&kernel, params.words, tiles)?;
     Mask::new(device, mask, &count)
@@ -123,8 +123,8 @@ fn pair_mask(
     tile_mask: &Mask,
 ) -> Result<Mask> {
     let len = (cameras * words) as usize;
-    let (mask, count) =
-        (device.unwritten("pair masks", len)?, device.unwritten("pair counts", len)?);
+    let mask = device.unwritten("pair masks", len)?;
+    let count = device.unwritten("pair counts", len)?;
     let kernel = PairMaskKernel {
         params: PairMaskParams { words },
         first_tile,
@@ -178,7 +178,8 @@ impl Numbers {
         tally.record_total(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
         tally.record_total(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
         tally.clear_on_overflow(device, [pair_mask, tile_mask], &[tile_first])?;
-        let (pairs, members) = (tally.count(PAIRS), tally.count(MEMBERS));
+        let pairs = tally.count(PAIRS);
+        let members = tally.count(MEMBERS);
         let largest = members.upper_bound().min(gaussians);
         Ok(Self { pairs, members, largest, tally: Some(tally) })
     }
@@ -198,8 +199,10 @@ impl Bins {
         let (packed, first_tile) = plan.pack();
         let tile = device.upload("tiles", &packed)?;
         let first_tile = device.upload("first tiles", &first_tile)?;
-        let (tiles, slots) = (plan.tiles.len() as u32, used.len() as u32);
-        let (gaussians, words) = (scene.gaussians, words(scene.gaussians));
+        let tiles = plan.tiles.len() as u32;
+        let slots = used.len() as u32;
+        let gaussians = scene.gaussians;
+        let words = words(scene.gaussians);
 
         let params = TileMaskParams { gaussians, words, side: plan.side };
         let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;

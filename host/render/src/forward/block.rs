@@ -180,7 +180,8 @@ impl Blocks {
         let layout = Layout::new(device, largest);
         let chunks = pieces.into_iter().flat_map(|piece| piece.step_by(layout.chunk as usize));
         let mut first: Vec<_> = chunks.collect();
-        let (layout, rows) = (layout.with_chunks(first.len() as u32), rows as u32);
+        let layout = layout.with_chunks(first.len() as u32);
+        let rows = rows as u32;
         let all = first.len().div_ceil(layout.chunks.max(1) as usize);
         first.push(samples);
         let mut blocks = vec![Block::new(device, layout, rows)?];
@@ -205,7 +206,8 @@ impl Blocks {
 
     /// In order.
     pub fn iter(&self) -> impl Iterator<Item = BlockOf<'_>> {
-        let (chunks, last) = (self.first.len() - 1, self.blocks.len() - 1);
+        let chunks = self.first.len() - 1;
+        let last = self.blocks.len() - 1;
         let size = self.layout.chunks.max(1) as usize;
         let count = chunks.div_ceil(size);
         (0..count).map(move |index| {
@@ -264,14 +266,16 @@ impl<'a> BlockOf<'a> {
 
     /// The block's groups, in order.
     pub fn groups(&self) -> impl Iterator<Item = BlockOf<'a>> {
-        let (size, end) = (self.block.layout.group as usize, self.chunks.end);
+        let size = self.block.layout.group as usize;
+        let end = self.chunks.end;
         let begins = self.chunks.clone().step_by(size);
         begins.map(move |begin| self.with(begin, begin..end.min(begin + size)))
     }
 
     /// The pieces, in order: all chunks of a piece are full, except for the last one.
     pub fn pieces(&self) -> impl Iterator<Item = BlockOf<'a>> {
-        let (full, first) = (self.block.layout.chunk, &self.all.first);
+        let full = self.block.layout.chunk;
+        let first = &self.all.first;
         let mut rest = self.chunks.clone();
         std::iter::from_fn(move || {
             let begin = rest.next()?;

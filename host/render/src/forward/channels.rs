@@ -92,7 +92,8 @@ impl ChannelSums {
         let pairs = &bins.pairs;
         let capacity = pairs.count.upper_bound();
         let zeros = |name| device.zeros(name, 3 * capacity as usize);
-        let (measure, normals) = (zeros("depths and visibilities")?, zeros("normals")?);
+        let measure = zeros("depths and visibilities")?;
+        let normals = zeros("normals")?;
         let gaussians = &scene.tensors.gaussians;
         let kernel = PairChannelsKernel {
             params: PairChannelsParams { pairs: capacity, gaussians: scene.gaussians },

@@ -43,7 +43,8 @@ impl Color {
         visit: &mut dyn FnMut(&Chunk) -> Result<()>,
     ) -> Result<Self> {
         let device = scene.device();
-        let (config, field) = (&scene.config, &scene.color);
+        let config = &scene.config;
+        let field = &scene.color;
         let color = device.unwritten("color", pairs.count.upper_bound() as usize * 3)?;
         let ends = pairs.chunk_ends(keep);
         let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep, ends)?;
@@ -121,8 +122,10 @@ impl Color {
         if capacity == 0 {
             return Ok(None);
         }
-        let (config, field) = (&scene.config, &scene.color);
-        let (grid_row, material) = (config.sh_width() as u32, config.material);
+        let config = &scene.config;
+        let field = &scene.color;
+        let grid_row = config.sh_width() as u32;
+        let material = config.material;
         let layout = self.blocks.layout();
         let samples = CameraSamples::new(scene, bins, None);
         let group_scratch = GroupScratch::new(device, field, &self.blocks, samples)?;

@@ -82,7 +82,8 @@ impl DeviceField {
 
     /// The hash grid's parameters for a piece of a block, whose features begin at `first_row`.
     pub(crate) fn grid_params(&self, piece: &BlockOf<'_>, first_row: u32) -> HashGridParams {
-        let (block, layout) = (piece.block, piece.block.layout);
+        let block = piece.block;
+        let layout = piece.block.layout;
         HashGridParams {
             points: piece.samples(),
             stride: layout.stride,
@@ -101,8 +102,11 @@ impl DeviceField {
 
     fn encode_piece(&self, device: &Device, piece: &BlockOf<'_>, first_row: u32) -> Result<()> {
         let params = self.grid_params(piece, first_row);
-        let (position, output) = (&piece.point(), &piece.input());
-        let (levels, samples, layers) = (&self.levels, params.points, self.levels.len() as u32);
+        let position = &piece.point();
+        let output = &piece.input();
+        let levels = &self.levels;
+        let samples = params.points;
+        let layers = self.levels.len() as u32;
         match &self.half_table {
             None => {
                 let table = &self.table;

@@ -88,9 +88,11 @@ impl Transmittance {
     /// The rays of all pairs; evaluates the samples once more.
     pub fn rays(&self, scene: &DeviceScene, pairs: &Pairs) -> Result<Vec<Ray>> {
         let device = scene.device();
-        let (segment, first) = (&self.segment, &self.first_sample);
+        let segment = &self.segment;
+        let first = &self.first_sample;
         let log_rho = log_rho(scene, pairs, segment, first, &self.blocks)?;
-        let (segment, first) = (device.read(segment)?, device.read(first)?);
+        let segment = device.read(segment)?;
+        let first = device.read(first)?;
         let log_rho = device.read(&log_rho)?;
         let is_contracted = !scene.config.contraction.is_none();
         let ray = |(pair, vectors): (usize, &[Vec4; SEGMENT_VECTORS as usize])| {
@@ -250,7 +252,9 @@ impl Transmittance {
         if self.samples.upper_bound() == 0 {
             return Ok(None);
         }
-        let (pairs, field, extra) = (&bins.pairs, &scene.transmittance, scene.config.extra);
+        let pairs = &bins.pairs;
+        let field = &scene.transmittance;
+        let extra = scene.config.extra;
         let layout = self.blocks.layout();
         let samples = CameraSamples::new(scene, bins, Some(&self.first_sample));
         let group_scratch = GroupScratch::new(device, field, &self.blocks, samples)?;

@@ -34,7 +34,8 @@ pub fn weighted_sum(
     };
     device.run(&kernel.counted(&pairs.count), capacity, 1)?;
 
-    let (tiles, members) = (bins.tiles, bins.members.upper_bound());
+    let tiles = bins.tiles;
+    let members = bins.members.upper_bound();
     let cells = device.unwritten("cells", members as usize)?;
     let kernel = TileCellsKernel {
         params: TileCellsParams { members, tiles, side },

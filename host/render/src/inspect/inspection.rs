@@ -110,8 +110,10 @@ impl Renderer {
         let device = self.device();
         let (pairs, transmittance) = self.every_pair(scene, camera)?;
 
-        let (sh_width, grid_width) = (scene.config.sh_width(), scene.config.color_grid.width());
-        let (mut sh, mut color_encoding) = (Vec::new(), Vec::new());
+        let sh_width = scene.config.sh_width();
+        let grid_width = scene.config.color_grid.width();
+        let mut sh = Vec::new();
+        let mut color_encoding = Vec::new();
         let color = Color::evaluate_with(scene, &pairs, false, &mut |chunk| {
             let rows = device.read(&chunk.input)?;
             for sample in 0..chunk.samples as usize {

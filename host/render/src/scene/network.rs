@@ -24,7 +24,8 @@ impl LayerPlace {
             let block = if index < last { OUTPUTS_PER_INVOCATION } else { 4 };
             let inputs = layer.inputs as u32;
             let columns = (layer.outputs as u32).next_multiple_of(block) / 4;
-            let (weight, bias) = (end, end + inputs * columns);
+            let weight = end;
+            let bias = end + inputs * columns;
             end = bias + columns;
             Self { inputs, columns, weight, bias }
         };
@@ -33,7 +34,8 @@ impl LayerPlace {
 
     /// The place of the value `at` of the layer's weight `[outputs, inputs]`, in values.
     fn weight_value(&self, at: usize) -> usize {
-        let (output, input) = (at / self.inputs as usize, at % self.inputs as usize);
+        let output = at / self.inputs as usize;
+        let input = at % self.inputs as usize;
         4 * (self.weight as usize + input * self.columns as usize) + output
     }
 

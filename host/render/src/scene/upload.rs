@@ -30,7 +30,8 @@ impl Renderer {
     /// The same errors as [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
     pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
         scene.validate()?;
-        let (device, config) = (self.device(), &scene.config);
+        let device = self.device();
+        let config = &scene.config;
         let mut packed = pack(scene);
         if options.half_grids {
             // the halves are there instead
@@ -42,7 +43,8 @@ impl Renderer {
         let field = |name, grid, field, tensors| {
             DeviceField::new(device, name, grid, field, tensors, options)
         };
-        let (color, transmittance) = (&scene.color, &scene.transmittance);
+        let color = &scene.color;
+        let transmittance = &scene.transmittance;
         let is_contracted = !config.contraction.is_none();
         let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
         Ok(DeviceScene {

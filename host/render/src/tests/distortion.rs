@@ -46,7 +46,8 @@ fn distortion(renderer: &Renderer, scene: &Scene) -> f64 {
 
 /// The gradients of opacities `[N]`, of log scales `[N, 3]` and of the transmittance network's last bias.
 fn gradients(renderer: &Renderer, scene: &Scene, weight: f32) -> [Vec<f32>; 3] {
-    let (image, valid) = (vec![0.3; 3 * 4 * AREA], valid());
+    let image = vec![0.3; 3 * 4 * AREA];
+    let valid = valid();
     let target = LossTarget {
         image: &image,
         valid: &valid,

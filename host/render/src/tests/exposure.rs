@@ -54,7 +54,8 @@ const BIAS: &str = "color.mlp.2.bias";
 /// In one part, and in one for each tile.
 #[test]
 fn gradients_are_those_of_differences() {
-    let (scene, exposure) = (some(), exposures());
+    let scene = some();
+    let exposure = exposures();
     for bytes in [512 << 20, 1] {
         let renderer = Renderer::new(devices::cpu(Some(2))).with_part_bytes(bytes);
         let (_, found, by_bias) = evaluate(&renderer, &scene, &exposure);

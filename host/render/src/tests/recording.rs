@@ -24,7 +24,8 @@ fn bits(gradient: &Gradient) -> Vec<Vec<u32>> {
 fn rendered_again(renderer: &Renderer, scene: &DeviceScene, slopes: &[f32]) -> Gradient {
     let device = renderer.device();
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
-    let (cameras, batch) = (demo::turntable(2, 64), batch());
+    let cameras = demo::turntable(2, 64);
+    let batch = batch();
     renderer.add_gradient(scene, &cameras, &batch, slopes, &gradient).expect("a gradient");
     gradient.download(device, scene.config(), scene.len()).expect("a gradient")
 }
@@ -192,7 +193,8 @@ fn a_scene_that_is_written_to_is_the_scene_that_was_written() {
 
 #[test]
 fn what_cannot_be_written_or_recorded_is_refused() {
-    let (host, renderer) = (some(), Renderer::new(super::devices::cpu(Some(2))));
+    let host = some();
+    let renderer = Renderer::new(super::devices::cpu(Some(2)));
     let device = renderer.device();
     let scene = renderer.upload(&host).expect("a scene");
     let refused = |name: &str, values: &[f32], expected: &str| {

@@ -64,12 +64,14 @@ impl Reverse {
 
     /// `x.f(..)`
     pub fn method(&mut self, of: &syn::ExprMethodCall) -> Result<Operand> {
-        let (name, turbofish) = (&of.method, &of.turbofish);
+        let name = &of.method;
+        let turbofish = &of.turbofish;
         let arguments = std::iter::once(&*of.receiver).chain(&of.args);
         let operands =
             arguments.map(|argument| self.expression(argument)).collect::<Result<Vec<_>>>()?;
         let call = |values: &[TokenStream]| {
-            let (receiver, values) = (&values[0], &values[1..]);
+            let receiver = &values[0];
+            let values = &values[1..];
             quote!(#receiver.#name #turbofish (#(#values),*))
         };
         if LANE.iter().any(|&(lane, arguments)| name == lane && arguments == operands.len()) {
@@ -80,7 +82,8 @@ impl Reverse {
             operands,
             |values| call(&values),
             move |values, d| {
-                let (receiver, values) = (&values[0], &values[1..]);
+                let receiver = &values[0];
+                let values = &values[1..];
                 quote!(#receiver.#backward(#(#values,)* #d))
             },
         ))
@@ -163,8 +166,11 @@ impl Reverse {
             });
             quote!((#(#sums,)*))
         };
-        let (yes_gradients, no_gradients) = (gradients(&yes.1), gradients(&no.1));
-        let (yes, no, then) = (yes.0, no.0, &of.then_branch);
+        let yes_gradients = gradients(&yes.1);
+        let no_gradients = gradients(&no.1);
+        let yes = yes.0;
+        let no = no.0;
+        let then = &of.then_branch;
         let names: Vec<_> = used.iter().map(|_| self.fresh("entry_")).collect();
         let places: Vec<_> = used.iter().map(|&input| places[input].clone()).collect();
         let value = quote!(if #condition #then else #otherwise);

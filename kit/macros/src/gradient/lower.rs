@@ -293,17 +293,22 @@ impl Reverse {
     }
 
     pub fn binary(&mut self, left: &Expr, op: BinOp, right: &Expr) -> Result<Operand> {
-        let (left, right) = (self.expression(left)?, self.expression(right)?);
-        let (a, b) = (self.tokens(&left), self.tokens(&right));
-        let (left, right) = (left.place(), right.place());
+        let left = self.expression(left)?;
+        let right = self.expression(right)?;
+        let a = self.tokens(&left);
+        let b = self.tokens(&right);
+        let left = left.place();
+        let right = right.place();
         let product = quote!(::muslin::gradient::Product);
         let is_one = a.to_string() == "1.0";
-        let (name, by_left) = (self.next(), self.fresh("quotient_"));
+        let name = self.next();
+        let by_left = self.fresh("quotient_");
         let value = quote!(#a #op #b);
         Ok(self.value(
             &value,
             Box::new(move |d| {
-                let (left, right) = (left.as_ref(), right.as_ref());
+                let left = left.as_ref();
+                let right = right.as_ref();
                 let mut terms = Vec::new();
                 let mut statements = quote!();
                 match op {
@@ -369,9 +374,11 @@ impl Reverse {
         if let Some(rest) = &of.rest {
             return Err(Error::new(rest.span(), "a gradient needs every field: write them out"));
         }
-        let (mut fields, mut parts) = (Vec::new(), Vec::new());
+        let mut fields = Vec::new();
+        let mut parts = Vec::new();
         for field in &of.fields {
-            let (member, operand) = (&field.member, self.expression(&field.expr)?);
+            let member = &field.member;
+            let operand = self.expression(&field.expr)?;
             let value = self.tokens(&operand);
             fields.push(quote!(#member: #value));
             parts.extend(operand.place().map(|place| (place, quote!(.#member))));

@@ -18,7 +18,8 @@ pub fn ripples(id: Invocation, params: &Picture, gray: Write<f32>) {
     let place = id.global();
     if place.x < params.side && place.y < params.side {
         let middle = 0.5 * params.side as f32;
-        let (x, y) = (place.x as f32 + 0.5 - middle, place.y as f32 + 0.5 - middle);
+        let x = place.x as f32 + 0.5 - middle;
+        let y = place.y as f32 + 0.5 - middle;
         let wave = 4.0 * math::sqrt(x * x + y * y) / middle;
         let slope = math::abs(2.0 * (wave - math::truncate(wave)) - 1.0);
         gray.write(place.y * params.side + place.x, 1.0 - 0.8 * slope);
@@ -76,9 +77,12 @@ mod tests {
     /// A test beside a kernel needs no device: it calls the kernel, one workgroup at a time.
     #[test]
     fn pixels_are_counted() {
-        let (params, gray) = (Picture { side: 2, pixels: 4 }, [0.0, 0.03, 0.52, 1.0]);
-        let (mut bins, counts) = ([0; BINS], SharedMemory::new());
-        let (input, sums) = (Read::from(&gray[..]), Write::from(&mut bins[..]));
+        let params = Picture { side: 2, pixels: 4 };
+        let gray = [0.0, 0.03, 0.52, 1.0];
+        let mut bins = [0; BINS];
+        let counts = SharedMemory::new();
+        let input = Read::from(&gray[..]);
+        let sums = Write::from(&mut bins[..]);
         Workgroup::new([64, 1, 1]).run(|id| histogram(id, &params, input, sums, counts.view()));
         assert_eq!((bins[0], bins[8], bins[15]), (2, 1, 1));
     }

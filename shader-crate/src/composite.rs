@@ -1,7 +1,7 @@
 //! B3. The weighted sum over a tile's members (Eq. 12), for all tiles of a batch at once: pixels along x and y, tiles
 //! along z.
 
-use glam::{UVec3, Vec2, Vec3, Vec4};
+use glam::{UVec3, Vec3, Vec4};
 
 use crate::limits::MAX_MEMBERS;
 use crate::project::{falloff, in_support, mahalanobis};
@@ -9,8 +9,7 @@ use crate::project::{falloff, in_support, mahalanobis};
 use crate::splat::SPLAT;
 use crate::splat::VECTORS;
 use crate::tile::Tile;
-use crate::tile_cells::Cells;
-use muslin::math::abs;
+use crate::tile_cells::{Cells, touches};
 use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
 use muslin::work::{NUMBER, Shape, VECTOR, Work};
@@ -42,22 +41,6 @@ pub fn splat_distance<L: Lane>(placed: Vec4, conic: Vec4, x: L, y: L) -> L {
 #[inline(always)]
 pub fn alpha<L: Lane>(placed: Vec4, q: L) -> L {
     L::splat(placed.z) * falloff(q)
-}
-
-/// Whether a splat's support may reach pixels of a row, whose centers lie in `[first, last]` and at height `y`.
-#[inline(always)]
-pub fn touches(placed: Vec4, conic: Vec4, first: f32, last: f32, y: f32) -> bool {
-    let beside = first - placed.x > placed.w || placed.x - last > placed.w;
-    !(beside || abs(y - placed.y) > conic.w)
-}
-
-/// Center of a tile's pixel, in the image.
-#[inline(always)]
-pub fn pixel_center(tile: &Tile, column: u32, row: u32) -> Vec2 {
-    Vec2::new(
-        (tile.origin[0] + column as i32) as f32 + 0.5,
-        (tile.origin[1] + row as i32) as f32 + 0.5,
-    )
 }
 
 /// Planes of a tile's sums: the channels of C, then S.
@@ -154,7 +137,7 @@ pub fn composite<L: Lane>(
     if shared_cells.is_shared() || inside {
         let place = if inside { place } else { UVec3::ZERO };
         let t = id.workgroup.z;
-        let first = pixel_center(&Tile::read(tile, t), place.x, place.y);
+        let first = Tile::read(tile, t).pixel_center(place.x, place.y);
         let last = first.x + (L::WIDTH - 1) as f32;
         let x = L::splat(first.x) + L::ramp();
         let y = L::splat(first.y);

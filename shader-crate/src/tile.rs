@@ -39,6 +39,13 @@ impl Tile {
             output: tiles.read(first + 3) as u32,
         }
     }
+
+    /// Center of a pixel of the tile, in the image.
+    #[inline(always)]
+    pub fn pixel_center(&self, column: u32, row: u32) -> Vec2 {
+        let [x, y] = self.origin;
+        Vec2::new((x + column as i32) as f32 + 0.5, (y + row as i32) as f32 + 0.5)
+    }
 }
 
 /// `dist(x, B_t)` squared, to the closed box `[low, low + side]`.

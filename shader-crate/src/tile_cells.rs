@@ -5,10 +5,10 @@
 
 use glam::Vec4;
 
-use crate::composite::{pixel_center, touches};
 use crate::splat::VECTORS;
 use crate::tile::Tile;
 use crate::transmittance::owner;
+use muslin::math::abs;
 use muslin::prelude::*;
 
 /// Columns of cells.
@@ -86,6 +86,13 @@ pub fn tile_cells(
     }
 }
 
+/// Whether a splat's support may reach pixels of a row, whose centers lie in `[first, last]` and at height `y`.
+#[inline(always)]
+pub fn touches(placed: Vec4, conic: Vec4, first: f32, last: f32, y: f32) -> bool {
+    let beside = first - placed.x > placed.w || placed.x - last > placed.w;
+    !(beside || abs(y - placed.y) > conic.w)
+}
+
 /// Whether a splat's extent meets the pixel centers of the cell that begins at a pixel.
 #[inline(always)]
 fn reaches_cell(
@@ -96,8 +103,8 @@ fn reaches_cell(
     placed: Vec4,
     conic: Vec4,
 ) -> bool {
-    let first = pixel_center(tile, column, row);
-    let last = pixel_center(tile, column + grid.width - 1, row + grid.height - 1);
+    let first = tile.pixel_center(column, row);
+    let last = tile.pixel_center(column + grid.width - 1, row + grid.height - 1);
     // the nearest of its rows
     let y = if placed.y < first.y {
         first.y

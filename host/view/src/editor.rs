@@ -8,8 +8,8 @@ use std::sync::Arc;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use super::frame_renderer::Stage;
 use super::message::{CameraMessage, MAX_SIDE, checked, refuse};
+use super::stage::Stage;
 use organza_core::camera::Camera;
 use organza_core::edit::Region;
 use organza_core::error::Result;

@@ -14,26 +14,16 @@ use super::pace::Pace;
 use super::photographs::Photographs;
 use super::picture::{self, Range};
 use super::queue::{FrameJob, Job, Question, Queue, Rendered};
+use super::stage::Stage;
 use organza_core::RenderReport;
 use organza_core::error::{self, Result};
 use organza_core::image::{ChannelImage, Image, TILE_SIDE};
 use organza_core::tile::TileBatch;
 use organza_data::Photograph;
-use organza_render::{DeviceScene, EyeCache, EyeOptions, Renderer};
+use organza_render::{EyeCache, EyeOptions};
 
 /// Number of clients whose evaluated fields are kept.
 const MAX_EYES: usize = 8;
-
-/// The current scene.
-#[derive(Clone, Copy, Debug)]
-pub struct Stage<'a> {
-    /// The renderer of the scene.
-    pub renderer: &'a Renderer,
-    /// The scene.
-    pub scene: &'a DeviceScene,
-    /// Changes with the scene: the number of training steps.
-    pub version: u64,
-}
 
 /// Answers requests, one at a time.
 #[derive(Debug)]

@@ -23,14 +23,16 @@ mod photographs;
 mod picture;
 mod queue;
 mod server;
+mod stage;
 mod training;
 mod training_status;
 pub mod web;
 
 pub use about::{About, Purpose};
 pub use editor::Editor;
-pub use frame_renderer::{FrameRenderer, Stage};
+pub use frame_renderer::FrameRenderer;
 pub use photographs::Photographs;
 pub use queue::Queue;
 pub use server::{Address, Server};
+pub use stage::Stage;
 pub use training::TrainingView;

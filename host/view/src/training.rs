@@ -5,10 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use super::about::{About, Purpose};
-use super::frame_renderer::{FrameRenderer, Stage};
+use super::frame_renderer::FrameRenderer;
 use super::photographs::Photographs;
 use super::queue::Queue;
 use super::server::{Films, Server};
+use super::stage::Stage;
 use super::training_status::TrainingStatus;
 use organza_core::error::Result;
 use organza_data::{Dataset, Pose};

@@ -1,7 +1,7 @@
 //! The results of single stages: each stage for every Gaussian, or all stages for one pixel.
 
 use glam::{Vec2, Vec4};
-use organza_shaders::composite::{alpha, pixel_center, splat_distance};
+use organza_shaders::composite::{alpha, splat_distance};
 use organza_shaders::project::{EVERYWHERE, falloff, in_support};
 use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
@@ -227,7 +227,7 @@ impl Renderer {
         let (color, _) = color.as_chunks::<3>();
         let splat = device.read(&part.composite.splat)?;
         let opacity = device.read(&scene.tensors.gaussians.opacity)?;
-        let center = pixel_center(&KernelTile { camera: 0, origin: pixel, output: 0 }, 0, 0);
+        let center = KernelTile { camera: 0, origin: pixel, output: 0 }.pixel_center(0, 0);
 
         let mut sum = Vec4::ZERO;
         let mut contributions = Vec::new();

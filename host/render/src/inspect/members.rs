@@ -1,7 +1,7 @@
 //! The Gaussians of single pixels, as the host sees them.
 
 use glam::Vec4;
-use organza_shaders::composite::{alpha, pixel_center, splat_distance};
+use organza_shaders::composite::{alpha, splat_distance};
 use organza_shaders::project::in_support;
 use organza_shaders::splat::VECTORS;
 use organza_shaders::tile::Tile as KernelTile;
@@ -44,7 +44,7 @@ impl Members {
     /// Those that reach a pixel of the image, in the part's tile with this index. `depths [N]` are those of all Gaussians.
     pub fn at(&self, tile: usize, pixel: [i32; 2], depths: &[f64]) -> Vec<Member> {
         let square = KernelTile { camera: 0, origin: pixel, output: 0 };
-        let center = pixel_center(&square, 0, 0);
+        let center = square.pixel_center(0, 0);
         let range = self.first[tile] as usize..self.first[tile + 1] as usize;
         let reaching = |&member: &u32| {
             let at = member as usize * VECTORS as usize;

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use muslin::{KernelInfo, kernels};
 use muslin_device::{Device, InstructionSet, Modules};
 
-use super::case::{Case, Rounding};
+use super::case::Case;
+use super::parity::Rounding;
 use super::report::{Report, Row};
 use super::{debugger, devices, measure::Measure};
 

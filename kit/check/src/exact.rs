@@ -2,9 +2,10 @@
 
 use muslin_device::{Device, Result};
 
-use super::case::{Parity, Rounding};
+use super::canary::Canary;
 use super::measure::{Bound, Measure, Output, Values};
-use super::runner::{Canary, KernelRunner};
+use super::parity::{Parity, Rounding};
+use super::runner::KernelRunner;
 
 /// Runs all sets and compares them with [`Parity::exact`].
 pub fn compare_with_exact<P: Parity>(device: &Device, rounding: Rounding) -> Result<Measure> {

@@ -5,8 +5,8 @@ use muslin::given::Given;
 use muslin::kernel::{Access, BindingInfo, Dispatch, Storage};
 use muslin_device::{Buffer, Host};
 
+use super::canary::Canary;
 use super::measure::{Output, Values};
-use super::runner::Canary;
 
 /// The contents of a kernel's storage buffers, as words.
 pub(super) fn words<'a>(

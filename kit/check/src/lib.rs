@@ -68,6 +68,7 @@
 
 mod assert;
 pub mod bench;
+pub mod canary;
 pub mod case;
 mod debugger;
 pub mod devices;
@@ -75,6 +76,7 @@ mod exact;
 mod given;
 pub mod inputs;
 pub mod measure;
+pub mod parity;
 mod peaks;
 pub mod prelude;
 pub mod report;
@@ -85,11 +87,13 @@ pub mod snapshot;
 mod transpose;
 
 pub use assert::assert_parity;
-pub use case::{Case, Parity, Rounding, missing};
+pub use canary::{Canary, unwritten};
+pub use case::{Case, missing};
 // the result type of cases
 pub use muslin_device::Result;
 
 pub use measure::{Bound, Measure, Output, Values, Worst};
+pub use parity::{Parity, Rounding};
 pub use report::{Report, Row};
-pub use runner::{Canary, KernelRunner, unwritten};
+pub use runner::KernelRunner;
 pub use transpose::assert_transpose;

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::case::{Case, Rounding};
+use super::case::Case;
 use super::measure::{Measure, Worst};
+use super::parity::Rounding;
 use muslin_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath, Table};
 
 /// The results of the cases on a device.

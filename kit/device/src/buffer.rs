@@ -4,15 +4,9 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 
 use bytemuck::Pod;
-use muslin::kernel::Storage;
 
-use crate::count::Count;
 use crate::cpu_memory::CpuMemory;
-use crate::gpu::GpuBuffer;
-
-/// Marks the host's side of kernels: buffers are those of a [`Device`](crate::Device).
-#[derive(Debug)]
-pub enum Host {}
+use crate::gpu_buffer::GpuBuffer;
 
 /// `len` values of `T` on a device.
 #[derive(Debug)]
@@ -111,19 +105,5 @@ impl<T: Pod> Buffer<T> {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.raw.bytes
-    }
-}
-
-impl Storage for Host {
-    type Buffer<T: Pod> = Buffer<T>;
-    type Binding<'a> = &'a RawBuffer;
-    type Count = Count;
-
-    fn bind<T: Pod>(buffer: &Buffer<T>) -> &RawBuffer {
-        buffer.raw()
-    }
-
-    fn upper_bound(count: &Count) -> u32 {
-        count.upper_bound()
     }
 }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::cpu_memory::{CpuMemory, MemoryPool};
 use crate::error::{Error, Result};
-use crate::open::DeviceOptions;
+use crate::options::DeviceOptions;
 use crate::{memory, supervise};
 
 thread_local! {

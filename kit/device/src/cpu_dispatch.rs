@@ -15,31 +15,12 @@ use crate::cpu::Cpu;
 use crate::cpu_bindings::{Monitor, bind, monitors};
 use crate::error::{Error, Result};
 use crate::flushing::Flushing;
-use crate::order::Order;
+use crate::job::{Job, RunMode};
 use crate::workgroups::Workgroups;
 use crate::{supervise, thorough, watchdog};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
 const AT_ONCE: u64 = 8;
-
-/// A kernel and its bindings.
-pub struct Job<'a> {
-    pub info: &'static KernelInfo,
-    pub bindings: Vec<CpuBinding<'static>>,
-    pub buffers: &'a [&'a RawBuffer],
-    pub workgroups: Workgroups,
-}
-
-/// How a dispatch runs.
-#[derive(Clone, Copy, Default)]
-pub struct Way {
-    /// The order of its invocations, if it is not the usual one.
-    pub order: Option<Order>,
-    /// Whether denormals are flushed to zero.
-    pub is_flushing: bool,
-    /// Whether multiplications and additions are fused, in a kernel that has such a run.
-    pub is_fused: bool,
-}
 
 /// One run of a dispatch.
 struct Launch<'a> {
@@ -50,7 +31,7 @@ struct Launch<'a> {
     workgroups: UVec3,
     is_checked: bool,
     time_limit: Option<Duration>,
-    way: Way,
+    mode: RunMode,
 }
 
 impl Launch<'_> {
@@ -70,7 +51,7 @@ impl Launch<'_> {
         begin(Some(RunningInvocation { kernel, id: first, is_checked: self.is_checked }));
         // each workgroup has an order of its own
         let count = u64::from(local.element_product());
-        let order = self.way.order.map(|order| order.permutation(count, 1 + index));
+        let order = self.mode.order.map(|order| order.permutation(count, 1 + index));
         match self.time_limit {
             Some(limit) => watchdog::run(limit, kernel, || self.run_at(place, order.as_deref())),
             None => self.run_at(place, order.as_deref()),
@@ -79,7 +60,7 @@ impl Launch<'_> {
 
     fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
         let size = UVec3::from(self.info.workgroup_size);
-        let fused = self.info.run_fused.filter(|_| self.way.is_fused);
+        let fused = self.info.run_fused.filter(|_| self.mode.is_fused);
         let run = match fused {
             Some(run) => CpuRun::Invocation(run),
             None => self.run,
@@ -131,7 +112,7 @@ impl Launch<'_> {
     }
 
     fn run_some(&self, mut indices: impl Iterator<Item = u64>) -> Result<(), String> {
-        let _flushing = self.way.is_flushing.then(Flushing::enable);
+        let _flushing = self.mode.is_flushing.then(Flushing::enable);
         supervise::supervise(|| indices.try_for_each(|index| self.run(index)))
     }
 }
@@ -150,7 +131,7 @@ impl Cpu {
         let job = Job { info, bindings, buffers, workgroups };
         let result = match self.thorough {
             Some(seed) => thorough::run(self, &job, seed),
-            None => self.run_once(&job, Way::default()).map(drop),
+            None => self.run_once(&job, RunMode::default()).map(drop),
         };
         result.map_err(failed)
     }
@@ -159,7 +140,7 @@ impl Cpu {
     pub fn run_once<'a>(
         &self,
         job: &Job<'a>,
-        way: Way,
+        mode: RunMode,
     ) -> Result<Vec<Option<Monitor<'a>>>, String> {
         let info = job.info;
         let monitors = match self.check_races {
@@ -178,7 +159,7 @@ impl Cpu {
             workgroups: job.workgroups.all.into(),
             is_checked: self.check_races,
             time_limit: self.time_limit,
-            way,
+            mode,
         };
         self.launch(&launch)?;
         self.note_writer(info, &monitors);
@@ -215,7 +196,7 @@ impl Cpu {
     /// Runs all workgroups, on the threads that there are.
     fn launch(&self, launch: &Launch<'_>) -> Result<(), String> {
         let [x, y, z] = launch.workgroups.to_array().map(u64::from);
-        if let Some(order) = launch.way.order {
+        if let Some(order) = launch.mode.order {
             return launch.run_some(order.permutation(x * y * z, 0).into_iter());
         }
         // one thread runs all workgroups with the same z

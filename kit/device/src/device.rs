@@ -9,11 +9,10 @@ use muslin::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInfo};
 
 use muslin::work::Work;
 
-use crate::buffer::{Host, RawBuffer};
+use crate::buffer::RawBuffer;
 use crate::count::Count;
 use crate::error::Result;
-use crate::modules::Modules;
-use crate::open::{self, DeviceOptions};
+use crate::host::Host;
 use crate::timings::{KernelTime, Timings};
 use crate::workgroups::{Workgroups, workgroups_for};
 use crate::{cpu, gpu, plan};
@@ -62,12 +61,13 @@ impl Device {
         Self { extra_workgroup, ..self }
     }
 
-    /// Opens the device that `options` describe. `modules` are the compiled kernels for a GPU.
-    ///
-    /// # Errors
-    /// [`Error::NoGpu`](crate::Error::NoGpu) if a GPU was demanded and none can be used.
-    pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
-        open::open(options, modules)
+    /// The requests to a [planner](Device::planner) since the last call; empty on another device.
+    #[must_use]
+    pub fn take_plan(&self) -> plan::Plan {
+        match &self.kind {
+            Kind::Planner(planner) => planner.take(),
+            _ => plan::Plan::default(),
+        }
     }
 
     /// Description of the device, and the reason for its choice.
@@ -393,6 +393,8 @@ fn elements(info: &KernelInfo, buffers: &[&RawBuffer]) -> Vec<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::modules::Modules;
+    use crate::options::DeviceOptions;
 
     #[test]
     fn zeros_are_zeros_where_other_values_lay() {

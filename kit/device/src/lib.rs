@@ -75,9 +75,13 @@ mod error;
 mod flushing;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
+mod gpu_buffer;
+mod host;
+mod job;
 pub mod memory;
 mod modules;
 mod open;
+mod options;
 mod order;
 mod plan;
 mod races;
@@ -89,16 +93,17 @@ mod watchdog;
 mod workgroups;
 mod written;
 
-pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};
+pub use buffer::{Buffer, TAIL_ALIGNMENT};
 pub use count::Count;
 pub use device::Device;
 pub use error::{Error, Result, format_bytes};
 pub use gpu::adapters;
+pub use host::Host;
 #[doc(hidden)]
 pub use modules::Aligned;
 pub use modules::{CompiledKernel, Modules};
 pub use muslin::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, Table, grouped};
-pub use open::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
+pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};
 pub use timings::KernelTime;

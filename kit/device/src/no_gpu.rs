@@ -8,17 +8,15 @@ use muslin::{EntryPoint, KernelInfo};
 use crate::buffer::RawBuffer;
 use crate::count::Count;
 use crate::error::{Error, Result};
+use crate::gpu_buffer::GpuBuffer;
 use crate::modules::Modules;
-use crate::open::{AdapterInfo, DeviceOptions};
+use crate::options::{AdapterInfo, DeviceOptions};
 
 /// Every GPU that the system offers: none, because the feature `gpu` is off.
 #[must_use]
 pub fn adapters() -> Vec<AdapterInfo> {
     Vec::new()
 }
-
-#[derive(Clone, Debug)]
-pub enum GpuBuffer {}
 
 #[derive(Debug)]
 pub enum Gpu {}

@@ -7,7 +7,6 @@ use muslin::KernelInfo;
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::count::Count;
-use crate::device::{Device, Kind};
 use crate::error::{Error, Result};
 
 /// Largest buffer that every browser with WebGPU can bind, in bytes: `maxStorageBufferBindingSize`.
@@ -96,25 +95,14 @@ pub struct PlannedCount {
 #[derive(Debug, Default)]
 pub(crate) struct Planner(Mutex<Plan>);
 
-impl Device {
-    /// A device that runs nothing and records all requests for [`Device::take_plan`]. Reading one of its buffers is
-    /// an error. It has the limits that every browser with WebGPU supports.
-    #[must_use]
-    pub fn planner() -> Self {
-        Self::new(Kind::Planner(Planner::default()), "a plan, to be run elsewhere".into())
-    }
-
-    /// The requests to a [planner](Device::planner) since the last call; empty on another device.
-    #[must_use]
-    pub fn take_plan(&self) -> Plan {
-        let Kind::Planner(planner) = &self.kind else { return Plan::default() };
-        let mut plan = planner.plan();
+impl Planner {
+    /// The requests since the last call.
+    pub fn take(&self) -> Plan {
+        let mut plan = self.plan();
         let first_buffer = plan.first_buffer + plan.buffers.len() as u32;
         std::mem::replace(&mut *plan, Plan { first_buffer, ..Plan::default() })
     }
-}
 
-impl Planner {
     fn plan(&self) -> MutexGuard<'_, Plan> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -212,6 +200,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
+    use crate::device::Device;
     use muslin::count::CountFillKernel;
 
     #[test]

@@ -6,7 +6,7 @@ use muslin::kernel::{Access, BindingInfo, CpuBinding};
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
 use crate::cpu_bindings::Monitor;
-use crate::cpu_dispatch::{Job, Way};
+use crate::job::{Job, RunMode};
 use crate::order::Order;
 use crate::written::Written;
 
@@ -43,7 +43,7 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let outputs = outputs(job);
     let before: Vec<_> = outputs.iter().map(Output::save).collect();
     let order = Order { seed, is_reversed: false };
-    let first = cpu.run_once(job, Way { order: Some(order), ..Way::default() })?;
+    let first = cpu.run_once(job, RunMode { order: Some(order), ..RunMode::default() })?;
     let expected: Vec<_> = outputs.iter().map(Output::save).collect();
     let reverse = Order { is_reversed: true, ..order };
     let is_variant = cpu.entry_point(job.info).name != job.info.name;
@@ -71,7 +71,7 @@ impl Other {
         let (Self::Order(order) | Self::Flushing(order) | Self::Fused(order)) = self;
         let is_flushing = matches!(self, Self::Flushing(_));
         let is_fused = matches!(self, Self::Fused(_));
-        let result = cpu.run_once(job, Way { order: Some(order), is_flushing, is_fused });
+        let result = cpu.run_once(job, RunMode { order: Some(order), is_flushing, is_fused });
         result.map_err(|reason| match self {
             Self::Order(_) => reason,
             _ => format!("{}: {reason}", self.place()),

@@ -1,10 +1,10 @@
 //! How the CPU runs a kernel.
 
 use proc_macro2::{Span, TokenStream};
-use quote::quote_spanned;
+use quote::{quote, quote_spanned};
 
-use crate::expand::{fused_name, plain_argument};
-use crate::parse::{Kernel, Lanes, Role};
+use crate::fused::fused_name;
+use crate::parse::{Kernel, Lanes, Parameter, Role};
 
 /// `quote!`, whose local names are others than those of the kernel's bindings.
 macro_rules! hygienic {
@@ -213,5 +213,14 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
         const fn run() -> ::muslin::kernel::CpuRun {
             ::muslin::kernel::lane_runs!(run_lanes)
         }
+    }
+}
+
+/// The argument that the plain entry point and the CPU pass for a parameter.
+pub fn plain_argument(parameter: &Parameter) -> TokenStream {
+    let name = &parameter.name;
+    match parameter.role {
+        Role::SharedTile(_) => quote!(&mut ::muslin::shared_tile::Unshared),
+        _ => quote!(#name),
     }
 }

@@ -4,7 +4,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::parse_quote;
 
-use crate::cpu::{cpu_run, run_fused, run_variant};
+use crate::cpu::{cpu_run, plain_argument, run_fused, run_variant};
+use crate::fused::fused_name;
 use crate::inputs::inputs;
 use crate::parse::{Kernel, Parameter, Role};
 use crate::{checks, fused};
@@ -79,11 +80,6 @@ fn fused_function(kernel: &Kernel) -> Option<TokenStream> {
         #[inline(always)]
         #function
     })
-}
-
-/// The name of [`fused_function`].
-pub fn fused_name(kernel: &Kernel) -> syn::Ident {
-    format_ident!("{}_with_fused_arithmetic", kernel.function.sig.ident)
 }
 
 /// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.
@@ -180,15 +176,6 @@ fn each(kernel: &Kernel) -> TokenStream {
             quote!(<::muslin::samples::Four as ::muslin::samples::Samples>::WIDTH)
         }
         false => quote!(1),
-    }
-}
-
-/// The argument that the plain entry point and the CPU pass for a parameter.
-pub fn plain_argument(parameter: &Parameter) -> TokenStream {
-    let name = &parameter.name;
-    match parameter.role {
-        Role::SharedTile(_) => quote!(&mut ::muslin::shared_tile::Unshared),
-        _ => quote!(#name),
     }
 }
 

@@ -120,7 +120,7 @@ impl Snapshots {
             (Ok(()), None) => _ = std::fs::remove_file(&picture),
             (result, Some(mismatch)) => {
                 report::save(&mismatch.panels, &picture);
-                let text = report::message(record.name, device, &mismatch, &picture);
+                let text = mismatch.report(record.name, device, &picture);
                 match result {
                     // INSTA_UPDATE has accepted it, or INSTA_FORCE_PASS has left it for review
                     Ok(()) => println!("{text}"),

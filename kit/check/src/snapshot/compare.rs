@@ -1,5 +1,6 @@
 //! Compares a record with the accepted one, and describes the difference.
 
+use std::path::Path;
 use std::sync::{Arc, Mutex};
 
 use image::RgbImage;
@@ -26,6 +27,20 @@ pub struct Mismatch {
     pub message: String,
     /// Pictures to show.
     pub panels: Panels,
+}
+
+impl Mismatch {
+    /// The message of a failing test.
+    pub fn report(&self, name: &str, backend: &str, picture: &Path) -> String {
+        let picture = picture.canonicalize().unwrap_or_else(|_| picture.to_owned());
+        let what = &self.message;
+        let path = picture.display();
+        let amplification = self.panels.amplification;
+        format!(
+            "snapshot `{name}` on {backend}: {what}\n  expected | actual | difference x {amplification}: {path}\n  \
+             `cargo insta review` or INSTA_UPDATE=always accepts it"
+        )
+    }
 }
 
 impl Tolerance {

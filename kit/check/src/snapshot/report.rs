@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use image::{Rgb, RgbImage, imageops};
 
-use super::compare::Mismatch;
 use super::picture;
 use super::tensors::Tensor;
 
@@ -55,18 +54,6 @@ pub fn save(panels: &Panels, path: &Path) {
     let written = std::fs::create_dir_all(folder())
         .and_then(|()| std::fs::write(path, picture::encode(&all)));
     written.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-}
-
-/// The message of a failing test.
-pub fn message(name: &str, backend: &str, mismatch: &Mismatch, picture: &Path) -> String {
-    let picture = picture.canonicalize().unwrap_or_else(|_| picture.to_owned());
-    let what = &mismatch.message;
-    let path = picture.display();
-    let amplification = mismatch.panels.amplification;
-    format!(
-        "snapshot `{name}` on {backend}: {what}\n  expected | actual | difference x {amplification}: {path}\n  \
-         `cargo insta review` or INSTA_UPDATE=always accepts it"
-    )
 }
 
 /// Empty panels, for records that cannot be shown.

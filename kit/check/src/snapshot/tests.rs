@@ -118,7 +118,7 @@ fn a_wrong_tensor_leaves_a_picture_and_says_where() {
 
     let path = report::path("machinery_tensor", "test");
     report::save(&mismatch.panels, &path);
-    let message = report::message("machinery_tensor", "test", &mismatch, &path);
+    let message = mismatch.report("machinery_tensor", "test", &path);
     for part in [
         "snapshot `machinery_tensor` on test",
         "1.250e-1 apart at tile 1, channel green, row 2, column 3",

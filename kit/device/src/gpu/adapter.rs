@@ -1,7 +1,7 @@
 //! Finds a GPU and opens it.
 
 use crate::error::{Error, Result};
-use crate::open::{AdapterInfo, DeviceOptions, SpirvPath};
+use crate::options::{AdapterInfo, DeviceOptions, SpirvPath};
 use muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
 
 fn instance() -> wgpu::Instance {

@@ -18,14 +18,11 @@ use crate::buffer::{Memory, RawBuffer};
 use crate::count::Count;
 use crate::error::{Error, Result};
 use crate::modules::Modules;
-use crate::open::{DeviceOptions, SpirvPath};
+use crate::options::{DeviceOptions, SpirvPath};
 pub use adapter::adapters;
 use pipeline::Pipelines;
 use recorder::{Counted, Recorder};
 use variants::Variants;
-
-/// A buffer of a GPU.
-pub type GpuBuffer = wgpu::Buffer;
 
 /// The GPU backend.
 #[derive(Debug)]

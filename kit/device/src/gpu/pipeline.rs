@@ -9,7 +9,7 @@ use muslin::{Access, EntryPoint, KernelInfo};
 use super::variants::Variants;
 use crate::error::{Error, Result};
 use crate::modules::Modules;
-use crate::open::SpirvPath;
+use crate::options::SpirvPath;
 
 /// A kernel's package and name: different packages can have kernels of the same name.
 type Key = (&'static str, &'static str);

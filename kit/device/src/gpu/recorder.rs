@@ -7,15 +7,11 @@ use muslin::{Access, KernelInfo};
 
 use super::fill::Fills;
 use super::pipeline::Pipeline;
-use super::timer::Timer;
+use super::timer::{SLOTS, Timer};
 use crate::count::Count;
 
 /// Bytes of a uniform slot: the largest alignment that an adapter may require.
 const SLOT: u64 = 256;
-
-/// Most dispatches in one submission: each keeps its slot until then. This is enough for a training step, and as many
-/// timestamps as a query set allows.
-pub const SLOTS: u64 = 2048;
 
 /// Parameters of a dispatch that the device fills in.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use super::recorder::SLOTS;
+/// Most dispatches in one submission: each keeps its slot until then. This is enough for a training step, and as many
+/// timestamps as a query set allows.
+pub const SLOTS: u64 = 2048;
 
 /// Size of a timestamp, in bytes.
 const STAMP: u64 = size_of::<u64>() as u64;

@@ -1,0 +1,10 @@
+//! A buffer of a GPU, in builds with and without wgpu.
+
+/// A buffer of a GPU.
+#[cfg(feature = "gpu")]
+pub type GpuBuffer = wgpu::Buffer;
+
+/// No buffer: there is no GPU without the feature `gpu`.
+#[cfg(not(feature = "gpu"))]
+#[derive(Clone, Debug)]
+pub enum GpuBuffer {}

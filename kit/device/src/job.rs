@@ -1,0 +1,26 @@
+//! A dispatch on the CPU, and the ways to run it.
+
+use muslin::kernel::{CpuBinding, KernelInfo};
+
+use crate::buffer::RawBuffer;
+use crate::order::Order;
+use crate::workgroups::Workgroups;
+
+/// A kernel and its bindings.
+pub struct Job<'a> {
+    pub info: &'static KernelInfo,
+    pub bindings: Vec<CpuBinding<'static>>,
+    pub buffers: &'a [&'a RawBuffer],
+    pub workgroups: Workgroups,
+}
+
+/// How a dispatch runs.
+#[derive(Clone, Copy, Default)]
+pub struct RunMode {
+    /// The order of its invocations, if it is not the usual one.
+    pub order: Option<Order>,
+    /// Whether denormals are flushed to zero.
+    pub is_flushing: bool,
+    /// Whether multiplications and additions are fused, in a kernel that has such a run.
+    pub is_fused: bool,
+}

@@ -1,0 +1,207 @@
+//! Options of a device, and its choice.
+
+use std::time::Duration;
+
+use muslin::kernel::InstructionSet;
+
+/// The backend to use.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BackendChoice {
+    /// A GPU if there is one, otherwise the CPU.
+    #[default]
+    Auto,
+    /// A GPU, or an error.
+    Gpu,
+    /// The CPU.
+    Cpu,
+}
+
+/// The path of SPIR-V to the driver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpirvPath {
+    /// Unchanged, only on Vulkan.
+    Passthrough,
+    /// Translated by naga, on every interface.
+    Naga,
+}
+
+impl SpirvPath {
+    /// Name of the path: `passthrough` or `naga`.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Passthrough => "passthrough",
+            Self::Naga => "naga",
+        }
+    }
+}
+
+/// A GPU that the system offers.
+#[derive(Clone, Debug)]
+pub struct AdapterInfo {
+    /// Name, which [`DeviceOptions::adapter`] can select.
+    pub name: String,
+    /// Interface, driver and version, as far as known.
+    pub driver: String,
+    /// Whether it accepts SPIR-V unchanged.
+    pub passes_through: bool,
+}
+
+/// Options of the device to open. The default is the best device of the machine.
+///
+/// ```
+/// use muslin_device::{DeviceOptions, SpirvPath};
+///
+/// let cpu = DeviceOptions::cpu(4);
+/// let gpu = DeviceOptions::gpu(SpirvPath::Naga).adapter("radeon".to_owned());
+/// assert_eq!((cpu.threads, gpu.adapter.as_deref()), (Some(4), Some("radeon")));
+/// ```
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct DeviceOptions {
+    /// The backend to use.
+    pub backend: BackendChoice,
+    /// The path of SPIR-V to the driver. By default it is passed through if possible.
+    pub spirv: Option<SpirvPath>,
+    /// Number of threads of the CPU backend. By default, one per core.
+    pub threads: Option<usize>,
+    /// Part of the GPU's name, in upper or lower case.
+    pub adapter: Option<String>,
+    /// Index among equally capable GPUs, modulo their number: for processes that share a machine.
+    pub place: usize,
+    /// Whether the CPU fails if two invocations of a dispatch conflict in a storage buffer, or if a kernel reads an
+    /// [unwritten](crate::Device::unwritten) element. For tests of kernels: it is slow, and takes 24 bytes for every element
+    /// that a kernel may write.
+    pub check_races: bool,
+    /// With [`check_races`](Self::check_races), whether to fail if a kernel writes NaN to `f32` or vectors of them,
+    /// even to elements that nobody reads.
+    pub check_nan: bool,
+    /// Whether [`Device::run`](crate::Device::run) and [`Device::run_over`](crate::Device::run_over) start one workgroup more than needed along x, and along y if
+    /// there is a size. For tests of kernels: the additional invocations must do nothing.
+    pub extra_workgroup: bool,
+    /// How long a workgroup may run on the CPU, by its thread's clock. What takes longer is an error; outside of Linux on x86-64 it ends
+    /// the program. For tests of kernels: a loop in a helper may never end.
+    pub time_limit: Option<Duration>,
+    /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
+    /// thread, once more in the reverse order, once more without denormals (on x86-64), and once more with fused arithmetic (in debug
+    /// builds). The results must agree; where the arithmetic is another one, the integers and which floats are finite.
+    pub thorough: Option<u64>,
+    /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
+    pub instruction_set: Option<InstructionSet>,
+    /// Whether a GPU runs the [variant](muslin::KernelInfo::variant) of a kernel that has one, or its plain
+    /// entry point. By default, a hardware device runs variants. The CPU runs variants if this is set together with
+    /// [`check_races`](Self::check_races).
+    pub variants: Option<bool>,
+}
+
+impl DeviceOptions {
+    /// The CPU with a number of threads; `None` means one per core.
+    #[must_use]
+    pub fn cpu(threads: impl Into<Option<usize>>) -> Self {
+        Self { backend: BackendChoice::Cpu, threads: threads.into(), ..Self::default() }
+    }
+
+    /// A GPU, or an error.
+    #[must_use]
+    pub fn gpu(spirv: SpirvPath) -> Self {
+        Self { backend: BackendChoice::Gpu, spirv: Some(spirv), ..Self::default() }
+    }
+
+    /// The CPU for tests of kernels: it [looks for races](Self::check_races), for reads of unwritten elements and for
+    /// [NaN](Self::check_nan), runs [one workgroup more](Self::extra_workgroup) than needed, and ends what takes
+    /// [longer](Self::time_limit) than 30 seconds.
+    #[must_use]
+    pub fn checked() -> Self {
+        Self {
+            check_races: true,
+            check_nan: true,
+            extra_workgroup: true,
+            time_limit: Some(Duration::from_secs(30)),
+            ..Self::cpu(None)
+        }
+    }
+
+    /// Like [`checked`](Self::checked), for all that takes several times as long: see [`thorough`](Self::thorough). Each seed is
+    /// another test.
+    #[must_use]
+    pub fn thorough(seed: u64) -> Self {
+        Self { thorough: Some(seed), ..Self::checked() }
+    }
+
+    /// Sets [`backend`](Self::backend).
+    #[must_use]
+    pub fn backend(mut self, backend: BackendChoice) -> Self {
+        self.backend = backend;
+        self
+    }
+
+    /// Sets [`spirv`](Self::spirv).
+    #[must_use]
+    pub fn spirv(mut self, path: impl Into<Option<SpirvPath>>) -> Self {
+        self.spirv = path.into();
+        self
+    }
+
+    /// Sets [`threads`](Self::threads).
+    #[must_use]
+    pub fn threads(mut self, threads: impl Into<Option<usize>>) -> Self {
+        self.threads = threads.into();
+        self
+    }
+
+    /// Sets [`adapter`](Self::adapter).
+    #[must_use]
+    pub fn adapter(mut self, name: impl Into<Option<String>>) -> Self {
+        self.adapter = name.into();
+        self
+    }
+
+    /// Sets [`place`](Self::place).
+    #[must_use]
+    pub fn place(mut self, place: usize) -> Self {
+        self.place = place;
+        self
+    }
+
+    /// Sets [`check_races`](Self::check_races).
+    #[must_use]
+    pub fn check_races(mut self, check: bool) -> Self {
+        self.check_races = check;
+        self
+    }
+
+    /// Sets [`check_nan`](Self::check_nan).
+    #[must_use]
+    pub fn check_nan(mut self, check: bool) -> Self {
+        self.check_nan = check;
+        self
+    }
+
+    /// Sets [`extra_workgroup`](Self::extra_workgroup).
+    #[must_use]
+    pub fn extra_workgroup(mut self, extra: bool) -> Self {
+        self.extra_workgroup = extra;
+        self
+    }
+
+    /// Sets [`time_limit`](Self::time_limit).
+    #[must_use]
+    pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
+        self.time_limit = limit.into();
+        self
+    }
+
+    /// Sets [`instruction_set`](Self::instruction_set).
+    #[must_use]
+    pub fn instruction_set(mut self, set: impl Into<Option<InstructionSet>>) -> Self {
+        self.instruction_set = set.into();
+        self
+    }
+
+    /// Sets [`variants`](Self::variants).
+    #[must_use]
+    pub fn variants(mut self, variants: impl Into<Option<bool>>) -> Self {
+        self.variants = variants.into();
+        self
+    }
+}

@@ -7,6 +7,7 @@ mod error;
 mod film;
 mod job;
 mod metrics;
+mod on_device;
 mod ranks;
 mod recording;
 mod renderer;

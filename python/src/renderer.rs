@@ -1,15 +1,14 @@
 //! Rendering and gradients.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use muslin_check::Report;
 use muslin_device::adapters;
-use numpy::{IntoPyArray, PyArray4, PyArrayMethods};
+use numpy::PyArray4;
 use organza::bench::{BenchOptions, measure};
 use organza::error::DeviceError;
-use organza::render::SceneGradient;
-use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles, SpirvPath};
+use organza::{BackendChoice, Channel, DeviceOptions, SpirvPath};
 use organza_parity::cases;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,6 +16,7 @@ use pyo3::types::PyDict;
 use crate::cameras::{Cameras, Tiles};
 use crate::error::{invalid, raise};
 use crate::job;
+use crate::on_device::{SceneOnDevice, into_batch, lock};
 use crate::recording::Recording;
 use crate::scene::{Scene, array, json};
 
@@ -24,23 +24,12 @@ use crate::scene::{Scene, array, json};
 #[pyclass(frozen, subclass, module = "organza._organza")]
 pub struct Renderer(pub organza::Renderer);
 
-/// A scene on a device, with data that belongs to it.
-pub struct SceneOnDevice {
-    pub scene: organza::DeviceScene,
-    /// Created by the first backward pass.
-    pub gradient: Option<SceneGradient>,
-}
-
 /// A scene on a device: `Renderer.upload` makes one.
 #[pyclass(frozen, module = "organza")]
 pub struct DeviceScene {
     renderer: organza::Renderer,
     held: Arc<Mutex<SceneOnDevice>>,
     gaussians: usize,
-}
-
-pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 #[pymethods]
@@ -243,20 +232,6 @@ fn channels_of(names: &[String]) -> PyResult<Vec<Channel>> {
         })
     };
     names.iter().map(channel).collect()
-}
-
-pub fn into_batch(
-    py: Python<'_>,
-    tiles: RenderedTiles,
-) -> PyResult<(Bound<'_, PyArray4<f32>>, Bound<'_, PyDict>)> {
-    let count = tiles.count;
-    let side = tiles.side as usize;
-    let channels = PyDict::new(py);
-    for (channel, values) in tiles.channels {
-        let shape = [count, channel.planes(), side, side];
-        channels.set_item(channel.name(), values.into_pyarray(py).reshape(shape)?)?;
-    }
-    Ok((tiles.data.into_pyarray(py).reshape([count, 3, side, side])?, channels))
 }
 
 /// Runs every kernel and compares it with the CPU. Returns a report for each GPU and each path to it, or one for the

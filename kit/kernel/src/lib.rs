@@ -149,6 +149,8 @@ pub mod memory;
 #[cfg(not(target_arch = "spirv"))]
 mod path;
 pub mod peak;
+#[cfg(not(target_arch = "spirv"))]
+mod phase;
 pub mod prelude;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;

@@ -6,7 +6,7 @@ use crate::casts::check_cast;
 use crate::half::half_value;
 use crate::lane::{Lane, LaneIndex};
 use crate::memory::{Read, Write};
-use crate::wide_math::{exp, fma, pairwise, wholes};
+use crate::wide_math::{fma, pairwise, wholes};
 use crate::{atomic, fixed};
 
 /// An array of what an expression gives for each lane.
@@ -18,7 +18,6 @@ macro_rules! lanes {
         )
     };
 }
-pub(crate) use lanes;
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
 ///
@@ -301,9 +300,36 @@ impl<const N: usize> LaneIndex for WideIndex<N> {
     }
 }
 
+/// e^x = 2^n e^r with |r| <= ln 2 / 2: Cephes' polynomial. Each step runs for all lanes: a closure of this length
+/// would not be vectorized.
+#[inline(always)]
+fn exp<const N: usize, const FUSED: bool>(x: Wide<N, FUSED>) -> Wide<N, FUSED> {
+    /// 1.5 * 2^23: adding it leaves the nearest integer in the low bits.
+    const MAGIC: f32 = 12_582_912.0;
+    let number = Wide::<N, FUSED>::splat;
+    let x = x.min(number(89.0)).max(number(-88.0));
+    let shifted = x * number(core::f32::consts::LOG2_E) + number(MAGIC);
+    let n = shifted - number(MAGIC);
+    let r = (x - n * number(0.693_359_4)) + n * number(2.121_944_4e-4);
+    let p = number(1.987_569_1e-4);
+    let p = p.mul_add(r, number(1.398_199_9e-3));
+    let p = p.mul_add(r, number(8.333_452e-3));
+    let p = p.mul_add(r, number(4.166_579_6e-2));
+    let p = p.mul_add(r, number(1.666_666_5e-1));
+    let p = p.mul_add(r, number(0.5));
+    let p = (p * r).mul_add(r, r) + number(1.0);
+    // 2^n in two factors: n may be 128
+    let whole: [i32; N] = lanes!(|i| ((shifted.0[i].to_bits() as i32) << 9) >> 9);
+    let half: [i32; N] = lanes!(|i| whole[i] >> 1);
+    let first = Wide(lanes!(|i| f32::from_bits(((half[i] + 127) as u32) << 23)));
+    let second = Wide(lanes!(|i| f32::from_bits(((whole[i] - half[i] + 127) as u32) << 23)));
+    p * first * second
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::TINY;
 
     #[test]
     fn a_sum_takes_every_lane_once() {
@@ -317,5 +343,27 @@ mod tests {
         let values = Wide::<4, false>([0.0, 0.99, 1.5, 16_777_215.0]);
         assert_eq!(values.index().0, [0, 0, 1, 16_777_215]);
         assert_eq!(values.truncate().0, [0.0, 0.0, 1.0, 16_777_215.0]);
+    }
+
+    #[test]
+    fn the_exponential_is_that_of_f64() {
+        let mut worst = 0.0_f64;
+        for step in -90_000..90_000 {
+            let x = step as f32 * 0.001;
+            let exact = libm::exp(f64::from(x));
+            for found in
+                [Wide::<4, true>::splat(x).exp().0[1], Wide::<4, false>::splat(x).exp().0[3]]
+            {
+                if x > 88.722 {
+                    assert!(found.is_infinite() || f64::from(found) > 3e38, "{x}: {found}");
+                } else if exact < f64::from(TINY) {
+                    assert!(found <= TINY, "{x}: {found}");
+                } else {
+                    worst = worst.max((f64::from(found) - exact).abs() / exact);
+                }
+            }
+        }
+        assert!(worst < 1.5 * f64::from(f32::EPSILON), "{worst:e}");
+        assert_eq!(Wide::<2, true>::splat(0.0).exp().0, [1.0; 2]);
     }
 }

@@ -42,6 +42,7 @@ use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
 use crate::path::{self, Step};
+use crate::phase;
 use crate::running::{self, unlinear};
 use crate::workgroup_memory::WorkgroupMemory;
 
@@ -66,47 +67,6 @@ type Body = Coroutine<(), Barrier, (), DefaultStack>;
 std::thread_local! {
     static STACKS: RefCell<Vec<DefaultStack>> = const { RefCell::new(Vec::new()) };
     static CURRENT: Cell<*const Yielder<(), Barrier>> = const { Cell::new(ptr::null()) };
-    /// Number of barriers and workgroups so far. Between two of them is a phase.
-    static PHASE: Cell<u64> = const { Cell::new(1) };
-    /// Number of invocations in the workgroup, per axis.
-    static SIZE: Cell<UVec3> = const { Cell::new(UVec3::ONE) };
-    /// The phase in which the workgroup began.
-    static FIRST_PHASE: Cell<u64> = const { Cell::new(1) };
-    /// The first conflict of a phase in workgroup memory.
-    static CONFLICT: RefCell<Option<String>> = const { RefCell::new(None) };
-}
-
-/// The current phase of the thread's workgroup.
-pub(crate) fn phase() -> u64 {
-    PHASE.get()
-}
-
-/// The first phase of the thread's workgroup.
-pub(crate) fn first_phase() -> u64 {
-    FIRST_PHASE.get()
-}
-
-/// Number of invocations in the thread's workgroup, per axis.
-pub(crate) fn size() -> UVec3 {
-    SIZE.get()
-}
-
-fn next_phase() {
-    PHASE.set(PHASE.get() + 1);
-}
-
-/// Records that an invocation uses workgroup memory wrongly. The workgroup fails at the end of the phase: only then
-/// is it known whether the cause is a barrier that some invocations have not reached.
-pub(crate) fn conflict(reason: &str, at: &'static Location<'static>) {
-    CONFLICT.with_borrow_mut(|conflict| {
-        conflict.get_or_insert_with(|| match running::current() {
-            Some(place) => format!("{reason}, at {at}, in {place}"),
-            None => {
-                let invocation = unlinear(running::invocation().into(), size());
-                format!("{reason}, at {at}, in invocation {invocation} of the workgroup")
-            }
-        });
-    });
 }
 
 /// Suspends the current coroutine until its workgroup has reached the barrier.
@@ -188,10 +148,8 @@ fn run_to_end(
     order: Option<&[u64]>,
 ) -> Result<(), Failure> {
     let size = place.size;
-    next_phase();
-    FIRST_PHASE.set(PHASE.get());
-    SIZE.set(size);
-    CONFLICT.set(None);
+    phase::next();
+    phase::begin(size);
     let new = |index: u32| {
         let id = Invocation { local: unlinear(index.into(), size), wait, ..place };
         let body = move |yielder: &Yielder<(), Barrier>, ()| {
@@ -216,7 +174,7 @@ fn run_to_end(
                 Err(panic) => {
                     give_up(invocations);
                     // it may have panicked because of a wrong value
-                    match CONFLICT.take() {
+                    match phase::take_conflict() {
                         Some(conflict) => return Err(Failure::Memory(conflict)),
                         None => resume_unwind(panic),
                     }
@@ -227,7 +185,7 @@ fn run_to_end(
         let failure = if waiting.iter().any(|barrier| *barrier != waiting[0]) {
             Some(Failure::Divergence(divergence(&waiting, size)))
         } else {
-            CONFLICT.take().map(Failure::Memory)
+            phase::take_conflict().map(Failure::Memory)
         };
         if let Some(failure) = failure {
             give_up(invocations);
@@ -236,7 +194,7 @@ fn run_to_end(
         if waiting[0].is_none() {
             break;
         }
-        next_phase();
+        phase::next();
     }
     for invocation in invocations {
         STACKS.with_borrow_mut(|stacks| stacks.push(invocation.into_stack()));

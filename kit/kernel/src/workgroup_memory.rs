@@ -12,8 +12,8 @@ use std::vec::Vec;
 use glam::UVec3;
 
 use crate::memory::{AccessMonitor, Touch};
+use crate::phase;
 use crate::running::{self, unlinear};
-use crate::workgroup;
 
 /// Number of bits in a stamp for the invocation, which is counted from 1.
 const INVOCATION_BITS: u32 = 16;
@@ -63,12 +63,12 @@ impl WorkgroupMemory {
 
     /// The running invocation and the phase, as stored in an element. It is never 0.
     fn stamp() -> u64 {
-        workgroup::phase() << INVOCATION_BITS | u64::from(1 + running::invocation())
+        phase::current() << INVOCATION_BITS | u64::from(1 + running::invocation())
     }
 
     /// Whether nothing was written since the workgroup and the round began.
     fn is_unwritten(&self, element: &Element) -> bool {
-        let begin = workgroup::first_phase().max(self.round.load(Ordering::Relaxed));
+        let begin = phase::first().max(self.round.load(Ordering::Relaxed));
         let stamps = element.atomics.iter().chain([&element.writer]);
         stamps.map(load).all(|stamp| stamp >> INVOCATION_BITS < begin)
     }
@@ -78,7 +78,7 @@ impl WorkgroupMemory {
         if !matches!(touch, Touch::Write | Touch::Store) && self.is_unwritten(element) {
             let earlier = element.atomics.iter().chain([&element.writer]).map(load);
             let before = earlier.map(|stamp| stamp >> INVOCATION_BITS).max().unwrap_or(0);
-            let when = if before >= workgroup::first_phase() { " in this round" } else { "" };
+            let when = if before >= phase::first() { " in this round" } else { "" };
             return Some(format!("which no invocation has written{when}"));
         }
         let [first, second] = &element.atomics;
@@ -113,7 +113,7 @@ fn load(stamp: &AtomicU64) -> u64 {
 fn other(stamp: u64, own: u64) -> Option<UVec3> {
     let conflict = stamp != 0 && stamp != own && stamp >> INVOCATION_BITS == own >> INVOCATION_BITS;
     let invocation = (stamp & ((1 << INVOCATION_BITS) - 1)).wrapping_sub(1);
-    conflict.then(|| unlinear(invocation, workgroup::size()))
+    conflict.then(|| unlinear(invocation, phase::size()))
 }
 
 /// Adds a stamp, and keeps that of one other invocation.
@@ -141,7 +141,7 @@ impl AccessMonitor for WorkgroupMemory {
                 Touch::Write => "writes",
                 Touch::Atomic | Touch::Store | Touch::Serial => "atomically changes",
             };
-            workgroup::conflict(&format!("{does} element {index} of `{name}`, {fault}"), at);
+            phase::conflict(&format!("{does} element {index} of `{name}`, {fault}"), at);
         }
         match touch {
             Touch::Read => leave(&element.readers, own),
@@ -152,6 +152,6 @@ impl AccessMonitor for WorkgroupMemory {
     }
 
     fn begin_round(&self) {
-        self.round.store(workgroup::phase(), Ordering::Relaxed);
+        self.round.store(phase::current(), Ordering::Relaxed);
     }
 }

@@ -187,13 +187,18 @@ arrays! {
     4 { 0 1 2 3 };
 }
 
-several! {
-    [A B] (A, B): |a, b| (a.0.zero(), a.1.zero()), (a.0.plus(b.0), a.1.plus(b.1)), (a.0.minus(b.0), a.1.minus(b.1));
-    [A B C] (A, B, C): |a, b| (a.0.zero(), a.1.zero(), a.2.zero()), (a.0.plus(b.0), a.1.plus(b.1), a.2.plus(b.2)),
-        (a.0.minus(b.0), a.1.minus(b.1), a.2.minus(b.2));
-    [A B C D] (A, B, C, D): |a, b| (a.0.zero(), a.1.zero(), a.2.zero(), a.3.zero()),
-        (a.0.plus(b.0), a.1.plus(b.1), a.2.plus(b.2), a.3.plus(b.3)),
-        (a.0.minus(b.0), a.1.minus(b.1), a.2.minus(b.2), a.3.minus(b.3));
+macro_rules! tuples {
+    ($({ $($generic:ident $at:tt)* };)*) => {$(
+        several! {
+            [$($generic)*] ($($generic,)*): |a, b| ($(a.$at.zero(),)*), ($(a.$at.plus(b.$at),)*), ($(a.$at.minus(b.$at),)*);
+        }
+    )*};
+}
+
+tuples! {
+    { A 0 B 1 };
+    { A 0 B 1 C 2 };
+    { A 0 B 1 C 2 D 3 };
 }
 
 /// The gradient of a product: of dL/d(a b) those of a and b.

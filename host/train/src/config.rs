@@ -76,6 +76,11 @@ impl RunConfig {
 }
 
 impl TrainConfig {
+    /// Whether a step trains the transmittance field and the extra values, too.
+    pub(crate) fn learns_transmittance(&self, step: u32) -> bool {
+        self.ablation.learn_transmittance && step.is_multiple_of(self.optimizer.transmittance_every)
+    }
+
     /// Every setting as `table.name` with its value, in the order and with the digits of the file.
     #[must_use]
     pub fn list(&self) -> Vec<(String, String)> {

@@ -69,7 +69,8 @@ pub struct StepGradient<'a> {
     pub step: u32,
     /// The scene at this step.
     pub scene: &'a DeviceScene,
-    /// The gradient of the batch's loss.
+    /// The gradient of the batch's loss. Between the steps that train T (`optimizer.transmittance_every`), it has none of
+    /// T, whose tensors then stay as they are.
     pub gradient: &'a SceneGradient,
 }
 

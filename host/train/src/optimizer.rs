@@ -5,7 +5,7 @@ use organza_shaders::adam::{AdamKernel, AdamParams};
 use super::config::{EPSILON, OptimizerConfig};
 use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_core::scene::{GaussianTensors, Gaussians, Scene, Tensors};
+use organza_core::scene::{FieldTensors, GaussianTensors, Gaussians, Scene, Tensors};
 use organza_render::{
     DeviceShard, ShardGradient, TensorGradient, in_blocks, pack, read_blocks, unpack, upload,
 };
@@ -79,7 +79,7 @@ impl Optimizer {
         Ok([read(0)?, read(1)?])
     }
 
-    /// Moves every parameter, and clears the gradient.  `step` counts from 0; `fraction` is the part of the run that is
+    /// Moves every parameter that has a gradient, and clears the gradient.  `step` counts from 0; `fraction` is the part of the run that is
     /// done.
     ///
     /// # Errors
@@ -93,17 +93,20 @@ impl Optimizer {
         now: (u32, f64),
     ) -> Result<()> {
         let fields = scene.fields();
-        let adam = Adam::new(device, config, &self.always, now, fields.extent());
+        let mut adam = Adam::new(device, config, &self.always, now, fields.extent());
+        if !gradient.fields.has_transmittance {
+            adam.keep_transmittance();
+        }
         let [first, second] = self.fields.each_ref().map(Tensors::as_ref);
         let tensors = fields.tensors().as_ref().zip(gradient.fields.tensors().as_ref());
-        let all = tensors.zip(adam.rates).zip(first.zip(second));
-        all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
+        let all = tensors.zip(adam.updates).zip(first.zip(second));
+        all.try_map(|_, ((tensor, update), moments)| adam.step(tensor, update, moments))?;
         let blocks = scene.blocks().iter().zip(&gradient.blocks).zip(&self.blocks);
         for ((block, gradient), [first, second]) in blocks {
             let gradient = gradient.tensors().gaussians.as_ref();
             let tensors = block.tensors().gaussians.as_ref().zip(gradient);
-            let all = tensors.zip(adam.rates.gaussians).zip(first.as_ref().zip(second.as_ref()));
-            all.try_map(|_, ((tensor, rate), moments)| adam.step(tensor, rate, moments))?;
+            let all = tensors.zip(adam.updates.gaussians).zip(first.as_ref().zip(second.as_ref()));
+            all.try_map(|_, ((tensor, update), moments)| adam.step(tensor, update, moments))?;
         }
         Ok(())
     }
@@ -114,10 +117,29 @@ struct Adam<'a> {
     device: &'a Device,
     config: &'a OptimizerConfig,
     always: &'a Buffer<u32>,
-    /// The rate of each tensor, and what weight decay leaves of its values.
-    rates: Tensors<(f64, f64)>,
-    correction1: f64,
+    /// What each tensor's update has of its own; `None` for tensors that stay as they are.
+    updates: Tensors<Option<Update>>,
+}
+
+/// What the update of one tensor has of its own.
+#[derive(Clone, Copy)]
+struct Update {
+    /// Learning rate, corrected for the first moment's start at zero.
+    rate: f64,
+    /// The same for the root of the second moment.
     correction2: f64,
+    /// Factor of weight decay on the values.
+    kept: f64,
+}
+
+impl Update {
+    /// `updates` is the number of the tensor's updates before this one.
+    fn new(config: &OptimizerConfig, rate: f64, updates: u32) -> Self {
+        let t = f64::from(updates) + 1.0;
+        let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
+        let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
+        Self { rate: rate * correction1, correction2, kept: 1.0 }
+    }
 }
 
 impl<'a> Adam<'a> {
@@ -128,32 +150,42 @@ impl<'a> Adam<'a> {
         (step, fraction): (u32, f64),
         extent: f64,
     ) -> Self {
-        let t = f64::from(step) + 1.0;
-        let correction1 = 1.0 / (1.0 - config.beta1.powf(t));
-        let correction2 = (1.0 / (1.0 - config.beta2.powf(t))).sqrt();
-        let mut rates = config.rates().map(|_, rate| (config.rate_at(rate, fraction), 1.0));
-        rates.gaussians.position.0 *= extent;
-        let (rate, kept) = &mut rates.transmittance.grid;
-        *kept -= *rate * config.transmittance_decay;
-        Self { device, config, always, rates, correction1, correction2 }
+        let mut rates = config.rates().map(|_, rate| config.rate_at(rate, fraction));
+        rates.gaussians.position *= extent;
+        let decay = rates.transmittance.grid * config.transmittance_decay;
+        let mut updates = rates.map(|_, rate| Some(Update::new(config, rate, step)));
+        let of_transmittance =
+            |rate| Some(Update::new(config, rate, step / config.transmittance_every));
+        updates.gaussians.extra = of_transmittance(rates.gaussians.extra);
+        updates.transmittance.network = of_transmittance(rates.transmittance.network);
+        updates.transmittance.grid = of_transmittance(rates.transmittance.grid)
+            .map(|update| Update { kept: 1.0 - decay, ..update });
+        Self { device, config, always, updates }
+    }
+
+    /// Leaves the tensors of T as they are.
+    fn keep_transmittance(&mut self) {
+        self.updates.gaussians.extra = None;
+        self.updates.transmittance = FieldTensors::default();
     }
 
     fn step(
         &self,
         (value, gradient): (&Buffer<f32>, &TensorGradient),
-        (rate, kept): (f64, f64),
+        update: Option<Update>,
         (first_moment, second_moment): (&Buffer<f32>, &Buffer<f32>),
     ) -> muslin_device::Result<()> {
+        let Some(Update { rate, correction2, kept }) = update else { return Ok(()) };
         let values = value.len() as u32;
         let kernel = AdamKernel {
             params: AdamParams {
                 values,
                 first_gradient: gradient.range.start as u32,
                 sparse: u32::from(gradient.touched.is_some()),
-                rate: (rate * self.correction1) as f32,
+                rate: rate as f32,
                 decay1: self.config.beta1 as f32,
                 decay2: self.config.beta2 as f32,
-                correction2: self.correction2 as f32,
+                correction2: correction2 as f32,
                 epsilon: EPSILON as f32,
                 kept: kept as f32,
             },

@@ -35,7 +35,6 @@ impl State {
         }
         let optimizer = Optimizer::new(device, &shard, &checkpoint.moments)?;
         let mut fields = SceneGradient::new(device, shard.fields())?;
-        fields.has_transmittance = config.ablation.learn_transmittance;
         if config.poses.refine {
             fields = fields.with_poses(device, photographs)?;
         }
@@ -43,6 +42,14 @@ impl State {
         let state = Self { shard, optimizer, gradient, gaussians: checkpoint.gaussians };
         state.write_statistics(device, &checkpoint.statistics)?;
         Ok(state)
+    }
+
+    /// Whether the next gradient is also that of T.
+    pub fn set_transmittance(&mut self, is_learned: bool) {
+        let blocks = self.gradient.blocks.iter_mut();
+        blocks
+            .chain([&mut self.gradient.fields])
+            .for_each(|part| part.has_transmittance = is_learned);
     }
 
     /// The Gaussians are those of a checkpoint from now on; the fields stay.

@@ -275,6 +275,7 @@ impl Trainer {
     /// # Errors
     /// The same errors as [`Trainer::step`], and those of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
+        self.state.set_transmittance(self.config.learns_transmittance(self.step));
         let drawn = match hooks.loss {
             // a caller may know photographs by their pixels, and tiles by what renders them
             Some(_) => self.batches.whole(self.step),

@@ -63,6 +63,29 @@ fn a_tensor_whose_gradient_is_zeroed_stays_as_it_is() {
     }
 }
 
+/// T moves at every third step alone, and all other tensors at every step.
+#[test]
+fn t_is_trained_at_every_nth_step() {
+    let (mut config, checkpoint, dataset) = begun();
+    config.optimizer.transmittance_every = 3;
+    let begin = Checkpoint::begin(checkpoint.scene, &config).expect("a start");
+    let renderer = Renderer::new(devices::cpu(None));
+    let trainer = Trainer::resume(&renderer, config, dataset, &begin);
+    let mut trainer = trainer.expect("a trainer");
+    let mut before = bits(&begin.scene);
+    for step in 0..4 {
+        trainer.step().expect("a step");
+        let after = bits(&trainer.checkpoint(0.0).expect("a state").scene);
+        for (after, before) in after.iter().zip(&before) {
+            let name = &after.0;
+            let is_of_t = name.starts_with("transmittance") || name == "gaussians.extra";
+            let moves = !is_of_t || step % 3 == 0;
+            assert_eq!(after != before, moves, "{name} in step {step}");
+        }
+        before = after;
+    }
+}
+
 /// Acts like a sum over processes, with a single process.
 fn write_back(step: &StepGradient<'_>) -> Result<()> {
     for (_, tensor) in step.gradient.tensors().iter() {

@@ -297,6 +297,8 @@ macro_rules! define {
                 /// times their learning rate, whatever the gradient; 0: none.
                 // AdamW, Loshchilov and Hutter 2019. Space stays empty unless photographs ask for more.
                 transmittance_decay: f64 = 1.0, in 0.0..=1.0;
+                /// T is trained at every Nth step: its network, its grid and the extra values. All else is trained at every step.
+                transmittance_every: u32 = 2, in 1..=1_000;
                 $(
                     #[doc = concat!("Learning rate of `gaussians.", stringify!($tensor), "`.")]
                     $tensor: Rate = Rate { first: $first, last: $last };

@@ -85,7 +85,10 @@ impl Parity for Tint {
 
 #[test]
 fn every_kernel_is_right_on_every_device() {
-    assert_parity(&[Case::new::<Ripples>(), Case::new::<Histogram>(), Case::new::<Tint>()], &MODULES);
+    assert_parity(
+        &[Case::new::<Ripples>(), Case::new::<Histogram>(), Case::new::<Tint>()],
+        &MODULES,
+    );
 }
 
 #[test]

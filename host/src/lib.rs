@@ -49,7 +49,7 @@ pub use muslin_device::{
 use organza_core::input;
 pub use organza_core::{
     Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
-    TileBatch, camera, demo, edit, error, image, metrics, ranks, scene, tile,
+    TileBatch, camera, demo, edit, error, image, metrics, ranks, scene, still_life, tile,
 };
 pub use organza_data as data;
 #[cfg(feature = "ndarray")]

@@ -19,6 +19,7 @@ mod random;
 pub mod ranks;
 mod rendered;
 pub mod scene;
+pub mod still_life;
 pub mod tile;
 
 pub use atomic_file::{check_inside, check_writable, remove_leftovers, write_atomic, write_inside};

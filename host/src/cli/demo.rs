@@ -1,5 +1,7 @@
 //! `organza demo`: the built-in scene, as something to look at and to try.
 
+mod photographs;
+
 use std::path::{Path, PathBuf};
 
 use organza::image::Origin;
@@ -15,6 +17,9 @@ use super::summary::{Cost, Summary, count};
 use super::views::names;
 use super::written::Written;
 
+/// Default number of views, and of pixels of their sides.
+const VIEWS: u16 = 24;
+const SIDE: u32 = 384;
 /// Side of the tiles that images are cut into, and of the tiles in `tiles.json`, in pixels.
 const TILE_SIZE: u32 = 64;
 /// Largest width of the contact sheet, in pixels; a wider one is shrunk.
@@ -24,6 +29,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza demo -o demo
   organza demo -o demo --views 8 --size 256 --backend cpu
+  organza demo --photographs -o table      40 photographs of a still life, to try capture and train
 
 Images of an earlier call that do not belong to the new ones are removed, as `organza help render` says.";
 
@@ -31,17 +37,21 @@ Images of an earlier call that do not belong to the new ones are removed, as `or
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
+    /// Write photographs of a still life instead, made by a ray tracer, with the flaws of photographs that are taken by
+    /// hand. They are in the public domain (CC0 1.0)
+    #[arg(long)]
+    photographs: bool,
     /// The folder for the images, the scene and the cameras; created if it does not exist
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Number of views, all around the scene
-    #[arg(long, value_name = "N", default_value_t = 24)]
+    /// Number of views, all around the scene [default: 24, or 40 photographs]
+    #[arg(long, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=1000))]
-    views: u16,
-    /// Width and height of the images, in pixels
-    #[arg(long, value_name = "S", default_value_t = 384)]
+    views: Option<u16>,
+    /// Width and height of the images, in pixels; of photographs, the width [default: 384, or 640]
+    #[arg(long, value_name = "S")]
     #[arg(value_parser = clap::value_parser!(u32).range(8..=4096))]
-    size: u32,
+    size: Option<u32>,
     /// Print JSON: the files, and the cost of rendering (docs/json.md)
     #[arg(long)]
     json: bool,
@@ -50,9 +60,13 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
+    if args.photographs {
+        return photographs::run(args, console);
+    }
     let mut folder = Folder::make(&args.output)?;
     folder.lock(false)?;
-    let cameras = demo::turntable(usize::from(args.views), args.size);
+    let cameras =
+        demo::turntable(usize::from(args.views.unwrap_or(VIEWS)), args.size.unwrap_or(SIDE));
     refuse_foreign(&folder, &cameras, &args.output)?;
     let scene = console.during("building the scene", demo::scene);
     let renderer = args.device.open(console)?;

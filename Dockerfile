@@ -3,6 +3,9 @@
 #   docker build -t organza .
 #   docker run --rm -v "$PWD:/data" organza train -o run
 #
+# Checked with buildah, but for two things: where no registry was in reach, bases made by debootstrap stood in for the two of
+# `FROM`, and the program was compiled outside.
+#
 # For an NVIDIA GPU, add `--gpus all -e NVIDIA_DRIVER_CAPABILITIES=graphics,compute` (NVIDIA's container toolkit).
 
 FROM rust:1.95-bookworm AS build

@@ -76,8 +76,8 @@ fn the_poses_of_a_film_are_found() {
     let turned = turns.iter().sum::<f64>() / turns.len() as f64;
     println!("cameras are turned by {turned:.4} radians in the mean");
     println!("distances between cameras are off by {worst:.5} of their mean at most");
-    assert!(turned < 0.015, "cameras are turned by {turned} radians in the mean");
-    assert!(worst < 0.02, "distances between cameras are off by {worst} of their mean");
+    assert!(turned < 0.01, "cameras are turned by {turned} radians in the mean");
+    assert!(worst < 0.01, "distances between cameras are off by {worst} of their mean");
     for camera in &found {
         let off = camera.fl_x / f64::from(camera.width) / (film[0].fl_x / f64::from(film[0].width));
         assert!((off - 1.0).abs() < 0.01, "a focal length of {off} times the true one");

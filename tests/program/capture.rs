@@ -31,6 +31,7 @@ fn stones() -> Scene {
         transmittance_mlp: MlpConfig { hidden: vec![16] },
         step: 0.1,
         background: [0.0; 3],
+        antialiased: false,
         contraction: Contraction::None,
         ..demo::config()
     };

@@ -293,6 +293,7 @@ mod member_pixels {
             first_row: 0,
             rows,
             colors: 1,
+            compensated_blur: 0.0,
         };
         let kernel = CompositeBackwardKernel {
             params,

@@ -7,7 +7,7 @@ use crate::limits::MAX_BAND;
 use crate::project::{falloff, in_support, mahalanobis};
 #[cfg(not(target_arch = "spirv"))]
 use crate::splat::SPLAT;
-use crate::splat::VECTORS;
+use crate::splat::{Compensation, VECTORS};
 use crate::tile::Tile;
 use crate::transmittance::owner;
 use muslin::math::{ceil, clamp};
@@ -30,6 +30,8 @@ pub struct CompositeBackwardParams {
     pub rows: u32,
     /// 0 if nobody needs the gradient of the colors.
     pub colors: u32,
+    /// See [`SplatParams::compensated_blur`](crate::splat::SplatParams::compensated_blur).
+    pub compensated_blur: f32,
 }
 
 /// Rows that one dispatch of [`composite_backward`] may sum over, for tiles of a side: an invocation takes a step for
@@ -196,7 +198,8 @@ fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Wo
 /// (d color, 0)`.
 ///
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
-/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  One invocation for each member of a tile: pixels are summed
+/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  The weight is that without its [`Compensation`], which depends on
+/// the conic.  One invocation for each member of a tile: pixels are summed
 /// in an order that nothing changes.
 #[kernel(threads(64), iterations = u32::BITS + MAX_BAND, lanes, counts(members), work(composite_backward_work))]
 pub fn composite_backward<L: Lane>(
@@ -229,13 +232,18 @@ pub fn composite_backward<L: Lane>(
             let hx = sum.first.y;
             let hy = sum.first.z;
             let weight = placed.z;
+            let conic = Vec3::new(conic.x, conic.y, conic.z);
+            let compensation = Compensation::new(conic, params.compensated_blur);
             let geometry = Vec4::new(
                 weight * (conic.x * hx + conic.y * hy),
                 weight * (conic.y * hx + conic.z * hy),
-                sum.first.x,
+                sum.first.x * compensation.factor,
                 0.0,
             );
-            let shape = Vec3::new(-0.5, -1.0, -0.5) * sum.second * weight;
+            let mut shape = Vec3::new(-0.5, -1.0, -0.5) * sum.second * weight;
+            if params.compensated_blur > 0.0 {
+                shape += compensation.log_slope * (sum.first.x * weight);
+            }
             let first = index * VECTORS;
             let before = member_gradient.read(first);
             member_gradient.write(first, before + geometry);

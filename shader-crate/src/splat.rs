@@ -1,9 +1,9 @@
 //! Splats: everything that the composite reads about a pair, next to each other in memory.
 
-use glam::Vec4;
+use glam::{Vec3, Vec4};
 
 use crate::limits::MAX_TILES;
-use muslin::math::sigmoid;
+use muslin::math::{sigmoid, sqrt};
 use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
 use muslin::work::{NUMBER, Shape, VECTOR, Work};
@@ -18,6 +18,44 @@ pub struct SplatParams {
     pub pairs: u32,
     /// Gaussians of the scene.
     pub gaussians: u32,
+    /// The blur that weights make up for, in square pixels; 0 if they do not. See [`Compensation`].
+    pub compensated_blur: f32,
+}
+
+/// What a Gaussian's weight is multiplied with, so that a blur makes it wider but not heavier: the square root of
+/// `det(cov2d) / det(cov2d + blur I)`, as in Mip-Splatting (Yu et al. 2024).
+///
+/// With the conic K, the inverse of the blurred covariance, the quotient is `det(I - blur K)`.
+#[derive(Clone, Copy, Debug)]
+pub struct Compensation {
+    /// The factor.
+    pub factor: f32,
+    /// The derivative of the factor's logarithm with respect to the conic: xx, xy, yy.
+    pub log_slope: Vec3,
+}
+
+/// The least [`Compensation::factor`]: that of a Gaussian so thin that rounding decides on its quotient.
+pub const LEAST_COMPENSATION: f32 = 1.0 / 255.0;
+
+impl Compensation {
+    /// That of a Gaussian's conic (xx, xy, yy) and a blur; 1 without a blur.
+    #[inline(always)]
+    pub fn new(conic: Vec3, blur: f32) -> Self {
+        let x = 1.0 - blur * conic.x;
+        let y = 1.0 - blur * conic.z;
+        let xy = blur * conic.y;
+        let quotient = x * y - xy * xy;
+        let mut factor = 1.0;
+        let mut log_slope = Vec3::ZERO;
+        if blur > 0.0 {
+            factor = LEAST_COMPENSATION;
+            if quotient > LEAST_COMPENSATION * LEAST_COMPENSATION {
+                factor = sqrt(quotient);
+                log_slope = Vec3::new(y, 2.0 * xy, x) * (-0.5 * blur / quotient);
+            }
+        }
+        Self { factor, log_slope }
+    }
 }
 
 /// Bytes of a splat: three vectors.
@@ -31,7 +69,8 @@ fn splat_work(params: &SplatParams, _: Shape<'_>) -> Work {
     Work { flops: 0, bytes: u64::from(params.pairs) * (6 * NUMBER + 2 * VECTOR + SPLAT) }
 }
 
-/// Gathers `splat [pairs, 3]`; the weight is `sigmoid(opacity) T`, alpha but for the falloff (Eq. 12).
+/// Gathers `splat [pairs, 3]`; the weight is `sigmoid(opacity) T`, alpha but for the falloff (Eq. 12), times the
+/// [`Compensation`] if the scene has one.
 #[kernel(threads(64), counts(pairs), work(splat_work))]
 pub fn splat(
     id: Invocation,
@@ -48,8 +87,11 @@ pub fn splat(
         let slot = pair.read(index);
         let weight = sigmoid(opacity.read(slot % params.gaussians)) * transmittance.read(index);
         let p = projection.read(2 * slot);
-        splat.write(VECTORS * index, Vec4::new(p.x, p.y, weight, p.w));
-        splat.write(VECTORS * index + 1, projection.read(2 * slot + 1));
+        let conic = projection.read(2 * slot + 1);
+        let shape = Vec3::new(conic.x, conic.y, conic.z);
+        let compensation = Compensation::new(shape, params.compensated_blur);
+        splat.write(VECTORS * index, Vec4::new(p.x, p.y, weight * compensation.factor, p.w));
+        splat.write(VECTORS * index + 1, conic);
         let c = 3 * index;
         splat.write(
             VECTORS * index + 2,

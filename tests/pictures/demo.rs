@@ -1,8 +1,8 @@
 //! The built-in scene.
 
 use muslin_check::snapshot::picture::Montage;
-use organza::TileBatch;
 use organza::demo::{scene, turntable};
+use organza::{Image, TileBatch, metrics};
 
 use crate::snapshots::{RENDERERS, SNAPSHOTS};
 
@@ -49,4 +49,23 @@ fn the_picture_stays_the_same() {
         assert!(tiles.data.iter().all(|value| (0.0..=1.0).contains(value)));
         SNAPSHOTS.assert_picture(["built_in_picture", text], backend, &tiles.data, montage);
     }
+}
+
+/// The first command trains on small images, and the README's picture is large: the cloth is as sheer in both.
+#[test]
+fn small_images_are_large_ones_averaged_down() {
+    let (_, renderer) = RENDERERS.iter().next().expect("a CPU");
+    let on_device = renderer.upload(&scene()).expect("a valid scene");
+    let image = |side: u32| -> Image {
+        let camera = turntable(1, side).remove(0);
+        renderer.render_view(&on_device, &camera).expect("a picture")
+    };
+    let numbers = |image: &Image| -> Vec<[f32; 3]> {
+        image.pixels().iter().map(|pixel| pixel.map(|channel| f32::from(channel) / 255.0)).collect()
+    };
+    let small = numbers(&image(128));
+    let large = image(512);
+    let averaged = numbers(&large.shrink(4).expect("memory"));
+    let alike = metrics::psnr(&small, &averaged, None).expect("pixels");
+    assert!(alike > 36.0, "{alike} dB");
 }

@@ -263,6 +263,7 @@ fn composite_backward(device: &Device, splat: [Vec4; 3], side: u32, gradient: &[
             first_row: 0,
             rows: side,
             colors: 1,
+            compensated_blur: 0.0,
         },
         tile: &device.upload("tile", &tile.pack()).expect("memory"),
         tile_first: &device.upload("first", &[0, 1]).expect("memory"),

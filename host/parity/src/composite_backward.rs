@@ -6,9 +6,10 @@ use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
 
-use super::composite::{Composite, SIDES};
-use super::exact::composite::{Splat, falloff};
+use super::composite::{Composite, SIDES, extent};
+use super::exact::composite::{Splat, compensation, falloff};
 use super::exact::numeric::{Dual, gradient};
+use super::splat::blurred_conic;
 use super::tile::pack;
 
 /// Inputs of `composite_backward`.
@@ -24,6 +25,8 @@ pub struct CompositeBackward {
     pub sum_gradient: Vec<f32>,
     /// Whether the gradient of the colors is wanted.
     pub colors: bool,
+    /// The blur that weights make up for.
+    pub compensated_blur: f32,
     /// `[members, 3]`: what other bands have left.
     pub member_gradient: Vec<Vec4>,
 }
@@ -41,7 +44,40 @@ impl CompositeBackward {
         let member_gradient = random.values(vectors, -1.0, 1.0);
         let member_gradient = member_gradient.chunks(4).map(Vec4::from_slice).collect();
         let rows = forward.side;
-        Self { forward, first_row: 0, rows, colors: true, sum_gradient, member_gradient }
+        Self {
+            forward,
+            first_row: 0,
+            rows,
+            colors: true,
+            compensated_blur: 0.0,
+            sum_gradient,
+            member_gradient,
+        }
+    }
+
+    /// The same with covariances that a blur has made larger, and weights that make up for it.
+    fn compensated(mut self) -> Self {
+        self.compensated_blur = 0.3;
+        let mut random = Random::new(17);
+        for [placed, conic, _] in &mut self.forward.splat {
+            let shape = blurred_conic(&mut random, -2.0);
+            let [width, height] = extent(shape.to_array());
+            placed.w = width;
+            *conic = shape.extend(height);
+        }
+        self
+    }
+
+    /// What the weight of a conic has been multiplied with, and the sizes of what rounding makes of its root and of its slope.
+    fn compensation(&self, [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
+        if self.compensated_blur == 0.0 {
+            return [1.0, 1.0, 0.0];
+        }
+        let blur = f64::from(self.compensated_blur);
+        let factor = compensation([xx, xy, yy], blur);
+        let quotient = factor * factor;
+        // differences from 1
+        [factor, factor + 1.0 / factor, blur / quotient * (1.0 + 1.0 / quotient)]
     }
 
     /// Tile of a member.
@@ -57,7 +93,11 @@ impl CompositeBackward {
         let area = (set.side * set.side) as usize;
         let Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] } =
             Splat::from_vectors(&set.splat[set.member[index] as usize]);
-        gradient([x, y, weight, xx, xy, yy, r, g, b], |[x, y, weight, xx, xy, yy, r, g, b]| {
+        let blur = f64::from(self.compensated_blur);
+        let [factor, ..] = self.compensation([xx, xy, yy]);
+        let bare = weight / factor;
+        gradient([x, y, bare, xx, xy, yy, r, g, b], |[x, y, bare, xx, xy, yy, r, g, b]| {
+            let weight = if blur > 0.0 { bare * compensation([xx, xy, yy], blur) } else { bare };
             let splat = Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] };
             let band = self.first_row * set.side..(self.first_row + self.rows) * set.side;
             let mut loss = Dual::from(0.0);
@@ -80,6 +120,7 @@ impl CompositeBackward {
             set.splat[set.member[index] as usize].map(|vector| vector.as_dvec4());
         let area = (set.side * set.side) as usize;
         let band = self.first_row * set.side..(self.first_row + self.rows) * set.side;
+        let [_, root, slope] = self.compensation([conic.x, conic.y, conic.z]);
         let mut sizes = [[DVec4::ZERO; 3]; 2];
         for at in band {
             let (_, [x, y]) = set.pixel(tile * area + at as usize);
@@ -98,8 +139,9 @@ impl CompositeBackward {
                 let h = f * by_alpha;
                 let along_x = conic.x * dx + conic.y.abs() * dy;
                 let along_y = conic.y.abs() * dx + conic.z * dy;
-                size[0] += DVec4::new(placed.z * along_x, placed.z * along_y, 1.0, 0.0) * h;
-                size[1] += DVec4::new(0.5 * dx * dx, dx * dy, 0.5 * dy * dy, 0.0) * placed.z * h;
+                size[0] += DVec4::new(placed.z * along_x, placed.z * along_y, root, 0.0) * h;
+                let by_falloff = DVec4::new(0.5 * dx * dx, dx * dy, 0.5 * dy * dy, 0.0);
+                size[1] += (by_falloff + DVec4::new(slope, slope, slope, 0.0)) * placed.z * h;
                 size[2] += c * placed.z * f;
             }
         }
@@ -142,6 +184,7 @@ impl Parity for CompositeBackward {
         let band = Self::new(Composite::new(17, &[30, 33], Fill::Random, 14));
         let colors = Self { colors: false, ..band.clone() };
         sets.push(("without colors".into(), colors));
+        sets.push(("compensated".into(), band.clone().compensated()));
         sets.push(("rows 3 to 9".into(), Self { first_row: 3, rows: 7, ..band }));
         sets
     }
@@ -157,6 +200,7 @@ impl Parity for CompositeBackward {
                 first_row: self.first_row,
                 rows: self.rows,
                 colors: self.colors.into(),
+                compensated_blur: self.compensated_blur,
             },
             tile: &pack(&set.tiles),
             tile_first: &set.tile_first,

@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use glam::Vec4;
+use glam::{Vec3, Vec4};
 use muslin_check::prelude::*;
 use organza_shaders::splat::{
     SplatBackwardInputs, SplatBackwardParams, SplatInputs, SplatParams, VECTORS,
 };
 
 use super::exact::bits;
-use super::exact::composite::weight;
+use super::exact::composite::{compensation, weight};
 use super::exact::numeric::{Dual, gradient};
 
 case!(pub Splat(SplatInputs));
@@ -20,7 +20,7 @@ impl Splat {
         let slots = 2 * gaussians;
         let numbers = fill.values(random, 8 * slots as usize, [-100.0, 100.0], 3e38);
         Self(SplatInputs {
-            params: SplatParams { pairs, gaussians },
+            params: SplatParams { pairs, gaussians, compensated_blur: 0.0 },
             pair: (0..pairs)
                 .map(|i| if i % 5 == 4 { slots - 1 } else { random.below(slots) })
                 .collect(),
@@ -31,6 +31,36 @@ impl Splat {
             splat: unwritten((VECTORS * pairs) as usize),
         })
     }
+}
+
+impl Splat {
+    /// Of covariances from thin to large, whose weights make up for the blur.
+    fn compensated() -> Self {
+        let mut set = Self::new(inputs::ITEMS, Fill::Random, &mut Random::new(6));
+        set.params.compensated_blur = 0.3;
+        let mut random = Random::new(7);
+        for conic in set.projection.iter_mut().skip(1).step_by(2) {
+            *conic = blurred_conic(&mut random, -4.0).extend(conic.w);
+        }
+        set
+    }
+
+    /// What a slot's weight is multiplied with.
+    fn factor(&self, slot: usize) -> f64 {
+        let conic = self.projection[2 * slot + 1].as_dvec4();
+        match self.params.compensated_blur {
+            0.0 => 1.0,
+            blur => compensation([conic.x, conic.y, conic.z], f64::from(blur)),
+        }
+    }
+}
+
+/// The conic of a covariance with a blur of 0.3, turned by any angle. Its variances are powers of 10, from `least` on up to 2.
+pub(super) fn blurred_conic(random: &mut Random, least: f32) -> Vec3 {
+    let axes = [0, 1].map(|_| 1.0 / (10f32.powf(random.between(least, 2.0)) + 0.3));
+    let (sin, cos) = random.between(0.0, 3.2).sin_cos();
+    let [a, b] = axes;
+    Vec3::new(a * cos * cos + b * sin * sin, (a - b) * sin * cos, a * sin * sin + b * cos * cos)
 }
 
 impl Parity for Splat {
@@ -51,6 +81,7 @@ impl Parity for Splat {
             set.transmittance.fill(edge);
             sets.push((format!("transmittance {edge}"), set));
         }
+        sets.push(("compensated".into(), Self::compensated()));
         sets
     }
 
@@ -62,8 +93,8 @@ impl Parity for Splat {
         let of = |(pair, &slot): (usize, &u32)| {
             let slot = slot as usize;
             let logit = f64::from(self.opacity[slot % self.params.gaussians as usize]);
-            let weight = weight(logit, f64::from(self.transmittance[pair]));
             let [placed, conic] = [0, 1].map(|at| self.projection[2 * slot + at].as_dvec4());
+            let weight = weight(logit, f64::from(self.transmittance[pair])) * self.factor(slot);
             let [r, g, b] = [0, 1, 2].map(|channel| f64::from(self.color[3 * pair + channel]));
             let geometry = [placed.x, placed.y, weight, placed.w];
             [geometry, conic.to_array(), [r, g, b, 0.0]].concat()
@@ -79,7 +110,10 @@ impl Parity for Splat {
         }
         let gaussian = self.pair[index / vectors] % self.params.gaussians;
         let size = f64::from(self.opacity[gaussian as usize].abs());
-        Bound::relative_to(cpu.floats()[index].abs() * (1.0 + size))
+        // the root of a difference from 1
+        let factor = self.factor(self.pair[index / vectors] as usize);
+        let rounded = if self.params.compensated_blur > 0.0 { factor.powi(-2) } else { 0.0 };
+        Bound::relative_to(cpu.floats()[index].abs() * (1.0 + size + rounded))
     }
 }
 

@@ -1,21 +1,22 @@
-struct type_4 {
+struct type_5 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
     member_4: u32,
     member_5: u32,
+    member_6: f32,
 }
 
-struct type_5 {
-    member: type_4,
+struct type_6 {
+    member: type_5,
 }
 
-struct type_10 {
+struct type_11 {
     member: array<u32>,
 }
 
-struct type_15 {
+struct type_16 {
     member: array<i32>,
 }
 
@@ -31,13 +32,13 @@ var<private> global: vec3<u32>;
 var<private> global_1: vec3<u32>;
 var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
-var<uniform> global_3: type_5;
+var<uniform> global_3: type_6;
 @group(0) @binding(2) 
-var<storage> global_4: type_10;
+var<storage> global_4: type_11;
 @group(0) @binding(1) 
-var<storage> global_5: type_15;
+var<storage> global_5: type_16;
 @group(0) @binding(3) 
-var<storage> global_6: type_10;
+var<storage> global_6: type_11;
 @group(0) @binding(4) 
 var<storage> global_7: type_21;
 @group(0) @binding(5) 
@@ -46,31 +47,35 @@ var<storage> global_8: type_25;
 var<storage, read_write> global_9: type_21;
 
 fn function_() {
-    var phi_151_: u32;
-    var phi_154_: u32;
+    var phi_180_: u32;
+    var phi_183_: u32;
     var local: u32;
-    var phi_263_: u32;
-    var phi_266_: f32;
-    var phi_267_: f32;
-    var phi_268_: f32;
-    var phi_270_: f32;
-    var phi_271_: f32;
-    var phi_272_: f32;
-    var phi_273_: f32;
-    var phi_275_: f32;
-    var phi_277_: f32;
-    var phi_290_: f32;
     var phi_292_: u32;
-    var phi_294_: f32;
     var phi_295_: f32;
-    var phi_269_: f32;
-    var phi_274_: f32;
-    var phi_276_: f32;
-    var phi_278_: f32;
+    var phi_296_: f32;
+    var phi_297_: f32;
+    var phi_299_: f32;
+    var phi_300_: f32;
+    var phi_301_: f32;
+    var phi_302_: f32;
+    var phi_304_: f32;
+    var phi_306_: f32;
+    var phi_319_: f32;
+    var phi_321_: u32;
+    var phi_323_: f32;
+    var phi_324_: f32;
+    var phi_298_: f32;
+    var phi_303_: f32;
+    var phi_305_: f32;
+    var phi_307_: f32;
     var local_1: f32;
     var local_2: f32;
     var local_3: f32;
     var local_4: f32;
+    var phi_363_: vec3<f32>;
+    var phi_364_: f32;
+    var phi_365_: vec3<f32>;
+    var phi_366_: f32;
     var local_5: f32;
     var local_6: f32;
     var local_7: f32;
@@ -80,12 +85,13 @@ fn function_() {
     var local_11: f32;
     var local_12: f32;
     var local_13: f32;
+    var phi_375_: vec3<f32>;
     var local_14: f32;
     var local_15: f32;
-    var local_16: u32;
+    var local_16: f32;
     var local_17: u32;
     var local_18: u32;
-    var local_19: f32;
+    var local_19: u32;
     var local_20: f32;
     var local_21: f32;
     var local_22: f32;
@@ -95,246 +101,284 @@ fn function_() {
     var local_26: f32;
     var local_27: f32;
     var local_28: f32;
-    var local_29: u32;
-    var local_30: f32;
+    var local_29: f32;
+    var local_30: u32;
     var local_31: f32;
     var local_32: f32;
     var local_33: f32;
     var local_34: f32;
     var local_35: f32;
+    var local_36: f32;
 
-    let _e25 = global;
-    let _e26 = global_1;
-    let _e27 = global_2;
-    let _e35 = (((_e26.x + (_e26.y * _e27.x)) * 64u) + _e25.x);
-    let _e38 = global_3.member.member;
-    if (_e35 < _e38) {
-        let _e42 = global_3.member.member_1;
-        phi_151_ = _e42;
-        phi_154_ = 0u;
+    let _e30 = global;
+    let _e31 = global_1;
+    let _e32 = global_2;
+    let _e40 = (((_e31.x + (_e31.y * _e32.x)) * 64u) + _e30.x);
+    let _e43 = global_3.member.member;
+    if (_e40 < _e43) {
+        let _e47 = global_3.member.member_1;
+        phi_180_ = _e47;
+        phi_183_ = 0u;
         loop {
-            let _e44 = phi_151_;
-            let _e46 = phi_154_;
-            local = _e46;
-            if ((_e46 + 1u) < _e44) {
-                let _e50 = ((_e46 + _e44) / 2u);
-                let _e53 = global_4.member[_e50];
-                let _e54 = (_e53 <= _e35);
-                local_16 = select(_e50, _e44, _e54);
-                local_17 = select(_e46, _e50, _e54);
+            let _e49 = phi_180_;
+            let _e51 = phi_183_;
+            local = _e51;
+            if ((_e51 + 1u) < _e49) {
+                let _e55 = ((_e51 + _e49) / 2u);
+                let _e58 = global_4.member[_e55];
+                let _e59 = (_e58 <= _e40);
+                local_17 = select(_e55, _e49, _e59);
+                local_18 = select(_e51, _e55, _e59);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e357 = local_16;
-                phi_151_ = _e357;
-                let _e360 = local_17;
-                phi_154_ = _e360;
+                let _e411 = local_17;
+                phi_180_ = _e411;
+                let _e414 = local_18;
+                phi_183_ = _e414;
             }
         }
-        let _e58 = local;
-        let _e59 = (_e58 * 4u);
-        let _e63 = global_5.member[(_e59 + 1u)];
-        let _e67 = global_5.member[(_e59 + 2u)];
-        let _e70 = global_6.member[_e35];
-        let _e71 = (_e70 * 3u);
-        let _e74 = global_7.member[_e71];
-        let _e78 = global_7.member[(_e71 + 1u)];
-        let _e82 = global_7.member[(_e71 + 2u)];
-        let _e85 = global_3.member.member_2;
-        let _e88 = f32(_e85);
-        let _e90 = f32(_e63);
-        let _e93 = ceil((((_e74.x - _e74.w) - _e90) - 0.5f));
-        let _e95 = select(0f, _e93, (_e93 > 0f));
-        let _e97 = select(_e88, _e95, (_e95 < _e88));
-        let _e100 = (((_e74.x + _e74.w) - _e90) + 0.5f);
-        let _e102 = select(0f, _e100, (_e100 > 0f));
-        let _e104 = select(_e88, _e102, (_e102 < _e88));
-        let _e109 = select(select(u32(_e97), 0u, (_e97 < 0f)), 4294967295u, (_e97 > 4294967000f));
-        let _e114 = select(select(u32(_e104), 0u, (_e104 < 0f)), 4294967295u, (_e104 > 4294967000f));
-        let _e117 = global_3.member.member_3;
-        let _e120 = global_3.member.member_4;
-        let _e124 = f32(_e117);
-        let _e125 = f32((_e117 + _e120));
-        let _e127 = f32(_e67);
-        let _e130 = ceil((((_e74.y - _e78.w) - _e127) - 0.5f));
-        let _e132 = select(_e124, _e130, (_e130 > _e124));
-        let _e134 = select(_e125, _e132, (_e132 < _e125));
-        let _e137 = (((_e74.y + _e78.w) - _e127) + 0.5f);
-        let _e139 = select(_e124, _e137, (_e137 > _e124));
-        let _e141 = select(_e125, _e139, (_e139 < _e125));
-        let _e146 = select(select(u32(_e134), 0u, (_e134 < 0f)), 4294967295u, (_e134 > 4294967000f));
-        let _e151 = select(select(u32(_e141), 0u, (_e141 < 0f)), 4294967295u, (_e141 > 4294967000f));
-        if (_e109 < _e114) {
-            if (_e146 < _e151) {
-                let _e155 = (_e114 - _e109);
-                let _e157 = select(_e85, _e155, (_e155 < _e85));
-                let _e158 = (_e85 - _e157);
-                let _e160 = select(_e158, _e109, (_e109 < _e158));
-                let _e167 = (_e85 * _e85);
-                phi_263_ = _e146;
-                phi_266_ = 0f;
-                phi_267_ = 0f;
-                phi_268_ = 0f;
-                phi_270_ = 0f;
-                phi_271_ = 0f;
-                phi_272_ = 0f;
-                phi_273_ = 0f;
-                phi_275_ = 0f;
-                phi_277_ = 0f;
+        let _e63 = local;
+        let _e64 = (_e63 * 4u);
+        let _e68 = global_5.member[(_e64 + 1u)];
+        let _e72 = global_5.member[(_e64 + 2u)];
+        let _e75 = global_6.member[_e40];
+        let _e76 = (_e75 * 3u);
+        let _e79 = global_7.member[_e76];
+        let _e83 = global_7.member[(_e76 + 1u)];
+        let _e87 = global_7.member[(_e76 + 2u)];
+        let _e90 = global_3.member.member_2;
+        let _e93 = f32(_e90);
+        let _e95 = f32(_e68);
+        let _e98 = ceil((((_e79.x - _e79.w) - _e95) - 0.5f));
+        let _e100 = select(0f, _e98, (_e98 > 0f));
+        let _e102 = select(_e93, _e100, (_e100 < _e93));
+        let _e105 = (((_e79.x + _e79.w) - _e95) + 0.5f);
+        let _e107 = select(0f, _e105, (_e105 > 0f));
+        let _e109 = select(_e93, _e107, (_e107 < _e93));
+        let _e114 = select(select(u32(_e102), 0u, (_e102 < 0f)), 4294967295u, (_e102 > 4294967000f));
+        let _e119 = select(select(u32(_e109), 0u, (_e109 < 0f)), 4294967295u, (_e109 > 4294967000f));
+        let _e122 = global_3.member.member_3;
+        let _e125 = global_3.member.member_4;
+        let _e129 = f32(_e122);
+        let _e130 = f32((_e122 + _e125));
+        let _e132 = f32(_e72);
+        let _e135 = ceil((((_e79.y - _e83.w) - _e132) - 0.5f));
+        let _e137 = select(_e129, _e135, (_e135 > _e129));
+        let _e139 = select(_e130, _e137, (_e137 < _e130));
+        let _e142 = (((_e79.y + _e83.w) - _e132) + 0.5f);
+        let _e144 = select(_e129, _e142, (_e142 > _e129));
+        let _e146 = select(_e130, _e144, (_e144 < _e130));
+        let _e151 = select(select(u32(_e139), 0u, (_e139 < 0f)), 4294967295u, (_e139 > 4294967000f));
+        let _e156 = select(select(u32(_e146), 0u, (_e146 < 0f)), 4294967295u, (_e146 > 4294967000f));
+        if (_e114 < _e119) {
+            if (_e151 < _e156) {
+                let _e160 = (_e119 - _e114);
+                let _e162 = select(_e90, _e160, (_e160 < _e90));
+                let _e163 = (_e90 - _e162);
+                let _e165 = select(_e163, _e114, (_e114 < _e163));
+                let _e172 = (_e90 * _e90);
+                phi_292_ = _e151;
+                phi_295_ = 0f;
+                phi_296_ = 0f;
+                phi_297_ = 0f;
+                phi_299_ = 0f;
+                phi_300_ = 0f;
+                phi_301_ = 0f;
+                phi_302_ = 0f;
+                phi_304_ = 0f;
+                phi_306_ = 0f;
                 loop {
-                    let _e173 = phi_263_;
-                    let _e175 = phi_266_;
-                    let _e177 = phi_267_;
-                    let _e179 = phi_268_;
-                    let _e181 = phi_270_;
-                    let _e183 = phi_271_;
-                    let _e185 = phi_272_;
-                    let _e187 = phi_273_;
-                    let _e189 = phi_275_;
-                    let _e191 = phi_277_;
-                    local_5 = _e183;
-                    local_6 = _e181;
-                    local_7 = _e183;
-                    local_8 = _e181;
-                    local_9 = _e179;
-                    local_10 = _e177;
-                    local_11 = _e175;
-                    local_12 = _e185;
-                    local_13 = _e191;
-                    local_14 = _e189;
-                    local_15 = _e187;
-                    if (_e173 < _e151) {
-                        let _e197 = ((f32((_e67 + bitcast<i32>(_e173))) + 0.5f) - _e74.y);
-                        let _e200 = ((_e85 * ((_e59 * _e85) + _e173)) + _e160);
-                        phi_290_ = (f32((_e63 + bitcast<i32>(_e160))) + 0.5f);
-                        phi_292_ = _e200;
-                        phi_294_ = 0f;
-                        phi_295_ = 0f;
-                        phi_269_ = _e179;
-                        phi_274_ = _e187;
-                        phi_276_ = _e189;
-                        phi_278_ = _e191;
+                    let _e178 = phi_292_;
+                    let _e180 = phi_295_;
+                    let _e182 = phi_296_;
+                    let _e184 = phi_297_;
+                    let _e186 = phi_299_;
+                    let _e188 = phi_300_;
+                    let _e190 = phi_301_;
+                    let _e192 = phi_302_;
+                    let _e194 = phi_304_;
+                    let _e196 = phi_306_;
+                    local_5 = _e188;
+                    local_6 = _e186;
+                    local_7 = _e188;
+                    local_8 = _e186;
+                    local_9 = _e190;
+                    local_10 = _e184;
+                    local_11 = _e182;
+                    local_12 = _e180;
+                    local_13 = _e190;
+                    local_14 = _e196;
+                    local_15 = _e194;
+                    local_16 = _e192;
+                    if (_e178 < _e156) {
+                        let _e202 = ((f32((_e72 + bitcast<i32>(_e178))) + 0.5f) - _e79.y);
+                        let _e205 = ((_e90 * ((_e64 * _e90) + _e178)) + _e165);
+                        phi_319_ = (f32((_e68 + bitcast<i32>(_e165))) + 0.5f);
+                        phi_321_ = _e205;
+                        phi_323_ = 0f;
+                        phi_324_ = 0f;
+                        phi_298_ = _e184;
+                        phi_303_ = _e192;
+                        phi_305_ = _e194;
+                        phi_307_ = _e196;
                         loop {
-                            let _e203 = phi_290_;
-                            let _e205 = phi_292_;
-                            let _e207 = phi_294_;
-                            let _e209 = phi_295_;
-                            let _e211 = phi_269_;
-                            let _e213 = phi_274_;
-                            let _e215 = phi_276_;
-                            let _e217 = phi_278_;
-                            local_21 = _e211;
-                            local_25 = _e213;
-                            local_26 = _e215;
-                            local_27 = _e217;
-                            local_1 = _e209;
-                            local_2 = _e207;
-                            local_3 = _e209;
-                            local_4 = _e207;
-                            if (_e205 < (_e200 + _e157)) {
-                                let _e219 = (_e203 - _e74.x);
-                                let _e221 = ((_e78.y * _e219) * _e197);
-                                let _e228 = ((((_e78.x * _e219) * _e219) + (_e221 + _e221)) + ((_e78.z * _e197) * _e197));
-                                let _e233 = (_e228 <= 11.082527f);
-                                let _e234 = select(0f, exp((-0.5f * select(0f, _e228, (_e228 > 0f)))), _e233);
-                                let _e237 = global_8.member[_e205];
-                                let _e241 = global_8.member[(_e205 + _e167)];
-                                let _e246 = global_8.member[(_e205 + (2u * _e167))];
-                                let _e251 = global_8.member[(_e205 + (3u * _e167))];
-                                let _e259 = select(0f, (_e234 * ((((_e237 * _e82.x) + (_e241 * _e82.y)) + (_e246 * _e82.z)) + _e251)), _e233);
-                                let _e260 = (_e259 * _e219);
-                                local_28 = (_e203 + 1f);
-                                local_29 = (_e205 + 1u);
-                                local_30 = (_e207 + _e260);
-                                local_31 = (_e209 + _e259);
-                                local_32 = (_e211 + (_e260 * _e219));
-                                local_33 = select(_e213, (_e213 + (_e234 * _e246)), _e233);
-                                local_34 = select(_e215, (_e215 + (_e234 * _e241)), _e233);
-                                local_35 = select(_e217, (_e217 + (_e234 * _e237)), _e233);
+                            let _e208 = phi_319_;
+                            let _e210 = phi_321_;
+                            let _e212 = phi_323_;
+                            let _e214 = phi_324_;
+                            let _e216 = phi_298_;
+                            let _e218 = phi_303_;
+                            let _e220 = phi_305_;
+                            let _e222 = phi_307_;
+                            local_22 = _e216;
+                            local_26 = _e218;
+                            local_27 = _e220;
+                            local_28 = _e222;
+                            local_1 = _e214;
+                            local_2 = _e212;
+                            local_3 = _e214;
+                            local_4 = _e212;
+                            if (_e210 < (_e205 + _e162)) {
+                                let _e224 = (_e208 - _e79.x);
+                                let _e226 = ((_e83.y * _e224) * _e202);
+                                let _e233 = ((((_e83.x * _e224) * _e224) + (_e226 + _e226)) + ((_e83.z * _e202) * _e202));
+                                let _e238 = (_e233 <= 11.082527f);
+                                let _e239 = select(0f, exp((-0.5f * select(0f, _e233, (_e233 > 0f)))), _e238);
+                                let _e242 = global_8.member[_e210];
+                                let _e246 = global_8.member[(_e210 + _e172)];
+                                let _e251 = global_8.member[(_e210 + (2u * _e172))];
+                                let _e256 = global_8.member[(_e210 + (3u * _e172))];
+                                let _e264 = select(0f, (_e239 * ((((_e242 * _e87.x) + (_e246 * _e87.y)) + (_e251 * _e87.z)) + _e256)), _e238);
+                                let _e265 = (_e264 * _e224);
+                                local_29 = (_e208 + 1f);
+                                local_30 = (_e210 + 1u);
+                                local_31 = (_e212 + _e265);
+                                local_32 = (_e214 + _e264);
+                                local_33 = (_e216 + (_e265 * _e224));
+                                local_34 = select(_e218, (_e218 + (_e239 * _e251)), _e238);
+                                local_35 = select(_e220, (_e220 + (_e239 * _e246)), _e238);
+                                local_36 = select(_e222, (_e222 + (_e239 * _e242)), _e238);
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e394 = local_28;
-                                phi_290_ = _e394;
-                                let _e397 = local_29;
-                                phi_292_ = _e397;
-                                let _e400 = local_30;
-                                phi_294_ = _e400;
-                                let _e403 = local_31;
-                                phi_295_ = _e403;
-                                let _e406 = local_32;
-                                phi_269_ = _e406;
-                                let _e409 = local_33;
-                                phi_274_ = _e409;
-                                let _e412 = local_34;
-                                phi_276_ = _e412;
-                                let _e415 = local_35;
-                                phi_278_ = _e415;
+                                let _e448 = local_29;
+                                phi_319_ = _e448;
+                                let _e451 = local_30;
+                                phi_321_ = _e451;
+                                let _e454 = local_31;
+                                phi_323_ = _e454;
+                                let _e457 = local_32;
+                                phi_324_ = _e457;
+                                let _e460 = local_33;
+                                phi_298_ = _e460;
+                                let _e463 = local_34;
+                                phi_303_ = _e463;
+                                let _e466 = local_35;
+                                phi_305_ = _e466;
+                                let _e469 = local_36;
+                                phi_307_ = _e469;
                             }
                         }
-                        let _e277 = local_1;
-                        let _e280 = local_2;
-                        let _e283 = local_3;
-                        let _e284 = (_e283 * _e197);
-                        let _e287 = local_4;
-                        local_18 = (_e173 + 1u);
-                        local_19 = (_e175 + (_e284 * _e197));
-                        local_20 = (_e177 + (_e287 * _e197));
-                        local_22 = (_e181 + _e284);
-                        local_23 = (_e183 + _e280);
-                        local_24 = (_e185 + _e277);
+                        let _e282 = local_1;
+                        let _e285 = local_2;
+                        let _e288 = local_3;
+                        let _e289 = (_e288 * _e202);
+                        let _e292 = local_4;
+                        local_19 = (_e178 + 1u);
+                        local_20 = (_e180 + (_e289 * _e202));
+                        local_21 = (_e182 + (_e292 * _e202));
+                        local_23 = (_e186 + _e289);
+                        local_24 = (_e188 + _e285);
+                        local_25 = (_e190 + _e282);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e364 = local_18;
-                        phi_263_ = _e364;
-                        let _e367 = local_19;
-                        phi_266_ = _e367;
-                        let _e370 = local_20;
-                        phi_267_ = _e370;
-                        let _e373 = local_21;
-                        phi_268_ = _e373;
-                        let _e376 = local_22;
-                        phi_270_ = _e376;
-                        let _e379 = local_23;
-                        phi_271_ = _e379;
-                        let _e382 = local_24;
-                        phi_272_ = _e382;
-                        let _e385 = local_25;
-                        phi_273_ = _e385;
-                        let _e388 = local_26;
-                        phi_275_ = _e388;
-                        let _e391 = local_27;
-                        phi_277_ = _e391;
+                        let _e418 = local_19;
+                        phi_292_ = _e418;
+                        let _e421 = local_20;
+                        phi_295_ = _e421;
+                        let _e424 = local_21;
+                        phi_296_ = _e424;
+                        let _e427 = local_22;
+                        phi_297_ = _e427;
+                        let _e430 = local_23;
+                        phi_299_ = _e430;
+                        let _e433 = local_24;
+                        phi_300_ = _e433;
+                        let _e436 = local_25;
+                        phi_301_ = _e436;
+                        let _e439 = local_26;
+                        phi_302_ = _e439;
+                        let _e442 = local_27;
+                        phi_304_ = _e442;
+                        let _e445 = local_28;
+                        phi_306_ = _e445;
                     }
                 }
-                let _e295 = local_5;
-                let _e298 = local_6;
-                let _e303 = local_7;
-                let _e306 = local_8;
-                let _e311 = local_9;
-                let _e314 = local_10;
-                let _e317 = local_11;
-                let _e322 = (_e35 * 3u);
-                let _e325 = global_9.member[_e322];
-                let _e327 = local_12;
-                global_9.member[_e322] = (_e325 + vec4<f32>((_e74.z * ((_e78.x * _e295) + (_e78.y * _e298))), (_e74.z * ((_e78.y * _e303) + (_e78.z * _e306))), _e327, 0f));
-                let _e333 = global_9.member[(_e322 + 1u)];
-                global_9.member[(_e322 + 1u)] = (_e333 + vec4<f32>(((-0.5f * _e311) * _e74.z), ((-1f * _e314) * _e74.z), ((-0.5f * _e317) * _e74.z), 0f));
-                let _e338 = global_3.member.member_5;
-                if (_e338 == 0u) {
+                let _e301 = global_3.member.member_6;
+                let _e303 = (1f - (_e301 * _e83.x));
+                let _e305 = (1f - (_e301 * _e83.z));
+                let _e306 = (_e301 * _e83.y);
+                let _e309 = ((_e303 * _e305) - (_e306 * _e306));
+                let _e310 = (_e301 > 0f);
+                if _e310 {
+                    if (_e309 > 0.000015378702f) {
+                        let _e315 = ((-0.5f * _e301) / _e309);
+                        phi_363_ = vec3<f32>((_e305 * _e315), ((2f * _e306) * _e315), (_e303 * _e315));
+                        phi_364_ = sqrt(_e309);
+                    } else {
+                        phi_363_ = vec3<f32>(0f, 0f, 0f);
+                        phi_364_ = 0.003921569f;
+                    }
+                    let _e321 = phi_363_;
+                    let _e323 = phi_364_;
+                    phi_365_ = _e321;
+                    phi_366_ = _e323;
                 } else {
-                    let _e343 = global_9.member[(_e322 + 2u)];
-                    let _e345 = local_13;
-                    let _e348 = local_14;
-                    let _e351 = local_15;
-                    global_9.member[(_e322 + 2u)] = (_e343 + vec4<f32>((_e345 * _e74.z), (_e348 * _e74.z), (_e351 * _e74.z), 0f));
+                    phi_365_ = vec3<f32>(0f, 0f, 0f);
+                    phi_366_ = 1f;
+                }
+                let _e325 = phi_365_;
+                let _e327 = phi_366_;
+                let _e329 = local_5;
+                let _e332 = local_6;
+                let _e337 = local_7;
+                let _e340 = local_8;
+                let _e345 = local_9;
+                let _e348 = local_10;
+                let _e351 = local_11;
+                let _e354 = local_12;
+                let _e356 = ((-0.5f * _e348) * _e79.z);
+                let _e357 = ((-1f * _e351) * _e79.z);
+                let _e358 = ((-0.5f * _e354) * _e79.z);
+                if _e310 {
+                    let _e361 = local_13;
+                    let _e362 = (_e361 * _e79.z);
+                    phi_375_ = vec3<f32>((_e356 + (_e325.x * _e362)), (_e357 + (_e325.y * _e362)), (_e358 + (_e325.z * _e362)));
+                } else {
+                    phi_375_ = vec3<f32>(_e356, _e357, _e358);
+                }
+                let _e374 = phi_375_;
+                let _e375 = (_e40 * 3u);
+                let _e378 = global_9.member[_e375];
+                global_9.member[_e375] = (_e378 + vec4<f32>((_e79.z * ((_e83.x * _e329) + (_e83.y * _e332))), (_e79.z * ((_e83.y * _e337) + (_e83.z * _e340))), (_e345 * _e327), 0f));
+                let _e384 = global_9.member[(_e375 + 1u)];
+                global_9.member[(_e375 + 1u)] = (_e384 + vec4<f32>(_e374.x, _e374.y, _e374.z, 0f));
+                let _e392 = global_3.member.member_5;
+                if (_e392 == 0u) {
+                } else {
+                    let _e397 = global_9.member[(_e375 + 2u)];
+                    let _e399 = local_14;
+                    let _e402 = local_15;
+                    let _e405 = local_16;
+                    global_9.member[(_e375 + 2u)] = (_e397 + vec4<f32>((_e399 * _e79.z), (_e402 * _e79.z), (_e405 * _e79.z), 0f));
                 }
             }
         }

@@ -103,6 +103,7 @@ impl TrainConfig {
             transmittance_mlp: shape.transmittance_mlp,
             step: shape.step,
             blur: shape.blur,
+            antialiased: shape.antialiased,
             background,
             aabb,
             contraction: shape.contraction,

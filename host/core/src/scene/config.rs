@@ -39,6 +39,10 @@ pub struct SceneConfig {
     pub step: f64,
     /// Added to the diagonal of each projected covariance, in square pixels.
     pub blur: f64,
+    /// Whether the blur leaves a Gaussian's weight as it is: what it makes wider becomes fainter. A file without this
+    /// field has `false`. `docs/conventions.md` has the equation.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub antialiased: bool,
     /// Background color: red, green, blue.
     pub background: [f64; 3],
     /// The scene's box in world space, `[lo, hi]`.
@@ -273,6 +277,15 @@ mod tests {
         let text = serde_json::to_string(&cube).unwrap();
         assert!(text.contains(r#""contraction":"cube""#), "{text}");
         assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), cube);
+    }
+
+    #[test]
+    fn a_scene_is_antialiased_if_it_says_so() {
+        assert!(!basic().antialiased);
+        assert!(!serde_json::to_string(&basic()).unwrap().contains("antialiased"));
+        let antialiased = SceneConfig { antialiased: true, ..basic() };
+        let text = serde_json::to_string(&antialiased).unwrap();
+        assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), antialiased);
     }
 
     #[test]

@@ -23,6 +23,20 @@ pub fn weight<N: Number>(logit: N, transmittance: N) -> N {
     sigmoid(logit) * transmittance
 }
 
+/// `sqrt(det(cov2d) / det(cov2d + blur I))`, of the conic of the blurred covariance: what a weight is multiplied with. At least
+/// 1/255; a smaller one is constant.
+pub fn compensation<N: Number>([xx, xy, yy]: [N; 3], blur: f64) -> N {
+    let least = N::from(1.0 / 255.0);
+    let blur = N::from(blur);
+    let determinant = xx * yy - xy * xy;
+    // cov2d, without the blur
+    let a = yy / determinant - blur;
+    let b = xx / determinant - blur;
+    let c = xy / determinant;
+    let quotient = (a * b - c * c) * determinant;
+    if quotient.value() > least.value() * least.value() { quotient.sqrt() } else { least }
+}
+
 /// `exp(-q/2)` up to the cutoff, and 0 behind it.  Rounding may have taken q of a needle below 0.
 pub fn falloff<N: Number>(q: N) -> N {
     if q.value() > cutoff() {

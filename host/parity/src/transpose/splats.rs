@@ -120,7 +120,12 @@ impl Row for SplatBackward {
     fn forward(&self, cpu: &Device, point: &[f32]) -> Vec<f64> {
         let SplatParts { projection, opacity, transmittance, color } = self.parts(point);
         let set = Splat(SplatInputs {
-            params: SplatParams { pairs: self.params.pairs, gaussians: self.params.gaussians },
+            params: SplatParams {
+                pairs: self.params.pairs,
+                gaussians: self.params.gaussians,
+                // `composite_backward` has the gradient of a compensation
+                compensated_blur: 0.0,
+            },
             pair: self.pair.clone(),
             projection: vectors(projection),
             opacity: opacity.to_vec(),

@@ -65,10 +65,10 @@ impl Composite {
         };
         device.run_over(&kernel, [side, side, tiles])?;
         let member_gradient = members_gradient(device, bins)?;
-        add_members(device, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
+        add_members(scene, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
         if let Some(distortion) = &self.distortion {
             let (sum_gradient, splat) = distortion.backward(scene, side, bins, transmittance)?;
-            add_members(device, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
+            add_members(scene, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
         }
 
         let pairs = &bins.pairs;
@@ -110,7 +110,7 @@ fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
 /// Adds the gradients of each tile's members, summed over its pixels: in bands of rows if a tile is large. Splats come with
 /// whether the gradient of their colors is wanted.
 fn add_members(
-    device: &Device,
+    scene: &DeviceScene,
     side: u32,
     bins: &Bins,
     (splat, colors): (&Buffer<Vec4>, bool),
@@ -128,6 +128,7 @@ fn add_members(
                 first_row,
                 rows: band.min(side - first_row),
                 colors: colors.into(),
+                compensated_blur: scene.compensated_blur(),
             },
             tile: &bins.tile,
             tile_first: &bins.tile_first,
@@ -136,7 +137,7 @@ fn add_members(
             sum_gradient,
             member_gradient,
         };
-        device.run(&kernel.counted(&bins.members), members, 1)?;
+        scene.device().run(&kernel.counted(&bins.members), members, 1)?;
     }
     Ok(())
 }

@@ -24,7 +24,11 @@ pub fn weighted_sum(
     let capacity = pairs.count.upper_bound();
     let splat = device.unwritten("splats", (capacity * VECTORS) as usize)?;
     let kernel = SplatKernel {
-        params: SplatParams { pairs: capacity, gaussians: scene.gaussians },
+        params: SplatParams {
+            pairs: capacity,
+            gaussians: scene.gaussians,
+            compensated_blur: scene.compensated_blur(),
+        },
         pair: &pairs.pair,
         projection: &pairs.projection,
         opacity: &scene.tensors.gaussians.opacity,

@@ -131,6 +131,11 @@ impl DeviceScene {
         Ok(device.write(&parameters, place.weight_values().start, &packed)?)
     }
 
+    /// The blur that weights make up for, in square pixels; 0 if they do not.
+    pub(crate) fn compensated_blur(&self) -> f32 {
+        if self.config.antialiased { self.config.blur as f32 } else { 0.0 }
+    }
+
     /// The length of T's steps, in the unit cube.
     pub(crate) fn ray_step(&self) -> f64 {
         self.config.step * f64::from(self.ray_steps)

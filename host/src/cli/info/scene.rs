@@ -112,6 +112,7 @@ impl SceneInfo {
             Contraction::None => "rays end at the unit cube",
             Contraction::Cube => "contracted to the unit cube",
         };
+        let compensated = if config.antialiased { ", antialiased" } else { "" };
         let lines = [
             ("Gaussians", grouped(self.gaussians as u64)),
             ("values", grouped(self.values as u64)),
@@ -136,7 +137,7 @@ impl SceneInfo {
                 ),
             ),
             ("step", format!("{}, at most {samples} samples for a segment", config.step)),
-            ("blur", format!("{} px^2", config.blur)),
+            ("blur", format!("{} px^2{compensated}", config.blur)),
             ("background", format!("{r} {g} {b}")),
             ("box", format!("{lo:?} to {hi:?}")),
             ("outside the box", outside.to_owned()),

@@ -49,6 +49,7 @@ fn load(bytes: &[u8]) -> Result<Scene> {
 #[test]
 fn cases_load() {
     for (case, gaussians, entries) in [
+        ("antialiased", 48, 3584),
         ("basic", 48, 10752),
         ("contracted", 48, 5632),
         ("crowded", 120, 10752),

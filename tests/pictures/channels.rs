@@ -41,12 +41,17 @@ pub fn members(case: &Case, camera: usize) -> Vec<Member> {
         let (normal, cosine) = normal(&view, &gaussian);
         assert!(cosine > 1e-5, "rounding decides on the side of Gaussian {index}");
         let logit = f64::from(scene.gaussians.opacity[index]);
+        let conic = projected.conic();
+        let compensation = match scene.config.antialiased {
+            true => composite::compensation(conic, scene.config.blur),
+            false => 1.0,
+        };
         Some(Member {
             gaussian: index,
             splat: Splat {
                 mean: projected.mean,
-                weight: composite::weight(logit, transmittance),
-                conic: projected.conic(),
+                weight: composite::weight(logit, transmittance) * compensation,
+                conic,
                 color: [0.0; 3],
             },
             depth: depth(&view, &gaussian),

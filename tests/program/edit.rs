@@ -112,7 +112,10 @@ fn what_floats_far_away_is_not_in_the_largest_cluster() {
 #[test]
 fn haze_before_a_camera_goes() {
     let sandbox = Sandbox::new("tiny");
-    cases::thinned(20, 1.0).save(sandbox.path("scene.safetensors")).expect("a scene");
+    let mut scene = cases::thinned(20, 1.0);
+    // in images as small as these, the few Gaussians must hide what is behind them
+    scene.config.antialiased = false;
+    scene.save(sandbox.path("scene.safetensors")).expect("a scene");
     let cameras = organza::demo::turntable(12, 32);
     Camera::save_all(sandbox.path("around.json"), &cameras).expect("cameras");
     let eye = cameras[4].eye();

@@ -34,7 +34,7 @@ use objects::Objects;
 const PHOTOGRAPH: u64 = 0x7374_696c;
 /// Rays of a pixel, each at another moment of the exposure.
 const RAYS: usize = 8;
-/// Every so many photographs one is shaken.
+/// One photograph among these is shaken.
 const SHAKEN_EVERY: usize = 9;
 /// Length of the way of a pixel while the shutter is open, in parts of the image's width: of a steady hand, and of one
 /// that shakes.

@@ -16,15 +16,12 @@ static TEMPLATE: LazyLock<Table> = LazyLock::new(|| {
     config.data.path = Some("the built-in scene".into());
     config.start.path = Some("the data set's points".into());
     config.data.allow_outside = true;
-    // a file names it only where it is true, so that runs of earlier versions still have every setting
     config.scene.antialiased = true;
     // through text, so that an f32 keeps its own digits
     let mut table: Table = toml::from_str(&config.to_toml()).expect("it was just written");
-    if let Some(Value::Table(data)) = table.get_mut("data") {
-        data.insert("allow_outside".to_owned(), Value::Boolean(false));
-    }
-    if let Some(Value::Table(scene)) = table.get_mut("scene") {
-        scene.insert("antialiased".to_owned(), Value::Boolean(false));
+    // a file names these only where they are true, so they were, to be in the table
+    for (group, name) in [("data", "allow_outside"), ("scene", "antialiased")] {
+        table[group][name] = Value::Boolean(false);
     }
     table
 });

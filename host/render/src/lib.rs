@@ -34,7 +34,7 @@ pub use backward::own_loss::{
 };
 pub use backward::part_backward::LossTarget;
 pub use backward::pose::POSE;
-pub use batch::eye::{EyeCache, EyeOptions};
+pub use batch::eye::{EyeCache, EyeOptions, FieldWork};
 pub use batch::frame::{Frame, FrameShape};
 pub use batch::recording::Recording;
 pub use batch::renderer::Renderer;

@@ -62,6 +62,8 @@ struct About {
     samples: u64,
     /// Length of T's steps, as a multiple of sigma.
     steps: u16,
+    /// Gaussians whose values were computed for this image. The others' are of earlier images, or were known.
+    renewed: usize,
     milliseconds: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     range: Option<[f64; 2]>,
@@ -137,8 +139,8 @@ impl FrameRenderer {
         };
         let seconds = begin.elapsed().as_secs_f64();
         if job.request.quality == Quality::Moving {
-            let fields = eye.cache.seconds();
-            eye.pace.learn(fields, seconds - fields);
+            let fields = eye.cache.work();
+            eye.pace.learn(fields, seconds - fields.seconds);
         }
         let about = About {
             sequence: job.request.sequence,
@@ -151,6 +153,7 @@ impl FrameRenderer {
             members: report.members,
             samples: report.samples,
             steps,
+            renewed: eye.cache.work().evaluated,
             milliseconds: 1000.0 * seconds,
             range: range.map(|Range { low, high }| [low, high]),
         };
@@ -223,10 +226,10 @@ fn draw(
     truth: Option<&Photograph>,
     is_cancelled: &(dyn Fn(usize) -> bool + Sync),
 ) -> Result<Option<Canvas>> {
-    let (shrink, steps) = match request.quality {
-        Quality::Moving => (pace.shrink, pace.steps),
-        Quality::Still => (1, pace.steps),
-        Quality::Exact => (1, 1),
+    let (shrink, steps, renewed) = match request.quality {
+        Quality::Moving => (pace.shrink, pace.steps, Some(pace.renewed)),
+        Quality::Still => (1, pace.steps, None),
+        Quality::Exact => (1, 1, None),
     };
     // errors are compared at the photograph's own pixels
     let camera = &camera.shrunk(if truth.is_some() { 1 } else { shrink });
@@ -236,6 +239,7 @@ fn draw(
     let options = EyeOptions {
         channels: request.mode.channels(),
         steps,
+        renewed,
         background: request.background,
         is_cancelled: &|| is_cancelled(slices.fetch_add(1, Ordering::Relaxed)),
     };

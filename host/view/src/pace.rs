@@ -1,19 +1,18 @@
 //! Chooses the coarseness of images while the camera moves, so that motion is fluid on this device and with this
 //! scene.
 
+use organza_render::FieldWork;
+
 /// Target time for the other parts of a moving image, in seconds: projection, composite and encoding.
 const DRAW: f64 = 0.030;
 /// Target time for colors and transmittances of a moving image, in seconds.
-const FIELDS: f64 = 0.040;
-/// Longest time for colors and transmittances with steps up to [`FAITHFUL_STEPS`], in seconds. Longer steps miss thin
-/// surfaces, so a slower image comes first.
-const FAITHFUL_FIELDS: f64 = 0.150;
-/// Longest of T's steps that still find thin surfaces, as a multiple of sigma.
-const FAITHFUL_STEPS: u16 = 2;
+const FIELDS: f64 = 0.060;
+/// Longest of T's steps, as a multiple of sigma. Longer ones miss thin surfaces.
+const MAX_STEPS: u16 = 2;
+/// The values of a Gaussian are at most this many images old, however slow the device is.
+const MAX_AGE: usize = 16;
 /// Largest divisor of the sides of moving images.
 const MAX_SHRINK: u32 = 4;
-/// Largest length of T's steps, as a multiple of sigma.
-const MAX_STEPS: u16 = 32;
 
 /// The coarseness of a client's images while its camera moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,17 +21,19 @@ pub struct Pace {
     pub shrink: u32,
     /// Factor of the length of T's steps.
     pub steps: u16,
+    /// The number of Gaussians whose values are computed again for each image.
+    pub renewed: usize,
 }
 
 impl Default for Pace {
     fn default() -> Self {
-        Self { shrink: 2, steps: FAITHFUL_STEPS }
+        Self { shrink: 2, steps: MAX_STEPS, renewed: 1 << 12 }
     }
 }
 
 impl Pace {
-    /// Adapts to an image whose fields and other parts took this many seconds.
-    pub fn learn(&mut self, fields: f64, draw: f64) {
+    /// Adapts to an image whose fields took this work, and whose other parts took this many seconds.
+    pub fn learn(&mut self, fields: FieldWork, draw: f64) {
         let per_side = f64::from(self.shrink) / f64::from(self.shrink.max(2) - 1);
         if draw > DRAW {
             self.shrink = (self.shrink + 1).min(MAX_SHRINK);
@@ -40,16 +41,19 @@ impl Pace {
             self.shrink = (self.shrink - 1).max(1);
         }
         // if all was known already, the time says nothing
-        if fields > Self::most(self.steps) {
-            self.steps = (2 * self.steps).min(MAX_STEPS);
-        } else if fields > 0.002 && 2.0 * fields < 0.6 * Self::most(self.steps / 2) {
-            self.steps = (self.steps / 2).max(1);
+        if fields.evaluated == 0 {
+            return;
         }
-    }
-
-    /// The most seconds that colors and transmittances may take with these steps.
-    fn most(steps: u16) -> f64 {
-        if steps == FAITHFUL_STEPS { FAITHFUL_FIELDS } else { FIELDS }
+        let affordable = fields.evaluated as f64 * FIELDS / fields.seconds.max(1e-9);
+        let all = fields.gaussians as f64;
+        self.renewed = (affordable as usize).max(fields.gaussians.div_ceil(MAX_AGE));
+        if affordable < all {
+            self.steps = MAX_STEPS;
+        } else if self.steps > 1 && affordable > 3.0 * all {
+            // all of them at steps of half the length
+            self.steps /= 2;
+            self.renewed /= 2;
+        }
     }
 }
 
@@ -59,25 +63,30 @@ mod tests {
 
     #[test]
     fn it_settles_where_an_image_takes_its_time() {
+        const GAUSSIANS: usize = 100_000;
         // seconds of a whole image, and of all its samples
         for (whole, samples) in [(0.01, 0.01), (0.1, 0.1), (0.1, 0.2), (0.25, 0.5), (5.0, 5.0)] {
             let mut pace = Pace::default();
             let mut seen = Vec::new();
             for _ in 0..40 {
                 let area = f64::from(pace.shrink * pace.shrink);
-                pace.learn(samples / f64::from(pace.steps), whole / area);
-                seen.push(pace);
+                let evaluated = pace.renewed.min(GAUSSIANS);
+                let part = evaluated as f64 / GAUSSIANS as f64;
+                let seconds = part * samples / f64::from(pace.steps);
+                pace.learn(FieldWork { seconds, gaussians: GAUSSIANS, evaluated }, whole / area);
+                seen.push((pace, seconds));
             }
-            assert!(seen[20..].iter().all(|pace| *pace == seen[20]), "{whole}: {seen:?}");
-            let Pace { shrink, steps } = seen[20];
+            let settled: Vec<_> =
+                seen[20..].iter().map(|(pace, _)| (pace.shrink, pace.steps)).collect();
+            assert!(settled.iter().all(|pace| *pace == settled[0]), "{whole}: {seen:?}");
+            let (Pace { shrink, steps, renewed }, seconds) = seen[39];
             let area = f64::from(shrink * shrink);
             assert!(whole / area <= DRAW || shrink == MAX_SHRINK, "{whole}: {shrink}");
-            assert!(samples / f64::from(steps) <= Pace::most(steps) || steps == MAX_STEPS);
-            // thin surfaces are missed only where the image would take too long
-            assert!(
-                steps <= FAITHFUL_STEPS || samples > 2.0 * FAITHFUL_FIELDS,
-                "{samples}: {steps}"
-            );
+            let oldest = GAUSSIANS / MAX_AGE;
+            assert!(seconds <= 1.01 * FIELDS || renewed == oldest, "{samples}: {seconds}");
+            // no device that has time for all of them leaves some out
+            assert!(renewed >= GAUSSIANS || samples / f64::from(steps) > FIELDS, "{samples}");
+            assert!(renewed >= oldest, "{samples}: {renewed}");
         }
     }
 }

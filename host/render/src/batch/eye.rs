@@ -34,12 +34,26 @@ const GPU_PAIRS: usize = 1 << 17;
 pub struct EyeCache {
     /// The place in world space, as kernels have it.
     eye: Option<[u32; 3]>,
-    /// For each Gaussian, the length of T's steps in multiples of sigma; 0 where nothing is known.
+    /// The number of places so far: the current one's number.
+    place: u32,
+    /// For each Gaussian, the number of the place that its values are of; 0 where nothing is known.
+    places: Vec<u32>,
+    /// For each Gaussian, the length of T's steps in multiples of sigma.
     steps: Vec<u16>,
     transmittance: Vec<f32>,
     color: Vec<[f32; 3]>,
-    /// The time that they took for the last image.
-    seconds: f64,
+    work: FieldWork,
+}
+
+/// What the fields took for the last image.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FieldWork {
+    /// The time for colors and transmittances.
+    pub seconds: f64,
+    /// Gaussians in the image.
+    pub gaussians: usize,
+    /// Gaussians whose T was computed.
+    pub evaluated: usize,
 }
 
 /// How [`Renderer::render_from_eye`] renders.
@@ -50,6 +64,9 @@ pub struct EyeOptions<'a> {
     pub channels: &'a [Channel],
     /// The length of T's steps in multiples of sigma, Eq. 8. With 1, the image is that of [`Renderer::render`].
     pub steps: u16,
+    /// With a number, an image may show values of another place: of those Gaussians it computes this many again, the
+    /// oldest first, beside all of which nothing is known. While a camera moves, values change little from image to image.
+    pub renewed: Option<usize>,
     /// Instead of the scene's background.
     pub background: Option<[f64; 3]>,
     /// Whether nobody waits for the image any more.
@@ -57,24 +74,46 @@ pub struct EyeOptions<'a> {
 }
 
 impl EyeCache {
-    /// The seconds that colors and transmittances of the last image took.
+    /// What the fields took for the last image.
     #[must_use]
-    pub fn seconds(&self) -> f64 {
-        self.seconds
+    pub fn work(&self) -> FieldWork {
+        self.work
     }
 
-    /// Forgets what was seen from another place.
+    /// What is known of another place is old from now on.
     fn look_from(&mut self, eye: [f32; 3], gaussians: usize) -> Result<()> {
-        let eye = Some(eye.map(f32::to_bits));
         if self.steps.len() != gaussians {
+            self.places = memory::zeros(gaussians, "what is kept of one place")?;
             self.steps = memory::zeros(gaussians, "what is kept of one place")?;
             self.transmittance = memory::zeros(gaussians, "what is kept of one place")?;
             self.color = memory::zeros(gaussians, "what is kept of one place")?;
-        } else if self.eye != eye {
-            self.steps.fill(0);
         }
-        (self.eye, self.seconds) = (eye, 0.0);
+        let eye = Some(eye.map(f32::to_bits));
+        if self.eye != eye {
+            self.eye = eye;
+            self.place += 1;
+        }
+        self.work = FieldWork::default();
         Ok(())
+    }
+
+    /// Whether a Gaussian's color is of the current place.
+    fn is_current(&self, gaussian: u32) -> bool {
+        self.places[gaussian as usize] == self.place
+    }
+
+    /// The Gaussians among some whose values are to be computed.
+    fn missing(&self, gaussians: &[u32], options: &EyeOptions<'_>) -> Vec<u32> {
+        let is_missing =
+            |&at: &u32| !self.is_current(at) || self.steps[at as usize] > options.steps;
+        let mut missing: Vec<_> = gaussians.iter().copied().filter(is_missing).collect();
+        if let Some(renewed) = options.renewed {
+            // the place 0 is the oldest
+            missing.sort_by_key(|&at| self.places[at as usize]);
+            let unknown = missing.partition_point(|&at| self.places[at as usize] == 0);
+            missing.truncate(unknown + renewed);
+        }
+        missing
     }
 
     /// Evaluates what is not known of some Gaussians. Returns the number of samples, or nothing where it was cancelled.
@@ -88,11 +127,8 @@ impl EyeCache {
         let device = scene.device();
         let steps = options.steps;
         let scene = &scene.with_ray_steps(steps.into());
-        let is_missing = |&gaussian: &u32| {
-            let found = self.steps[gaussian as usize];
-            found == 0 || found > steps
-        };
-        let missing: Vec<_> = gaussians.iter().copied().filter(is_missing).collect();
+        let missing = self.missing(gaussians, options);
+        self.work.gaussians += gaussians.len();
         let mut samples = 0;
         let at_once = if device.is_cpu_like() { CPU_PAIRS } else { GPU_PAIRS };
         for some in missing.chunks(at_once) {
@@ -104,8 +140,7 @@ impl EyeCache {
                 pairs.read_samples(device, first)
             })?;
             samples += u64::from(evaluated.samples.upper_bound());
-            let without: Vec<_> =
-                some.iter().copied().filter(|&at| self.steps[at as usize] == 0).collect();
+            let without: Vec<_> = some.iter().copied().filter(|&at| !self.is_current(at)).collect();
             let color = match &*without {
                 [] => Vec::new(),
                 some => {
@@ -116,7 +151,9 @@ impl EyeCache {
             for (&at, t) in some.iter().zip(device.read(&evaluated.transmittance)?) {
                 self.transmittance[at as usize] = t;
                 self.steps[at as usize] = steps;
+                self.places[at as usize] = self.place;
             }
+            self.work.evaluated += some.len();
             for (&at, color) in without.iter().zip(color.as_chunks().0) {
                 self.color[at as usize] = *color;
             }
@@ -146,7 +183,7 @@ impl EyeCache {
         let gaussians = device.read(&bins.pairs.pair)?;
         let begin = Instant::now();
         let samples = self.complete(scene, &bins, &gaussians, options)?;
-        self.seconds += begin.elapsed().as_secs_f64();
+        self.work.seconds += begin.elapsed().as_secs_f64();
         let Some(samples) = samples else { return Ok(None) };
         let (transmittance, color) = self.gather(device, &gaussians)?;
         let background = options.background.unwrap_or(scene.config.background);

@@ -135,7 +135,7 @@ function say() {
   if (view.depth) facts.unshift(`depth ${view.depth.toPrecision(4)}`);
   if (rate) facts.unshift(`${rate.toFixed(0)} frames/s`);
   facts.push(`${number.format(about.pairs)} Gaussians in view`);
-  facts.push(about.samples ? `${number.format(about.samples)} samples${about.steps > 1 ? `, steps × ${about.steps}` : ""}` : "T and colors kept");
+  facts.push(about.samples ? `${number.format(about.samples)} samples${about.steps > 1 ? `, steps × ${about.steps}` : ""}${about.renewed < about.pairs ? `, ${Math.round(100 * about.renewed / about.pairs)}% new` : ""}` : "T and colors kept");
   $("numbers").textContent = facts.join(" · ");
   $("facts").textContent = `${number.format(about.gaussians)} Gaussians · ${scene.device}`;
   const range = about.range;

@@ -16,8 +16,8 @@ use organza_render::{Capacity, DeviceScene, Frame, FrameShape, Renderer};
 const SIDE: u32 = 32;
 /// Divisors of images' sides: while the camera moves, an image is smaller.
 const SHRINKS: [u32; 3] = [4, 2, 1];
-/// Lengths of T's steps, as multiples of sigma.
-const STEPS: [u16; 3] = [16, 4, 1];
+/// Lengths of T's steps, as multiples of sigma. Longer ones miss thin surfaces.
+const STEPS: [u16; 2] = [2, 1];
 /// Capacities, as multiples of the measured cameras' needs.
 const LEVELS: [f64; 3] = [1.2, 3.0, 8.0];
 /// Added to every capacity.

@@ -41,10 +41,10 @@ class TrainConfig:
         self._core = _organza.TrainConfig(preset, file, assignments)
 
     @classmethod
-    def of_run(cls, folder: str | os.PathLike[str]) -> TrainConfig:
+    def from_run(cls, folder: str | os.PathLike[str]) -> TrainConfig:
         """The settings of a run's folder."""
         config = cls.__new__(cls)
-        config._core = _organza.TrainConfig.of_run(folder)
+        config._core = _organza.TrainConfig.from_run(folder)
         return config
 
     def to_toml(self) -> str:
@@ -273,7 +273,7 @@ def _begin(
             raise ValueError("`resume` takes the data set, the settings and the folder of the run: leave out the others")
         # the other ranks are told, and need not see the folder
         is_first = ranks is None or ranks.rank == 0
-        config, output = TrainConfig.of_run(resume) if is_first else TrainConfig(), resume
+        config, output = TrainConfig.from_run(resume) if is_first else TrainConfig(), resume
     elif config is None:
         config = TrainConfig("built-in" if dataset is None else "default")
     if ranks is not None and output is None:

@@ -48,7 +48,7 @@ impl TrainConfig {
 
     /// The settings of a run's folder.
     #[staticmethod]
-    fn of_run(folder: PathBuf) -> PyResult<Self> {
+    fn from_run(folder: PathBuf) -> PyResult<Self> {
         train::settings_of(&folder).map(Self).map_err(raise)
     }
 

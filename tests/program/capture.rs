@@ -32,7 +32,7 @@ fn pose(camera: &Camera) -> (DMat3, DVec3) {
 #[ignore = "takes minutes, and colmap and ffmpeg; .ci/nightly runs it"]
 fn the_poses_of_a_film_are_found() {
     let sandbox = Sandbox::new("tiny");
-    sandbox.run(&format!("demo --photographs -o walk --views {FRAMES} --size 480")).assert_ok();
+    sandbox.run(&format!("demo --photographs -o walk --views {FRAMES} --size 640")).assert_ok();
     sandbox
         .shell("ffmpeg -v error -i walk/images/%05d.jpg -crf 12 -pix_fmt yuv420p film.mp4")
         .assert_ok();

@@ -213,11 +213,11 @@ impl Charts {
         let mut charts = Self::default();
         let sources: Vec<_> = runs.iter().map(|(_, run)| Source::new(run, &mut charts)).collect();
         let series = |of: &dyn Fn(&Source<'_>, &str, &str) -> Series| -> Vec<Series> {
-            let of_run = |(at, ((name, _), source)): (usize, (&(String, Run), &Source<'_>))| {
+            let curve = |(at, ((name, _), source)): (usize, (&(String, Run), &Source<'_>))| {
                 let series = of(source, name, &format!("run-{}", at % COLORS));
                 Series { dash: at / COLORS % 2 == 1, ..series }
             };
-            runs.iter().zip(&sources).enumerate().map(of_run).collect()
+            runs.iter().zip(&sources).enumerate().map(curve).collect()
         };
         for (title, unit, is_psnr, digits) in
             [("Held-out PSNR", "dB", true, 2), ("Held-out SSIM", "", false, 4)]

@@ -90,7 +90,8 @@ impl<'a> Colmap<'a> {
         let name = if is_sequential { "sequential_matcher" } else { "exhaustive_matcher" };
         let mut colmap = self.on_database(name);
         self.choose_cuda(&mut colmap, ["FeatureMatching.use_gpu", "SiftMatching.use_gpu"])?;
-        let progress = self.job.console.progress(images as u64, "images");
+        let unit = if is_sequential { "images" } else { "blocks of images" };
+        let progress = self.job.console.progress(images as u64, unit);
         progress.say("comparing images");
         self.job.programs.run(colmap, |line| {
             // Blocks of pairs, or images.
@@ -101,7 +102,8 @@ impl<'a> Colmap<'a> {
                 return;
             };
             let rest = &line[line.find(*begin).unwrap_or(0)..];
-            if let Some(all) = number_after(rest, "/") {
+            // a single block says nothing about its end
+            if let Some(all) = number_after(rest, "/").filter(|&all| all > 1) {
                 progress.set_of(done.saturating_sub(1), all);
             }
         })

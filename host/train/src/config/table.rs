@@ -254,8 +254,7 @@ macro_rules! define {
                 blur: f64 = 0.3;
                 /// Let the blur make Gaussians wider, but not heavier: what is thin looks alike in images of all sizes.
                 #[see("conventions.md#projection-and-support")]
-                #[serde(skip_serializing_if = "std::ops::Not::not")]
-                antialiased: bool = false;
+                antialiased: bool = true;
                 /// The color network: widths of its hidden layers.
                 color_mlp: MlpConfig = MlpConfig { hidden: vec![32, 32] };
                 /// The transmittance network: widths of its hidden layers.

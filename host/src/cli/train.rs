@@ -10,7 +10,7 @@ use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
 use organza::Result;
 use organza::data::Background;
 use organza::error::{self, format_bytes};
-use organza::train::config::{SETTINGS, Setting};
+use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
@@ -51,6 +51,9 @@ Examples:
 RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
 checkpoint.safetensors (a scene that every other command accepts), evaluations.csv (the scores of \
 each held-out view) and report.html.";
+
+const EXPOSURES: &str = "the photographs' exposures differ by more than 15%, so the run learns them; `--set exposure.learn=false` takes \
+colors as they are";
 
 /// The examples, and the settings for `--set`.
 fn long_help() -> String {
@@ -337,6 +340,12 @@ impl Job<'_> {
             // so that the run's file records the background
             let background = dataset.background.map(|value| value as f32);
             config.data.background = Background::Color(background);
+        }
+        if !self.resume && config.exposure.learn == LearnExposure::Auto {
+            config.exposure.learn = config.exposure.learn.decide(&dataset).into();
+            if config.exposure.learn == LearnExposure::On {
+                console.note(EXPOSURES);
+            }
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();

@@ -101,10 +101,14 @@ impl Trainer {
         match (self.grid(), &self.ranks) {
             (Some(grid), _) => {
                 let frame = frames[first];
-                Ok(vec![evaluate_shard(&self.renderer, self.shard(), frame, &grid.row())?])
+                let measures = self.measures();
+                let shard = self.shard();
+                Ok(vec![evaluate_shard(&self.renderer, shard, frame, measures, &grid.row())?])
             }
             (None, Some(ranks)) => {
-                ranks::measure(&**ranks, &self.renderer, &self.shard().blocks()[0], frames, first)
+                let mine = frames.get(first + ranks.rank());
+                let mine = mine.map(|frame| self.measure_whole(frame)).transpose()?;
+                ranks::gather_views(&**ranks, mine, &frames[first..])
             }
             (None, None) => self.measure_alone(frames[first]),
         }
@@ -112,7 +116,12 @@ impl Trainer {
 
     /// Measures a view of the whole scene, as this rank alone.
     pub(super) fn measure_alone(&self, frame: &Frame) -> Result<Vec<(Evaluation, Image)>> {
-        Ok(vec![ranks::measure_one(&self.renderer, &self.shard().blocks()[0], frame)?])
+        Ok(vec![self.measure_whole(frame)?])
+    }
+
+    fn measure_whole(&self, frame: &Frame) -> Result<(Evaluation, Image)> {
+        let scene = &self.shard().blocks()[0];
+        ranks::measure_one(&self.renderer, scene, frame, self.measures())
     }
 
     /// Calls `f` with the ranks that hold the whole scene together: this one alone, if it has no shard.

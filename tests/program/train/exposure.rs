@@ -46,7 +46,7 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
     let dataset: Arc<Dataset> = Arc::new(dataset);
     let [without, with] = [false, true].map(|learn| {
         let mut config = config.clone();
-        config.exposure.learn = learn;
+        config.exposure.learn = learn.into();
         let mut trainer = Trainer::start(&renderer, config, dataset.clone()).expect("a trainer");
         while !trainer.is_finished() {
             trainer.step().expect("a step");

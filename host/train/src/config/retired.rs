@@ -57,14 +57,14 @@ pub(super) fn replace(settings: &mut Table) -> Result<(), String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::TrainConfig;
+    use super::super::{LearnExposure, TrainConfig};
 
     #[test]
     fn files_of_earlier_versions_mean_what_they_meant() {
         let text = "[exposure]\nmethod = 'affine'\n[poses]\nmethod = 'refine'\n[growth]\nmethod = 'none'\n\
                     [start]\ntransmittance_bias = 5.0\n[optimizer]\nepsilon = 1e-12\n[run]\ntensorboard = false\n";
         let config = TrainConfig::parse(text, "config.toml".as_ref()).unwrap();
-        assert!(config.exposure.learn && config.poses.refine);
+        assert!(config.exposure.learn == LearnExposure::On && config.poses.refine);
         assert_eq!(config.growth.end, 0.0);
         let text =
             "[exposure]\nmethod = 'none'\n[poses]\nmethod = 'none'\n[growth]\nmethod = 'split'\n";

@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use organza_core::gaussian_tensors;
 use serde::{Deserialize, Serialize};
 
+use super::LearnExposure;
 use organza_core::scene::{Contraction, GridConfig, MlpConfig};
 use organza_data::{Alpha, Background, Keep};
 
@@ -223,9 +224,10 @@ macro_rules! define {
 
             /// The exposure of each photograph.
             exposure: ExposureConfig {
-                /// Also learn each photograph's exposure: a gain and an offset for each channel.
+                /// Also learn each photograph's exposure: a gain and an offset for each channel. `auto` learns them if
+                /// they differ by more than 15% at the data set's points.
                 #[see("#exposure")]
-                learn: bool = false;
+                learn: LearnExposure = LearnExposure::Auto;
             }
 
             /// The poses of the photographs' cameras.

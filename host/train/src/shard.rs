@@ -8,7 +8,7 @@ use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::ranks::{self, Order};
 use super::trainer::{Trainer, grid_of};
-use crate::evaluate::{Evaluation, evaluate_shard};
+use crate::evaluate::{Evaluation, Measures, evaluate_shard};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::image::Image;
@@ -84,6 +84,11 @@ impl Trainer {
     /// The cameras of the frames to train on, if their poses are refined.
     pub(super) fn refined_cameras(&self) -> Option<&[Camera]> {
         self.config.poses.refine.then(|| self.cameras())
+    }
+
+    /// What evaluations measure. Where exposures are learned, the scene does not have those of held-out photographs.
+    pub(super) fn measures(&self) -> Measures<'static> {
+        Measures { fitted: self.exposures.is_some(), lpips: None }
     }
 
     /// How many views are measured at once.

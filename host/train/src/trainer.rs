@@ -16,7 +16,7 @@ use super::shard_growth::grow;
 use super::start;
 use super::state::State;
 use super::step_report::StepReport;
-use crate::evaluate::{Evaluation, Measures, evaluate_measures};
+use crate::evaluate::{Evaluation, evaluate_measures};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::metrics;
@@ -72,7 +72,7 @@ pub struct Trainer {
     batches: Batches,
     loss: Option<Loss>,
     /// Of the photographs to train on, where they are learned.
-    exposures: Option<Exposures>,
+    pub(super) exposures: Option<Exposures>,
     /// Of the photographs to train on, where they are refined.
     poses: Option<PoseSet>,
     pub(super) state: State,
@@ -235,11 +235,6 @@ impl Trainer {
             return Err(Error::Argument { reason });
         };
         evaluate_measures(&self.renderer, scene, &frames, self.measures(), &mut |_| {})
-    }
-
-    /// What evaluations measure. Where exposures are learned, the scene does not have those of held-out photographs.
-    pub(super) fn measures(&self) -> Measures<'static> {
-        Measures { fitted: self.exposures.is_some(), lpips: None }
     }
 
     /// Everything that training needs to go on, with the Gaussians of this rank's shard. `seconds` is the time of

@@ -69,7 +69,9 @@ mod tests {
         let text =
             "[exposure]\nmethod = 'none'\n[poses]\nmethod = 'none'\n[growth]\nmethod = 'split'\n";
         let config = TrainConfig::parse(text, "config.toml".as_ref()).unwrap();
-        assert_eq!(config, TrainConfig::default());
+        let mut expected = TrainConfig::default();
+        expected.exposure.learn = LearnExposure::Off;
+        assert_eq!(config, expected);
     }
 
     #[test]

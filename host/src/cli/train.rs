@@ -8,7 +8,7 @@ use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
 use organza::Result;
-use organza::data::Background;
+use organza::data::{Background, Dataset};
 use organza::error::{self, format_bytes};
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
@@ -51,9 +51,6 @@ Examples:
 RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
 checkpoint.safetensors (a scene that every other command accepts), evaluations.csv (the scores of \
 each held-out view) and report.html.";
-
-const EXPOSURES: &str = "the photographs' exposures differ by more than 15%, so the run learns them; `--set exposure.learn=false` takes \
-colors as they are";
 
 /// The examples, and the settings for `--set`.
 fn long_help() -> String {
@@ -343,9 +340,7 @@ impl Job<'_> {
         }
         if !self.resume && config.exposure.learn == LearnExposure::Auto {
             config.exposure.learn = config.exposure.learn.decide(&dataset).into();
-            if config.exposure.learn == LearnExposure::On {
-                console.note(EXPOSURES);
-            }
+            say_exposures(&dataset, config.exposure.learn, console);
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
@@ -401,6 +396,18 @@ impl Job<'_> {
         })?;
         progress.end(outcome);
         Ok(outcome)
+    }
+}
+
+/// Says how much exposures differ, and whether they are learned.
+fn say_exposures(dataset: &Dataset, learn: LearnExposure, console: Console) {
+    let Some(spread) = dataset.exposure_spread() else { return };
+    let found = format!("the photographs' exposures differ by {:.0}%", 100.0 * spread);
+    match learn {
+        LearnExposure::On => console.note(&format!(
+            "{found}, so the run learns them; `--set exposure.learn=false` takes colors as they are"
+        )),
+        _ => console.detail(&found),
     }
 }
 

@@ -225,7 +225,7 @@ macro_rules! define {
             /// The exposure of each photograph.
             exposure: ExposureConfig {
                 /// Also learn each photograph's exposure: a gain and an offset for each channel. `auto` learns them if
-                /// they differ by more than 15% at the data set's points.
+                /// they differ by more than 12% at the data set's points.
                 #[see("#exposure")]
                 learn: LearnExposure = LearnExposure::Auto;
             }

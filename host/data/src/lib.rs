@@ -13,6 +13,7 @@ mod find;
 mod fingerprint;
 mod frame;
 pub mod fuzz;
+mod gains;
 mod keep;
 mod lens;
 mod options;

@@ -191,10 +191,18 @@ fn scores(evaluations: &[Evaluation<'_>]) -> Markup {
         vec![grouped(one.step), duration(one.seconds), score(one.psnr, 2), score(one.ssim, 4)]
     };
     let rows: Vec<_> = thinned(evaluations.to_vec(), MAX_ROWS).iter().map(row).collect();
+    // a run that learns exposures also has scores after a fit of the colors
+    let is_fitted = last.views.iter().any(|view| view.score.psnr_fitted.is_some());
+    let columns = if is_fitted { 4 } else { 3 };
     let view = |view: &ViewScore| {
-        vec![view.name.clone(), score(view.score.psnr, 2), score(view.score.ssim, 4)]
+        let of = &view.score;
+        let scores = [score(of.psnr, 2), score(of.ssim, 4), score(of.psnr_fitted, 2)];
+        let cells = [view.name.clone()].into_iter().chain(scores);
+        cells.take(columns).collect::<Vec<_>>()
     };
     let views: Vec<_> = last.views.iter().map(view).collect();
+    let mut heads = titles(["View", "PSNR, dB", "SSIM", "PSNR after a fit, dB"]);
+    heads.truncate(columns);
     section(
         "Scores",
         &html! {
@@ -204,7 +212,7 @@ fn scores(evaluations: &[Evaluation<'_>]) -> Markup {
             }
             details {
                 summary { "Each of the " (views.len()) " held-out views after step " (grouped(last.step)) }
-                (table("scores", &titles(["View", "PSNR, dB", "SSIM"]), 1, &views))
+                (table("scores", &heads, 1, &views))
             }
         },
     )

@@ -359,6 +359,23 @@ fn nothing_in_a_run_gets_out_of_its_place() {
 }
 
 #[test]
+fn scores_after_a_fit_have_a_column_where_a_run_has_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let title = "PSNR after a fit, dB";
+    let mut records = records(&["a", "b"]);
+    let page = elements(&single::html(&run(&folder.path().join("without"), "", &records)));
+    assert!(!texts(&page, "th").contains(&title));
+    for record in &mut records {
+        if let Record::Evaluation { views, .. } = record {
+            views.iter_mut().for_each(|view| view.score.psnr_fitted = Some(31.256));
+        }
+    }
+    let page = elements(&single::html(&run(&folder.path().join("with"), "", &records)));
+    assert!(texts(&page, "th").contains(&title));
+    assert_eq!(texts(&page, "td").iter().filter(|text| **text == "31.26").count(), 2);
+}
+
+#[test]
 fn a_run_of_nothing_has_a_page() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();

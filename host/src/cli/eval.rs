@@ -6,6 +6,7 @@ use std::time::Instant;
 use organza::data::{Background, Dataset, Frame};
 use organza::evaluate::{Event, Measures, Score, evaluate_measures};
 use organza::metrics::lpips::Lpips;
+use organza::train::config::LearnExposure;
 use organza::{DeviceScene, Evaluation, Renderer, Result};
 
 use super::console::{Console, print, print_json};
@@ -118,7 +119,9 @@ impl Args {
         let dataset = data.read(&renderer, console)?;
         let frames = frames(self, &dataset, split)?;
         let scene = self.scene_args.upload(&renderer, &scene)?;
-        let measures = Measures { lpips, fitted: self.fit_colors };
+        let run = source.settings()?;
+        let has_exposures = run.is_some_and(|run| run.exposure.learn == LearnExposure::On);
+        let measures = Measures { lpips, fitted: self.fit_colors || has_exposures };
         measure(&renderer, &scene, &frames, measures, console)
     }
 }

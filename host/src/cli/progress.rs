@@ -113,13 +113,16 @@ impl TrainingProgress {
     }
 
     fn evaluated(&self, evaluation: &Evaluation) {
-        let text = format!(
+        let mut text = format!(
             "step {}: {}: PSNR {} dB, SSIM {}",
             grouped(self.step.into()),
             count(evaluation.views.len() as u64, "held-out view"),
             shown(evaluation.mean.psnr, 2),
             shown(evaluation.mean.ssim, 4),
         );
+        if evaluation.mean.psnr_fitted.is_some() {
+            text += &format!(", PSNR after a fit {} dB", shown(evaluation.mean.psnr_fitted, 2));
+        }
         self.bar.note(self.console, &text);
     }
 

@@ -8,9 +8,9 @@ use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
 use organza::Result;
-use organza::data::Background;
+use organza::data::{Background, Dataset};
 use organza::error::{self, format_bytes};
-use organza::train::config::{SETTINGS, Setting};
+use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
     self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
@@ -338,6 +338,10 @@ impl Job<'_> {
             let background = dataset.background.map(|value| value as f32);
             config.data.background = Background::Color(background);
         }
+        if !self.resume && config.exposure.learn == LearnExposure::Auto {
+            config.exposure.learn = config.exposure.learn.decide(&dataset).into();
+            say_exposures(&dataset, config.exposure.learn, console);
+        }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
         let (split, shards) = team.as_ref().map_or_else(Default::default, |t| (t.split, t.shards));
@@ -392,6 +396,18 @@ impl Job<'_> {
         })?;
         progress.end(outcome);
         Ok(outcome)
+    }
+}
+
+/// Says how much exposures differ, and whether they are learned.
+fn say_exposures(dataset: &Dataset, learn: LearnExposure, console: Console) {
+    let Some(spread) = dataset.exposure_spread() else { return };
+    let found = format!("the photographs' exposures differ by {:.0}%", 100.0 * spread);
+    match learn {
+        LearnExposure::On => console.note(&format!(
+            "{found}, so the run learns them; `--set exposure.learn=false` takes colors as they are"
+        )),
+        _ => console.detail(&found),
     }
 }
 

@@ -3,6 +3,7 @@
 mod assignment;
 mod builder;
 mod check;
+mod learn_exposure;
 mod optimizer;
 mod preset;
 mod retired;
@@ -14,6 +15,7 @@ use std::path::Path;
 
 pub use assignment::defaults;
 pub use builder::ConfigBuilder;
+pub use learn_exposure::LearnExposure;
 pub(super) use optimizer::EPSILON;
 pub use preset::Preset;
 pub use table::{

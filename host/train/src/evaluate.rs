@@ -184,12 +184,13 @@ pub(crate) fn evaluate_shard(
     renderer: &Renderer,
     shard: &DeviceShard,
     frame: &Frame,
+    measures: Measures<'_>,
     ranks: &dyn Ranks,
 ) -> Result<(Evaluation, Image)> {
     let render =
         &mut |cameras: &[_], batch: &_| renderer.render_shard(shard, cameras, batch, ranks);
     let rendered = Rendered::new(frame, render)?;
-    let score = rendered.score(frame, Measures::default())?;
+    let score = rendered.score(frame, measures)?;
     let views = vec![ViewScore { name: frame.name.clone(), score }];
     let not_finite = rendered.image.not_finite();
     Ok((Evaluation { mean: mean(&views), views, not_finite }, rendered.image))

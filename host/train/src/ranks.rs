@@ -6,7 +6,7 @@ use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::held_out;
 use super::trainer::Trainer;
-use crate::evaluate::{Evaluation, Event, Score, ViewScore, evaluate_with};
+use crate::evaluate::{Evaluation, Event, Measures, Score, ViewScore, evaluate_measures};
 use organza_core::error::{IN_MEMORY, Result};
 use organza_core::image::Image;
 use organza_core::ranks::{self, Grid, Ranks};
@@ -157,20 +157,16 @@ pub fn follow(
     }
 }
 
-/// Measures as many views as there are ranks, from `first` on, each rank one; rank 0 has them all.
-pub(super) fn measure(
+/// Joins what ranks have measured, each at most one of these frames in their order; rank 0 has them all.
+pub(super) fn gather_views(
     ranks: &dyn Ranks,
-    renderer: &Renderer,
-    scene: &DeviceScene,
+    mine: Option<(Evaluation, Image)>,
     frames: &[&Frame],
-    first: usize,
 ) -> Result<Vec<(Evaluation, Image)>> {
-    let mine = frames.get(first + ranks.rank());
-    let mine = mine.map(|frame| measure_one(renderer, scene, frame)).transpose()?;
     let mut for_each = vec![Vec::new(); ranks.size()];
     for_each[0] = mine.map(|(found, image)| encode(&found, &image)).unwrap_or_default();
     let all = ranks.exchange(for_each)?;
-    let views = all.iter().zip(&frames[first..]).filter(|(bytes, _)| !bytes.is_empty());
+    let views = all.iter().zip(frames).filter(|(bytes, _)| !bytes.is_empty());
     Ok(views.map(|(bytes, frame)| decode(bytes, frame)).collect())
 }
 
@@ -179,9 +175,10 @@ pub(super) fn measure_one(
     renderer: &Renderer,
     scene: &DeviceScene,
     frame: &Frame,
+    measures: Measures<'_>,
 ) -> Result<(Evaluation, Image)> {
     let mut rendered = None;
-    let found = evaluate_with(renderer, scene, &[frame], &mut |event| {
+    let found = evaluate_measures(renderer, scene, &[frame], measures, &mut |event| {
         if let Event::View { image, .. } = event {
             rendered = Some(image.clone());
         }
@@ -189,22 +186,25 @@ pub(super) fn measure_one(
     Ok((found, rendered.expect("the view was rendered")))
 }
 
-/// Pixels that are not finite, PSNR and SSIM, the image. JSON would lose an infinite PSNR.
+/// Numbers of 64 bits before an encoded image.
+const WORDS: usize = 7;
+
+/// Pixels that are not finite, PSNR, SSIM and the fitted PSNR, the image. JSON would lose an infinite PSNR.
 fn encode(found: &Evaluation, image: &Image) -> Vec<u8> {
-    let Score { psnr, ssim, .. } = found.mean;
+    let Score { psnr, ssim, psnr_fitted, .. } = found.mean;
     let score = |score: Option<f64>| [u64::from(score.is_some()), score.unwrap_or(0.0).to_bits()];
-    let [a, b] = [score(psnr), score(ssim)];
-    let words = [found.not_finite, a[0], a[1], b[0], b[1]];
+    let scores = [psnr, ssim, psnr_fitted].map(score);
+    let words = [&[found.not_finite], scores.as_flattened()].concat();
     let mut bytes = bytemuck::cast_slice(&words).to_vec();
     bytes.extend_from_slice(image.pixels().as_flattened());
     bytes
 }
 
 fn decode(bytes: &[u8], frame: &Frame) -> (Evaluation, Image) {
-    let (words, pixels) = bytes.split_at(5 * size_of::<u64>());
+    let (words, pixels) = bytes.split_at(WORDS * size_of::<u64>());
     let words: Vec<u64> = bytemuck::pod_collect_to_vec(words);
     let score = |at: usize| (words[at] != 0).then(|| f64::from_bits(words[at + 1]));
-    let mean = Score { psnr: score(1), ssim: score(3), ..Score::default() };
+    let mean = Score { psnr: score(1), ssim: score(3), psnr_fitted: score(5), ..Score::default() };
     let views = vec![ViewScore { name: frame.name.clone(), score: mean }];
     let size = [frame.camera.width, frame.camera.height];
     let image = Image::from_pixels(size, pixels.as_chunks().0);

@@ -8,7 +8,7 @@ use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::ranks::{self, Order};
 use super::trainer::{Trainer, grid_of};
-use crate::evaluate::{Evaluation, evaluate_shard};
+use crate::evaluate::{Evaluation, Measures, evaluate_shard};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::image::Image;
@@ -86,6 +86,11 @@ impl Trainer {
         self.config.poses.refine.then(|| self.cameras())
     }
 
+    /// What evaluations measure. Where exposures are learned, the scene does not have those of held-out photographs.
+    pub(super) fn measures(&self) -> Measures<'static> {
+        Measures { fitted: self.exposures.is_some(), lpips: None }
+    }
+
     /// How many views are measured at once.
     pub(super) fn views_at_once(&self) -> usize {
         let ranks = self.ranks.as_ref().filter(|_| self.shards.is_none());
@@ -101,10 +106,14 @@ impl Trainer {
         match (self.grid(), &self.ranks) {
             (Some(grid), _) => {
                 let frame = frames[first];
-                Ok(vec![evaluate_shard(&self.renderer, self.shard(), frame, &grid.row())?])
+                let measures = self.measures();
+                let shard = self.shard();
+                Ok(vec![evaluate_shard(&self.renderer, shard, frame, measures, &grid.row())?])
             }
             (None, Some(ranks)) => {
-                ranks::measure(&**ranks, &self.renderer, &self.shard().blocks()[0], frames, first)
+                let mine = frames.get(first + ranks.rank());
+                let mine = mine.map(|frame| self.measure_whole(frame)).transpose()?;
+                ranks::gather_views(&**ranks, mine, &frames[first..])
             }
             (None, None) => self.measure_alone(frames[first]),
         }
@@ -112,7 +121,12 @@ impl Trainer {
 
     /// Measures a view of the whole scene, as this rank alone.
     pub(super) fn measure_alone(&self, frame: &Frame) -> Result<Vec<(Evaluation, Image)>> {
-        Ok(vec![ranks::measure_one(&self.renderer, &self.shard().blocks()[0], frame)?])
+        Ok(vec![self.measure_whole(frame)?])
+    }
+
+    fn measure_whole(&self, frame: &Frame) -> Result<(Evaluation, Image)> {
+        let scene = &self.shard().blocks()[0];
+        ranks::measure_one(&self.renderer, scene, frame, self.measures())
     }
 
     /// Calls `f` with the ranks that hold the whole scene together: this one alone, if it has no shard.

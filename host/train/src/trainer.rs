@@ -16,7 +16,7 @@ use super::shard_growth::grow;
 use super::start;
 use super::state::State;
 use super::step_report::StepReport;
-use crate::evaluate::{Evaluation, evaluate};
+use crate::evaluate::{Evaluation, evaluate_measures};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::metrics;
@@ -72,7 +72,7 @@ pub struct Trainer {
     batches: Batches,
     loss: Option<Loss>,
     /// Of the photographs to train on, where they are learned.
-    exposures: Option<Exposures>,
+    pub(super) exposures: Option<Exposures>,
     /// Of the photographs to train on, where they are refined.
     poses: Option<PoseSet>,
     pub(super) state: State,
@@ -124,7 +124,7 @@ impl Trainer {
         let mut cameras: Vec<_> =
             dataset.train_frames().map(|frame| frame.camera.clone()).collect();
         let batches = Batches::from_cameras(&cameras, &config.run)?;
-        let exposures = match config.exposure.learn {
+        let exposures = match config.exposure.learn.decide(&dataset) {
             false => None,
             true => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
         };
@@ -234,7 +234,7 @@ impl Trainer {
             let reason = "a rank with a shard of the scene cannot render it alone".to_owned();
             return Err(Error::Argument { reason });
         };
-        evaluate(&self.renderer, scene, &frames)
+        evaluate_measures(&self.renderer, scene, &frames, self.measures(), &mut |_| {})
     }
 
     /// Everything that training needs to go on, with the Gaussians of this rank's shard. `seconds` is the time of

@@ -46,13 +46,15 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
     let dataset: Arc<Dataset> = Arc::new(dataset);
     let [without, with] = [false, true].map(|learn| {
         let mut config = config.clone();
-        config.exposure.learn = learn;
+        config.exposure.learn = learn.into();
         let mut trainer = Trainer::start(&renderer, config, dataset.clone()).expect("a trainer");
         while !trainer.is_finished() {
             trainer.step().expect("a step");
         }
         let exposures = trainer.checkpoint(0.0).expect("a checkpoint").exposures;
-        (trainer.evaluate().expect("views").mean.psnr.expect("a score"), exposures)
+        let scores = trainer.evaluate().expect("views").mean;
+        assert_eq!(scores.psnr_fitted.is_some(), learn);
+        (scores.psnr.expect("a score"), exposures)
     });
     assert!(without.1.is_none());
     let exposures = with.1.expect("exposures");
@@ -82,6 +84,13 @@ fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
     let expected = bits(&sandbox, "whole");
     assert!(expected["train.exposure"].1.iter().any(|&bits| bits << 1 != 0));
     assert_same("resumed", &bits(&sandbox, "cut"), &expected);
+    // the run and `eval` say how close its views are after a fit, and alike
+    let table = std::fs::read_to_string(sandbox.path("cut/evaluations.csv")).expect("a table");
+    assert!(table.starts_with("step,view,psnr,ssim,psnr_fitted\n"), "{table}");
+    sandbox.run("eval cut --backend cpu --csv again.csv").assert_ok();
+    let again = std::fs::read_to_string(sandbox.path("again.csv")).expect("a table");
+    let last = table.lines().last().and_then(|row| row.split_once(',')).expect("a row").1;
+    assert_eq!(again.lines().last(), Some(last));
     let [whole, cut] = ["whole", "cut"].map(|run| {
         let records = without_times(&records(&sandbox.path(run)));
         records.into_iter().filter(|record| record.starts_with("step")).collect::<Vec<_>>()

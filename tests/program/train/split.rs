@@ -25,7 +25,7 @@ fn begun_of_slices() -> Begun {
     config.run.steps = 40;
     // sums of this step's terms hardly cancel
     config.run.coarse = 0.0;
-    config.exposure.learn = true;
+    config.exposure.learn = true.into();
     config.poses.refine = true;
     config.growth.max_gaussians = 2 * GAUSSIANS_PER_BLOCK as u32 + 200;
     let mut scene = checkpoint.scene;

@@ -3,6 +3,7 @@ mod broken_colmap;
 mod colmap;
 mod colmap_files;
 mod find;
+mod gains;
 mod lens;
 mod load;
 #[path = "../../../core/src/input/nasty.rs"]

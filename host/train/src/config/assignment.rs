@@ -16,13 +16,10 @@ static TEMPLATE: LazyLock<Table> = LazyLock::new(|| {
     config.data.path = Some("the built-in scene".into());
     config.start.path = Some("the data set's points".into());
     config.data.allow_outside = true;
-    config.scene.antialiased = true;
     // through text, so that an f32 keeps its own digits
     let mut table: Table = toml::from_str(&config.to_toml()).expect("it was just written");
-    // a file names these only where they are true, so they were, to be in the table
-    for (group, name) in [("data", "allow_outside"), ("scene", "antialiased")] {
-        table[group][name] = Value::Boolean(false);
-    }
+    // a file names it only where it is true, so it was, to be in the table
+    table["data"]["allow_outside"] = Value::Boolean(false);
     table
 });
 

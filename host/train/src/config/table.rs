@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use organza_core::gaussian_tensors;
 use serde::{Deserialize, Serialize};
 
+use super::LearnExposure;
 use organza_core::scene::{Contraction, GridConfig, MlpConfig};
 use organza_data::{Alpha, Background, Keep};
 
@@ -223,9 +224,10 @@ macro_rules! define {
 
             /// The exposure of each photograph.
             exposure: ExposureConfig {
-                /// Also learn each photograph's exposure: a gain and an offset for each channel.
+                /// Also learn each photograph's exposure: a gain and an offset for each channel. `auto` learns them if
+                /// they differ by more than 12% at the data set's points.
                 #[see("#exposure")]
-                learn: bool = false;
+                learn: LearnExposure = LearnExposure::Auto;
             }
 
             /// The poses of the photographs' cameras.
@@ -254,8 +256,7 @@ macro_rules! define {
                 blur: f64 = 0.3;
                 /// Let the blur make Gaussians wider, but not heavier: what is thin looks alike in images of all sizes.
                 #[see("conventions.md#projection-and-support")]
-                #[serde(skip_serializing_if = "std::ops::Not::not")]
-                antialiased: bool = false;
+                antialiased: bool = true;
                 /// The color network: widths of its hidden layers.
                 color_mlp: MlpConfig = MlpConfig { hidden: vec![32, 32] };
                 /// The transmittance network: widths of its hidden layers.

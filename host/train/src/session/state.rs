@@ -160,7 +160,7 @@ impl State<'_, '_, '_> {
         let fraction = config.run.fraction(at);
         let optimizer = &config.optimizer;
         let is_learned = |name: &str| match name {
-            "exposure" => config.exposure.learn,
+            "exposure" => self.trainer.measures().fitted,
             "pose" => config.poses.refine,
             _ => true,
         };

@@ -55,7 +55,7 @@ pub struct Args {
     #[arg(long, value_name = "WEIGHTS")]
     lpips: Option<PathBuf>,
     /// Also measure PSNR with a gain and an offset for each channel: each half of an image, left and right, is measured
-    /// with the fit of the other half
+    /// with the fit of the other half. A run that learned exposures always has it
     #[arg(long)]
     fit_colors: bool,
     /// Print JSON

@@ -88,6 +88,8 @@ pub fn import(
 fn config(gaussians: usize, steps: u32) -> TrainConfig {
     let mut config = TrainConfig::default();
     config.run.steps = steps;
+    // as viewers that sort show the file
+    config.scene.antialiased = false;
     config.growth.end = 0.0;
     config.growth.max_gaussians = gaussians as u32;
     config.start.gaussians = gaussians as u32;

@@ -22,6 +22,7 @@ pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
 pub mod hash_grid_scale;
+pub mod language;
 pub mod loss;
 pub mod pair;
 pub mod peak;
@@ -105,5 +106,6 @@ pub fn cases() -> Vec<Case> {
         Case::new::<peak::PeakMultiplyAdd>(),
         Case::new::<peak::PeakRead>(),
         Case::new::<elementary::Elementary>(),
+        Case::new::<language::ByteHistogram>(),
     ]
 }

@@ -71,7 +71,8 @@ fn check_buffer(kernel: &KernelInfo, buffer: &Buffer) -> Result<()> {
         "the kernel declares `{}` as {access}, the module does not",
         declared.name
     );
-    let bytes = declared.element_bytes;
+    // small integers are packed into words
+    let bytes = declared.element_bytes.max(4);
     let element = declared.element;
     ensure!(
         access == "uniform" || stride == Some(bytes),

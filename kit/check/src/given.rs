@@ -8,12 +8,12 @@ use muslin_device::{Buffer, Host};
 use super::canary::Canary;
 use super::measure::{Output, Values};
 
-/// The contents of a kernel's storage buffers, as words.
-pub(super) fn words<'a>(
+/// The contents of a kernel's storage buffers.
+pub(super) fn contents<'a>(
     kernel: &impl Dispatch<'a, Given>,
-) -> Vec<(&'static BindingInfo, Vec<u32>)> {
+) -> Vec<(&'static BindingInfo, &'a [u8])> {
     let mut given = Vec::new();
-    kernel.bind(&mut |bytes| given.push(bytemuck::pod_collect_to_vec(bytes)));
+    kernel.bind(&mut |bytes| given.push(bytes));
     let bindings = kernel.info().bindings.iter();
     bindings.filter(|binding| binding.access != Access::Uniform).zip(given).collect()
 }
@@ -46,7 +46,7 @@ pub(super) fn output(binding: &BindingInfo, words: Vec<u32>) -> Output {
 pub(super) struct Uploaded<'a> {
     pub info: &'static KernelInfo,
     pub uniform: &'a [u8],
-    pub buffers: &'a [Buffer<u32>],
+    pub buffers: &'a [Buffer<u8>],
 }
 
 impl<'a> Dispatch<'a, Host> for Uploaded<'a> {

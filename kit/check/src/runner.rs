@@ -144,35 +144,38 @@ impl<'d> KernelRunner<'d> {
         let info = kernel.info();
         let uniform = kernel.uniform();
         assert_eq!(info.name, self.kernel, "the parity case of `{}` runs another", self.kernel);
-        let given = given::words(kernel);
-        let buffers = given.iter().map(|(binding, words)| self.upload_given(binding, words));
+        let given = given::contents(kernel);
+        let buffers = given.iter().map(|(binding, bytes)| self.upload_given(binding, bytes));
         let buffers = buffers.collect::<Result<Vec<_>>>()?;
         dispatch(&Uploaded { info, uniform, buffers: &buffers })?;
         let outputs = given.iter().zip(&buffers).filter(|((binding, _), _)| is_written(binding));
         outputs.map(|((binding, _), buffer)| self.output_given(binding, buffer)).collect()
     }
 
-    fn upload_given(&self, binding: &BindingInfo, words: &[u32]) -> Result<Buffer<u32>> {
+    fn upload_given(&self, binding: &BindingInfo, bytes: &[u8]) -> Result<Buffer<u8>> {
         if !is_written(binding) {
-            return self.device.upload(binding.name, words);
+            return self.device.upload(binding.name, bytes);
         }
+        let mut words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
         let canaries = given::canaries(binding);
         let canary = canaries[usize::from(self.has_other_canaries)];
         let is_unwritten = words.iter().all(|word| *word == canaries[0]);
         let len = words.len() + tail(binding);
-        let mut words = if is_unwritten { Vec::new() } else { words.to_vec() };
+        if is_unwritten {
+            words.clear();
+        }
         words.resize(len, canary);
         let buffer = self.device.upload(binding.name, &words)?;
         if is_unwritten {
             self.device.forget(&buffer);
         }
-        Ok(buffer)
+        Ok(buffer.view())
     }
 
-    fn output_given(&self, binding: &BindingInfo, buffer: &Buffer<u32>) -> Result<Output> {
+    fn output_given(&self, binding: &BindingInfo, buffer: &Buffer<u8>) -> Result<Output> {
         let canaries = given::canaries(binding);
         let canary = canaries[usize::from(self.has_other_canaries)];
-        let words = self.read_words(buffer, tail(binding), canary, canaries[0])?;
+        let words = self.read_words(&buffer.view(), tail(binding), canary, canaries[0])?;
         Ok(given::output(binding, words))
     }
 }

@@ -10,7 +10,7 @@ use glam::UVec3;
 pub use crate::casts::check_cast;
 pub use crate::fused::fused;
 use crate::invocation::Invocation;
-use crate::memory::{AccessMonitor, Read, Shared, Write};
+use crate::memory::{AccessMonitor, Packed, Read, Shared, Write};
 pub use crate::path::Scope;
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
 use crate::work::{Shape, Work, WorkOf};
@@ -352,6 +352,13 @@ impl<'a> CpuBinding<'a> {
         // SAFETY: the caller's
         unsafe { Read::from_raw(self.data.cast(), self.bytes / size_of::<T>()) }
             .monitored(self.monitor)
+    }
+
+    /// # Safety
+    /// The same as for [`Read::from_raw`].
+    pub unsafe fn packed<T: Pod>(self) -> Packed<'a, T> {
+        // SAFETY: the caller's
+        Packed(unsafe { self.read() })
     }
 
     /// # Safety

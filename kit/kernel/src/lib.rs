@@ -144,6 +144,7 @@ pub mod invocation;
 pub mod kernel;
 pub mod lane;
 pub mod lane_vec4;
+pub mod language;
 pub mod math;
 pub mod memory;
 #[cfg(not(target_arch = "spirv"))]

@@ -1,4 +1,4 @@
-//! Buffers for kernels: [`Read`], [`Write`], and workgroup memory, [`Shared`].
+//! Buffers for kernels: [`Read`], [`Write`], [`Packed`] of small integers, and workgroup memory, [`Shared`].
 //!
 //! On the GPU, [`Read`] and [`Write`] are slices, indexed without checks. A bounds check inside nested loops would
 //! become an exit through several levels, which naga's SPIR-V reader miscompiles
@@ -13,8 +13,8 @@ mod host;
 mod monitor;
 
 #[cfg(target_arch = "spirv")]
-pub use device::{Read, ReadBuffer, Shared, SharedBuffer, Write, WriteBuffer};
+pub use device::{Packed, Read, ReadBuffer, Shared, SharedBuffer, Write, WriteBuffer};
 #[cfg(not(target_arch = "spirv"))]
-pub use host::{Read, Shared, Write};
+pub use host::{Packed, Read, Shared, Write};
 #[cfg(not(target_arch = "spirv"))]
 pub use monitor::{AccessMonitor, Touch};

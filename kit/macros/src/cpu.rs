@@ -56,6 +56,7 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
         let view = match &parameter.role {
             Role::Uniform => hygienic!(uniform::<#element>()),
             Role::Read => hygienic!(read::<#element>()),
+            Role::Packed => hygienic!(packed::<#element>()),
             Role::Write => hygienic!(write::<#element>()),
             Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
             Role::SharedTile(_) => return None,
@@ -115,6 +116,7 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
         let view = match &parameter.role {
             Role::Uniform => hygienic!(uniform::<#element>()),
             Role::Read => hygienic!(read::<#element>()),
+            Role::Packed => hygienic!(packed::<#element>()),
             Role::Write => hygienic!(write::<#element>()),
             Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
             Role::SharedTile(len) => {

@@ -135,6 +135,9 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
         Some(match &parameter.role {
             Role::Uniform => quote! { #[spirv(uniform, descriptor_set = 0, binding = #number)] #name: &#element },
             Role::Read => quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &[#element] },
+            Role::Packed => {
+                quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: ::muslin::memory::Packed<#element> }
+            }
             Role::Write => {
                 quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &mut [#element] }
             }
@@ -190,7 +193,7 @@ fn info(kernel: &Kernel) -> TokenStream {
         let element = &parameter.element;
         let access = match parameter.role {
             Role::Uniform => quote!(Uniform),
-            Role::Read => quote!(Read),
+            Role::Read | Role::Packed => quote!(Read),
             Role::Write => quote!(Write),
             Role::Shared(_) | Role::SharedTile(_) => return None,
         };
@@ -210,7 +213,9 @@ fn info(kernel: &Kernel) -> TokenStream {
         Some(iterations) => quote!(::core::option::Option::Some(#iterations)),
         None => quote!(::core::option::Option::None),
     };
-    let is_storage = |parameter: &&Parameter| matches!(parameter.role, Role::Read | Role::Write);
+    let is_storage = |parameter: &&Parameter| {
+        parameter.role.is_binding() && !matches!(parameter.role, Role::Uniform)
+    };
     let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
@@ -340,11 +345,11 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
                 #[allow(missing_docs)] pub #name: #element });
                 uniform = quote!(::muslin::dependencies::bytemuck::bytes_of(&self.#name));
             }
-            Role::Read | Role::Write => {
-                let access = if matches!(parameter.role, Role::Read) {
-                    "Read."
-                } else {
+            Role::Read | Role::Packed | Role::Write => {
+                let access = if matches!(parameter.role, Role::Write) {
                     "Read and written."
+                } else {
+                    "Read."
                 };
                 fields.push(quote! { #[doc = #access] pub #name: &'a S::Buffer<#element> });
                 binds.push(quote! { visit(S::bind(self.#name)); });

@@ -17,6 +17,7 @@
 //! | `id: Invocation`   | the invocation's position; always the first parameter         |
 //! | `name: &P`         | a uniform buffer with one `P`; at most one                  |
 //! | `name: Read<T>`    | a storage buffer of `T` that is only read                   |
+//! | `name: Packed<u8>`, `Packed<u16>` | a storage buffer of small integers that is only read, as `u32` |
 //! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
 //! | `name: &mut impl SharedTile<T, N>` | in the variant `_shared`, `N` values of `T` in workgroup memory; nothing otherwise |

@@ -16,6 +16,8 @@ pub enum Role {
     Uniform,
     /// `Read<T>`
     Read,
+    /// `Packed<T>`
+    Packed,
     /// `Write<T>`
     Write,
     /// `Shared<T, N>`, with its length
@@ -27,12 +29,12 @@ pub enum Role {
 impl Role {
     /// Whether the host binds a buffer to it.
     pub fn is_binding(&self) -> bool {
-        matches!(self, Self::Uniform | Self::Read | Self::Write)
+        matches!(self, Self::Uniform | Self::Read | Self::Packed | Self::Write)
     }
 
     /// Whether it is a view of memory that the CPU run names in its messages.
     pub fn is_named(&self) -> bool {
-        matches!(self, Self::Read | Self::Write | Self::Shared(_))
+        matches!(self, Self::Read | Self::Packed | Self::Write | Self::Shared(_))
     }
 }
 
@@ -318,9 +320,14 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     let (role, element) = role(&argument.ty).ok_or_else(|| {
         Error::new(
             argument.ty.span(),
-            "a parameter is `&Params`, `Read<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
+            "a parameter is `&Params`, `Read<T>`, `Packed<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
         )
     })?;
+    let is_small = ["u8", "u16"].iter().any(|small| is_path(&element, small));
+    if matches!(role, Role::Packed) && !is_small {
+        let message = format!("the elements of `{name}` are `u8` or `u16`: use `Read` for others");
+        return Err(Error::new(argument.ty.span(), message));
+    }
     let is_buffer = matches!(role, Role::Read | Role::Write);
     if let Some(segment) = last_segment(&element)
         && let Some((_, advice)) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)
@@ -335,8 +342,14 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     Ok(Parameter { name, role, element })
 }
 
+fn is_path(ty: &Type, name: &str) -> bool {
+    matches!(ty, Type::Path(path) if path.path.is_ident(name))
+}
+
 /// Types that no buffer has, and what has the same layout on every device. The kernel builder finds structs of them.
-const WITH_ANOTHER_LAYOUT: [(&str, &str); 9] = [
+const WITH_ANOTHER_LAYOUT: [(&str, &str); 11] = [
+    ("u8", "`Packed<u8>`, or `u32`"),
+    ("u16", "`Packed<u16>`, or `u32`"),
     ("bool", "`u32`"),
     ("Vec3", "three `f32`, or `Vec4`"),
     ("Vec3A", "three `f32`, or `Vec4`"),
@@ -363,6 +376,7 @@ fn role(ty: &Type) -> Option<(Role, Type)> {
     let (element, length) = arguments(segment)?;
     let role = match segment.ident.to_string().as_str() {
         "Read" => Role::Read,
+        "Packed" => Role::Packed,
         "Write" => Role::Write,
         "Shared" => Role::Shared(Box::new(length?)),
         _ => return None,

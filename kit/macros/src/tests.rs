@@ -44,13 +44,25 @@ fn a_loop_needs_its_iterations() {
 
 #[test]
 fn elements_have_one_layout() {
-    for (ty, advice) in [(quote!(Vec3), "three `f32`, or `Vec4`"), (quote!(bool), "`u32`")] {
+    let types = [
+        (quote!(Vec3), "three `f32`, or `Vec4`"),
+        (quote!(bool), "`u32`"),
+        (quote!(u8), "`Packed<u8>`, or `u32`"),
+    ];
+    for (ty, advice) in types {
         let message = refusal(quote!(), quote!(input: Read<glam::#ty>), quote!());
         let start = format!("the elements of `input` are `{ty}`, which have another layout");
         assert!(message.starts_with(&start) && message.ends_with(advice), "{message}");
         // workgroup memory is not shared with the host
         assert_eq!(refusal(quote!(), quote!(values: Shared<#ty, 64>), quote!()), "");
     }
+}
+
+#[test]
+fn small_integers_are_packed_and_others_are_not() {
+    assert_eq!(refusal(quote!(), quote!(input: Packed<u16>), quote!()), "");
+    let message = refusal(quote!(), quote!(input: Packed<f32>), quote!());
+    assert_eq!(message, "the elements of `input` are `u8` or `u16`: use `Read` for others");
 }
 
 #[test]

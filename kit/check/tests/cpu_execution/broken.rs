@@ -104,3 +104,9 @@ pub fn histogram(
         bins.atomic_add(id.local.x, counts.read(id.local.x));
     }
 }
+
+/// Reads one byte more than there are.
+#[kernel(threads(64))]
+pub fn reads_bytes(id: Invocation, bytes: Packed<u8>, output: Write<u32>) {
+    output.write(id.index(), bytes.read(id.index()));
+}

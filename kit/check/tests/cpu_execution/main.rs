@@ -297,3 +297,19 @@ fn a_test_that_calls_a_kernel_says_which_invocation_failed() {
         ],
     );
 }
+
+#[test]
+fn small_integers_are_counted_one_by_one() {
+    let device = checked();
+    let bytes = device.upload("bytes", &[7_u8, 250, 3, 0, 255]).unwrap();
+    let output = device.zeros("out", 64).unwrap();
+    let message = failure(&device, &ReadsBytesKernel { bytes: &bytes, output: &output }, 64);
+    assert_contains(&message, &["index 5 is out of range of `bytes`, which has 5 elements"]);
+    assert_eq!(device.read_range(&output, 0, 5).unwrap(), [7, 250, 3, 0, 255]);
+    // a kernel has written the first three words of sixteen
+    let words = device.unwritten::<u32>("words", 16).unwrap();
+    device.write(&words, 0, &[u32::MAX; 3]).unwrap();
+    let bytes = words.view::<u8>();
+    let message = failure(&device, &ReadsBytesKernel { bytes: &bytes, output: &output }, 64);
+    assert_contains(&message, &["reads element 12 of `bytes`, which nothing has written"]);
+}

@@ -125,15 +125,26 @@ impl Gpu {
     }
 
     pub fn write(&self, buffer: &wgpu::Buffer, bytes: &[u8]) {
-        if !bytes.is_empty() {
-            self.queue.write_buffer(buffer, 0, bytes);
+        // wgpu writes whole words
+        let (words, rest) = bytes.split_at(bytes.len() / 4 * 4);
+        if !words.is_empty() {
+            self.queue.write_buffer(buffer, 0, words);
+        }
+        if !rest.is_empty() {
+            let mut last = [0; 4];
+            last[..rest.len()].copy_from_slice(rest);
+            self.queue.write_buffer(buffer, words.len() as u64, &last);
         }
     }
 
     /// Waits for all queued work, and copies bytes of each buffer, starting at an offset.
     pub fn read(&self, ranges: &mut [(&wgpu::Buffer, u64, &mut [u8])]) -> Result<()> {
         self.waits.fetch_add(1, Ordering::Relaxed);
-        let size = ranges.iter().map(|(_, _, target)| target.len() as u64).sum();
+        // wgpu copies whole words
+        let words = |(_, begin, target): &(&wgpu::Buffer, u64, &mut [u8])| {
+            begin / 4 * 4..(begin + target.len() as u64).next_multiple_of(4)
+        };
+        let size = ranges.iter().map(words).map(|words| words.end - words.start).sum();
         let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
             size,
@@ -143,10 +154,10 @@ impl Gpu {
         {
             let mut recorder = self.recorder();
             let mut at = 0;
-            for (buffer, begin, target) in ranges.iter() {
-                let bytes = *begin..*begin + target.len() as u64;
-                recorder.copy(&self.device, buffer, bytes, &staging, at);
-                at += target.len() as u64;
+            for range in ranges.iter() {
+                let words = words(range);
+                recorder.copy(&self.device, range.0, words.clone(), &staging, at);
+                at += words.end - words.start;
             }
             recorder.submit(&self.device, &self.queue);
         }
@@ -165,9 +176,12 @@ impl Gpu {
         let range = staging.slice(..).get_mapped_range();
         let range = range.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
         let mut at = 0;
-        for (_, _, target) in ranges {
-            target.copy_from_slice(&range[at..at + target.len()]);
-            at += target.len();
+        for copied in ranges {
+            let words = words(copied);
+            let (_, begin, target) = copied;
+            let first = at + (*begin - words.start) as usize;
+            target.copy_from_slice(&range[first..first + target.len()]);
+            at += (words.end - words.start) as usize;
         }
         Ok(())
     }

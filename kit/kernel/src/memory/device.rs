@@ -1,5 +1,7 @@
 //! Buffers on the GPU: slices, indexed without checks.
 
+use core::marker::PhantomData;
+
 use spirv_std::arch::IndexUnchecked;
 
 /// A storage buffer that is only read.
@@ -8,6 +10,39 @@ pub type Read<'a, T> = &'a [T];
 pub type Write<'a, T> = &'a mut [T];
 /// Workgroup memory.
 pub type Shared<'a, T, const N: usize> = &'a mut [T; N];
+
+/// A storage buffer of `u8` or `u16` that is only read. Not every GPU has such integers, so it is a buffer of words.
+pub type Packed<'a, T> = &'a [Word<T>];
+
+/// A word that holds several `T`.
+#[repr(transparent)]
+pub struct Word<T>(u32, PhantomData<T>);
+
+/// Integers that are smaller than a word.
+pub trait Small {
+    /// Base-2 logarithm of their number of bits.
+    const LOG_BITS: u32;
+}
+
+impl Small for u8 {
+    const LOG_BITS: u32 = 3;
+}
+
+impl Small for u16 {
+    const LOG_BITS: u32 = 4;
+}
+
+impl<T: Small> ReadBuffer<u32> for [Word<T>] {
+    #[inline(always)]
+    fn read(&self, index: u32) -> u32 {
+        let bit = index << T::LOG_BITS;
+        // not `bit / 32`: the last bit of a large buffer has no number in 32 bits
+        let at = index >> (5 - T::LOG_BITS);
+        // SAFETY: the CPU run of every kernel checks its indices
+        let word = unsafe { self.index_unchecked(at as usize) }.0;
+        (word >> (bit & 31)) & ((1 << (1 << T::LOG_BITS)) - 1)
+    }
+}
 
 /// Reading at an index.
 pub trait ReadBuffer<T> {

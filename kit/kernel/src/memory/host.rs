@@ -36,6 +36,10 @@ pub struct Write<'a, T> {
     lifetime: PhantomData<&'a mut [T]>,
 }
 
+/// A storage buffer of `u8` or `u16` that is only read. Its values are read as `u32`, which every GPU has.
+#[derive(Clone, Copy)]
+pub struct Packed<'a, T>(pub(crate) Read<'a, T>);
+
 /// Workgroup memory.
 #[derive(Clone, Copy)]
 pub struct Shared<'a, T, const N: usize>(pub(crate) Write<'a, T>);
@@ -315,6 +319,22 @@ impl Write<'_, u32> {
     }
 }
 
+impl<T: Copy + Into<u32>> Packed<'_, T> {
+    /// Like [`Read::named`].
+    #[inline(always)]
+    #[must_use]
+    pub const fn named(self, name: &'static str) -> Self {
+        Self(self.0.named(name))
+    }
+
+    /// The value at `index`. Panics if `index` is out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn read(&self, index: u32) -> u32 {
+        self.0.read(index).into()
+    }
+}
+
 impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
     /// # Safety
     /// The same as for [`Write::from_raw`], with `N` values.
@@ -365,6 +385,12 @@ impl<'a, T: Copy> From<&'a [T]> for Read<'a, T> {
     fn from(slice: &'a [T]) -> Self {
         // SAFETY: a slice that is borrowed as long as the view lives
         unsafe { Self::from_raw(slice.as_ptr(), slice.len()) }
+    }
+}
+
+impl<'a, T: Copy> From<&'a [T]> for Packed<'a, T> {
+    fn from(slice: &'a [T]) -> Self {
+        Self(slice.into())
     }
 }
 

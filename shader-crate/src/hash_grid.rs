@@ -256,6 +256,15 @@ pub fn sum<L: Lane>([a, b, c, d, e, f, g, h]: [L; 8]) -> L {
     a + b + c + d + e + f + g + h
 }
 
+/// The same for two values of each corner.
+#[inline(always)]
+fn sum_two<L: Lane>([a, b, c, d, e, f, g, h]: [[L; 2]; 8]) -> [L; 2] {
+    [
+        sum([a[0], b[0], c[0], d[0], e[0], f[0], g[0], h[0]]),
+        sum([a[1], b[1], c[1], d[1], e[1], f[1], g[1], h[1]]),
+    ]
+}
+
 /// Index of a value whose first neighbor is at a [place](Corners::places).
 #[inline(always)]
 pub fn value_at<L: Lane>(place: L::Index, value: u32) -> L::Index {
@@ -338,6 +347,16 @@ pub fn hash_grid<L: Lane>(
         let corners = Corners::new(&level, level.cell(x)).places(features);
         let mut row = params.feature_column(id, id.workgroup.z);
         let mut f = 0;
+        while L::GATHERS_TWO && f + 2 <= features {
+            let [first, second] = sum_two(of_corners!(corners, |place, weight| {
+                let [first, second] = L::gather_two(table, value_at::<L>(place, f));
+                [first * weight, second * weight]
+            }));
+            first.write(output, row);
+            second.write(output, row + stride);
+            row += 2 * stride;
+            f += 2;
+        }
         while f < features {
             let value = sum(of_corners!(corners, |place, weight| {
                 L::gather(table, value_at::<L>(place, f)) * weight

@@ -92,10 +92,10 @@ pub fn hash_grid_backward<L: Lane>(
             while L::ADDS_TWO && f + 2 <= features {
                 let first = scaled(L::read(feature_gradient, row), unit);
                 let second = scaled(L::read(feature_gradient, row + params.stride), unit);
-                of_corners!(each corners, |place, weight| {
-                    let at = value_at::<L>(place, f);
-                    L::add_fixed_two([first * weight, second * weight], active, sum, at)
-                });
+                let values =
+                    of_corners!(corners, |_place, weight| [first * weight, second * weight]);
+                let at = of_corners!(corners, |place, _weight| value_at::<L>(place, f));
+                L::add_fixed_two(values, active, sum, at);
                 row += 2 * params.stride;
                 f += 2;
             }

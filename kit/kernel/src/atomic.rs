@@ -269,30 +269,49 @@ pub fn add_wide_lanes<const N: usize>(buffer: Write<u32>, index: [u32; N], value
     }
 }
 
-/// Like [`add_wide_lanes`], for two consecutive integers each.
+/// Like [`add_wide_lanes`], for two consecutive integers each at several places of each lane.
 #[cfg(not(target_arch = "spirv"))]
 #[inline(always)]
 #[track_caller]
-pub fn add_two_wide_lanes<const N: usize>(
+pub fn add_two_wide_lanes<const N: usize, const M: usize>(
     buffer: Write<u32>,
-    index: [u32; N],
-    [first, second]: [[i64; N]; 2],
+    index: [[u32; N]; M],
+    values: [[[i64; 2]; N]; M],
 ) {
     #[cfg(target_endian = "big")]
-    {
-        add_wide_lanes(buffer, index, first);
-        add_wide_lanes(buffer, index.map(|index| index + 1), second);
+    for (index, values) in index.into_iter().zip(values) {
+        add_wide_lanes(buffer, index, values.map(|[first, _]| first));
+        add_wide_lanes(buffer, index.map(|index| index + 1), values.map(|[_, second]| second));
     }
     #[cfg(target_endian = "little")]
-    {
-        let begin = buffer.two_wide_addresses(index, Touch::Serial);
+    add_pairs(buffer, index, values);
+}
+
+#[cfg(all(not(target_arch = "spirv"), target_endian = "little"))]
+#[inline(always)]
+#[track_caller]
+fn add_pairs<const N: usize, const M: usize>(
+    buffer: Write<u32>,
+    index: [[u32; N]; M],
+    values: [[[i64; 2]; N]; M],
+) {
+    let begin = buffer.two_wide_addresses(index, Touch::Serial);
+    // Without this, the compiler would convert the values of each lane by themselves.
+    let values = core::hint::black_box(&values);
+    let index = core::hint::black_box(&index);
+    let mut lane = 0;
+    // Lanes next to each other often add to the same places: between two sums of a place, there are others.
+    while lane < N {
         let mut i = 0;
-        while i < N {
+        while i < M {
+            let at = index[i][lane] as usize;
             // SAFETY: the address is in range and aligned, and only the workgroups of one z change these sums: one thread
-            let sums = unsafe { &mut *begin.add(index[i] as usize).cast::<[i64; 2]>() };
-            *sums = [sums[0].wrapping_add(first[i]), sums[1].wrapping_add(second[i])];
+            let sums = unsafe { &mut *begin.add(at).cast::<[i64; 2]>() };
+            let [first, second] = values[i][lane];
+            *sums = [sums[0].wrapping_add(first), sums[1].wrapping_add(second)];
             i += 1;
         }
+        lane += 1;
     }
 }
 

@@ -138,6 +138,7 @@ impl Lane for Dual {
     const COLUMNS: u32 = f32::COLUMNS;
     const ADDS_TWO: bool = f32::ADDS_TWO;
     const READS_FOUR: bool = false;
+    const GATHERS_TWO: bool = false;
     type One = Self;
     type Mask = bool;
     type Index = u32;
@@ -225,6 +226,11 @@ impl Lane for Dual {
     }
 
     #[track_caller]
+    fn gather_two(buffer: Read<f32>, at: u32) -> [Self; 2] {
+        [Self::read(buffer, at), Self::read(buffer, at + 1)]
+    }
+
+    #[track_caller]
     fn gather_halves(buffer: Read<u32>, at: u32) -> [Self; 2] {
         f32::gather_halves(buffer, at).map(Self::splat)
     }
@@ -241,8 +247,13 @@ impl Lane for Dual {
     }
 
     #[track_caller]
-    fn add_fixed_two(values: [Self; 2], mask: bool, sum: Write<u32>, at: u32) {
-        f32::add_fixed_two(values.map(|dual| dual.value), mask, sum, at);
+    fn add_fixed_two<const M: usize>(
+        values: [[Self; 2]; M],
+        mask: bool,
+        sum: Write<u32>,
+        at: [u32; M],
+    ) {
+        f32::add_fixed_two(values.map(|two| two.map(|dual| dual.value)), mask, sum, at);
     }
 
     fn expect_fixed(_: Write<u32>, _: u32) {}

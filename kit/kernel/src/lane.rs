@@ -38,6 +38,8 @@ pub trait Lane:
     const ADDS_TWO: bool;
     /// Whether four consecutive values are read as fast as one: on a GPU, where they begin at a multiple of four.
     const READS_FOUR: bool;
+    /// Whether two consecutive values at arbitrary indices are read faster at once.
+    const GATHERS_TWO: bool;
     /// One lane of the same arithmetic.
     type One: Lane;
     /// One `bool` for each lane.
@@ -84,6 +86,8 @@ pub trait Lane:
     fn read_written(buffer: Write<f32>, first: u32) -> Self;
     /// Reads values at arbitrary indices.
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
+    /// Reads two consecutive values each at arbitrary indices.
+    fn gather_two(buffer: Read<f32>, at: Self::Index) -> [Self; 2];
     /// Reads words at arbitrary indices, each with two [16-bit floats](crate::half::half_value), the lower one first.
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2];
     /// Stores consecutive values, starting at `first`.
@@ -91,8 +95,13 @@ pub trait Lane:
     /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, in lanes where the mask holds: see
     /// [`atomic::add_wide`].
     fn add_fixed(self, mask: Self::Mask, sum: Write<u32>, at: Self::Index);
-    /// Like [`Lane::add_fixed`], for two consecutive values each.
-    fn add_fixed_two(values: [Self; 2], mask: Self::Mask, sum: Write<u32>, at: Self::Index);
+    /// Like [`Lane::add_fixed`], for two consecutive values each at several places.
+    fn add_fixed_two<const M: usize>(
+        values: [[Self; 2]; M],
+        mask: Self::Mask,
+        sum: Write<u32>,
+        at: [Self::Index; M],
+    );
     /// Hints that the fixed-point sums at `at` are about to be changed.
     fn expect_fixed(sum: Write<u32>, at: Self::Index);
     /// Takes consecutive fixed-point sums, starting at `first`, and leaves zeros.
@@ -126,6 +135,7 @@ impl Lane for f32 {
     const COLUMNS: u32 = 4;
     const ADDS_TWO: bool = false;
     const READS_FOUR: bool = true;
+    const GATHERS_TWO: bool = false;
     type One = f32;
     type Mask = bool;
     type Index = u32;
@@ -234,6 +244,11 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
+    fn gather_two(buffer: Read<f32>, at: u32) -> [Self; 2] {
+        [buffer.read(at), buffer.read(at + 1)]
+    }
+
+    #[inline(always)]
     fn gather_halves(buffer: Read<u32>, at: u32) -> [Self; 2] {
         let word = buffer.read(at);
         [half_value(word & 0xffff), half_value(word >> 16)]
@@ -252,10 +267,17 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn add_fixed_two(values: [Self; 2], mask: bool, sum: Write<u32>, at: u32) {
-        if mask {
-            atomic::add_wide(sum, at, fixed::words(values[0]));
-            atomic::add_wide(sum, at + 1, fixed::words(values[1]));
+    fn add_fixed_two<const M: usize>(
+        values: [[Self; 2]; M],
+        mask: bool,
+        sum: Write<u32>,
+        at: [u32; M],
+    ) {
+        let mut i = 0;
+        while i < M && mask {
+            atomic::add_wide(sum, at[i], fixed::words(values[i][0]));
+            atomic::add_wide(sum, at[i] + 1, fixed::words(values[i][1]));
+            i += 1;
         }
     }
 

@@ -90,6 +90,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     // only AVX-512 converts whole vectors to 64-bit integers
     const ADDS_TWO: bool = N == 16;
     const READS_FOUR: bool = false;
+    const GATHERS_TWO: bool = N > 1;
     type One = Wide<1, FUSED>;
     type Mask = WideMask<N>;
     type Index = WideIndex<N>;
@@ -209,6 +210,12 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     #[track_caller]
+    fn gather_two(buffer: Read<f32>, at: Self::Index) -> [Self; 2] {
+        buffer.gather_two(at.0).map(Self)
+    }
+
+    #[inline(always)]
+    #[track_caller]
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2] {
         let words = buffer.gather(at.0);
         let lower = lanes!(|i| half_value(words[i] & 0xffff));
@@ -231,11 +238,22 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     #[track_caller]
-    fn add_fixed_two(values: [Self; 2], mask: Self::Mask, sum: Write<u32>, at: Self::Index) {
+    fn add_fixed_two<const M: usize>(
+        values: [[Self; 2]; M],
+        mask: Self::Mask,
+        sum: Write<u32>,
+        at: [Self::Index; M],
+    ) {
         let zero = Self::splat(0.0);
-        let first = fixed::integers(Self::select(mask, values[0], zero).0);
-        let second = fixed::integers(Self::select(mask, values[1], zero).0);
-        atomic::add_two_wide_lanes(sum, at.0, [first, second]);
+        let mut pairs = [[[0; 2]; N]; M];
+        let mut i = 0;
+        while i < M {
+            let first = fixed::integers(Self::select(mask, values[i][0], zero).0);
+            let second = fixed::integers(Self::select(mask, values[i][1], zero).0);
+            pairs[i] = lanes!(|lane| [first[lane], second[lane]]);
+            i += 1;
+        }
+        atomic::add_two_wide_lanes(sum, at.map(|at| at.0), pairs);
     }
 
     #[inline(always)]

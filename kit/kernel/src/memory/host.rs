@@ -165,12 +165,7 @@ impl<T: Copy> Read<'_, T> {
     #[track_caller]
     pub fn gather<const N: usize>(&self, at: [u32; N]) -> [T; N] {
         // a single test for all indices
-        let mut largest = 0;
-        let mut i = 0;
-        while i < N {
-            largest = if at[i] > largest { at[i] } else { largest };
-            i += 1;
-        }
+        let largest = largest_of(at);
         if largest as usize >= self.len {
             self.beyond(at, largest);
         }
@@ -303,19 +298,84 @@ impl Write<'_, u32> {
         first
     }
 
-    /// Like [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`.
+    /// Like [`Self::wide_addresses`], for the 64-bit integers at `index` and `index + 1`, of several lanes.
     #[inline(always)]
     #[track_caller]
     #[cfg(target_endian = "little")]
-    pub(crate) fn two_wide_addresses<const N: usize>(
+    pub(crate) fn two_wide_addresses<const N: usize, const M: usize>(
         &self,
-        index: [u32; N],
+        index: [[u32; N]; M],
         touch: Touch,
     ) -> *mut u64 {
         if self.monitor.is_some() {
-            self.wide_addresses(index, touch);
+            for index in index {
+                self.wide_addresses(index, touch);
+                self.wide_addresses(index.map(|index| index + 1), touch);
+            }
         }
-        self.wide_addresses(index.map(|index| index + 1), touch)
+        let mut largest = [0; N];
+        let mut i = 0;
+        while i < M {
+            let mut lane = 0;
+            while lane < N {
+                let at = index[i][lane];
+                largest[lane] = if at > largest[lane] { at } else { largest[lane] };
+                lane += 1;
+            }
+            i += 1;
+        }
+        let largest = 2 * largest_of(largest) as usize + 3;
+        if largest >= self.len {
+            out_of_range(largest as u32, self.len, self.name);
+        }
+        let first: *mut u64 = self.data.cast();
+        assert!(first.is_aligned(), "`{}` does not hold 64-bit integers", self.name);
+        first
+    }
+}
+
+/// The largest of some indices.
+#[inline(always)]
+fn largest_of<const N: usize>(index: [u32; N]) -> u32 {
+    let mut largest = 0;
+    let mut i = 0;
+    while i < N {
+        largest = if index[i] > largest { index[i] } else { largest };
+        i += 1;
+    }
+    largest
+}
+
+impl Read<'_, f32> {
+    /// The values at `N` indices and those behind them. Panics if one is out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub(crate) fn gather_two<const N: usize>(&self, at: [u32; N]) -> [[f32; N]; 2] {
+        let largest = largest_of(at);
+        if largest as usize + 1 >= self.len {
+            #[cfg(debug_assertions)]
+            self.beyond(at, largest);
+            self.beyond(at.map(|at| at + 1), largest + 1);
+        }
+        let words: [u64; N] = core::array::from_fn(
+            #[inline(always)]
+            // SAFETY: checked above
+            |i| unsafe { self.data.add(at[i] as usize).cast::<u64>().read_unaligned() },
+        );
+        let half = |words: u64, half: u32| {
+            let half = if cfg!(target_endian = "big") { 1 - half } else { half };
+            f32::from_bits((words >> (32 * half)) as u32)
+        };
+        [
+            core::array::from_fn(
+                #[inline(always)]
+                |i| half(words[i], 0),
+            ),
+            core::array::from_fn(
+                #[inline(always)]
+                |i| half(words[i], 1),
+            ),
+        ]
     }
 }
 

@@ -308,7 +308,7 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
             ::muslin::kernel::SharedInfo {
                 name: #name,
                 element: ::core::stringify!(#element),
-                len: #len as u32,
+                len: ::core::mem::size_of::<[u8; #len]>() as u32,
                 bytes: ::core::mem::size_of::<[#element; #len]>() as u32,
             }
         })

@@ -5,7 +5,7 @@ use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
 use syn::{
     Error, Expr, FnArg, GenericArgument, Ident, ItemFn, Pat, Path, PathArguments, PathSegment,
-    Result, Type, TypeParamBound, parse_quote,
+    Result, Stmt, Type, TypeParamBound, parse_quote,
 };
 
 use crate::checks::first_loop;
@@ -389,5 +389,16 @@ fn arguments(segment: &PathSegment) -> Option<(Type, Option<GenericArgument>)> {
     let PathArguments::AngleBracketed(generics) = &segment.arguments else { return None };
     let mut generics = generics.args.iter().filter(|a| !matches!(a, GenericArgument::Lifetime(_)));
     let Some(GenericArgument::Type(element)) = generics.next() else { return None };
-    Some((element.clone(), generics.next().cloned()))
+    Some((element.clone(), generics.next().map(without_braces)))
+}
+
+/// A length without the braces that generic arguments need: as an array's, the compiler would warn of them.
+fn without_braces(length: &GenericArgument) -> GenericArgument {
+    match length {
+        GenericArgument::Const(Expr::Block(block)) => match &block.block.stmts[..] {
+            [Stmt::Expr(length, None)] => GenericArgument::Const(length.clone()),
+            _ => GenericArgument::Const(Expr::Block(block.clone())),
+        },
+        _ => length.clone(),
+    }
 }

@@ -7,7 +7,6 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread::JoinHandle;
 
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
-use organza::data::Background;
 use organza::ranks::Ranks;
 use organza::render::LossGradient;
 use organza::train::{self, ConfigBuilder, Preset, RunFolder};
@@ -119,10 +118,7 @@ impl Training {
                 &opened.dataset
             }
         };
-        if config.data.path.is_some() {
-            // as in the program: the run's file records the background
-            config.data.background = Background::Color(dataset.background.map(|c| c as f32));
-        }
+        config.resolve(dataset);
         let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
         let output = output.filter(|_| is_first);
         let folder = output.map(|path| open_folder(&path, resume)).transpose()?;

@@ -8,7 +8,7 @@ use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
 use organza::Result;
-use organza::data::{Background, Dataset};
+use organza::data::Dataset;
 use organza::error::{self, format_bytes};
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
@@ -333,13 +333,9 @@ impl Job<'_> {
         };
         let renderer = device.open_as(&of_rank(0), console)?;
         let dataset = Arc::new(data.read(&renderer, console)?);
-        if config.data.path.is_some() {
-            // so that the run's file records the background
-            let background = dataset.background.map(|value| value as f32);
-            config.data.background = Background::Color(background);
-        }
-        if !self.resume && config.exposure.learn == LearnExposure::Auto {
-            config.exposure.learn = config.exposure.learn.decide(&dataset).into();
+        let measures_exposures = !self.resume && config.exposure.learn == LearnExposure::Auto;
+        config.resolve(&dataset);
+        if measures_exposures {
             say_exposures(&dataset, config.exposure.learn, console);
         }
         let of_others: Vec<_> =

@@ -27,7 +27,7 @@ use organza_core::error::{Error, Result};
 use organza_core::input::read_text;
 use organza_core::scene::SceneConfig;
 use organza_core::write_atomic;
-use organza_data::DatasetOptions;
+use organza_data::{Background, Dataset, DatasetOptions};
 
 /// Largest settings file, in bytes. All settings need far less; a larger file was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;
@@ -90,6 +90,15 @@ impl TrainConfig {
         let table: toml::Table = toml::from_str(&self.to_toml()).unwrap_or_default();
         let leaves = assignment::leaves(&table, |_| false);
         leaves.into_iter().map(|(name, value)| (name, value.to_string())).collect()
+    }
+
+    /// Replaces what depends on the data set by what it is there, so that the run's file records it: the background that
+    /// photographs are over, and whether exposures are learned.
+    pub fn resolve(&mut self, dataset: &Dataset) {
+        if self.data.path.is_some() {
+            self.data.background = Background::Color(dataset.background.map(|value| value as f32));
+        }
+        self.exposure.learn = self.exposure.learn.decide(dataset).into();
     }
 
     /// The configuration of a run's scene.

@@ -37,3 +37,42 @@ pub fn byte_histogram(
     bins.atomic_add(own, counts.read(own));
     bins.atomic_add(all + own, counts.read(all + own));
 }
+
+/// Items of a workgroup of [`prefix_sums`].
+pub const SUMMED: u32 = 64;
+
+/// Sums of `values [count]` up to each item, within workgroups of 64 items: `sums [count]`. `scratch [2 count]` has those of the last step and
+/// of this one (Hillis and Steele 1986).
+#[kernel(threads(SUMMED), iterations = 6)]
+pub fn prefix_sums(
+    id: Invocation,
+    params: &LanguageParams,
+    values: Read<u32>,
+    scratch: Write<u32>,
+    sums: Write<u32>,
+) {
+    let own = id.index();
+    let is_item = own < params.count;
+    if is_item {
+        scratch.write(own, values.read(own));
+    }
+    id.storage_barrier();
+    let mut last = 0;
+    let mut distance = 1;
+    while distance < SUMMED {
+        let next = params.count - last;
+        if is_item {
+            let mut sum = scratch.read(last + own);
+            if id.local.x >= distance {
+                sum += scratch.read(last + own - distance);
+            }
+            scratch.write(next + own, sum);
+        }
+        id.storage_barrier();
+        last = next;
+        distance *= 2;
+    }
+    if is_item {
+        sums.write(own, scratch.read(last + own));
+    }
+}

@@ -150,8 +150,9 @@ pub mod memory;
 #[cfg(not(target_arch = "spirv"))]
 mod path;
 pub mod peak;
+#[doc(hidden)]
 #[cfg(not(target_arch = "spirv"))]
-mod phase;
+pub mod phase;
 pub mod prelude;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;

@@ -7,7 +7,6 @@ use std::path::Path;
 use std::sync::Once;
 use std::thread;
 
-use muslin::kernel::CpuRun;
 use muslin::{EntryPoint, KernelInfo, kernels as declared};
 use organza::MODULES;
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
@@ -149,14 +148,13 @@ fn loops_end_at_their_conditions() {
     }
 }
 
-/// Where a kernel has neither workgroup memory nor a storage barrier, the CPU lets no invocation wait.
+/// Only workgroup memory needs barriers.
 #[test]
 fn plain_entry_points_have_no_barriers() {
     for (kernel, point) in entry_points() {
         let words = MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words();
         let barriers = instructions(&words).any(|i| is(&i, op::BARRIER));
-        let may_wait = !point.shared.is_empty() || matches!(kernel.run, CpuRun::Invocation(_));
-        assert_eq!(barriers, may_wait, "{}", point.name);
+        assert_eq!(barriers, !point.shared.is_empty(), "{}", point.name);
     }
 }
 

@@ -107,6 +107,5 @@ pub fn cases() -> Vec<Case> {
         Case::new::<peak::PeakRead>(),
         Case::new::<elementary::Elementary>(),
         Case::new::<language::ByteHistogram>(),
-        Case::new::<language::PrefixSums>(),
     ]
 }

@@ -58,11 +58,6 @@ impl Launch<'_> {
         }
     }
 
-    /// Whether its invocations may wait for each other: they have workgroup memory, or the kernel calls a storage barrier.
-    fn has_barriers(&self) -> bool {
-        !self.shared.is_empty() || matches!(self.run, CpuRun::Invocation(_))
-    }
-
     fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
         let size = UVec3::from(self.info.workgroup_size);
         let fused = self.info.run_fused.filter(|_| self.mode.is_fused);
@@ -88,7 +83,7 @@ impl Launch<'_> {
                 Ok(())
             }
             // no invocation waits for another
-            CpuRun::Invocation(run) if !self.has_barriers() => {
+            CpuRun::Invocation(run) if self.shared.is_empty() => {
                 let usual: Vec<_> = (0..u64::from(size.element_product())).collect();
                 for &index in order.unwrap_or(&usual) {
                     enter(index as u32);

@@ -6,10 +6,8 @@ use std::ptr;
 use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
-use muslin::kernel::CpuRun;
 use muslin::memory::{AccessMonitor, Touch};
-use muslin::phase;
-use muslin::running::{self, RunningInvocation, unlinear};
+use muslin::running::{self, unlinear};
 use muslin::{BindingInfo, KernelInfo};
 
 use crate::workgroups::Workgroups;
@@ -76,26 +74,20 @@ fn unwritten(does: &str, index: u32, name: &str) -> String {
     format!("{does} element {index} of `{name}`, which nothing has written")
 }
 
-/// Monitors a storage buffer during one dispatch. Nothing orders the accesses of different invocations, but for storage barriers in a
-/// workgroup.
+/// Monitors a storage buffer during one dispatch: no barrier orders the accesses of different invocations.
 pub struct Races<'a> {
-    /// Invocations of a workgroup, along each axis.
-    size: UVec3,
-    workgroups: UVec3,
+    invocations: UVec3,
     /// Workgroups that are not additional, along each axis.
     needed: UVec3,
     /// Whether workgroups with the same z run on one thread (`z_serial`).
     layers: bool,
-    /// Whether its invocations may wait for each other.
-    has_barriers: bool,
     elements: Vec<Touched>,
     /// The written elements, if parts of the buffer may be unwritten.
     written: Option<Elements<'a>>,
 }
 
 /// The invocations that have accessed an element in this dispatch, for each kind of access: none, or the first one,
-/// with marks. An access of one kind does not hide others' accesses of another kind. What came before the last storage barrier is
-/// forgotten, if one workgroup alone has accessed the element: a later mark of that workgroup serves as well to find other workgroups.
+/// with marks. An access of one kind does not hide others' accesses of another kind.
 #[derive(Default)]
 struct Touched {
     writer: AtomicU64,
@@ -123,44 +115,17 @@ const SEVERAL: u64 = 1 << 63;
 /// Marks atomics that do not conflict with others of the same z.
 const SERIAL: u64 = 1 << 62;
 
-/// Marks an access of several workgroups.
-const WORKGROUPS: u64 = 1 << 61;
-
-/// Bits of the invocation in its workgroup, which is counted from 1, and of the storage phase. Those of the workgroup follow.
-const INVOCATION_BITS: u32 = 11;
-const PHASE_BITS: u32 = 16;
-
-/// The running invocation and its storage phase. It is never 0.
-fn stamp(place: RunningInvocation, workgroups: UVec3) -> u64 {
-    let phase = u64::from(phase::storage()) % (1 << PHASE_BITS);
-    let group = linear(place.id.workgroup, workgroups);
-    (group << PHASE_BITS | phase) << INVOCATION_BITS | u64::from(1 + running::invocation())
-}
-
-/// The invocation that left a mark first, and its storage phase.
+/// The invocation that left a mark first.
 const fn who(mark: u64) -> u64 {
-    mark & !(SEVERAL | SERIAL | WORKGROUPS)
-}
-
-/// The workgroup that left a mark first.
-const fn workgroup(mark: u64) -> u64 {
-    who(mark) >> (INVOCATION_BITS + PHASE_BITS)
-}
-
-/// Whether a mark is of one workgroup alone, which passed a storage barrier before it left the other mark.
-const fn is_before(mark: u64, own: u64) -> bool {
-    let phases = (who(mark) ^ who(own)) >> INVOCATION_BITS;
-    mark & WORKGROUPS == 0 && phases != 0 && phases < 1 << PHASE_BITS
+    mark & !(SEVERAL | SERIAL)
 }
 
 /// Adds a mark, and returns the previous content.
 fn leave(slot: &AtomicU64, own: u64) -> u64 {
     let merge = |before: u64| match before {
         0 => own,
-        _ if is_before(before, own) => own,
         _ if who(before) == who(own) => before & (own | !SERIAL),
-        _ if workgroup(before) == workgroup(own) => before & (own | !SERIAL) | SEVERAL,
-        _ => before & (own | !SERIAL) | SEVERAL | WORKGROUPS,
+        _ => before & (own | !SERIAL) | SEVERAL,
     };
     // the closure always returns a value
     slot.fetch_update(Ordering::SeqCst, Ordering::SeqCst, |before| Some(merge(before))).unwrap_or(0)
@@ -174,22 +139,11 @@ impl<'a> Races<'a> {
         workgroups: Workgroups,
         written: Option<Elements<'a>>,
     ) -> Self {
+        let invocations = UVec3::from(workgroups.all) * UVec3::from(info.workgroup_size);
+        let needed = workgroups.needed.into();
+        let layers = info.z_serial;
         let elements = (0..len).map(|_| Touched::default()).collect();
-        Self {
-            size: info.workgroup_size.into(),
-            workgroups: workgroups.all.into(),
-            needed: workgroups.needed.into(),
-            layers: info.z_serial,
-            has_barriers: matches!(info.run, CpuRun::Invocation(_)),
-            elements,
-            written,
-        }
-    }
-
-    /// The invocation that left a mark first, in the dispatch.
-    fn position(&self, mark: u64) -> UVec3 {
-        let local = (who(mark) & ((1 << INVOCATION_BITS) - 1)) - 1;
-        unlinear(workgroup(mark), self.workgroups) * self.size + unlinear(local, self.size)
+        Self { invocations, needed, layers, elements, written }
     }
 
     fn is_written(&self, index: u32) -> bool {
@@ -198,24 +152,20 @@ impl<'a> Races<'a> {
 
     /// Whether two atomics do not conflict, also on the CPU.
     fn agree(&self, own: u64, other: u64) -> bool {
-        let layer = |mark| self.position(mark).z;
+        let layer = |mark| unlinear(who(mark) - 1, self.invocations).z;
         (own | other) & SERIAL == 0
             || own & other & SERIAL != 0 && self.layers && layer(own) == layer(other)
     }
 
-    /// The message of an access that conflicts with the one that left the mark `found`.
-    fn conflict(&self, element: &str, does: &str, [own, found]: [u64; 2], did: &str) -> String {
-        let who = match who(found) == who(own) {
-            true => "other invocations have".to_owned(),
-            false => format!("invocation {} of the dispatch has", self.position(found)),
+    fn conflict(&self, element: &str, does: &str, other: Option<u64>, did: &str) -> String {
+        let who = match other {
+            None => "other invocations have".to_owned(),
+            Some(mark) => {
+                let invocation = unlinear(who(mark) - 1, self.invocations);
+                format!("invocation {invocation} of the dispatch has")
+            }
         };
-        // whoever waits at barriers may expect that they order storage
-        let is_near = workgroup(found) == workgroup(own) && found & WORKGROUPS == 0;
-        let advice = match self.has_barriers && is_near {
-            true => ", and no storage barrier lies between",
-            false => "",
-        };
-        format!("{does} {element}, which {who} {did} in the same dispatch{advice}")
+        format!("{does} {element}, which {who} {did} in the same dispatch")
     }
 
     /// An error if the kernel has written NaN; `data` is that of the binding.
@@ -242,7 +192,7 @@ impl<'a> Races<'a> {
         let touched = self.elements.get(index)?;
         let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
         let mark = marks.into_iter().find(|mark| *mark != 0)?;
-        Some(self.position(mark))
+        Some(unlinear(who(mark) - 1, self.invocations))
     }
 
     /// Where an element was written, and by whom: the end of a message.
@@ -271,7 +221,7 @@ impl AccessMonitor for Races<'_> {
     ) -> Result<(), String> {
         let Some(place) = running::current() else { return Ok(()) };
         let touched = &self.elements[index as usize];
-        let own = stamp(place, self.workgroups);
+        let own = 1 + linear(place.id.global(), self.invocations);
         let (does, slot, mark) = match touch {
             Touch::Read => ("reads", &touched.reader, own),
             Touch::Write => ("writes", &touched.writer, own),
@@ -290,10 +240,11 @@ impl AccessMonitor for Races<'_> {
         ];
         for (slot, did, disturbs) in others {
             let found = slot.load(Ordering::SeqCst);
-            let is_own = who(found) == own && found & SEVERAL == 0;
-            if disturbs && found != 0 && !is_own && !is_before(found, own) {
+            let is_first = who(found) == own;
+            if disturbs && found != 0 && (!is_first || found & SEVERAL != 0) {
                 let element = format!("element {index} of `{name}`");
-                return Err(self.conflict(&element, does, [own, found], did));
+                let other = (!is_first).then_some(found);
+                return Err(self.conflict(&element, does, other, did));
             }
         }
         if !matches!(touch, Touch::Write | Touch::Store) && !self.is_written(index) {

@@ -78,44 +78,13 @@ impl Invocation {
         #[cfg(not(target_arch = "spirv"))]
         (self.wait)(Location::caller());
     }
-
-    /// Waits for the whole workgroup. Afterwards, everything that it wrote to storage buffers and to workgroup memory is visible to it. What
-    /// other workgroups write is not: only the next dispatch sees that.
-    ///
-    /// A kernel without workgroup memory calls it itself, and not in a helper: the call has the CPU let its invocations wait.
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    pub fn storage_barrier(&self) {
-        #[cfg(target_arch = "spirv")]
-        {
-            use spirv_std::memory::{Scope, Semantics};
-            // The scope of WGSL's storage barriers is the device. Vulkan's memory model has no capability for it here, so the kernel builder
-            // makes the next smaller scope that of the device (`muslin-build`'s `memory_model.rs`).
-            spirv_std::arch::control_barrier::<
-                { Scope::Workgroup as u32 },
-                { Scope::QueueFamily as u32 },
-                {
-                    Semantics::ACQUIRE_RELEASE.bits()
-                        | Semantics::UNIFORM_MEMORY.bits()
-                        | Semantics::WORKGROUP_MEMORY.bits()
-                },
-            >();
-        }
-        #[cfg(not(target_arch = "spirv"))]
-        {
-            crate::phase::order_storage();
-            (self.wait)(Location::caller());
-        }
-    }
 }
 
 #[cfg(not(target_arch = "spirv"))]
 #[track_caller]
 fn no_barrier(_: &'static Location<'static>) {
     match crate::running::current() {
-        Some(_) => panic!(
-            "a barrier in a kernel without workgroup memory, which calls no `storage_barrier` itself"
-        ),
+        Some(_) => panic!("a barrier in a kernel without workgroup memory"),
         None => panic!(
             "a barrier, and no other invocation runs: a test calls a kernel with barriers through \
              `muslin::workgroup::Workgroup`"

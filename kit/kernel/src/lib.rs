@@ -150,9 +150,8 @@ pub mod memory;
 #[cfg(not(target_arch = "spirv"))]
 mod path;
 pub mod peak;
-#[doc(hidden)]
 #[cfg(not(target_arch = "spirv"))]
-pub mod phase;
+mod phase;
 pub mod prelude;
 #[cfg(not(target_arch = "spirv"))]
 pub mod running;

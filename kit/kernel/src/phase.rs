@@ -18,10 +18,6 @@ std::thread_local! {
     static SIZE: Cell<UVec3> = const { Cell::new(UVec3::ONE) };
     /// The phase in which the workgroup began.
     static FIRST_PHASE: Cell<u64> = const { Cell::new(1) };
-    /// Number of storage barriers in the workgroup so far.
-    static STORAGE_PHASE: Cell<u32> = const { Cell::new(0) };
-    /// Whether the invocations that wait do so at a storage barrier.
-    static ORDERS_STORAGE: Cell<bool> = const { Cell::new(false) };
     /// The first conflict of a phase in workgroup memory.
     static CONFLICT: RefCell<Option<String>> = const { RefCell::new(None) };
 }
@@ -30,8 +26,6 @@ std::thread_local! {
 pub fn begin(size: UVec3) {
     FIRST_PHASE.set(PHASE.get());
     SIZE.set(size);
-    STORAGE_PHASE.set(0);
-    ORDERS_STORAGE.set(false);
     CONFLICT.set(None);
 }
 
@@ -50,22 +44,9 @@ pub fn size() -> UVec3 {
     SIZE.get()
 }
 
-/// The storage phase of the thread's workgroup: the number of storage barriers before it.
-pub fn storage() -> u32 {
-    STORAGE_PHASE.get()
-}
-
-/// Records that an invocation comes to a storage barrier.
-pub(crate) fn order_storage() {
-    ORDERS_STORAGE.set(true);
-}
-
-/// Begins the next phase, after all invocations have come to one barrier.
+/// Begins the next phase.
 pub fn next() {
     PHASE.set(PHASE.get() + 1);
-    if ORDERS_STORAGE.replace(false) {
-        STORAGE_PHASE.set(STORAGE_PHASE.get() + 1);
-    }
 }
 
 /// Records that an invocation uses workgroup memory wrongly. The workgroup fails at the end of the phase: only then

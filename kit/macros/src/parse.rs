@@ -3,10 +3,9 @@
 use proc_macro2::TokenStream;
 use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
-use syn::visit::Visit;
 use syn::{
-    Error, Expr, ExprMethodCall, FnArg, GenericArgument, Ident, ItemFn, Pat, Path, PathArguments,
-    PathSegment, Result, Stmt, Type, TypeParamBound, parse_quote,
+    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, Pat, Path, PathArguments, PathSegment,
+    Result, Stmt, Type, TypeParamBound, parse_quote,
 };
 
 use crate::checks::first_loop;
@@ -147,8 +146,8 @@ impl Kernel {
         if let Some(name) = kernel.unordered.iter().find(|name| !is_written(name)) {
             return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
-        if kernel.lanes.is_some() && kernel.has_barriers() {
-            let message = "a kernel with workgroup memory or a `storage_barrier` has no `lanes`";
+        if kernel.lanes.is_some() && kernel.has_shared() {
+            let message = "a kernel with workgroup memory has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         Ok(kernel)
@@ -164,23 +163,8 @@ impl Kernel {
         self.function.sig.generics.type_params().next().map(|parameter| &parameter.ident)
     }
 
-    /// Whether the invocations of a workgroup may wait for each other: they have workgroup memory, or the kernel calls a storage barrier.
-    pub fn has_barriers(&self) -> bool {
-        self.has(|role| matches!(role, Role::Shared(_))) || self.calls_storage_barrier()
-    }
-
-    fn calls_storage_barrier(&self) -> bool {
-        #[derive(Default)]
-        struct Calls(bool);
-        impl<'a> Visit<'a> for Calls {
-            fn visit_expr_method_call(&mut self, call: &'a ExprMethodCall) {
-                self.0 |= call.method == "storage_barrier";
-                syn::visit::visit_expr_method_call(self, call);
-            }
-        }
-        let mut calls = Calls::default();
-        calls.visit_block(&self.function.block);
-        calls.0
+    pub fn has_shared(&self) -> bool {
+        self.has(|role| matches!(role, Role::Shared(_)))
     }
 
     /// Whether it has a second entry point, in which shared tiles are workgroup memory.

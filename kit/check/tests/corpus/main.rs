@@ -40,8 +40,6 @@ corpus! {
         barrier_behind_a_vote
         barrier_for_storage
         barrier_for_all_workgroups
-        storage_barrier_for_all_workgroups
-        storage_barrier_is_missing
     }
     workgroup_memory {
         half_is_loaded

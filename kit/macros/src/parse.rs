@@ -8,7 +8,7 @@ use syn::{
     Result, Stmt, Type, TypeParamBound, parse_quote,
 };
 
-use crate::checks::first_loop;
+use crate::checks::{first_loop, has_storage_barrier};
 
 /// The role of a kernel's parameter.
 pub enum Role {
@@ -146,8 +146,8 @@ impl Kernel {
         if let Some(name) = kernel.unordered.iter().find(|name| !is_written(name)) {
             return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
-        if kernel.lanes.is_some() && kernel.has_shared() {
-            let message = "a kernel with workgroup memory has no `lanes`";
+        if kernel.lanes.is_some() && kernel.waits() {
+            let message = "a kernel with workgroup memory or storage barriers has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         Ok(kernel)
@@ -163,8 +163,10 @@ impl Kernel {
         self.function.sig.generics.type_params().next().map(|parameter| &parameter.ident)
     }
 
-    pub fn has_shared(&self) -> bool {
+    /// Whether the invocations of a workgroup can wait for each other.
+    pub fn waits(&self) -> bool {
         self.has(|role| matches!(role, Role::Shared(_)))
+            || has_storage_barrier(&self.function.block)
     }
 
     /// Whether it has a second entry point, in which shared tiles are workgroup memory.

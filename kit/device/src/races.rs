@@ -126,7 +126,7 @@ const SEVERAL: u64 = 1 << 62;
 /// Marks atomics that do not conflict with others of the same z.
 const SERIAL: u64 = 1 << 61;
 
-/// Number of bits of a mark for the invocation: more than a CPU runs in a year. They are counted from 1, workgroup by workgroup.
+/// Number of bits of a mark for the invocation: a CPU would take days for more. They are counted from 1, workgroup by workgroup.
 const INVOCATION_BITS: u32 = 42;
 
 /// The bits of a mark between: the storage phase, modulo 2^19. A workgroup with more barriers takes too many iterations.
@@ -184,10 +184,10 @@ impl<'a> Races<'a> {
                 0 => own,
                 // it conflicts with any other access already
                 _ if before & WORKGROUPS != 0 => both,
+                _ if who(before) == who(own) && before & PHASE == own & PHASE => both,
                 _ if self.workgroup(before) != self.workgroup(own) => both | WORKGROUPS,
                 // a storage barrier lies between
                 _ if before & PHASE != own & PHASE => own,
-                _ if who(before) == who(own) => both,
                 _ => both | SEVERAL,
             }
         };
@@ -198,14 +198,15 @@ impl<'a> Races<'a> {
 
     /// Whether others than `own` have left a mark, and no storage barrier lies between.
     fn meets(&self, own: u64, found: u64) -> bool {
-        found != 0
-            && (self.is_elsewhere(own, found)
-                || found & PHASE == own & PHASE && (found & SEVERAL != 0 || who(found) != who(own)))
+        let is_other = who(found) != who(own) || found & SEVERAL != 0;
+        let is_now = found & PHASE == own & PHASE;
+        found != 0 && (is_other && is_now || self.is_elsewhere(own, found))
     }
 
     /// Whether other workgroups have left a mark.
     fn is_elsewhere(&self, own: u64, found: u64) -> bool {
-        found & WORKGROUPS != 0 || self.workgroup(found) != self.workgroup(own)
+        found & WORKGROUPS != 0
+            || who(found) != who(own) && self.workgroup(found) != self.workgroup(own)
     }
 
     fn is_written(&self, index: u32) -> bool {

@@ -86,14 +86,14 @@ impl Invocation {
     /// it. It does not wait for other workgroups, and sees nothing that they write: only the next dispatch does.
     ///
     /// In WGSL, it is `storageBarrier` with `workgroupBarrier`. It costs more than [`barrier`](Self::barrier), so prefer workgroup
-    /// memory for what fits there. The kernel needs no workgroup memory.
+    /// memory for what fits there. A kernel without workgroup memory declares `storage_barriers`.
     ///
     /// ```
     /// # extern crate muslin_kernel as muslin;
     /// use muslin::prelude::*;
     ///
     /// /// Reverses the values of each workgroup, in place.
-    /// #[kernel(threads(64))]
+    /// #[kernel(threads(64), storage_barriers)]
     /// pub fn reverse(id: Invocation, data: Write<u32>) {
     ///     let other = data.read(id.workgroup.x * 64 + 63 - id.local.x);
     ///     id.storage_barrier();
@@ -127,8 +127,8 @@ impl Invocation {
 fn no_barrier(_: &'static Location<'static>) {
     match crate::running::current() {
         Some(_) => panic!(
-            "a barrier in a kernel without workgroup memory: a barrier for storage buffers is `id.storage_barrier()`, and the \
-             kernel calls it itself, not only in a helper"
+            "a barrier in a kernel without workgroup memory: if it is a storage barrier, the kernel says so, \
+             `#[kernel(.., storage_barriers)]`"
         ),
         None => panic!(
             "a barrier, and no other invocation runs: a test calls a kernel with barriers through \

@@ -53,7 +53,7 @@ const MAX_RUNS: u32 = 13;
 const MAX_STEPS: u32 = MAX_RUNS * (MAX_RUNS + 1) / 2;
 
 /// Sorts each row of `values [rows, columns]`, the smallest first: a workgroup sorts a row in place, by bitonic sort (Batcher 1968).
-#[kernel(threads(64), iterations = MAX_RUNS + MAX_STEPS * (1 + MAX_ROW / 128))]
+#[kernel(threads(64), storage_barriers, iterations = MAX_RUNS + MAX_STEPS * (1 + MAX_ROW / 128))]
 pub fn sort_rows(id: Invocation, params: &SortParams, values: Write<u32>) {
     let row = id.workgroup_index();
     let first = row * params.columns;

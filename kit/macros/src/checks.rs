@@ -6,9 +6,8 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Arm, Block, Expr, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop, ExprMethodCall,
-    ExprRepeat, ExprWhile, FnArg, GenericArgument, Item, ItemFn, Pat, Stmt, Type, parse_quote,
-    parse_quote_spanned,
+    Arm, Block, Expr, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop, ExprRepeat, ExprWhile,
+    FnArg, GenericArgument, Item, ItemFn, Pat, Stmt, Type, parse_quote, parse_quote_spanned,
 };
 
 /// Adds the checks to a function. `has_barriers` says at run time whether its path to barriers matters; `None` if it never does.
@@ -44,20 +43,6 @@ pub fn first_loop(block: &Block) -> Option<Span> {
     let mut first = First(None);
     first.visit_block(block);
     first.0
-}
-
-/// Whether a function calls `storage_barrier`.
-pub fn has_storage_barrier(block: &Block) -> bool {
-    struct Calls(bool);
-    impl<'ast> Visit<'ast> for Calls {
-        fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
-            self.0 |= call.method == "storage_barrier";
-            visit::visit_expr_method_call(self, call);
-        }
-    }
-    let mut calls = Calls(false);
-    calls.visit_block(block);
-    calls.0
 }
 
 /// Whether a helper can wait at barriers: they are methods of `Invocation`.

@@ -2,7 +2,7 @@
 
 use crate::bug::*;
 
-#[kernel(threads(64))]
+#[kernel(threads(64), storage_barriers)]
 pub fn storage_barrier_for_all_workgroups(
     id: Invocation,
     scratch: Write<u32>,

@@ -249,6 +249,24 @@ fn rust_in_the_guide_is_in_the_example() {
     assert!(shown >= 6, "the guide shows {shown} blocks");
 }
 
+/// Rust code that begins with the path of a file is in that file.
+#[test]
+fn rust_of_a_file_is_in_it() {
+    let mut shown = 0;
+    for Block { page, text, .. } in blocks() {
+        let Some((path, code)) = text.strip_prefix("// ").and_then(|text| text.split_once('\n'))
+        else {
+            continue;
+        };
+        if path.ends_with(".rs") {
+            let file = fs::read_to_string(root().join(path)).expect("a file of the repository");
+            assert!(file.contains(code.trim()), "{page}: not in {path}:\n{code}");
+            shown += 1;
+        }
+    }
+    assert!(shown >= 1, "no page shows a file");
+}
+
 /// A block that the tests above do not know would never be run.
 #[test]
 fn blocks_are_marked_with_their_language() {

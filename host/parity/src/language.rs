@@ -1,6 +1,8 @@
 //! The cases of kernels that use what no kernel of organza does.
 
-use muslin::language::{BYTES, ByteHistogramInputs, LanguageParams};
+use muslin::language::{
+    BYTES, ByteHistogramInputs, LanguageParams, MAX_ROW, SortParams, SortRowsInputs,
+};
 use muslin_check::prelude::*;
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -29,5 +31,32 @@ impl Parity for ByteHistogram {
             }
         };
         Some(count as f64)
+    }
+}
+
+case!(pub SortRows(SortRowsInputs));
+
+impl Parity for SortRows {
+    const KERNEL: &'static str = "sort_rows";
+
+    fn sets() -> Vec<(String, Self)> {
+        let set = |[rows, columns]: [u32; 2]| {
+            let mut random = Random::new(columns.into());
+            let values = (0..rows * columns).map(|_| random.bits()).collect();
+            let params = SortParams { rows, columns };
+            (format!("{rows} rows of {columns}"), Self(SortRowsInputs { params, values }))
+        };
+        [[5, 1], [1, 2], [3, 64], [2, 1024], [1, MAX_ROW]].map(set).into()
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        runner.run(&self.kernel(), 64 * self.params.rows, 1)
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let mut sorted = self.values.clone();
+        let rows = sorted.chunks_exact_mut(self.params.columns as usize);
+        rows.for_each(<[u32]>::sort_unstable);
+        sorted.into_iter().map(|value| Some(value.into())).collect()
     }
 }

@@ -107,5 +107,6 @@ pub fn cases() -> Vec<Case> {
         Case::new::<peak::PeakRead>(),
         Case::new::<elementary::Elementary>(),
         Case::new::<language::ByteHistogram>(),
+        Case::new::<language::SortRows>(),
     ]
 }

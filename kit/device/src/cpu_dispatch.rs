@@ -82,8 +82,8 @@ impl Launch<'_> {
                 }
                 Ok(())
             }
-            // no invocation waits for another
-            CpuRun::Invocation(run) if self.shared.is_empty() => {
+            // no invocation waits for another: it is the fused run
+            CpuRun::Invocation(run) if !matches!(self.run, CpuRun::Invocation(_)) => {
                 let usual: Vec<_> = (0..u64::from(size.element_product())).collect();
                 for &index in order.unwrap_or(&usual) {
                     enter(index as u32);

@@ -6,6 +6,8 @@ use std::ptr;
 use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
+use muslin::invocation::Invocation;
+use muslin::kernel::CpuRun;
 use muslin::memory::{AccessMonitor, Touch};
 use muslin::running::{self, unlinear};
 use muslin::{BindingInfo, KernelInfo};
@@ -74,9 +76,14 @@ fn unwritten(does: &str, index: u32, name: &str) -> String {
     format!("{does} element {index} of `{name}`, which nothing has written")
 }
 
-/// Monitors a storage buffer during one dispatch: no barrier orders the accesses of different invocations.
+/// Monitors a storage buffer during one dispatch: only storage barriers order the accesses of different invocations, and only those of
+/// one workgroup.
 pub struct Races<'a> {
-    invocations: UVec3,
+    workgroups: UVec3,
+    /// Invocations of a workgroup, along each axis.
+    size: UVec3,
+    /// Whether the kernel has barriers.
+    waits: bool,
     /// Workgroups that are not additional, along each axis.
     needed: UVec3,
     /// Whether workgroups with the same z run on one thread (`z_serial`).
@@ -87,7 +94,8 @@ pub struct Races<'a> {
 }
 
 /// The invocations that have accessed an element in this dispatch, for each kind of access: none, or the first one,
-/// with marks. An access of one kind does not hide others' accesses of another kind.
+/// with marks. An access of one kind does not hide others' accesses of another kind. Where only one workgroup has accessed it, the
+/// accesses before its last storage barrier are forgotten when a new one comes.
 #[derive(Default)]
 struct Touched {
     writer: AtomicU64,
@@ -109,26 +117,24 @@ impl Touched {
     }
 }
 
-/// Marks an access of several invocations.
-const SEVERAL: u64 = 1 << 63;
+/// Marks accesses of several workgroups.
+const WORKGROUPS: u64 = 1 << 63;
+
+/// Marks accesses of several invocations, between two storage barriers of their workgroup.
+const SEVERAL: u64 = 1 << 62;
 
 /// Marks atomics that do not conflict with others of the same z.
-const SERIAL: u64 = 1 << 62;
+const SERIAL: u64 = 1 << 61;
+
+/// Number of bits of a mark for the invocation: a CPU would take days for more. They are counted from 1, workgroup by workgroup.
+const INVOCATION_BITS: u32 = 42;
+
+/// The bits of a mark between: the storage phase, modulo 2^19. A workgroup with more barriers takes too many iterations.
+const PHASE: u64 = SERIAL - (1 << INVOCATION_BITS);
 
 /// The invocation that left a mark first.
 const fn who(mark: u64) -> u64 {
-    mark & !(SEVERAL | SERIAL)
-}
-
-/// Adds a mark, and returns the previous content.
-fn leave(slot: &AtomicU64, own: u64) -> u64 {
-    let merge = |before: u64| match before {
-        0 => own,
-        _ if who(before) == who(own) => before & (own | !SERIAL),
-        _ => before & (own | !SERIAL) | SEVERAL,
-    };
-    // the closure always returns a value
-    slot.fetch_update(Ordering::SeqCst, Ordering::SeqCst, |before| Some(merge(before))).unwrap_or(0)
+    mark & ((1 << INVOCATION_BITS) - 1)
 }
 
 impl<'a> Races<'a> {
@@ -139,11 +145,68 @@ impl<'a> Races<'a> {
         workgroups: Workgroups,
         written: Option<Elements<'a>>,
     ) -> Self {
-        let invocations = UVec3::from(workgroups.all) * UVec3::from(info.workgroup_size);
-        let needed = workgroups.needed.into();
-        let layers = info.z_serial;
-        let elements = (0..len).map(|_| Touched::default()).collect();
-        Self { invocations, needed, layers, elements, written }
+        Self {
+            workgroups: workgroups.all.into(),
+            size: info.workgroup_size.into(),
+            waits: matches!(info.run, CpuRun::Invocation(_)),
+            needed: workgroups.needed.into(),
+            layers: info.z_serial,
+            elements: (0..len).map(|_| Touched::default()).collect(),
+            written,
+        }
+    }
+
+    /// The mark of an invocation that runs.
+    fn mark(&self, id: Invocation) -> u64 {
+        let workgroup = linear(id.workgroup, self.workgroups);
+        let first = workgroup * u64::from(self.size.element_product());
+        let phase = running::storage_phase() << INVOCATION_BITS & PHASE;
+        phase | (1 + first + linear(id.local, self.size))
+    }
+
+    /// The workgroup of a mark.
+    fn workgroup(&self, mark: u64) -> u64 {
+        (who(mark) - 1) / u64::from(self.size.element_product())
+    }
+
+    /// The place of a mark's invocation in the dispatch.
+    fn place(&self, mark: u64) -> UVec3 {
+        let workgroup = unlinear(self.workgroup(mark), self.workgroups);
+        let local = (who(mark) - 1) % u64::from(self.size.element_product());
+        workgroup * self.size + unlinear(local, self.size)
+    }
+
+    /// Adds a mark, and returns the previous content.
+    fn leave(&self, slot: &AtomicU64, own: u64) -> u64 {
+        let merge = |before: u64| {
+            let both = before & (own | !SERIAL);
+            match before {
+                0 => own,
+                // it conflicts with any other access already
+                _ if before & WORKGROUPS != 0 => both,
+                _ if who(before) == who(own) && before & PHASE == own & PHASE => both,
+                _ if self.workgroup(before) != self.workgroup(own) => both | WORKGROUPS,
+                // a storage barrier lies between
+                _ if before & PHASE != own & PHASE => own,
+                _ => both | SEVERAL,
+            }
+        };
+        // the closure always returns a value
+        slot.fetch_update(Ordering::SeqCst, Ordering::SeqCst, |before| Some(merge(before)))
+            .unwrap_or(0)
+    }
+
+    /// Whether others than `own` have left a mark, and no storage barrier lies between.
+    fn meets(&self, own: u64, found: u64) -> bool {
+        let is_other = who(found) != who(own) || found & SEVERAL != 0;
+        let is_now = found & PHASE == own & PHASE;
+        found != 0 && (is_other && is_now || self.is_elsewhere(own, found))
+    }
+
+    /// Whether other workgroups have left a mark.
+    fn is_elsewhere(&self, own: u64, found: u64) -> bool {
+        found & WORKGROUPS != 0
+            || who(found) != who(own) && self.workgroup(found) != self.workgroup(own)
     }
 
     fn is_written(&self, index: u32) -> bool {
@@ -152,20 +215,22 @@ impl<'a> Races<'a> {
 
     /// Whether two atomics do not conflict, also on the CPU.
     fn agree(&self, own: u64, other: u64) -> bool {
-        let layer = |mark| unlinear(who(mark) - 1, self.invocations).z;
+        let layer = |mark| self.place(mark).z;
         (own | other) & SERIAL == 0
             || own & other & SERIAL != 0 && self.layers && layer(own) == layer(other)
     }
 
-    fn conflict(&self, element: &str, does: &str, other: Option<u64>, did: &str) -> String {
-        let who = match other {
-            None => "other invocations have".to_owned(),
-            Some(mark) => {
-                let invocation = unlinear(who(mark) - 1, self.invocations);
-                format!("invocation {invocation} of the dispatch has")
-            }
+    fn conflict(&self, element: &str, does: &str, [own, found]: [u64; 2], did: &str) -> String {
+        let who = match who(found) == who(own) {
+            true => "other invocations have".to_owned(),
+            false => format!("invocation {} of the dispatch has", self.place(found)),
         };
-        format!("{does} {element}, which {who} {did} in the same dispatch")
+        let barrier = match self.is_elsewhere(own, found) {
+            _ if !self.waits => "",
+            true => ", and no barrier orders workgroups",
+            false => ", and no storage barrier lies between",
+        };
+        format!("{does} {element}, which {who} {did} in the same dispatch{barrier}")
     }
 
     /// An error if the kernel has written NaN; `data` is that of the binding.
@@ -192,7 +257,7 @@ impl<'a> Races<'a> {
         let touched = self.elements.get(index)?;
         let marks = [&touched.writer, &touched.atomic].map(|slot| slot.load(Ordering::SeqCst));
         let mark = marks.into_iter().find(|mark| *mark != 0)?;
-        Some(unlinear(who(mark) - 1, self.invocations))
+        Some(self.place(mark))
     }
 
     /// Where an element was written, and by whom: the end of a message.
@@ -221,14 +286,14 @@ impl AccessMonitor for Races<'_> {
     ) -> Result<(), String> {
         let Some(place) = running::current() else { return Ok(()) };
         let touched = &self.elements[index as usize];
-        let own = 1 + linear(place.id.global(), self.invocations);
+        let own = self.mark(place.id);
         let (does, slot, mark) = match touch {
             Touch::Read => ("reads", &touched.reader, own),
             Touch::Write => ("writes", &touched.writer, own),
             Touch::Atomic | Touch::Store => ("atomically changes", &touched.atomic, own),
             Touch::Serial => ("adds, for its z alone, to", &touched.atomic, own | SERIAL),
         };
-        let before = leave(slot, mark);
+        let before = self.leave(slot, mark);
         if touch != Touch::Read {
             touched.note(at);
         }
@@ -240,11 +305,9 @@ impl AccessMonitor for Races<'_> {
         ];
         for (slot, did, disturbs) in others {
             let found = slot.load(Ordering::SeqCst);
-            let is_first = who(found) == own;
-            if disturbs && found != 0 && (!is_first || found & SEVERAL != 0) {
+            if disturbs && self.meets(own, found) {
                 let element = format!("element {index} of `{name}`");
-                let other = (!is_first).then_some(found);
-                return Err(self.conflict(&element, does, other, did));
+                return Err(self.conflict(&element, does, [own, found], did));
             }
         }
         if !matches!(touch, Touch::Write | Touch::Store) && !self.is_written(index) {

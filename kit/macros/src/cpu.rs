@@ -16,7 +16,7 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     let name = &kernel.function.sig.ident;
     let views = views(kernel);
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
-    if kernel.has_shared() {
+    if kernel.waits() {
         return hygienic! {
             // SAFETY: called as `CpuRun` says
             unsafe fn run_invocation(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {

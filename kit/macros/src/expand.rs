@@ -84,7 +84,7 @@ fn fused_function(kernel: &Kernel) -> Option<TokenStream> {
 
 /// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.
 fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
-    if kernel.has_shared() {
+    if kernel.waits() {
         return Some(parse_quote!(true));
     }
     let tiles = kernel.parameters.iter().filter_map(|Parameter { name, role, element }| {

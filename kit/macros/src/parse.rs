@@ -60,6 +60,8 @@ pub struct Kernel {
     /// Invocations of a workgroup: constant expressions.
     pub threads: [Expr; 3],
     pub fused: bool,
+    /// Whether it has barriers without workgroup memory.
+    pub storage_barriers: bool,
     /// On the CPU the workgroups of one z run one after another, on one thread.
     pub z_serial: bool,
     /// On the CPU the workgroups of one x and y run one after another.
@@ -85,7 +87,7 @@ impl Kernel {
         let function: ItemFn = syn::parse2(item)?;
         let attribute = parse_attribute(attribute)?;
         let Attribute { threads, fused, z_serial, z_innermost, lanes, .. } = attribute;
-        let Attribute { iterations, counts, work, unordered, .. } = attribute;
+        let Attribute { iterations, counts, work, unordered, storage_barriers, .. } = attribute;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
             Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
@@ -96,7 +98,12 @@ impl Kernel {
         }
         let generics = &function.sig.generics;
         if lanes.is_none() && !generics.params.is_empty() {
-            return Err(Error::new(generics.span(), "a kernel without `lanes` has no generics"));
+            let name = &function.sig.ident;
+            let message = format!(
+                "the kernel `{name}` is generic, and a kernel without `lanes` is not: make the body a generic function, and let a \
+                 kernel for each instance call it, as `{name}::<16>(id, ..)`"
+            );
+            return Err(Error::new(generics.span(), message));
         }
         if lanes.is_some() && (generics.params.len() != 1 || generics.type_params().count() != 1) {
             return Err(Error::new(
@@ -110,6 +117,7 @@ impl Kernel {
             function,
             threads,
             fused,
+            storage_barriers,
             z_serial,
             z_innermost,
             lanes,
@@ -146,8 +154,8 @@ impl Kernel {
         if let Some(name) = kernel.unordered.iter().find(|name| !is_written(name)) {
             return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
-        if kernel.lanes.is_some() && kernel.has_shared() {
-            let message = "a kernel with workgroup memory has no `lanes`";
+        if kernel.lanes.is_some() && kernel.waits() {
+            let message = "a kernel with workgroup memory or storage barriers has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         Ok(kernel)
@@ -163,8 +171,9 @@ impl Kernel {
         self.function.sig.generics.type_params().next().map(|parameter| &parameter.ident)
     }
 
-    pub fn has_shared(&self) -> bool {
-        self.has(|role| matches!(role, Role::Shared(_)))
+    /// Whether the invocations of a workgroup can wait for each other.
+    pub fn waits(&self) -> bool {
+        self.storage_barriers || self.has(|role| matches!(role, Role::Shared(_)))
     }
 
     /// Whether it has a second entry point, in which shared tiles are workgroup memory.
@@ -180,6 +189,7 @@ impl Kernel {
 struct Attribute {
     threads: [Expr; 3],
     fused: bool,
+    storage_barriers: bool,
     z_serial: bool,
     z_innermost: bool,
     lanes: Option<Lanes>,
@@ -189,11 +199,12 @@ struct Attribute {
     unordered: Vec<Ident>,
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial` or `z_innermost`, `lanes` or
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `z_serial` or `z_innermost`, `lanes` or
 /// `lanes(field)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
+    let mut storage_barriers = false;
     let mut z_serial = false;
     let mut z_innermost = false;
     let mut lanes = None;
@@ -204,6 +215,10 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let parser = syn::meta::parser(|meta| {
         if meta.path.is_ident("fused") {
             fused = true;
+            return Ok(());
+        }
+        if meta.path.is_ident("storage_barriers") {
+            storage_barriers = true;
             return Ok(());
         }
         if meta.path.is_ident("z_serial") {
@@ -243,8 +258,8 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             return Ok(());
         }
         if !meta.path.is_ident("threads") {
-            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `z_serial`, \
-                `z_innermost`, `lanes`, `lanes(field)`, `counts(field, ..)`, `unordered(binding, ..)` or `work(function)`";
+            let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, \
+                `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `counts(field, ..)`, `unordered(binding, ..)` or `work(function)`";
             return Err(meta.error(expected));
         }
         let content;
@@ -269,6 +284,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     Ok(Attribute {
         threads,
         fused,
+        storage_barriers,
         z_serial,
         z_innermost,
         lanes,

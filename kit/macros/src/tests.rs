@@ -73,6 +73,31 @@ fn only_outputs_are_unordered() {
 }
 
 #[test]
+fn a_generic_kernel_is_told_what_to_do() {
+    let function = quote!(
+        pub fn blur<const SIDE: u32>(id: Invocation) {}
+    );
+    let message = Kernel::parse(quote!(threads(SIDE)), function).err().unwrap().to_string();
+    assert!(
+        message.contains("a kernel for each instance call it, as `blur::<16>(id, ..)`"),
+        "{message}"
+    );
+}
+
+#[test]
+fn kernels_that_wait_have_no_lanes() {
+    let kernel = |options| {
+        let function = quote!(
+            pub fn blur<L: Lane>(id: Invocation, params: &Size) {}
+        );
+        Kernel::parse(quote!(threads(64), lanes(count), #options), function).err()
+    };
+    assert!(kernel(quote!()).is_none());
+    let message = kernel(quote!(storage_barriers)).unwrap().to_string();
+    assert_eq!(message, "a kernel with workgroup memory or storage barriers has no `lanes`");
+}
+
+#[test]
 fn a_limit_of_iterations_names_its_kernel() {
     let options = quote!(threads(64), iterations = 70_000);
     let kernel = Kernel::parse(

@@ -39,6 +39,7 @@ corpus! {
         loop_of_different_lengths
         barrier_behind_a_vote
         barrier_for_storage
+        storage_barrier_for_all_workgroups
         barrier_for_all_workgroups
     }
     workgroup_memory {

@@ -1,0 +1,105 @@
+//! Storage barriers order what a workgroup does to buffers, and plain barriers do not.
+
+use muslin::language::{SortParams, SortRowsKernel};
+use muslin::prelude::*;
+use muslin_check::{devices, inputs::Random};
+use muslin_device::Device;
+
+const WORKGROUPS: u32 = 4;
+const VALUES: u32 = 64 * WORKGROUPS;
+
+/// Reverses the values of each workgroup in place, and adds how many of them are odd. `odd [workgroups]` is zero before and after.
+#[kernel(threads(64), storage_barriers)]
+pub fn reverse_and_add(id: Invocation, data: Write<u32>, odd: Write<u32>) {
+    let workgroup = id.workgroup.x;
+    if workgroup < WORKGROUPS {
+        let own = data.read(id.index());
+        odd.atomic_add(workgroup, own % 2);
+        id.storage_barrier();
+        data.write(workgroup * 64 + 63 - id.local.x, own + odd.read(workgroup));
+        id.storage_barrier();
+        if id.local.x == 63 {
+            odd.write(workgroup, 0);
+        }
+    }
+}
+
+/// The last barrier is a plain one.
+#[kernel(threads(64))]
+pub fn last_one_is_plain(id: Invocation, data: Write<u32>, unused: Shared<u32, 64>) {
+    if id.index() < VALUES {
+        unused.write(id.local.x, 0);
+        data.write(id.index(), id.index());
+        id.storage_barrier();
+        let neighbor = data.read(id.index() ^ 1);
+        id.storage_barrier();
+        data.write(id.index(), neighbor);
+        id.barrier();
+        data.write(id.index() ^ 1, 0); // another one's element
+    }
+}
+
+/// Does not declare its barrier.
+#[kernel(threads(64))]
+pub fn undeclared(id: Invocation, data: Write<u32>) {
+    data.write(id.index(), 1);
+    id.storage_barrier();
+}
+
+/// Devices that look for mistakes.
+fn watchful() -> [Device; 2] {
+    [devices::checked(), devices::thorough(5)]
+}
+
+#[test]
+fn what_a_storage_barrier_orders_is_no_race() {
+    let values: Vec<u32> = (0..VALUES).map(|i| i * i / 3).collect();
+    for device in watchful() {
+        let data = device.upload("data", &values).unwrap();
+        let odd = device.zeros("odd", WORKGROUPS as usize).unwrap();
+        device.run(&ReverseAndAddKernel { data: &data, odd: &odd }, VALUES, 1).unwrap();
+        let expected = values.chunks(64).flat_map(|workgroup| {
+            let odd = workgroup.iter().filter(|value| *value % 2 == 1).count() as u32;
+            workgroup.iter().rev().map(move |value| value + odd)
+        });
+        assert!(device.read(&data).unwrap().into_iter().eq(expected));
+        assert_eq!(device.read(&odd).unwrap(), [0; WORKGROUPS as usize]);
+    }
+}
+
+#[test]
+fn rows_are_sorted_without_a_race() {
+    let params = SortParams { rows: 3, columns: 256 };
+    let mut random = Random::new(1);
+    let values: Vec<_> = (0..params.rows * params.columns).map(|_| random.bits()).collect();
+    let mut expected = values.clone();
+    expected.chunks_mut(params.columns as usize).for_each(<[u32]>::sort_unstable);
+    for device in watchful() {
+        let sorted = device.upload("values", &values).unwrap();
+        device.run(&SortRowsKernel { params, values: &sorted }, 64 * params.rows, 1).unwrap();
+        assert_eq!(device.read(&sorted).unwrap(), expected);
+    }
+}
+
+#[test]
+fn a_plain_barrier_after_storage_barriers_orders_no_storage() {
+    for device in watchful() {
+        let data = device.unwritten("data", VALUES as usize).unwrap();
+        let message = device.run(&LastOneIsPlainKernel { data: &data }, VALUES, 1).unwrap_err();
+        let message = message.to_string();
+        assert!(message.contains("in the same dispatch, and no storage barrier lies between"));
+        let line = 1 + include_str!("storage_barriers.rs")
+            .lines()
+            .position(|line| line.ends_with("// another one's element"))
+            .unwrap();
+        assert!(message.contains(&format!("storage_barriers.rs:{line}:")), "{message}");
+    }
+}
+
+#[test]
+fn storage_barriers_are_declared() {
+    let device = devices::checked();
+    let data = device.unwritten("data", 64).unwrap();
+    let message = device.run(&UndeclaredKernel { data: &data }, 64, 1).unwrap_err();
+    assert!(message.to_string().contains("`#[kernel(.., storage_barriers)]`"), "{message}");
+}

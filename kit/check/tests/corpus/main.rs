@@ -40,6 +40,7 @@ corpus! {
         barrier_behind_a_vote
         barrier_for_storage
         storage_barrier_for_all_workgroups
+        storage_barrier_is_missing
         barrier_for_all_workgroups
     }
     workgroup_memory {

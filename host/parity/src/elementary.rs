@@ -1,8 +1,8 @@
 //! The case of `elementary`: the errors that the kit's functions state.
 
-use muslin::elementary::{ElementaryInputs, ElementaryParams};
 use muslin::math::MAX_ANGLE;
 use muslin_check::prelude::*;
+use organza_shaders::elementary::{ElementaryInputs, ElementaryParams};
 
 case!(pub Elementary(ElementaryInputs));
 

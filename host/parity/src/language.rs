@@ -1,9 +1,9 @@
 //! The cases of kernels that use what no kernel of organza does.
 
-use muslin::language::{
+use muslin_check::prelude::*;
+use organza_shaders::language::{
     BYTES, ByteHistogramInputs, LanguageParams, MAX_ROW, SortParams, SortRowsInputs,
 };
-use muslin_check::prelude::*;
 
 case!(pub ByteHistogram(ByteHistogramInputs));
 

@@ -1,8 +1,7 @@
 //! Storage barriers order what a workgroup does to buffers, and plain barriers do not.
 
-use muslin::language::{SortParams, SortRowsKernel};
 use muslin::prelude::*;
-use muslin_check::{devices, inputs::Random};
+use muslin_check::devices;
 use muslin_device::Device;
 
 const WORKGROUPS: u32 = 4;
@@ -64,20 +63,6 @@ fn what_a_storage_barrier_orders_is_no_race() {
         });
         assert!(device.read(&data).unwrap().into_iter().eq(expected));
         assert_eq!(device.read(&odd).unwrap(), [0; WORKGROUPS as usize]);
-    }
-}
-
-#[test]
-fn rows_are_sorted_without_a_race() {
-    let params = SortParams { rows: 3, columns: 256 };
-    let mut random = Random::new(1);
-    let values: Vec<_> = (0..params.rows * params.columns).map(|_| random.bits()).collect();
-    let mut expected = values.clone();
-    expected.chunks_mut(params.columns as usize).for_each(<[u32]>::sort_unstable);
-    for device in watchful() {
-        let sorted = device.upload("values", &values).unwrap();
-        device.run(&SortRowsKernel { params, values: &sorted }, 64 * params.rows, 1).unwrap();
-        assert_eq!(device.read(&sorted).unwrap(), expected);
     }
 }
 

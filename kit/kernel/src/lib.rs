@@ -131,7 +131,6 @@ mod casts;
 pub mod count;
 #[cfg(not(target_arch = "spirv"))]
 pub mod dual;
-pub mod elementary;
 pub mod fixed;
 #[cfg(not(target_arch = "spirv"))]
 mod fused;
@@ -144,7 +143,6 @@ pub mod invocation;
 pub mod kernel;
 pub mod lane;
 pub mod lane_vec4;
-pub mod language;
 pub mod math;
 pub mod memory;
 #[cfg(not(target_arch = "spirv"))]

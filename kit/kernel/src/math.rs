@@ -2,7 +2,7 @@
 //!
 //! For [`exp`], [`sqrt`] and [`ceil`] a GPU uses the instructions of GLSL.std.450. The CPU uses the crate `libm`, so its results do not
 //! depend on the system's C library. All others are sums, products and quotients that every device computes: the errors that
-//! they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. The kernel `elementary` tests them.
+//! they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. Organza's kernel `elementary` tests them.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;

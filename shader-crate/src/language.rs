@@ -1,6 +1,6 @@
 //! Kernels that tests run on every device, because they use what no kernel of organza does.
 
-use crate::prelude::*;
+use muslin::prelude::*;
 
 /// Parameters of the kernels of this module.
 #[params]

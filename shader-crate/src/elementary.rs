@@ -1,7 +1,7 @@
-//! The functions of [`math`](crate::math) that state an error: a device's own errors are measured with this kernel.
+//! The functions of [`math`](muslin::math) that state an error: a device's own errors are measured with this kernel.
 
-use crate::math::{abs, clamp, cos, floor, ln, mix, pow, round, sin, tan};
-use crate::prelude::*;
+use muslin::math::{abs, clamp, cos, floor, ln, mix, pow, round, sin, tan};
+use muslin::prelude::*;
 
 /// Functions of [`elementary`], in the order of its rows.
 pub const FUNCTIONS: [&str; 10] =

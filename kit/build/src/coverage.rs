@@ -33,6 +33,9 @@ pub fn as_compiler(kernels: &str) -> Option<ExitCode> {
 
 /// Runs tests, prints a summary and writes a page for each source.
 pub fn run(project: &Project, more: &[String]) -> Result<()> {
+    // before minutes are spent on compiling
+    let merge = llvm_tool("profdata")?;
+    let show = llvm_tool("cov")?;
     let folder = project.target.join("coverage");
     fs::remove_dir_all(&folder).or_else(|error| match error.kind() {
         std::io::ErrorKind::NotFound => Ok(()),
@@ -42,16 +45,15 @@ pub fn run(project: &Project, more: &[String]) -> Result<()> {
     let counts = folder.join("counts");
     let raw = fs::read_dir(&folder)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
     ensure!(!raw.is_empty(), "no test has run");
-    llvm("profdata", |tool| tool.args(["merge", "-sparse", "-o"]).arg(&counts).args(raw))?;
+    run_tool(Command::new(merge).args(["merge", "-sparse", "-o"]).arg(&counts).args(raw))?;
     let show = |how: &[&str]| {
-        llvm("cov", |tool| {
-            tool.args(how).arg(format!("-instr-profile={}", counts.display()));
-            for (index, test) in tests.iter().enumerate() {
-                // the first is the program, and others are more of them
-                tool.args((index > 0).then_some("-object")).arg(test);
-            }
-            tool.args(project.sources.iter().map(|source| project.root.join(source)))
-        })
+        let mut tool = Command::new(&show);
+        tool.args(how).arg(format!("-instr-profile={}", counts.display()));
+        for (index, test) in tests.iter().enumerate() {
+            // the first is the program, and others are more of them
+            tool.args((index > 0).then_some("-object")).arg(test);
+        }
+        run_tool(tool.args(project.sources.iter().map(|source| project.root.join(source))))
     };
     show(&["report"])?;
     let pages = folder.join("html");
@@ -71,6 +73,8 @@ fn tests_with_counts(project: &Project, more: &[String], folder: &Path) -> Resul
         let mut cargo = tool::cargo(project);
         cargo.env(AS_COMPILER, "1").env("RUSTC_WORKSPACE_WRAPPER", env::current_exe()?);
         cargo.env("LLVM_PROFILE_FILE", folder.join("%p-%m.profraw"));
+        // only what runs on the CPU is counted
+        cargo.env_remove("MUSLIN_REQUIRE_GPU");
         Ok(cargo)
     };
     let mut arguments: Vec<_> = project.coverage.split_whitespace().map(OsString::from).collect();
@@ -89,23 +93,25 @@ fn tests_with_counts(project: &Project, more: &[String], folder: &Path) -> Resul
     Ok(said.lines().filter_map(program).collect())
 }
 
-/// Runs a tool of LLVM: the one that `LLVM_COV` or `LLVM_PROFDATA` names, or the compiler's own.
-fn llvm(name: &str, arguments: impl FnOnce(&mut Command) -> &mut Command) -> Result<()> {
-    let own = || -> Result<PathBuf> {
-        let output = Command::new("rustc").args(["--print", "target-libdir"]).output()?;
-        let libraries = String::from_utf8(output.stdout)?;
-        let tool = Path::new(libraries.trim()).with_file_name("bin").join(format!("llvm-{name}"));
-        ensure!(
-            tool.exists(),
-            "there is no {}: `rustup component add llvm-tools` installs it",
-            tool.display()
-        );
-        Ok(tool)
-    };
-    let given = env::var_os(format!("LLVM_{}", name.to_uppercase())).map(PathBuf::from);
-    let tool = given.map_or_else(own, Ok)?;
-    let status = arguments(&mut Command::new(&tool)).status();
-    let status = status.with_context(|| format!("cannot run {}", tool.display()))?;
-    ensure!(status.success(), "{} failed: {status}", tool.display());
+/// Finds a tool of LLVM: the one that `LLVM_COV` or `LLVM_PROFDATA` names, or the compiler's own.
+fn llvm_tool(name: &str) -> Result<PathBuf> {
+    if let Some(given) = env::var_os(format!("LLVM_{}", name.to_uppercase())) {
+        return Ok(given.into());
+    }
+    let output = Command::new("rustc").args(["--print", "target-libdir"]).output()?;
+    let libraries = String::from_utf8(output.stdout)?;
+    let tool = Path::new(libraries.trim()).with_file_name("bin").join(format!("llvm-{name}"));
+    ensure!(
+        tool.exists(),
+        "there is no {}: `rustup component add llvm-tools` installs it",
+        tool.display()
+    );
+    Ok(tool)
+}
+
+fn run_tool(tool: &mut Command) -> Result<()> {
+    let name = tool.get_program().display().to_string();
+    let status = tool.status().with_context(|| format!("cannot run {name}"))?;
+    ensure!(status.success(), "{name} failed: {status}");
     Ok(())
 }

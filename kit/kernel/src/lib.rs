@@ -117,7 +117,6 @@
 //! The crate is compiled twice. Rust-GPU compiles it to SPIR-V, where [`memory::Read`] and [`memory::Write`] are
 //! storage buffers. For the CPU they are views of slices, and every access is checked.
 #![no_std]
-#![cfg_attr(target_arch = "spirv", feature(f16, asm_experimental_arch))]
 // the shader compiler cannot compile clippy's suggestions
 #![allow(clippy::implicit_saturating_sub, clippy::manual_range_contains, clippy::manual_clamp)]
 

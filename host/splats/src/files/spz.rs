@@ -10,7 +10,6 @@ use flate2::read::GzDecoder;
 use flate2::write::GzEncoder;
 use muslin::math::sigmoid;
 use muslin_device::memory;
-use ruzstd::decoding::StreamingDecoder;
 
 use super::{Splat, byte, invalid, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{DEGREE, HARMONICS};
@@ -240,9 +239,9 @@ pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat
             return cut(path);
         }
         let mut stream = source.by_ref().take(packed);
-        let Ok(decoder) = StreamingDecoder::new(&mut stream) else { return cut(path) };
+        let Ok(decoder) = zstd::Decoder::new(&mut stream) else { return cut(path) };
         *array = fill(decoder, unpacked as usize, path)?;
-        // the decoder stops at the end of the data, before a checksum
+        // what the decoder has left, so that the next stream begins where the table says
         io::copy(&mut stream, &mut io::sink()).or_else(|_| cut(path))?;
     }
     header.splats(&arrays)

@@ -177,7 +177,7 @@ impl Parity for Composite {
             splat: &self.splat.as_flattened().to_vec(),
             sum: &planes(&self.sum, area),
         };
-        Ok(pixels(runner.run_over(&kernel, self.side, self.tiles.len() as u32)?, area))
+        Ok(pixels(runner.run_over(&kernel, [self.side, self.side, self.tiles.len() as u32])?, area))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

@@ -168,7 +168,10 @@ impl Parity for DistortionBackward {
             valid: &self.valid,
             sum_gradient: &unwritten(4 * self.sum.len()),
         };
-        Ok(pixels(runner.run_over(&kernel, self.side, self.tiles.len() as u32)?, self.area()))
+        Ok(pixels(
+            runner.run_over(&kernel, [self.side, self.side, self.tiles.len() as u32])?,
+            self.area(),
+        ))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {

@@ -103,7 +103,7 @@ impl Parity for LossTerms {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run_over(&self.kernel(), self.params.side, TILES)
+        runner.run_over(&self.kernel(), [self.params.side, self.params.side, TILES])
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
@@ -233,7 +233,7 @@ impl Parity for LossGradient {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run_over(&self.kernel(), self.params.side, TILES)
+        runner.run_over(&self.kernel(), [self.params.side, self.params.side, TILES])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -76,7 +76,7 @@ impl Parity for Resolve {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run_over(&self.kernel(), self.params.side, tiles().len() as u32)
+        runner.run_over(&self.kernel(), [self.params.side, self.params.side, tiles().len() as u32])
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
@@ -131,7 +131,8 @@ impl Parity for ResolveBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let outputs = runner.run_over(&self.kernel(), self.params.side, tiles().len() as u32)?;
+        let outputs = runner
+            .run_over(&self.kernel(), [self.params.side, self.params.side, tiles().len() as u32])?;
         Ok(pixels(outputs, area(&self.params)))
     }
 

@@ -43,7 +43,7 @@ impl Parity for SsimRows {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run_over(&self.kernel(), self.params.side, TILES)
+        runner.run_over(&self.kernel(), [self.params.side, self.params.side, TILES])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -169,7 +169,7 @@ impl Parity for SsimColumns {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run_over(&self.kernel(), self.params.side, TILES)
+        runner.run_over(&self.kernel(), [self.params.side, self.params.side, TILES])
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
@@ -233,7 +233,7 @@ impl Parity for SsimRowsBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run_over(&self.kernel(), self.params.side, TILES)
+        runner.run_over(&self.kernel(), [self.params.side, self.params.side, TILES])
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

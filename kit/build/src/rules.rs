@@ -107,7 +107,10 @@ impl Rules<'_> {
     }
 
     fn exit(&mut self, span: Span, word: &str) {
-        let remedy = "naga miscompiles such exits; let the condition end the loop, and give the function one exit";
+        let remedy = match word {
+            "return" => "naga miscompiles such exits; put what follows into an `if`",
+            _ => "naga miscompiles such exits; let the loop's condition decide",
+        };
         self.report(span, &format!("`{word}`"), remedy);
     }
 

@@ -28,6 +28,8 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     }
     let cpu = devices::cpu(None);
     let mut failures = without_case(cases);
+    // they say what is wrong, where others have wrong values
+    checked(cases, &cpu, &mut failures);
     let plain = devices::cpus().into_iter().chain(devices::gpus(modules));
     for (name, device) in plain.chain(variants(modules)) {
         let mut rows = Vec::new();
@@ -50,9 +52,32 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
         let driver = device.arithmetic();
         println!("{}", Report { adapter, driver, path: device.backend(), kernels: rows });
     }
-    checked(cases, &cpu, &mut failures);
-    failures.dedup();
+    let failures = folded(failures);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// One line for what several devices say of a kernel.
+fn folded(failures: Vec<String>) -> Vec<String> {
+    let mut lines: Vec<[String; 3]> = Vec::new();
+    for failure in failures {
+        let parts = failure.split_once(" on ").and_then(|(kernel, rest)| {
+            let (device, what) = rest.split_once(": ")?;
+            Some([kernel, device, what].map(str::to_owned))
+        });
+        let [kernel, device, what] =
+            parts.unwrap_or_else(|| [String::new(), String::new(), failure]);
+        let same = lines.iter_mut().find(|line| line[0] == kernel && line[2] == what);
+        match same {
+            Some(line) if line[1] == device => {}
+            Some(line) => line[1] = format!("{}, {device}", line[1]),
+            None => lines.push([kernel, device, what]),
+        }
+    }
+    let line = |[kernel, device, what]: [String; 3]| match kernel.is_empty() {
+        true => what,
+        false => format!("{kernel} on {device}: {what}"),
+    };
+    lines.into_iter().map(line).collect()
 }
 
 /// The mistakes that the checked CPUs find.
@@ -71,7 +96,7 @@ fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<String>) {
             let result = case.measure(reference, device, Rounding::AsWritten);
             add_failure(failures, case, device, [name, "the CPU"], &result);
             if !is_variant && result.is_ok_and(|measure| measure.share.value > 0.0) {
-                failures.push(format!("{} on {name}: checking changes the result", case.kernel));
+                failures.push(format!("{} on {name}: the result changes where one workgroup more is run, or the order differs", case.kernel));
             }
         }
     }
@@ -96,25 +121,25 @@ fn add_failure(
         Ok(measure) if measure.is_ok() => return,
         Ok(measure) => measure,
     };
-    let of_kernel = format!("{} on ", case.kernel);
-    let is_first = !failures.iter().any(|failure| failure.starts_with(&of_kernel));
+    let of_debugger = format!("{}='{} ", debugger::STOP, case.kernel);
+    let is_first = !failures.iter().any(|failure| failure.contains(&of_debugger));
     failures.push(measure.describe(&subject, beside, case.why));
     if is_first {
         failures.extend(debugger::command(case, &measure.share));
     }
 }
 
-/// Outputs that the equations speak of too little.
+/// Outputs of which the equations give too few values.
 fn uncompared(case: &Case, measure: &Measure, name: &str) -> Vec<String> {
     let kernel = case.kernel;
     let mut failures = Vec::new();
     if measure.values == 0 {
-        failures.push(format!("{kernel} on {name}: the equations speak of nothing"));
+        failures.push(format!("{kernel} on {name}: `exact` gives no value of any output"));
     }
     for (output, [compared, written]) in &measure.compared {
         if (*compared as f64) < case.compared * *written as f64 {
             failures.push(format!(
-                "{kernel} on {name}: the equations speak of {compared} of {written} in `{output}`"
+                "{kernel} on {name}: `exact` gives {compared} of the {written} values that it writes to `{output}`, fewer than `COMPARED` asks for"
             ));
         }
     }

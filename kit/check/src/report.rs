@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::canary::Canary;
 use super::case::Case;
 use super::measure::{Measure, Worst};
 use super::parity::Rounding;
@@ -200,7 +201,17 @@ impl Measure {
         let values = self.values;
         format!(
             "{kernel}: {failures} of {values} values are too far from {beside}, the worst is `{output}[{index}]` of \"{set}\": \
-             {found:e}, not {cpu:e}; tolerance: {why}"
+             {}, not {}; tolerance: {why}",
+            number(*found),
+            number(*cpu),
         )
     }
+}
+
+/// A number, or that no kernel has written it.
+fn number(value: f64) -> String {
+    let of_floats = [f32::CANARY, f32::OTHER_CANARY].map(f64::from);
+    let of_integers = [u32::CANARY, u32::OTHER_CANARY].map(f64::from);
+    let is_canary = of_floats.contains(&value) || of_integers.contains(&value);
+    if is_canary { "unwritten".to_owned() } else { format!("{value:e}") }
 }

@@ -123,17 +123,16 @@ impl<'d> KernelRunner<'d> {
         self.run_given(kernel, |kernel| self.device.run(kernel, items.max(1), workgroups_z.max(1)))
     }
 
-    /// Like [`run`](Self::run), over the pixels of tiles: `side` x `side` invocations, with tiles along z.
+    /// Like [`run`](Self::run), over a width, a height and a depth, as [`Device::run_over`].
     ///
     /// # Errors
     /// The same errors as [`run`](Self::run).
     pub fn run_over<'a>(
         &self,
         kernel: &impl Dispatch<'a, Given>,
-        side: u32,
-        tiles: u32,
+        size: [u32; 3],
     ) -> Result<Vec<Output>> {
-        self.run_given(kernel, |kernel| self.device.run_over(kernel, [side, side, tiles]))
+        self.run_given(kernel, |kernel| self.device.run_over(kernel, size))
     }
 
     fn run_given<'a>(

@@ -63,6 +63,17 @@ pub struct SharedInfo {
     pub bytes: u32,
 }
 
+/// Structs with `#[params]`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not declared as parameters of a kernel",
+    label = "write `#[params]` above this struct"
+)]
+pub trait Params: Pod {}
+
+/// Names a struct that lacks `#[params]` when the kernel is compiled.
+#[doc(hidden)]
+pub const fn is_params<T: Params>() {}
+
 /// Most bytes of workgroup memory in a kernel: every implementation of WebGPU offers these.
 pub const MAX_WORKGROUP_BYTES: u32 = 16_384;
 

@@ -78,8 +78,10 @@ impl WorkgroupMemory {
         if !matches!(touch, Touch::Write | Touch::Store) && self.is_unwritten(element) {
             let earlier = element.atomics.iter().chain([&element.writer]).map(load);
             let before = earlier.map(|stamp| stamp >> INVOCATION_BITS).max().unwrap_or(0);
-            let when = if before >= phase::first() { " in this round" } else { "" };
-            return Some(format!("which no invocation has written{when}"));
+            let when = if before >= phase::first() { "in this round" } else { "yet" };
+            return Some(format!(
+                "which no invocation has written {when}: is a write missing, or a barrier?"
+            ));
         }
         let [first, second] = &element.atomics;
         let [reader, another] = &element.readers;

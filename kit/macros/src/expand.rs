@@ -1,8 +1,9 @@
 //! Writes everything that follows from a kernel's declaration.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
 use syn::parse_quote;
+use syn::spanned::Spanned;
 
 use crate::cpu::{cpu_run, plain_argument, run_fused, run_variant};
 use crate::fused::fused_name;
@@ -206,6 +207,13 @@ fn info(kernel: &Kernel) -> TokenStream {
             }
         })
     });
+    let kernel_name = &kernel.function.sig.ident;
+    let invocations = format!("the kernel `{kernel_name}`: a workgroup has 1 to 256 invocations");
+    let memory = format!("the kernel `{kernel_name}`: a workgroup has at most 16 KiB of memory");
+    let is_params = kernel.uniform().map(|uniform| {
+        let element = &uniform.element;
+        quote_spanned! { element.span() => ::muslin::kernel::is_params::<#element>(); }
+    });
     let all_shared = shared(kernel, true);
     let shared = shared(kernel, false);
     let variant = variant(kernel);
@@ -259,12 +267,13 @@ fn info(kernel: &Kernel) -> TokenStream {
             use ::muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
             #limit
+            #is_params
             // what every implementation of WebGPU offers
             const SIZE: [u32; 3] = [#x, #y, #z];
             const INVOCATIONS: u32 = SIZE[0].saturating_mul(SIZE[1]).saturating_mul(SIZE[2]);
-            ::core::assert!(INVOCATIONS > 0 && INVOCATIONS <= 256 && SIZE[2] <= 64, "a workgroup has 1 to 256 invocations");
+            ::core::assert!(INVOCATIONS > 0 && INVOCATIONS <= 256 && SIZE[2] <= 64, #invocations);
             ::core::assert!(!#z_serial || SIZE[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
-            ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
+            ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, #memory);
         };
     }
 }

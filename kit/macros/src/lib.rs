@@ -90,6 +90,10 @@ pub fn gradient(attribute: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn params(_: TokenStream, item: TokenStream) -> TokenStream {
     let item = syn::parse_macro_input!(item as syn::ItemStruct);
+    if let Err(error) = parse::check_params(&item) {
+        return error.into_compile_error().into();
+    }
+    let name = &item.ident;
     quote::quote! {
         #[repr(C)]
         #[derive(
@@ -99,6 +103,9 @@ pub fn params(_: TokenStream, item: TokenStream) -> TokenStream {
         )]
         #[bytemuck(crate = "::muslin::dependencies::bytemuck")]
         #item
+
+        #[cfg(not(target_arch = "spirv"))]
+        impl ::muslin::kernel::Params for #name {}
     }
     .into()
 }

@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
 use syn::{
-    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, Pat, Path, PathArguments, PathSegment,
-    Result, Stmt, Type, TypeParamBound, parse_quote,
+    Error, Expr, FnArg, GenericArgument, Ident, ItemFn, ItemStruct, Pat, Path, PathArguments,
+    PathSegment, Result, Stmt, Type, TypeParamBound, parse_quote,
 };
 
 use crate::checks::first_loop;
@@ -268,7 +268,11 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
         if sizes.is_empty() || sizes.len() > 3 {
             return Err(meta.error("expected one to three sizes"));
         }
-        let mut sizes = sizes.into_iter();
+        // lengths of workgroup memory are `usize`, and one constant serves both
+        let mut sizes = sizes.into_iter().map(|size| match size {
+            Expr::Lit(_) => size,
+            size => parse_quote!(((#size) as u32)),
+        });
         threads = Some([(); 3].map(|()| sizes.next().unwrap_or_else(|| parse_quote!(1))));
         Ok(())
     });
@@ -345,12 +349,11 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
         return Err(Error::new(argument.ty.span(), message));
     }
     let is_buffer = matches!(role, Role::Read | Role::Write);
-    if let Some(segment) = last_segment(&element)
-        && let Some((_, advice)) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)
+    if let Some((segment, advice)) = with_another_layout(&element)
         && is_buffer
     {
         let message = format!(
-            "the elements of `{name}` are `{}`, which have another layout on a GPU than in Rust: use {advice}",
+            "the elements of `{name}` are `{}`, which a GPU lays out in another way than Rust, or lacks: use {advice}",
             segment.ident
         );
         return Err(Error::new(argument.ty.span(), message));
@@ -358,12 +361,42 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     Ok(Parameter { name, role, element })
 }
 
+/// Refuses a struct of parameters with a field that a GPU reads in another way.
+pub fn check_params(item: &ItemStruct) -> Result<()> {
+    for field in &item.fields {
+        let name = field.ident.as_ref().map_or_else(String::new, ToString::to_string);
+        let structure = &item.ident;
+        let message = match (&field.ty, with_another_layout(&field.ty)) {
+            (Type::Array(_), _) => format!(
+                "`{name}` of `{structure}` is an array, which a GPU lays out in another way than Rust: use one field for each value"
+            ),
+            (_, Some((segment, advice))) => format!(
+                "`{name}` of `{structure}` is `{}`, which a GPU lays out in another way than Rust, or lacks: use {advice}",
+                segment.ident
+            ),
+            _ => continue,
+        };
+        return Err(Error::new(field.ty.span(), message));
+    }
+    Ok(())
+}
+
+/// A type of [`WITH_ANOTHER_LAYOUT`], and what to use instead.
+fn with_another_layout(ty: &Type) -> Option<(&PathSegment, &'static str)> {
+    let segment = last_segment(ty)?;
+    let (_, advice) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)?;
+    Some((segment, advice))
+}
+
 fn is_path(ty: &Type, name: &str) -> bool {
     matches!(ty, Type::Path(path) if path.path.is_ident(name))
 }
 
 /// Types that no buffer has, and what has the same layout on every device. The kernel builder finds structs of them.
-const WITH_ANOTHER_LAYOUT: [(&str, &str); 11] = [
+const WITH_ANOTHER_LAYOUT: [(&str, &str); 14] = [
+    ("f64", "`f32`"),
+    ("u64", "two `u32`"),
+    ("i64", "two `u32`"),
     ("u8", "`Packed<u8>`, or `u32`"),
     ("u16", "`Packed<u16>`, or `u32`"),
     ("bool", "`u32`"),

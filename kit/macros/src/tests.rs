@@ -3,7 +3,7 @@
 use quote::quote;
 
 use crate::expand::expand;
-use crate::parse::Kernel;
+use crate::parse::{Kernel, check_params};
 
 /// The error of a kernel with these options, parameters and body.
 fn refusal(
@@ -48,14 +48,32 @@ fn elements_have_one_layout() {
         (quote!(Vec3), "three `f32`, or `Vec4`"),
         (quote!(bool), "`u32`"),
         (quote!(u8), "`Packed<u8>`, or `u32`"),
+        (quote!(f64), "`f32`"),
     ];
     for (ty, advice) in types {
         let message = refusal(quote!(), quote!(input: Read<glam::#ty>), quote!());
-        let start = format!("the elements of `input` are `{ty}`, which have another layout");
+        let start =
+            format!("the elements of `input` are `{ty}`, which a GPU lays out in another way");
         assert!(message.starts_with(&start) && message.ends_with(advice), "{message}");
         // workgroup memory is not shared with the host
         assert_eq!(refusal(quote!(), quote!(values: Shared<#ty, 64>), quote!()), "");
     }
+}
+
+#[test]
+fn parameters_are_plain_numbers() {
+    let error = |fields| {
+        let item = syn::parse2(quote!(pub struct Size { #fields })).unwrap();
+        check_params(&item).err().map_or_else(String::new, |error| error.to_string())
+    };
+    assert_eq!(error(quote!(pub width: u32, pub scale: f32)), "");
+    let message = error(quote!(pub width: u32, pub offset: u64));
+    assert_eq!(
+        message,
+        "`offset` of `Size` is `u64`, which a GPU lays out in another way than Rust, or lacks: use two `u32`"
+    );
+    let message = error(quote!(pub sizes: [u32; 4]));
+    assert!(message.starts_with("`sizes` of `Size` is an array"), "{message}");
 }
 
 #[test]

@@ -11,16 +11,14 @@ use muslin_check::KernelRunner;
 use muslin_device::{Buffer, Device, DeviceOptions, Error, Host, Modules};
 
 /// A number of items.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct Count {
     /// Items.
     pub count: u32,
 }
 
 /// The size of an image.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct Size {
     /// Columns.
     pub width: u32,

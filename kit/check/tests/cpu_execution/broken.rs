@@ -75,8 +75,7 @@ pub fn stale_round(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) 
 }
 
 /// Parameters of [`histogram`].
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[params]
 pub struct HistogramParams {
     /// Number of values.
     pub count: u32,

@@ -15,7 +15,7 @@ pub const BYTES: usize = 256;
 const BINS: usize = 2 * BYTES;
 
 /// Adds to `bins [2 * 256]` how often each value of a byte is among `bytes [count]`, and each upper half of `halves [count]`.
-#[kernel(threads(BYTES as u32))]
+#[kernel(threads(BYTES))]
 pub fn byte_histogram(
     id: Invocation,
     params: &LanguageParams,

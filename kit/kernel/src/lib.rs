@@ -157,6 +157,7 @@ pub mod prelude;
 pub mod running;
 pub mod samples;
 pub mod shared_tile;
+pub mod subgroup;
 #[cfg(not(target_arch = "spirv"))]
 mod wide;
 #[cfg(not(target_arch = "spirv"))]

@@ -36,7 +36,7 @@ use std::{borrow::ToOwned, format, vec};
 use bytemuck::Pod;
 use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, Yielder};
-use glam::UVec3;
+use glam::{UVec3, UVec4};
 
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
@@ -44,6 +44,7 @@ use crate::memory::{AccessMonitor, Shared};
 use crate::path::{self, Step};
 use crate::phase;
 use crate::running::{self, unlinear};
+use crate::subgroup::Operation;
 use crate::workgroup_memory::WorkgroupMemory;
 
 /// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
@@ -52,25 +53,52 @@ const STACK: usize = 64 << 10;
 /// Workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
 const UNWRITTEN: u128 = u128::MAX;
 
-/// The barrier that an invocation waits at.
+/// What an invocation waits at: a barrier, or an operation of its subgroup.
 #[derive(Clone, Copy, PartialEq)]
-struct Barrier {
+struct Stop {
     /// Place in the source.
     at: &'static Location<'static>,
     /// The branches and loops around it. The waiting coroutine owns it, so it lives until that is resumed or dropped.
     path: &'static [Step],
+    /// The subgroup's operation; `None` at a barrier.
+    operation: Option<Operation>,
 }
 
-/// An invocation.
-type Body = Coroutine<(), Barrier, (), DefaultStack>;
+/// An invocation. It waits with the bits of its value for its subgroup, and goes on with the result.
+type Body = Coroutine<UVec4, (Stop, u32), (), DefaultStack>;
 
 std::thread_local! {
     static STACKS: RefCell<Vec<DefaultStack>> = const { RefCell::new(Vec::new()) };
-    static CURRENT: Cell<*const Yielder<(), Barrier>> = const { Cell::new(ptr::null()) };
+    static CURRENT: Cell<*const Yielder<UVec4, (Stop, u32)>> = const { Cell::new(ptr::null()) };
+    /// Number of lanes of a subgroup, in a kernel that declares them.
+    static SUBGROUP_SIZE: Cell<Option<u32>> = const { Cell::new(None) };
 }
 
 /// Suspends the current coroutine until its workgroup has reached the barrier.
 fn wait(at: &'static Location<'static>) {
+    suspend(at, None, 0);
+}
+
+/// Suspends the current coroutine until its subgroup has reached the operation. Returns its result.
+#[track_caller]
+pub(crate) fn meet(operation: Operation, bits: u32) -> UVec4 {
+    subgroup_size();
+    suspend(Location::caller(), Some(operation), bits)
+}
+
+/// Number of lanes of a subgroup.
+#[track_caller]
+pub(crate) fn subgroup_size() -> u32 {
+    let size = SUBGROUP_SIZE.get().filter(|_| !CURRENT.get().is_null());
+    size.unwrap_or_else(|| match running::current() {
+        Some(_) => panic!("a kernel with subgroups says so, `#[kernel(.., subgroups)]`"),
+        None => panic!(
+            "a subgroup, and no other invocation runs: a test calls a kernel with subgroups through `muslin::workgroup::Workgroup`"
+        ),
+    })
+}
+
+fn suspend(at: &'static Location<'static>, operation: Option<Operation>, bits: u32) -> UVec4 {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let invocation = running::invocation();
@@ -79,17 +107,18 @@ fn wait(at: &'static Location<'static>) {
     // SAFETY: nobody looks at it after this coroutine was resumed or dropped, and until then `path` is not touched
     let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
-    unsafe { &*yielder }.suspend(Barrier { at, path: steps });
+    let result = unsafe { &*yielder }.suspend((Stop { at, path: steps, operation }, bits));
     // other coroutines ran meanwhile
     CURRENT.set(yielder);
     running::enter(invocation);
     running::allow_iterations(left);
     path::set(path);
+    result
 }
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
 /// `shared` after the bindings, and every access to it is checked if it `is_watched`. `order` has the indices of the invocations, if it
-/// is not the usual one.
+/// is not the usual one. `subgroup_size` is that of a kernel with subgroups.
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.
@@ -105,6 +134,7 @@ pub unsafe fn run_bound(
     bindings: &[CpuBinding],
     [workgroup, workgroups]: [UVec3; 2],
     order: Option<&[u64]>,
+    subgroup_size: Option<u32>,
     is_watched: bool,
 ) -> Result<(), String> {
     let watch = |shared: &SharedInfo| is_watched.then(|| WorkgroupMemory::new(shared.len));
@@ -128,7 +158,7 @@ pub unsafe fn run_bound(
     // a thread, so only one at a time touches memory.
     let body = |id| unsafe { run(bindings, id) };
     let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
-    run_to_end(place, &body, order).map_err(|reason| match reason {
+    run_to_end(place, &body, order, subgroup_size).map_err(|reason| match reason {
         Failure::Divergence(reason) => format!("{reason}, in workgroup {workgroup}"),
         Failure::Memory(reason) => reason,
     })
@@ -146,13 +176,15 @@ fn run_to_end(
     place: Invocation,
     run: &dyn Fn(Invocation),
     order: Option<&[u64]>,
+    subgroup_size: Option<u32>,
 ) -> Result<(), Failure> {
     let size = place.size;
     phase::next();
     phase::begin(size);
+    SUBGROUP_SIZE.set(subgroup_size);
     let new = |index: u32| {
         let id = Invocation { local: unlinear(index.into(), size), wait, ..place };
-        let body = move |yielder: &Yielder<(), Barrier>, ()| {
+        let body = move |yielder: &Yielder<UVec4, (Stop, u32)>, _| {
             CURRENT.set(yielder);
             running::enter(index);
             run(id);
@@ -161,16 +193,22 @@ fn run_to_end(
         unsafe { Coroutine::with_stack_unchecked(take_stack(), body) }
     };
     let mut invocations: Vec<Body> = (0..size.element_product()).map(new).collect();
+    let mut stops = vec![None; invocations.len()];
+    // the values of subgroups, then their results
+    let mut values = vec![UVec4::ZERO; invocations.len()];
     loop {
-        let mut waiting = vec![None; invocations.len()];
         for step in 0..invocations.len() {
             let index = order.map_or(step, |order| order[step] as usize);
             let invocation = &mut invocations[index];
-            if invocation.done() {
+            if invocation.done() || stops[index].is_some() {
                 continue;
             }
-            match catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield())) {
-                Ok(barrier) => waiting[index] = barrier,
+            match catch_unwind(AssertUnwindSafe(|| invocation.resume(values[index]).as_yield())) {
+                Ok(None) => {}
+                Ok(Some((stop, bits))) => {
+                    stops[index] = Some(stop);
+                    values[index] = UVec4::splat(bits);
+                }
                 Err(panic) => {
                     give_up(invocations);
                     // it may have panicked because of a wrong value
@@ -182,18 +220,25 @@ fn run_to_end(
             }
         }
         CURRENT.set(ptr::null());
-        let failure = if waiting.iter().any(|barrier| *barrier != waiting[0]) {
-            Some(Failure::Divergence(divergence(&waiting, size)))
-        } else {
-            phase::take_conflict().map(Failure::Memory)
+        let met =
+            subgroup_size.map_or(Ok(false), |of| subgroups_meet(of, size, &mut stops, &mut values));
+        let failure = match met {
+            // those that wait at barriers go on waiting
+            Ok(true) => continue,
+            Ok(false) if stops.iter().any(|stop| *stop != stops[0]) => {
+                Some(Failure::Divergence(divergence("a barrier", &stops, 0, size)))
+            }
+            Ok(false) => phase::take_conflict().map(Failure::Memory),
+            Err(reason) => Some(Failure::Divergence(reason)),
         };
         if let Some(failure) = failure {
             give_up(invocations);
             return Err(failure);
         }
-        if waiting[0].is_none() {
+        if stops[0].is_none() {
             break;
         }
+        stops.fill(None);
         phase::next();
     }
     for invocation in invocations {
@@ -201,6 +246,33 @@ fn run_to_end(
     }
     path::take();
     Ok(())
+}
+
+/// Runs the operations that subgroups wait at: their lanes go on, with the results. Returns whether there was one.
+fn subgroups_meet(
+    subgroup_size: u32,
+    size: UVec3,
+    stops: &mut [Option<Stop>],
+    values: &mut [UVec4],
+) -> Result<bool, String> {
+    let mut met = false;
+    let lanes = subgroup_size as usize;
+    for (subgroup, (stops, values)) in
+        stops.chunks_mut(lanes).zip(values.chunks_mut(lanes)).enumerate()
+    {
+        let Some(operation) = stops.iter().flatten().find_map(|stop| stop.operation) else {
+            continue;
+        };
+        if stops.iter().any(|stop| *stop != stops[0]) {
+            let reason = divergence("a subgroup's operation", stops, subgroup * lanes, size);
+            return Err(format!("{reason}, in a subgroup of {subgroup_size}"));
+        }
+        let bits: Vec<_> = values.iter().map(|value| value.x).collect();
+        values.fill(operation.of(&bits));
+        stops.fill(None);
+        met = true;
+    }
+    Ok(met)
 }
 
 /// Forgets the workgroup that the thread has left in the middle.
@@ -218,16 +290,17 @@ fn give_up(invocations: Vec<Body>) {
     running::silence(false);
 }
 
-/// Lists which invocations wait at which barrier, if they do not all wait at the same one.
-fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
+/// Lists which invocations wait at which barrier or operation, if they do not all wait at the same one. `begin` is the first one's index.
+fn divergence(what: &str, stops: &[Option<Stop>], begin: usize, size: UVec3) -> String {
     let (first, others): (Vec<_>, Vec<_>) =
-        (0..waiting.len()).partition(|&index| waiting[index] == waiting[0]);
-    let ways = [waiting[first[0]], waiting[others[0]]];
+        (0..stops.len()).partition(|&index| stops[index] == stops[0]);
+    let ways = [stops[first[0]], stops[others[0]]];
     let side = |indices: &[usize]| {
-        let place = unlinear(indices[0] as u64, size);
-        let does = match waiting[indices[0]] {
-            Some(barrier) => {
-                format!("waits at the barrier of {}{}", barrier.at, way(barrier, ways))
+        let place = unlinear((begin + indices[0]) as u64, size);
+        let does = match stops[indices[0]] {
+            Some(stop) => {
+                let kind = if stop.operation.is_some() { "operation" } else { "barrier" };
+                format!("waits at the {kind} of {}{}", stop.at, way(stop, ways))
             }
             None => "has ended".to_owned(),
         };
@@ -238,11 +311,11 @@ fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
     };
     let first = side(&first);
     let others = side(&others);
-    format!("a barrier in divergent control flow: {first}, while {others}")
+    format!("{what} in divergent control flow: {first}, while {others}")
 }
 
-/// How an invocation came to its barrier, if two came to the same one on different paths.
-fn way(own: Barrier, ways: [Option<Barrier>; 2]) -> String {
+/// How an invocation came to its stop, if two came to the same one on different paths.
+fn way(own: Stop, ways: [Option<Stop>; 2]) -> String {
     let [Some(first), Some(second)] = ways else { return String::new() };
     if first.at != second.at {
         return String::new();
@@ -265,19 +338,26 @@ pub struct Workgroup {
     size: UVec3,
     place: UVec3,
     among: UVec3,
+    subgroup_size: u32,
 }
 
 impl Workgroup {
     /// The only workgroup of a dispatch. `size` is the kernel's `threads`.
     #[must_use]
     pub fn new(size: [u32; 3]) -> Self {
-        Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE }
+        Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE, subgroup_size: 32 }
     }
 
     /// Places the workgroup at `place` in a dispatch of `among` workgroups.
     #[must_use]
     pub fn at(self, place: [u32; 3], among: [u32; 3]) -> Self {
         Self { place: place.into(), among: among.into(), ..self }
+    }
+
+    /// Divides the workgroup into subgroups of `size`: one of [`SIZES`](crate::subgroup::SIZES). Otherwise they have 32 lanes.
+    #[must_use]
+    pub fn subgroups(self, size: u32) -> Self {
+        Self { subgroup_size: size, ..self }
     }
 
     /// Calls `kernel` for every invocation.
@@ -288,7 +368,7 @@ impl Workgroup {
     #[track_caller]
     pub fn run(&self, kernel: impl Fn(Invocation)) {
         let place = Invocation::new(UVec3::ZERO, self.place, self.among, self.size);
-        match run_to_end(place, &kernel, None) {
+        match run_to_end(place, &kernel, None, Some(self.subgroup_size)) {
             Ok(()) => {}
             Err(Failure::Divergence(reason) | Failure::Memory(reason)) => panic!("{reason}"),
         }

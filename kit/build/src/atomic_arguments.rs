@@ -1,8 +1,8 @@
-//! Copies arguments of atomics that come from another block.
+//! Copies arguments of atomics and of subgroups' operations that come from another block.
 //!
 //! naga's SPIR-V reader uses an atomic's argument directly, even if it was computed in a loop that has ended. It then
-//! refuses the module: "NotInScope". For every other instruction, it carries such a value out of the loop in a
-//! variable. So this pass copies the argument first, next to the atomic.
+//! refuses the module: "NotInScope". On such an argument of a subgroup's operation, it panics. For every other instruction, it carries such a value out of the loop in a
+//! variable. So this pass copies the argument first, next to the instruction.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use anyhow::{Context, Result};
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
-/// Copies the arguments of all atomics that were computed in another block.
+/// Copies the arguments of all these instructions that were computed in another block.
 pub fn copy(module: &mut Module) -> Result<()> {
     let mut bound = module.header.as_ref().context("the module has no header")?.bound;
     for function in &mut module.functions {
@@ -55,10 +55,11 @@ pub fn copy(module: &mut Module) -> Result<()> {
     Ok(())
 }
 
-/// The arguments of an atomic, after its pointer.
+/// The arguments of an atomic, after its pointer, or of a subgroup's operation, after its scope.
 fn arguments(instruction: &mut Instruction) -> impl Iterator<Item = &mut Word> {
-    let is_atomic = instruction.class.opname.starts_with("Atomic");
-    let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_atomic);
+    let name = instruction.class.opname;
+    let is_meant = name.starts_with("Atomic") || name.starts_with("GroupNonUniform");
+    let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_meant);
     operands.filter_map(|operand| match operand {
         Operand::IdRef(id) => Some(id),
         _ => None,

@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 
-/// Translates a module to WGSL; `None` if it needs an extension of WebGPU, such as 16-bit floats.
+/// Translates a module to WGSL; `None` if it needs an extension of WebGPU: 16-bit floats or subgroups.
 #[cfg(feature = "wgsl")]
 pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
     use naga::back::wgsl::{WriterFlags, write_string};
@@ -18,9 +18,10 @@ pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
         Err(error) => bail!("naga cannot read the module: {error}"),
     };
     let validate = |offered| Validator::new(ValidationFlags::all(), offered).validate(&module);
+    let extensions = Capabilities::SHADER_FLOAT16 | Capabilities::SUBGROUP;
     let info = match validate(Capabilities::empty()) {
         Ok(info) => info,
-        Err(_) if validate(Capabilities::SHADER_FLOAT16).is_ok() => return Ok(None),
+        Err(_) if validate(extensions).is_ok() => return Ok(None),
         Err(error) => bail!("the module is not for browsers: {:?}", error.into_inner()),
     };
     let text = write_string(&module, &info, WriterFlags::empty())?;

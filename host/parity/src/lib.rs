@@ -108,5 +108,7 @@ pub fn cases() -> Vec<Case> {
         Case::new::<elementary::Elementary>(),
         Case::new::<language::ByteHistogram>(),
         Case::new::<language::SortRows>(),
+        Case::new::<language::RowRanges>(),
+        Case::new::<language::KeepEven>(),
     ]
 }

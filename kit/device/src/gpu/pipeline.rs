@@ -41,6 +41,12 @@ impl Pipelines {
             return Ok(pipeline.clone());
         }
         let point = self.variants.entry_point(kernel);
+        if kernel.subgroups && !device.features().contains(wgpu::Features::SUBGROUP) {
+            let reason = "it has operations of subgroups, and this GPU's driver offers none: choose another GPU with \
+                `--adapter`, or the CPU"
+                .into();
+            return Err(Error::Kernel { kernel: point.name.into(), reason });
+        }
         let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
         let module = module(device, kernel, &point, self.spirv, self.modules)?;
         let pipeline = Arc::new(make(device, kernel, &point, &module));

@@ -36,8 +36,8 @@ enum Other {
     Flushing(Order),
     /// A multiplication and an addition round once.
     Fused(Order),
-    /// Subgroups of another size.
-    Subgroups(Order, u32),
+    /// Subgroups of other sizes: the usual one and this.
+    Subgroups(Order, [u32; 2]),
 }
 
 /// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
@@ -52,7 +52,9 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let can_fuse = job.info.run_fused.is_some() && !is_variant;
     let fused = can_fuse.then_some(Other::Fused(order));
     let sizes = subgroup::SIZES.into_iter().filter(|size| *size != cpu.subgroup_size);
-    let sizes = sizes.filter(|_| job.info.subgroups).map(|size| Other::Subgroups(order, size));
+    let sizes = sizes
+        .filter(|_| job.info.subgroups)
+        .map(|size| Other::Subgroups(order, [cpu.subgroup_size, size]));
     let others = [Other::Order(reverse), Other::Flushing(order)];
     for other in others.into_iter().chain(fused).chain(sizes) {
         restore(&outputs, &before);
@@ -80,7 +82,7 @@ impl Other {
                 Self::Order(order) => RunMode { order: Some(order), ..usual },
                 Self::Flushing(order) => RunMode { order: Some(order), is_flushing: true, ..usual },
                 Self::Fused(order) => RunMode { order: Some(order), is_fused: true, ..usual },
-                Self::Subgroups(order, size) => {
+                Self::Subgroups(order, [_, size]) => {
                     RunMode { order: Some(order), subgroup_size: Some(size), ..usual }
                 }
             },
@@ -97,7 +99,7 @@ impl Other {
             Self::Order(_) => "in the reverse order".into(),
             Self::Flushing(_) => "where denormals are flushed to zero".into(),
             Self::Fused(_) => "where multiplications and additions are fused".into(),
-            Self::Subgroups(_, size) => format!("in subgroups of {size}"),
+            Self::Subgroups(_, [_, size]) => format!("in subgroups of {size}"),
         }
     }
 
@@ -107,6 +109,9 @@ impl Other {
         match self {
             Self::Order(Order { seed, .. }) => format!(
                 "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} {place} (seed {seed})"
+            ),
+            Self::Subgroups(_, [size, _]) => format!(
+                "element {element} of `{name}` depends on the size of subgroups: it is {usual} in subgroups of {size}, and {other} {place}"
             ),
             _ => format!(
                 "element {element} of `{name}` depends on the device: it is {usual}, and {other} {place}"

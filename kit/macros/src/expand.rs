@@ -269,12 +269,12 @@ fn info(kernel: &Kernel) -> TokenStream {
             use ::muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
             #limit
-            // what every implementation of WebGPU offers
-            const SIZE: [u32; 3] = [#x, #y, #z];
-            const INVOCATIONS: u32 = SIZE[0].saturating_mul(SIZE[1]).saturating_mul(SIZE[2]);
-            ::core::assert!(INVOCATIONS > 0 && INVOCATIONS <= 256 && SIZE[2] <= 64, "a workgroup has 1 to 256 invocations");
-            ::core::assert!(!#z_serial || SIZE[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
-            ::core::assert!(!#subgroups || SIZE[1] == 1 && SIZE[2] == 1, "`subgroups` takes workgroups along x: `threads(x)`");
+            // what every implementation of WebGPU offers; constants here would hide those that `threads` names
+            let size: [u32; 3] = [#x, #y, #z];
+            let invocations: u32 = size[0].saturating_mul(size[1]).saturating_mul(size[2]);
+            ::core::assert!(invocations > 0 && invocations <= 256 && size[2] <= 64, "a workgroup has 1 to 256 invocations");
+            ::core::assert!(!#z_serial || size[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
+            ::core::assert!(!#subgroups || size[1] == 1 && size[2] == 1, "`subgroups` takes workgroups along x: `threads(x)`");
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, "a workgroup has 16 KiB of memory");
         };
     }

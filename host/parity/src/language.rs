@@ -1,8 +1,8 @@
 //! The cases of kernels that use what no kernel of organza does.
 
 use muslin::language::{
-    BYTES, ByteHistogramInputs, KeepEvenInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams,
-    RowRangesInputs, SortParams, SortRowsInputs,
+    BYTES, ByteHistogramInputs, KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW,
+    RowParams, SortParams, SortRowsInputs,
 };
 use muslin_check::prelude::*;
 
@@ -62,89 +62,54 @@ impl Parity for SortRows {
     }
 }
 
-/// Rows that subgroups of some size fill, and rows that none fills.
-const ROWS: [RowParams; 6] = [
-    RowParams { rows: 5, columns: 1 },
-    RowParams { rows: 1, columns: 31 },
-    RowParams { rows: 3, columns: 96 },
-    RowParams { rows: 2, columns: 97 },
-    RowParams { rows: 4, columns: 1000 },
-    RowParams { rows: 1, columns: MAX_COLUMNS },
-];
+case!(pub KeepPositive(KeepPositiveInputs));
 
-fn rows<T, P>(value: fn(u32) -> T, set: fn(RowParams, Vec<T>) -> P) -> Vec<(String, P)> {
-    let of = |params: RowParams| {
-        let mut random = Random::new(params.columns.into());
-        let values = (0..params.rows * params.columns).map(|_| value(random.bits())).collect();
-        (format!("{} rows of {}", params.rows, params.columns), set(params, values))
-    };
-    ROWS.map(of).into()
-}
-
-case!(pub RowRanges(RowRangesInputs));
-
-impl Parity for RowRanges {
-    const KERNEL: &'static str = "row_ranges";
-    const WHY: &'static str =
-        "multiples of 1/8 up to 128, whose sums have no rounding error in any order";
+impl Parity for KeepPositive {
+    const KERNEL: &'static str = "keep_positive";
+    const WHY: &'static str = "multiples of 1/8 up to 128, whose sums are exact in any order";
 
     fn sets() -> Vec<(String, Self)> {
-        let value = |bits: u32| (bits % 2049) as f32 / 8.0 - 128.0;
-        rows(value, |params, values| {
-            Self(RowRangesInputs { params, values, output: unwritten(3 * params.rows as usize) })
-        })
+        let set = |[rows, columns]: [u32; 2]| {
+            let mut random = Random::new(columns.into());
+            let number = |bits: u32| (bits % 2049) as f32 / 8.0 - 128.0;
+            let values: Vec<_> = (0..rows * columns).map(|_| number(random.bits())).collect();
+            let inputs = KeepPositiveInputs {
+                params: RowParams { rows, columns },
+                kept: unwritten(values.len()),
+                output: unwritten(4 * rows as usize),
+                values,
+            };
+            (format!("{rows} rows of {columns}"), Self(inputs))
+        };
+        [[5, 1], [1, 31], [3, 96], [2, 97], [4, 1000], [1, MAX_COLUMNS]].map(set).into()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), 96 * self.params.rows, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let rows = self.values.chunks_exact(self.params.columns as usize);
-        let all = rows.flat_map(|row| {
-            let row = || row.iter().copied().map(f64::from);
-            [row().sum(), row().fold(f64::INFINITY, f64::min), row().fold(-f64::INFINITY, f64::max)]
-        });
-        all.map(Some).collect()
-    }
-}
-
-case!(pub KeepEven(KeepEvenInputs));
-
-impl Parity for KeepEven {
-    const KERNEL: &'static str = "keep_even";
-
-    fn sets() -> Vec<(String, Self)> {
-        rows(
-            |bits| bits,
-            |params, values| {
-                let kept = unwritten(values.len());
-                let counts = unwritten(params.rows as usize);
-                Self(KeepEvenInputs { params, values, kept, counts })
-            },
-        )
-    }
-
-    /// The rows of the output are sorted, because their values come in any order.
+    /// The kept values come in any order, so they are sorted.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let mut outputs = runner.run(&self.kernel(), 96 * self.params.rows, 1)?;
-        if let Values::Exact(kept) = &mut outputs[0].values {
-            kept.chunks_exact_mut(self.params.columns as usize).for_each(<[u32]>::sort_unstable);
+        if let Values::Float(kept) = &mut outputs[0].values {
+            kept.chunks_exact_mut(self.params.columns as usize).for_each(sort);
         }
         Ok(outputs)
     }
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
-        let rows = self.values.chunks_exact(self.params.columns as usize);
-        let of = |row: &[u32]| match output {
-            "kept" => {
-                let mut kept: Vec<_> =
-                    row.iter().map(|&value| if value % 2 == 0 { value } else { 1 }).collect();
-                kept.sort_unstable();
-                kept
+        let of = |row: &[f32]| {
+            let values: Vec<_> = row.iter().copied().map(f64::from).collect();
+            let mut kept: Vec<_> = values.iter().map(|value| value.max(0.0)).collect();
+            let count = kept.iter().filter(|value| **value > 0.0).count() as f64;
+            let [low, high] =
+                [values.iter().copied().reduce(f64::min), values.iter().copied().reduce(f64::max)];
+            sort(&mut kept);
+            match output {
+                "kept" => kept.into_iter().map(Some).collect(),
+                _ => vec![Some(count), Some(values.iter().sum()), low, high],
             }
-            _ => vec![row.iter().filter(|value| **value % 2 == 0).count() as u32],
         };
-        rows.flat_map(of).map(|value| Some(value.into())).collect()
+        self.values.chunks_exact(self.params.columns as usize).flat_map(of).collect()
     }
+}
+
+fn sort(row: &mut [f64]) {
+    row.sort_unstable_by(f64::total_cmp);
 }

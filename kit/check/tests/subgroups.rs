@@ -1,9 +1,8 @@
 //! Subgroups of every size: what they compute, and what is said of wrong ones.
 
-use muslin::language::{KeepEvenKernel, RowParams, RowRangesKernel};
 use muslin::prelude::*;
 use muslin::subgroup::SIZES;
-use muslin_check::{devices, inputs::Random};
+use muslin_check::devices;
 use muslin_device::{Device, DeviceOptions, Error, Modules};
 
 const INVOCATIONS: u32 = 96;
@@ -98,33 +97,6 @@ fn operations_are_those_of_the_lanes() {
                 assert_eq!(floats[4 * at..4 * at + 4], expected, "{size}: {at}");
             }
         }
-    }
-}
-
-#[test]
-fn kernels_take_every_size() {
-    let params = RowParams { rows: 3, columns: 1000 };
-    let mut random = Random::new(1);
-    let values: Vec<_> = (0..params.rows * params.columns).map(|_| random.below(1000)).collect();
-    let rows = values.chunks_exact(params.columns as usize);
-    let ranges = rows.clone().flat_map(|row| {
-        [row.iter().sum(), *row.iter().min().unwrap(), *row.iter().max().unwrap()].map(|x| x as f32)
-    });
-    let counts = rows.map(|row| row.iter().filter(|value| *value % 2 == 0).count() as u32);
-    let floats: Vec<_> = values.iter().map(|value| *value as f32).collect();
-    let thorough = (0..SIZES.len()).map(|seed| (0, devices::thorough(seed as u64)));
-    for (size, device) in every_size().chain(thorough) {
-        let input = device.upload("values", &floats).unwrap();
-        let output = device.unwritten("output", 3 * params.rows as usize).unwrap();
-        let kernel = RowRangesKernel { params, values: &input, output: &output };
-        device.run(&kernel, INVOCATIONS * params.rows, 1).unwrap();
-        assert!(device.read(&output).unwrap().into_iter().eq(ranges.clone()), "{size}");
-        let input = device.upload("values", &values).unwrap();
-        let kept = device.unwritten("kept", values.len()).unwrap();
-        let found = device.unwritten("counts", params.rows as usize).unwrap();
-        let kernel = KeepEvenKernel { params, values: &input, kept: &kept, counts: &found };
-        device.run(&kernel, INVOCATIONS * params.rows, 1).unwrap();
-        assert!(device.read(&found).unwrap().into_iter().eq(counts.clone()), "{size}");
     }
 }
 

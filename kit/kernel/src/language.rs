@@ -84,7 +84,7 @@ pub fn sort_rows(id: Invocation, params: &SortParams, values: Write<u32>) {
     }
 }
 
-/// Parameters of [`row_ranges`] and [`keep_even`].
+/// Parameters of [`keep_positive`].
 #[params]
 pub struct RowParams {
     /// Number of rows.
@@ -93,110 +93,82 @@ pub struct RowParams {
     pub columns: u32,
 }
 
-/// Most values of a row of [`row_ranges`] and [`keep_even`].
+/// Most values of a row of [`keep_positive`].
 pub const MAX_COLUMNS: u32 = 4096;
 /// Invocations of a row: subgroups of 64 and of 128 have lanes that are missing.
 const ROW: u32 = 96;
 /// Most subgroups of a row.
 const MAX_PARTS: u32 = ROW / SIZES[0];
 
-/// Of each row of `values [rows, columns]`, the sum, the smallest and the largest value: `output [rows, 3]`. A row has at least one value.
-#[kernel(threads(ROW), subgroups, iterations = MAX_COLUMNS.div_ceil(ROW) + MAX_PARTS)]
-pub fn row_ranges(
+/// Of each row of `values [rows, columns]`: the positive ones in any order, then zeros, to `kept [rows, columns]`; and how many these are,
+/// then the sum, the smallest and the largest value of the row, to `output [rows, 4]`.
+#[kernel(threads(ROW), subgroups, iterations = 2 * MAX_COLUMNS.div_ceil(ROW) + MAX_PARTS, unordered(kept))]
+pub fn keep_positive(
     id: Invocation,
     params: &RowParams,
     values: Read<f32>,
+    kept: Write<f32>,
     output: Write<f32>,
-    parts: Shared<f32, { 3 * MAX_PARTS as usize }>,
-    part_count: Shared<u32, 1>,
+    parts: Shared<Vec4, { MAX_PARTS as usize }>,
+    counts: Shared<u32, 2>,
 ) {
     let own = id.local.x;
-    let row = id.workgroup_index();
-    let columns = if row < params.rows { params.columns } else { 0 };
-    if own == 0 {
-        part_count.write(0, 0);
-    }
-    let [mut sum, mut low, mut high] = [0.0, HUGE, -HUGE];
-    let mut column = own;
-    while column < columns {
-        let value = values.read(row * columns + column);
-        sum += value;
-        low = low.min(value);
-        high = high.max(value);
-        column += ROW;
-    }
-    id.barrier();
-    sum = id.subgroup_sum(sum);
-    low = id.subgroup_min(low);
-    high = id.subgroup_max(high);
-    if id.subgroup_lane() == 0 {
-        // nothing says which invocations are a subgroup, so it takes a number
-        let part = 3 * part_count.atomic_add(0, 1);
-        parts.write(part, sum);
-        parts.write(part + 1, low);
-        parts.write(part + 2, high);
-    }
-    id.barrier();
-    if own == 0 && row < params.rows {
-        let mut part = 1;
-        [sum, low, high] = [parts.read(0), parts.read(1), parts.read(2)];
-        while part < part_count.read(0) {
-            sum += parts.read(3 * part);
-            low = low.min(parts.read(3 * part + 1));
-            high = high.max(parts.read(3 * part + 2));
-            part += 1;
-        }
-        output.write(3 * row, sum);
-        output.write(3 * row + 1, low);
-        output.write(3 * row + 2, high);
-    }
-}
-
-/// The even ones of each row of `values [rows, columns]`, in any order, then ones: `kept [rows, columns]`. `counts [rows]` says how many are even.
-#[kernel(threads(ROW), subgroups, iterations = 2 * MAX_COLUMNS.div_ceil(ROW), unordered(kept))]
-pub fn keep_even(
-    id: Invocation,
-    params: &RowParams,
-    values: Read<u32>,
-    kept: Write<u32>,
-    counts: Write<u32>,
-    next: Shared<u32, 1>,
-) {
-    let own = id.local.x;
+    let lane = id.subgroup_lane();
     let row = id.workgroup_index();
     let first = row * params.columns;
-    if own == 0 {
-        next.write(0, 0);
+    if own < 2 {
+        counts.write(own, 0);
     }
     id.barrier();
+    let [mut sum, mut low, mut high] = [0.0, HUGE, -HUGE];
     let mut begin = 0;
     // all lanes take part in all rounds
     while begin < params.columns {
-        let column = begin + own;
-        let is_inside = row < params.rows && column < params.columns;
-        let value = if is_inside { values.read(first + column) } else { 1 };
-        let is_even = value % 2 == 0;
-        let ballot = id.subgroup_ballot(is_even);
-        let mut at = 0;
-        if id.subgroup_lane() == 0 {
-            at = next.atomic_add(0, lanes(ballot));
+        let mut value = 0.0;
+        if row < params.rows && begin + own < params.columns {
+            value = values.read(first + begin + own);
+            sum += value;
+            low = low.min(value);
+            high = high.max(value);
         }
-        at = id.subgroup_broadcast_first(at) + lanes_before(ballot, id.subgroup_lane());
-        if is_even {
-            kept.write(first + at, value);
+        let ballot = id.subgroup_ballot(value > 0.0);
+        let mut at = 0;
+        if lane == 0 {
+            at = counts.atomic_add(0, lanes(ballot));
+        }
+        at = id.subgroup_broadcast_first(at);
+        if value > 0.0 {
+            kept.write(first + at + lanes_before(ballot, lane), value);
         }
         begin += ROW;
     }
+    sum = id.subgroup_sum(sum);
+    low = id.subgroup_min(low);
+    high = id.subgroup_max(high);
+    if lane == 0 {
+        // nothing says which invocations are a subgroup, so it takes a number
+        parts.write(counts.atomic_add(1, 1), Vec4::new(sum, low, high, 0.0));
+    }
     id.barrier();
     if row < params.rows {
-        let count = next.read(0);
+        let count = counts.read(0);
         let mut column = count + own;
         while column < params.columns {
-            kept.write(first + column, 1);
+            kept.write(first + column, 0.0);
             column += ROW;
         }
         if own == 0 {
-            counts.write(row, count);
+            let mut all = parts.read(0);
+            let mut part = 1;
+            while part < counts.read(1) {
+                let other = parts.read(part);
+                all = Vec4::new(all.x + other.x, all.y.min(other.y), all.z.max(other.z), 0.0);
+                part += 1;
+            }
+            output.write(4 * row, count as f32);
+            output.write(4 * row + 1, all.x);
+            output.write(4 * row + 2, all.y);
+            output.write(4 * row + 3, all.z);
         }
     }
 }

@@ -157,6 +157,8 @@ pub mod prelude;
 pub mod running;
 pub mod samples;
 pub mod shared_tile;
+#[cfg(not(target_arch = "spirv"))]
+mod stop;
 pub mod subgroup;
 #[cfg(not(target_arch = "spirv"))]
 mod wide;

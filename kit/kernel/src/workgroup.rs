@@ -31,7 +31,7 @@ use core::ptr;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::string::String;
 use std::vec::Vec;
-use std::{borrow::ToOwned, format, vec};
+use std::{format, vec};
 
 use bytemuck::Pod;
 use corosensei::stack::DefaultStack;
@@ -41,9 +41,10 @@ use glam::{UVec3, UVec4};
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
-use crate::path::{self, Step};
+use crate::path;
 use crate::phase;
 use crate::running::{self, unlinear};
+use crate::stop::{Stop, divergence, subgroups_meet};
 use crate::subgroup::Operation;
 use crate::workgroup_memory::WorkgroupMemory;
 
@@ -52,17 +53,6 @@ const STACK: usize = 64 << 10;
 
 /// Workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
 const UNWRITTEN: u128 = u128::MAX;
-
-/// What an invocation waits at: a barrier, or an operation of its subgroup.
-#[derive(Clone, Copy, PartialEq)]
-struct Stop {
-    /// Place in the source.
-    at: &'static Location<'static>,
-    /// The branches and loops around it. The waiting coroutine owns it, so it lives until that is resumed or dropped.
-    path: &'static [Step],
-    /// The subgroup's operation; `None` at a barrier.
-    operation: Option<Operation>,
-}
 
 /// An invocation. It waits with the bits of its value for its subgroup, and goes on with the result.
 type Body = Coroutine<UVec4, (Stop, u32), (), DefaultStack>;
@@ -197,29 +187,14 @@ fn run_to_end(
     // the values of subgroups, then their results
     let mut values = vec![UVec4::ZERO; invocations.len()];
     loop {
-        for step in 0..invocations.len() {
-            let index = order.map_or(step, |order| order[step] as usize);
-            let invocation = &mut invocations[index];
-            if invocation.done() || stops[index].is_some() {
-                continue;
-            }
-            match catch_unwind(AssertUnwindSafe(|| invocation.resume(values[index]).as_yield())) {
-                Ok(None) => {}
-                Ok(Some((stop, bits))) => {
-                    stops[index] = Some(stop);
-                    values[index] = UVec4::splat(bits);
-                }
-                Err(panic) => {
-                    give_up(invocations);
-                    // it may have panicked because of a wrong value
-                    match phase::take_conflict() {
-                        Some(conflict) => return Err(Failure::Memory(conflict)),
-                        None => resume_unwind(panic),
-                    }
-                }
+        if let Err(panic) = go_on(&mut invocations, &mut stops, &mut values, order) {
+            give_up(invocations);
+            // it may have panicked because of a wrong value
+            match phase::take_conflict() {
+                Some(conflict) => return Err(Failure::Memory(conflict)),
+                None => resume_unwind(panic),
             }
         }
-        CURRENT.set(ptr::null());
         let met =
             subgroup_size.map_or(Ok(false), |of| subgroups_meet(of, size, &mut stops, &mut values));
         let failure = match met {
@@ -248,31 +223,28 @@ fn run_to_end(
     Ok(())
 }
 
-/// Runs the operations that subgroups wait at: their lanes go on, with the results. Returns whether there was one.
-fn subgroups_meet(
-    subgroup_size: u32,
-    size: UVec3,
+/// Runs each invocation that does not wait to its next stop, or to its end.
+fn go_on(
+    invocations: &mut [Body],
     stops: &mut [Option<Stop>],
     values: &mut [UVec4],
-) -> Result<bool, String> {
-    let mut met = false;
-    let lanes = subgroup_size as usize;
-    for (subgroup, (stops, values)) in
-        stops.chunks_mut(lanes).zip(values.chunks_mut(lanes)).enumerate()
-    {
-        let Some(operation) = stops.iter().flatten().find_map(|stop| stop.operation) else {
+    order: Option<&[u64]>,
+) -> std::thread::Result<()> {
+    for step in 0..invocations.len() {
+        let index = order.map_or(step, |order| order[step] as usize);
+        let invocation = &mut invocations[index];
+        if invocation.done() || stops[index].is_some() {
             continue;
-        };
-        if stops.iter().any(|stop| *stop != stops[0]) {
-            let reason = divergence("a subgroup's operation", stops, subgroup * lanes, size);
-            return Err(format!("{reason}, in a subgroup of {subgroup_size}"));
         }
-        let bits: Vec<_> = values.iter().map(|value| value.x).collect();
-        values.fill(operation.of(&bits));
-        stops.fill(None);
-        met = true;
+        let value = values[index];
+        let stop = catch_unwind(AssertUnwindSafe(|| invocation.resume(value).as_yield()))?;
+        if let Some((stop, bits)) = stop {
+            stops[index] = Some(stop);
+            values[index] = UVec4::splat(bits);
+        }
     }
-    Ok(met)
+    CURRENT.set(ptr::null());
+    Ok(())
 }
 
 /// Forgets the workgroup that the thread has left in the middle.
@@ -288,40 +260,6 @@ fn give_up(invocations: Vec<Body>) {
     running::silence(true);
     drop(invocations);
     running::silence(false);
-}
-
-/// Lists which invocations wait at which barrier or operation, if they do not all wait at the same one. `begin` is the first one's index.
-fn divergence(what: &str, stops: &[Option<Stop>], begin: usize, size: UVec3) -> String {
-    let (first, others): (Vec<_>, Vec<_>) =
-        (0..stops.len()).partition(|&index| stops[index] == stops[0]);
-    let ways = [stops[first[0]], stops[others[0]]];
-    let side = |indices: &[usize]| {
-        let place = unlinear((begin + indices[0]) as u64, size);
-        let does = match stops[indices[0]] {
-            Some(stop) => {
-                let kind = if stop.operation.is_some() { "operation" } else { "barrier" };
-                format!("waits at the {kind} of {}{}", stop.at, way(stop, ways))
-            }
-            None => "has ended".to_owned(),
-        };
-        match indices.len() - 1 {
-            0 => format!("invocation {place} {does}"),
-            more => format!("invocation {place} (with {more} more) {does}"),
-        }
-    };
-    let first = side(&first);
-    let others = side(&others);
-    format!("{what} in divergent control flow: {first}, while {others}")
-}
-
-/// How an invocation came to its stop, if two came to the same one on different paths.
-fn way(own: Stop, ways: [Option<Stop>; 2]) -> String {
-    let [Some(first), Some(second)] = ways else { return String::new() };
-    if first.at != second.at {
-        return String::new();
-    }
-    let same = first.path.iter().zip(second.path).take_while(|(one, other)| one == other).count();
-    own.path.get(same).map_or_else(String::new, |step| format!(" {step}"))
 }
 
 fn take_stack() -> DefaultStack {

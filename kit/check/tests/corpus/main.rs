@@ -45,7 +45,6 @@ corpus! {
     }
     subgroups {
         lanes_without_items
-        broadcast_in_a_branch
         size_is_written_out
         ballot_of_one_word
         operation_for_a_barrier

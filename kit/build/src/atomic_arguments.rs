@@ -73,11 +73,11 @@ mod tests {
     use rspirv::dr::Builder;
     use rspirv::spirv::{
         AddressingModel, Capability, Decoration, ExecutionMode, ExecutionModel, FunctionControl,
-        LoopControl, MemoryModel, StorageClass,
+        GroupOperation, LoopControl, MemoryModel, StorageClass,
     };
 
-    /// A kernel that adds `n` to a counter, which a loop has counted up to 3.
-    fn counted_in_a_loop() -> Module {
+    /// A kernel that adds `n` to a counter, which a loop has counted up to 3; or the sum of a subgroup's `n`.
+    fn counted_in_a_loop(by_subgroup: bool) -> Module {
         let mut b = Builder::new();
         b.set_version(1, 5);
         b.capability(Capability::Shader);
@@ -113,7 +113,13 @@ mod tests {
         b.branch(head).unwrap();
         b.begin_block(Some(end)).unwrap();
         let at = b.access_chain(element, None, counter, [zero]).unwrap();
-        b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+        if by_subgroup {
+            b.capability(Capability::GroupNonUniformArithmetic);
+            let sum = b.group_non_uniform_i_add(uint, None, three, GroupOperation::Reduce, n, None);
+            b.store(at, sum.unwrap(), None, []).unwrap();
+        } else {
+            b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+        }
         b.ret().unwrap();
         b.end_function().unwrap();
         b.entry_point(ExecutionModel::GLCompute, main, "main", []);
@@ -121,14 +127,12 @@ mod tests {
         b.module()
     }
 
-    #[test]
-    fn naga_takes_an_argument_that_comes_out_of_a_loop() {
-        let bytes = |module: &Module| -> Vec<u8> {
-            module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
-        };
-        let mut module = counted_in_a_loop();
-        let refused = crate::naga_check::check(&bytes(&module)).unwrap_err().to_string();
-        assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
+    fn bytes(module: &Module) -> Vec<u8> {
+        module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
+    }
+
+    /// Copies one value, after which naga takes the module.
+    fn assert_copied(mut module: Module) {
         copy(&mut module).unwrap();
         crate::naga_check::check(&bytes(&module)).unwrap();
         let count = |op| module.all_inst_iter().filter(|i| i.class.opcode == op).count();
@@ -137,5 +141,21 @@ mod tests {
         let once = bytes(&module);
         copy(&mut module).unwrap();
         assert_eq!(bytes(&module), once);
+    }
+
+    #[test]
+    fn naga_takes_an_argument_that_comes_out_of_a_loop() {
+        let module = counted_in_a_loop(false);
+        let refused = crate::naga_check::check(&bytes(&module)).unwrap_err().to_string();
+        assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
+        assert_copied(module);
+    }
+
+    #[test]
+    fn naga_panics_on_a_value_that_comes_out_of_a_loop() {
+        let module = counted_in_a_loop(true);
+        let check = || crate::naga_check::check(&bytes(&module));
+        assert!(std::panic::catch_unwind(check).is_err(), "naga takes it now");
+        assert_copied(module);
     }
 }

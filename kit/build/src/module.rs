@@ -242,6 +242,16 @@ mod tests {
     }
 
     #[test]
+    fn subgroups_are_declared() {
+        let mut module = dr::load_bytes(module(4, false)).unwrap();
+        let capability = vec![Operand::Capability(Capability::GroupNonUniformBallot)];
+        module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
+        let words = module.assemble();
+        let message = wrong(&words.into_iter().flat_map(u32::to_le_bytes).collect::<Vec<_>>());
+        assert!(message.starts_with("it has operations of subgroups, in helpers too"), "{message}");
+    }
+
+    #[test]
     fn loops_are_declared() {
         let message = wrong(&module(4, true));
         assert!(message.starts_with("it has 1 loops, in helpers too: state how many"), "{message}");

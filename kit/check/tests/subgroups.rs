@@ -47,7 +47,7 @@ pub fn own_ways(id: Invocation, output: Write<u32>, unused: Shared<u32, 1>) {
 /// Half of a subgroup waits at a barrier.
 #[kernel(threads(64), subgroups)]
 pub fn operation_or_barrier(id: Invocation, output: Write<u32>) {
-    if id.local.x % 2 == 0 {
+    if id.local.x.is_multiple_of(2) {
         id.barrier(); // one half
     }
     output.write(id.index(), id.subgroup_sum(1)); // the other half

@@ -98,11 +98,10 @@ impl Launch<'_> {
             }
             // SAFETY: as above, and the workgroup memory is what this kernel declares
             CpuRun::Invocation(run) => unsafe {
-                let places = [place, self.workgroups];
+                let places = [size, place, self.workgroups];
                 let is_watched = self.is_checked || cfg!(debug_assertions);
                 workgroup::run_bound(
                     self.shared,
-                    size,
                     run,
                     self.bindings,
                     places,

@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn a_ballot_counts_the_lanes_before_each() {
-        let is_set = |lane: u32| lane % 3 == 0 || lane > 100;
+        let is_set = |lane: u32| lane.is_multiple_of(3) || lane > 100;
         let bits: [u32; 128] = core::array::from_fn(|lane| is_set(lane as u32).into());
         let ballot = Operation::Ballot.of(&bits);
         for lane in 0..128 {

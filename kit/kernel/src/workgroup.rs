@@ -119,10 +119,9 @@ fn suspend(at: &'static Location<'static>, operation: Option<Operation>, bits: u
 #[doc(hidden)]
 pub unsafe fn run_bound(
     shared: &[SharedInfo],
-    size: UVec3,
     run: unsafe fn(&[CpuBinding], Invocation),
     bindings: &[CpuBinding],
-    [workgroup, workgroups]: [UVec3; 2],
+    [size, workgroup, workgroups]: [UVec3; 3],
     order: Option<&[u64]>,
     subgroup_size: Option<u32>,
     is_watched: bool,

@@ -5,7 +5,7 @@ use crate::bug::*;
 #[kernel(threads(64), subgroups)]
 pub fn size_is_written_out(id: Invocation, input: Read<u32>, sums: Write<u32>) {
     let sum = id.subgroup_sum(input.read(id.index()));
-    if id.local.x % 32 == 0 {
+    if id.local.x.is_multiple_of(32) {
         sums.write(id.index() / 32, sum); //~
     }
 }

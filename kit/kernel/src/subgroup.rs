@@ -34,7 +34,18 @@
 //! ```
 //!
 //! All invocations of a subgroup come to each operation, on the same path. They wait for each other there, but it is no barrier: what
-//! they write to memory is not ordered. In the last subgroup of a workgroup, lanes can be missing.
+//! they write to memory is not ordered. In the last subgroup of a workgroup, lanes can be missing. Workgroups lie along x, because only there
+//! naga knows lanes:
+//!
+//! ```compile_fail,E0080
+//! # extern crate muslin_kernel as muslin;
+//! # use muslin::prelude::*;
+//! #[kernel(threads(8, 8), subgroups)]
+//! pub fn total(id: Invocation, output: Write<u32>) {
+//!     output.write(id.index(), id.subgroup_sum(1));
+//! }
+//! # fn main() {}
+//! ```
 
 use glam::UVec4;
 #[cfg(target_arch = "spirv")]

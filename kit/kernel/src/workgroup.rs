@@ -44,7 +44,7 @@ use crate::memory::{AccessMonitor, Shared};
 use crate::path;
 use crate::phase;
 use crate::running::{self, unlinear};
-use crate::stop::{Stop, divergence, subgroups_meet};
+use crate::stop::{Meeting, Stop, barrier_is_reached, subgroups_meet};
 use crate::subgroup::Operation;
 use crate::workgroup_memory::WorkgroupMemory;
 
@@ -54,26 +54,30 @@ const STACK: usize = 64 << 10;
 /// Workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
 const UNWRITTEN: u128 = u128::MAX;
 
-/// An invocation. It waits with the bits of its value for its subgroup, and goes on with the result.
-type Body = Coroutine<UVec4, (Stop, u32), (), DefaultStack>;
+/// An invocation.
+type Body = Coroutine<(), Stop, (), DefaultStack>;
 
 std::thread_local! {
     static STACKS: RefCell<Vec<DefaultStack>> = const { RefCell::new(Vec::new()) };
-    static CURRENT: Cell<*const Yielder<UVec4, (Stop, u32)>> = const { Cell::new(ptr::null()) };
+    static CURRENT: Cell<*const Yielder<(), Stop>> = const { Cell::new(ptr::null()) };
     /// Number of lanes of a subgroup, in a kernel that declares them.
     static SUBGROUP_SIZE: Cell<Option<u32>> = const { Cell::new(None) };
+    /// What the invocation that stops gives to its subgroup, and what the one that goes on gets from it.
+    static MEETING: Cell<Option<Meeting>> = const { Cell::new(None) };
 }
 
 /// Suspends the current coroutine until its workgroup has reached the barrier.
 fn wait(at: &'static Location<'static>) {
-    suspend(at, None, 0);
+    suspend(at);
 }
 
 /// Suspends the current coroutine until its subgroup has reached the operation. Returns its result.
 #[track_caller]
 pub(crate) fn meet(operation: Operation, bits: u32) -> UVec4 {
     subgroup_size();
-    suspend(Location::caller(), Some(operation), bits)
+    MEETING.set(Some(Meeting { operation, value: UVec4::splat(bits) }));
+    suspend(Location::caller());
+    MEETING.take().expect("a subgroup goes on with a result").value
 }
 
 /// Number of lanes of a subgroup.
@@ -88,7 +92,8 @@ pub(crate) fn subgroup_size() -> u32 {
     })
 }
 
-fn suspend(at: &'static Location<'static>, operation: Option<Operation>, bits: u32) -> UVec4 {
+#[inline(always)]
+fn suspend(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let invocation = running::invocation();
@@ -97,13 +102,12 @@ fn suspend(at: &'static Location<'static>, operation: Option<Operation>, bits: u
     // SAFETY: nobody looks at it after this coroutine was resumed or dropped, and until then `path` is not touched
     let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
-    let result = unsafe { &*yielder }.suspend((Stop { at, path: steps, operation }, bits));
+    unsafe { &*yielder }.suspend(Stop { at, path: steps });
     // other coroutines ran meanwhile
     CURRENT.set(yielder);
     running::enter(invocation);
     running::allow_iterations(left);
     path::set(path);
-    result
 }
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
@@ -173,7 +177,7 @@ fn run_to_end(
     SUBGROUP_SIZE.set(subgroup_size);
     let new = |index: u32| {
         let id = Invocation { local: unlinear(index.into(), size), wait, ..place };
-        let body = move |yielder: &Yielder<UVec4, (Stop, u32)>, _| {
+        let body = move |yielder: &Yielder<(), Stop>, ()| {
             CURRENT.set(yielder);
             running::enter(index);
             run(id);
@@ -183,10 +187,10 @@ fn run_to_end(
     };
     let mut invocations: Vec<Body> = (0..size.element_product()).map(new).collect();
     let mut stops = vec![None; invocations.len()];
-    // the values of subgroups, then their results
-    let mut values = vec![UVec4::ZERO; invocations.len()];
+    // empty without subgroups
+    let mut meetings = vec![None; subgroup_size.map_or(0, |_| invocations.len())];
     loop {
-        if let Err(panic) = go_on(&mut invocations, &mut stops, &mut values, order) {
+        if let Err(panic) = go_on(&mut invocations, &mut stops, &mut meetings, order) {
             give_up(invocations);
             // it may have panicked because of a wrong value
             match phase::take_conflict() {
@@ -194,15 +198,14 @@ fn run_to_end(
                 None => resume_unwind(panic),
             }
         }
-        let met =
-            subgroup_size.map_or(Ok(false), |of| subgroups_meet(of, size, &mut stops, &mut values));
-        let failure = match met {
+        let subgroups = |of| subgroups_meet(size, of, &mut stops, &mut meetings);
+        let failure = match subgroup_size.map_or(Ok(false), subgroups) {
             // those that wait at barriers go on waiting
             Ok(true) => continue,
-            Ok(false) if stops.iter().any(|stop| *stop != stops[0]) => {
-                Some(Failure::Divergence(divergence("a barrier", &stops, 0, size)))
-            }
-            Ok(false) => phase::take_conflict().map(Failure::Memory),
+            Ok(false) => match barrier_is_reached(size, &stops) {
+                Ok(()) => phase::take_conflict().map(Failure::Memory),
+                Err(reason) => Some(Failure::Divergence(reason)),
+            },
             Err(reason) => Some(Failure::Divergence(reason)),
         };
         if let Some(failure) = failure {
@@ -223,10 +226,11 @@ fn run_to_end(
 }
 
 /// Runs each invocation that does not wait to its next stop, or to its end.
+#[inline(always)]
 fn go_on(
     invocations: &mut [Body],
     stops: &mut [Option<Stop>],
-    values: &mut [UVec4],
+    meetings: &mut [Option<Meeting>],
     order: Option<&[u64]>,
 ) -> std::thread::Result<()> {
     for step in 0..invocations.len() {
@@ -235,11 +239,12 @@ fn go_on(
         if invocation.done() || stops[index].is_some() {
             continue;
         }
-        let value = values[index];
-        let stop = catch_unwind(AssertUnwindSafe(|| invocation.resume(value).as_yield()))?;
-        if let Some((stop, bits)) = stop {
-            stops[index] = Some(stop);
-            values[index] = UVec4::splat(bits);
+        if let Some(meeting) = meetings.get(index) {
+            MEETING.set(*meeting);
+        }
+        stops[index] = catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield()))?;
+        if let Some(meeting) = meetings.get_mut(index) {
+            *meeting = MEETING.take();
         }
     }
     CURRENT.set(ptr::null());

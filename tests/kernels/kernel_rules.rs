@@ -68,8 +68,9 @@ fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
     let parser = naga::front::spv::Frontend::new(words.iter().copied(), &options);
     let module = parser.parse().map_err(|error| error.to_string())?;
     let flags = naga::valid::ValidationFlags::all();
-    // features that wgpu requests from an adapter if a kernel needs them
-    let offered = naga::valid::Capabilities::SHADER_FLOAT16;
+    // features that an adapter may have
+    use naga::valid::Capabilities;
+    let offered = Capabilities::SHADER_FLOAT16 | Capabilities::SUBGROUP;
     let mut validator = naga::valid::Validator::new(flags, offered);
     match validator.validate(&module) {
         Ok(_) => Ok(module),

@@ -108,5 +108,6 @@ pub fn cases() -> Vec<Case> {
         Case::new::<elementary::Elementary>(),
         Case::new::<language::ByteHistogram>(),
         Case::new::<language::SortRows>(),
+        Case::new::<language::KeepPositive>(),
     ]
 }

@@ -1,8 +1,8 @@
-//! Copies arguments of atomics that come from another block.
+//! Copies arguments of atomics and of subgroups' operations that come from another block.
 //!
 //! naga's SPIR-V reader uses an atomic's argument directly, even if it was computed in a loop that has ended. It then
-//! refuses the module: "NotInScope". For every other instruction, it carries such a value out of the loop in a
-//! variable. So this pass copies the argument first, next to the atomic.
+//! refuses the module: "NotInScope". On such an argument of a subgroup's operation, it panics. For every other instruction, it carries such a value out of the loop in a
+//! variable. So this pass copies the argument first, next to the instruction.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use anyhow::{Context, Result};
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
-/// Copies the arguments of all atomics that were computed in another block.
+/// Copies the arguments of all these instructions that were computed in another block.
 pub fn copy(module: &mut Module) -> Result<()> {
     let mut bound = module.header.as_ref().context("the module has no header")?.bound;
     for function in &mut module.functions {
@@ -55,10 +55,11 @@ pub fn copy(module: &mut Module) -> Result<()> {
     Ok(())
 }
 
-/// The arguments of an atomic, after its pointer.
+/// The arguments of an atomic, after its pointer, or of a subgroup's operation, after its scope.
 fn arguments(instruction: &mut Instruction) -> impl Iterator<Item = &mut Word> {
-    let is_atomic = instruction.class.opname.starts_with("Atomic");
-    let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_atomic);
+    let name = instruction.class.opname;
+    let is_meant = name.starts_with("Atomic") || name.starts_with("GroupNonUniform");
+    let operands = instruction.operands.iter_mut().skip(1).filter(move |_| is_meant);
     operands.filter_map(|operand| match operand {
         Operand::IdRef(id) => Some(id),
         _ => None,
@@ -72,11 +73,11 @@ mod tests {
     use rspirv::dr::Builder;
     use rspirv::spirv::{
         AddressingModel, Capability, Decoration, ExecutionMode, ExecutionModel, FunctionControl,
-        LoopControl, MemoryModel, StorageClass,
+        GroupOperation, LoopControl, MemoryModel, StorageClass,
     };
 
-    /// A kernel that adds `n` to a counter, which a loop has counted up to 3.
-    fn counted_in_a_loop() -> Module {
+    /// A kernel that adds `n` to a counter, which a loop has counted up to 3; or the sum of a subgroup's `n`.
+    fn counted_in_a_loop(by_subgroup: bool) -> Module {
         let mut b = Builder::new();
         b.set_version(1, 5);
         b.capability(Capability::Shader);
@@ -112,7 +113,13 @@ mod tests {
         b.branch(head).unwrap();
         b.begin_block(Some(end)).unwrap();
         let at = b.access_chain(element, None, counter, [zero]).unwrap();
-        b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+        if by_subgroup {
+            b.capability(Capability::GroupNonUniformArithmetic);
+            let sum = b.group_non_uniform_i_add(uint, None, three, GroupOperation::Reduce, n, None);
+            b.store(at, sum.unwrap(), None, []).unwrap();
+        } else {
+            b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+        }
         b.ret().unwrap();
         b.end_function().unwrap();
         b.entry_point(ExecutionModel::GLCompute, main, "main", []);
@@ -120,14 +127,12 @@ mod tests {
         b.module()
     }
 
-    #[test]
-    fn naga_takes_an_argument_that_comes_out_of_a_loop() {
-        let bytes = |module: &Module| -> Vec<u8> {
-            module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
-        };
-        let mut module = counted_in_a_loop();
-        let refused = crate::naga_check::check(&bytes(&module)).unwrap_err().to_string();
-        assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
+    fn bytes(module: &Module) -> Vec<u8> {
+        module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
+    }
+
+    /// Copies one value, after which naga takes the module.
+    fn assert_copied(mut module: Module) {
         copy(&mut module).unwrap();
         crate::naga_check::check(&bytes(&module)).unwrap();
         let count = |op| module.all_inst_iter().filter(|i| i.class.opcode == op).count();
@@ -136,5 +141,21 @@ mod tests {
         let once = bytes(&module);
         copy(&mut module).unwrap();
         assert_eq!(bytes(&module), once);
+    }
+
+    #[test]
+    fn naga_takes_an_argument_that_comes_out_of_a_loop() {
+        let module = counted_in_a_loop(false);
+        let refused = crate::naga_check::check(&bytes(&module)).unwrap_err().to_string();
+        assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
+        assert_copied(module);
+    }
+
+    #[test]
+    fn naga_panics_on_a_value_that_comes_out_of_a_loop() {
+        let module = counted_in_a_loop(true);
+        let check = || crate::naga_check::check(&bytes(&module));
+        assert!(std::panic::catch_unwind(check).is_err(), "naga takes it now");
+        assert_copied(module);
     }
 }

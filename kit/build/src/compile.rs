@@ -12,7 +12,7 @@ use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
-use crate::lower::lower;
+use crate::lower::{self, lower};
 use crate::{Project, module, naga_check, rules, wgsl};
 
 /// SPIR-V 1.5, of Vulkan 1.2, is the newest version that all our drivers read.
@@ -93,6 +93,7 @@ pub fn build(
         .multimodule(true)
         .spirv_metadata(SpirvMetadata::None)
         .target_dir_path(target.join("spirv"));
+    builder.capabilities = lower::SUBGROUPS.into();
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;
     let ModuleResult::MultiModule(paths) = result.module else {

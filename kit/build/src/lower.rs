@@ -1,9 +1,11 @@
 //! The passes over a module, between the compiler and the folder of modules.
 
+use std::collections::BTreeSet;
+
 use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble;
 use rspirv::dr::{self, Module, Operand};
-use rspirv::spirv::ExecutionMode;
+use rspirv::spirv::{Capability, ExecutionMode};
 
 use crate::{atomic_arguments, contraction, declarations, ids, loops, memory_model};
 
@@ -17,6 +19,7 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module)?;
     set_workgroup_size(&mut module, size);
+    drop_unused_capabilities(&mut module);
     if !fused {
         contraction::forbid(&mut module)?;
     }
@@ -34,4 +37,24 @@ fn set_workgroup_size(module: &mut Module, size: [u32; 3]) {
             sizes.iter_mut().zip(size).for_each(|(to, size)| *to = Operand::LiteralBit32(size));
         }
     }
+}
+
+/// The capabilities of subgroups, which the compiler gives to every module.
+pub const SUBGROUPS: [Capability; 3] = [
+    Capability::GroupNonUniform,
+    Capability::GroupNonUniformArithmetic,
+    Capability::GroupNonUniformBallot,
+];
+
+/// Drops the capabilities of subgroups that no instruction and no built-in variable needs: a device can lack them.
+fn drop_unused_capabilities(module: &mut Module) {
+    let of_functions = module.functions.iter().flat_map(|function| function.all_inst_iter());
+    let mut needed: BTreeSet<_> =
+        of_functions.flat_map(|i| i.class.capabilities).copied().collect();
+    let operands = module.annotations.iter().flat_map(|annotation| &annotation.operands);
+    needed.extend(operands.flat_map(Operand::required_capabilities));
+    module.capabilities.retain(|instruction| match instruction.operands[..] {
+        [Operand::Capability(of)] => !SUBGROUPS.contains(&of) || needed.contains(&of),
+        _ => true,
+    });
 }

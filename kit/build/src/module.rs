@@ -7,6 +7,8 @@ use muslin::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
 
+use crate::lower;
+
 /// Checks that a module has only this entry point of the kernel, with its workgroup size, and no buffers besides the
 /// kernel's bindings.
 pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()> {
@@ -23,7 +25,20 @@ pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()
     for buffer in buffers(&module)? {
         check_buffer(kernel, &buffer)?;
     }
+    check_subgroups(kernel, &module)?;
     check_loops(kernel, &module)
+}
+
+/// A kernel with operations of subgroups declares them: some devices have none.
+fn check_subgroups(kernel: &KernelInfo, module: &Module) -> Result<()> {
+    let mut capabilities = module.capabilities.iter().flat_map(|instruction| &instruction.operands);
+    let has_some = capabilities
+        .any(|of| matches!(of, Operand::Capability(of) if lower::SUBGROUPS.contains(of)));
+    let wrong =
+        "it has operations of subgroups, in helpers too: declare them, `#[kernel(.., subgroups)]`";
+    ensure!(kernel.subgroups || !has_some, wrong);
+    ensure!(has_some || !kernel.subgroups, "it declares `subgroups`, and uses none");
+    Ok(())
 }
 
 /// A kernel with loops declares their iterations, those of its helpers included.
@@ -224,6 +239,16 @@ mod tests {
         let message = wrong(&module(16, false));
         let part = "the elements of `placement` are `u32` of 4 bytes in Rust, and the module has them 16 bytes apart";
         assert!(message.starts_with(part), "{message}");
+    }
+
+    #[test]
+    fn subgroups_are_declared() {
+        let mut module = dr::load_bytes(module(4, false)).unwrap();
+        let capability = vec![Operand::Capability(Capability::GroupNonUniformBallot)];
+        module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
+        let words = module.assemble();
+        let message = wrong(&words.into_iter().flat_map(u32::to_le_bytes).collect::<Vec<_>>());
+        assert!(message.starts_with("it has operations of subgroups, in helpers too"), "{message}");
     }
 
     #[test]

@@ -11,8 +11,8 @@ pub fn check(spirv: &[u8]) -> Result<()> {
         Ok(module) => module,
         Err(error) => bail!("naga cannot read the module: {error}"),
     };
-    // features that wgpu requests from an adapter if a kernel needs them
-    let offered = Capabilities::SHADER_FLOAT16;
+    // features that an adapter may have
+    let offered = Capabilities::SHADER_FLOAT16 | Capabilities::SUBGROUP;
     match Validator::new(ValidationFlags::all(), offered).validate(&module) {
         Ok(_) => Ok(()),
         Err(error) => bail!("naga refuses the module: {:?}", error.into_inner()),

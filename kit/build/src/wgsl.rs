@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 
-/// Translates a module to WGSL; `None` if it needs an extension of WebGPU, such as 16-bit floats.
+/// Translates a module to WGSL; `None` if it needs 16-bit floats.
 #[cfg(feature = "wgsl")]
 pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
     use naga::back::wgsl::{WriterFlags, write_string};
@@ -18,13 +18,15 @@ pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
         Err(error) => bail!("naga cannot read the module: {error}"),
     };
     let validate = |offered| Validator::new(ValidationFlags::all(), offered).validate(&module);
-    let info = match validate(Capabilities::empty()) {
-        Ok(info) => info,
-        Err(_) if validate(Capabilities::SHADER_FLOAT16).is_ok() => return Ok(None),
-        Err(error) => bail!("the module is not for browsers: {:?}", error.into_inner()),
+    // browsers want to be told of subgroups, and naga does not tell them
+    let (info, head) = match (validate(Capabilities::empty()), validate(Capabilities::SUBGROUP)) {
+        (Ok(info), _) => (info, ""),
+        (_, Ok(info)) => (info, "enable subgroups;\n\n"),
+        _ if validate(Capabilities::all()).is_ok() => return Ok(None),
+        (Err(error), _) => bail!("the module is not for browsers: {:?}", error.into_inner()),
     };
     let text = write_string(&module, &info, WriterFlags::empty())?;
-    Ok(Some(text.replace(LARGEST, LARGEST_IN_HEX)))
+    Ok(Some(head.to_owned() + &text.replace(LARGEST, LARGEST_IN_HEX)))
 }
 
 /// Always fails, because the program was built without the feature `wgsl`.

@@ -56,6 +56,7 @@ pub struct Cpu {
     pub(crate) check_nan: bool,
     pub(crate) time_limit: Option<Duration>,
     pub(crate) thorough: Option<u64>,
+    pub(crate) subgroup_size: u32,
     /// See [`Device::watch`](crate::Device::watch).
     pub(crate) watch: Mutex<Option<Watch>>,
     /// Whether kernels run as their variants.
@@ -75,6 +76,15 @@ impl Cpu {
             let reason = format!("this CPU does not have {}", instruction_set.as_str());
             return Err(Error::Argument { reason });
         }
+        let sizes = muslin::subgroup::SIZES;
+        let of_seed = |seed| sizes[(seed % sizes.len() as u64) as usize];
+        let subgroup_size =
+            options.subgroup_size.unwrap_or_else(|| options.thorough.map_or(32, of_seed));
+        if !sizes.contains(&subgroup_size) {
+            let reason =
+                format!("no subgroup has {subgroup_size} lanes: its size is one of {sizes:?}");
+            return Err(Error::Argument { reason });
+        }
         supervise::install();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or(0))
@@ -91,6 +101,7 @@ impl Cpu {
             check_nan,
             time_limit,
             thorough: options.thorough,
+            subgroup_size,
             watch: Mutex::default(),
             variants,
             instruction_set,

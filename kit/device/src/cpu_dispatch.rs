@@ -31,6 +31,8 @@ struct Launch<'a> {
     workgroups: UVec3,
     is_checked: bool,
     time_limit: Option<Duration>,
+    /// Number of lanes of a subgroup, in a kernel that declares them.
+    subgroup_size: Option<u32>,
     mode: RunMode,
 }
 
@@ -96,15 +98,15 @@ impl Launch<'_> {
             }
             // SAFETY: as above, and the workgroup memory is what this kernel declares
             CpuRun::Invocation(run) => unsafe {
-                let places = [place, self.workgroups];
+                let places = [size, place, self.workgroups];
                 let is_watched = self.is_checked || cfg!(debug_assertions);
                 workgroup::run_bound(
                     self.shared,
-                    size,
                     run,
                     self.bindings,
                     places,
                     order,
+                    self.subgroup_size,
                     is_watched,
                 )
             },
@@ -159,6 +161,9 @@ impl Cpu {
             workgroups: job.workgroups.all.into(),
             is_checked: self.check_races,
             time_limit: self.time_limit,
+            subgroup_size: info
+                .subgroups
+                .then_some(mode.subgroup_size.unwrap_or(self.subgroup_size)),
             mode,
         };
         self.launch(&launch)?;

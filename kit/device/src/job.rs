@@ -23,4 +23,6 @@ pub struct RunMode {
     pub is_flushing: bool,
     /// Whether multiplications and additions are fused, in a kernel that has such a run.
     pub is_fused: bool,
+    /// Number of lanes of a subgroup, if it is not the device's.
+    pub subgroup_size: Option<u32>,
 }

@@ -83,9 +83,12 @@ pub struct DeviceOptions {
     /// the program. For tests of kernels: a loop in a helper may never end.
     pub time_limit: Option<Duration>,
     /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
-    /// thread, once more in the reverse order, once more without denormals (on x86-64), and once more with fused arithmetic (in debug
-    /// builds). The results must agree; where the arithmetic is another one, the integers and which floats are finite.
+    /// thread, once more in the reverse order, once more without denormals (on x86-64), once more with fused arithmetic (in debug
+    /// builds), and, if it has subgroups, with all their sizes. The results must agree; where the arithmetic is another one, the integers and which floats are finite.
     pub thorough: Option<u64>,
+    /// Number of lanes of a [subgroup](muslin::subgroup) on the CPU, one of its [sizes](muslin::subgroup::SIZES). By default 32, and on a
+    /// [thorough](Self::thorough) device one that the seed chooses.
+    pub subgroup_size: Option<u32>,
     /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,
     /// Whether a GPU runs the [variant](muslin::KernelInfo::variant) of a kernel that has one, or its plain
@@ -188,6 +191,13 @@ impl DeviceOptions {
     #[must_use]
     pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
         self.time_limit = limit.into();
+        self
+    }
+
+    /// Sets [`subgroup_size`](Self::subgroup_size).
+    #[must_use]
+    pub fn subgroup_size(mut self, size: impl Into<Option<u32>>) -> Self {
+        self.subgroup_size = size.into();
         self
     }
 

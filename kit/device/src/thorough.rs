@@ -1,7 +1,7 @@
 //! Runs each dispatch in several ways that must agree: devices differ in them.
 
-use muslin::KernelInfo;
 use muslin::kernel::{Access, BindingInfo, CpuBinding};
+use muslin::{KernelInfo, subgroup};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
@@ -36,6 +36,8 @@ enum Other {
     Flushing(Order),
     /// A multiplication and an addition round once.
     Fused(Order),
+    /// Subgroups of other sizes: the usual one and this.
+    Subgroups(Order, [u32; 2]),
 }
 
 /// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
@@ -49,7 +51,12 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let is_variant = cpu.entry_point(job.info).name != job.info.name;
     let can_fuse = job.info.run_fused.is_some() && !is_variant;
     let fused = can_fuse.then_some(Other::Fused(order));
-    for other in [Other::Order(reverse), Other::Flushing(order)].into_iter().chain(fused) {
+    let sizes = subgroup::SIZES.into_iter().filter(|size| *size != cpu.subgroup_size);
+    let sizes = sizes
+        .filter(|_| job.info.subgroups)
+        .map(|size| Other::Subgroups(order, [cpu.subgroup_size, size]));
+    let others = [Other::Order(reverse), Other::Flushing(order)];
+    for other in others.into_iter().chain(fused).chain(sizes) {
         restore(&outputs, &before);
         let monitors = other.run(cpu, job)?;
         for (output, expected) in outputs.iter().zip(&expected) {
@@ -68,10 +75,18 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
 
 impl Other {
     fn run<'a>(self, cpu: &Cpu, job: &Job<'a>) -> Result<Vec<Option<Monitor<'a>>>, String> {
-        let (Self::Order(order) | Self::Flushing(order) | Self::Fused(order)) = self;
-        let is_flushing = matches!(self, Self::Flushing(_));
-        let is_fused = matches!(self, Self::Fused(_));
-        let result = cpu.run_once(job, RunMode { order: Some(order), is_flushing, is_fused });
+        let usual = RunMode::default();
+        let result = cpu.run_once(
+            job,
+            match self {
+                Self::Order(order) => RunMode { order: Some(order), ..usual },
+                Self::Flushing(order) => RunMode { order: Some(order), is_flushing: true, ..usual },
+                Self::Fused(order) => RunMode { order: Some(order), is_fused: true, ..usual },
+                Self::Subgroups(order, [_, size]) => {
+                    RunMode { order: Some(order), subgroup_size: Some(size), ..usual }
+                }
+            },
+        );
         result.map_err(|reason| match self {
             Self::Order(_) => reason,
             _ => format!("{}: {reason}", self.place()),
@@ -79,11 +94,12 @@ impl Other {
     }
 
     /// Where it is so.
-    fn place(self) -> &'static str {
+    fn place(self) -> String {
         match self {
-            Self::Order(_) => "in the reverse order",
-            Self::Flushing(_) => "where denormals are flushed to zero",
-            Self::Fused(_) => "where multiplications and additions are fused",
+            Self::Order(_) => "in the reverse order".into(),
+            Self::Flushing(_) => "where denormals are flushed to zero".into(),
+            Self::Fused(_) => "where multiplications and additions are fused".into(),
+            Self::Subgroups(_, [_, size]) => format!("in subgroups of {size}"),
         }
     }
 
@@ -94,6 +110,9 @@ impl Other {
             Self::Order(Order { seed, .. }) => format!(
                 "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} {place} (seed {seed})"
             ),
+            Self::Subgroups(_, [size, _]) => format!(
+                "element {element} of `{name}` depends on the size of subgroups: it is {usual} in subgroups of {size}, and {other} {place}"
+            ),
             _ => format!(
                 "element {element} of `{name}` depends on the device: it is {usual}, and {other} {place}"
             ),
@@ -101,12 +120,12 @@ impl Other {
     }
 
     /// Whether two words of an output agree. How much a float may differ between devices is not known here. Integers that are changed
-    /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them.
+    /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them. Subgroups change neither.
     fn agree(self, [one, other]: [[u8; 4]; 2], is_float: bool, is_atomic: bool) -> bool {
         let is_finite = |word| f32::from_ne_bytes(word).is_finite();
         let may_differ = match is_float {
             true => is_finite(one) == is_finite(other),
-            false => is_atomic,
+            false => is_atomic && !matches!(self, Self::Subgroups(..)),
         };
         one == other || may_differ && !matches!(self, Self::Order(_))
     }

@@ -155,6 +155,9 @@ pub mod running;
 pub mod samples;
 pub mod shared_tile;
 #[cfg(not(target_arch = "spirv"))]
+mod stop;
+pub mod subgroup;
+#[cfg(not(target_arch = "spirv"))]
 mod wide;
 #[cfg(not(target_arch = "spirv"))]
 mod wide_math;

@@ -31,19 +31,21 @@ use core::ptr;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::string::String;
 use std::vec::Vec;
-use std::{borrow::ToOwned, format, vec};
+use std::{format, vec};
 
 use bytemuck::Pod;
 use corosensei::stack::DefaultStack;
 use corosensei::{Coroutine, Yielder};
-use glam::UVec3;
+use glam::{UVec3, UVec4};
 
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
-use crate::path::{self, Step};
+use crate::path;
 use crate::phase;
 use crate::running::{self, unlinear};
+use crate::stop::{Meeting, Stop, barrier_is_reached, subgroups_meet};
+use crate::subgroup::Operation;
 use crate::workgroup_memory::WorkgroupMemory;
 
 /// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
@@ -52,25 +54,46 @@ const STACK: usize = 64 << 10;
 /// Workgroup memory before a kernel writes it: as floats it is NaN, and as indices it is out of range.
 const UNWRITTEN: u128 = u128::MAX;
 
-/// The barrier that an invocation waits at.
-#[derive(Clone, Copy, PartialEq)]
-struct Barrier {
-    /// Place in the source.
-    at: &'static Location<'static>,
-    /// The branches and loops around it. The waiting coroutine owns it, so it lives until that is resumed or dropped.
-    path: &'static [Step],
-}
-
 /// An invocation.
-type Body = Coroutine<(), Barrier, (), DefaultStack>;
+type Body = Coroutine<(), Stop, (), DefaultStack>;
 
 std::thread_local! {
     static STACKS: RefCell<Vec<DefaultStack>> = const { RefCell::new(Vec::new()) };
-    static CURRENT: Cell<*const Yielder<(), Barrier>> = const { Cell::new(ptr::null()) };
+    static CURRENT: Cell<*const Yielder<(), Stop>> = const { Cell::new(ptr::null()) };
+    /// Number of lanes of a subgroup, in a kernel that declares them.
+    static SUBGROUP_SIZE: Cell<Option<u32>> = const { Cell::new(None) };
+    /// What the invocation that stops gives to its subgroup, and what the one that goes on gets from it.
+    static MEETING: Cell<Option<Meeting>> = const { Cell::new(None) };
 }
 
 /// Suspends the current coroutine until its workgroup has reached the barrier.
 fn wait(at: &'static Location<'static>) {
+    suspend(at);
+}
+
+/// Suspends the current coroutine until its subgroup has reached the operation. Returns its result.
+#[track_caller]
+pub(crate) fn meet(operation: Operation, bits: u32) -> UVec4 {
+    subgroup_size();
+    MEETING.set(Some(Meeting { operation, value: UVec4::splat(bits) }));
+    suspend(Location::caller());
+    MEETING.take().expect("a subgroup goes on with a result").value
+}
+
+/// Number of lanes of a subgroup.
+#[track_caller]
+pub(crate) fn subgroup_size() -> u32 {
+    let size = SUBGROUP_SIZE.get().filter(|_| !CURRENT.get().is_null());
+    size.unwrap_or_else(|| match running::current() {
+        Some(_) => panic!("a kernel with subgroups says so, `#[kernel(.., subgroups)]`"),
+        None => panic!(
+            "a subgroup, and no other invocation runs: a test calls a kernel with subgroups through `muslin::workgroup::Workgroup`"
+        ),
+    })
+}
+
+#[inline(always)]
+fn suspend(at: &'static Location<'static>) {
     let yielder = CURRENT.get();
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let invocation = running::invocation();
@@ -79,7 +102,7 @@ fn wait(at: &'static Location<'static>) {
     // SAFETY: nobody looks at it after this coroutine was resumed or dropped, and until then `path` is not touched
     let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
-    unsafe { &*yielder }.suspend(Barrier { at, path: steps });
+    unsafe { &*yielder }.suspend(Stop { at, path: steps });
     // other coroutines ran meanwhile
     CURRENT.set(yielder);
     running::enter(invocation);
@@ -89,7 +112,7 @@ fn wait(at: &'static Location<'static>) {
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
 /// `shared` after the bindings, and every access to it is checked if it `is_watched`. `order` has the indices of the invocations, if it
-/// is not the usual one.
+/// is not the usual one. `subgroup_size` is that of a kernel with subgroups.
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.
@@ -100,11 +123,11 @@ fn wait(at: &'static Location<'static>) {
 #[doc(hidden)]
 pub unsafe fn run_bound(
     shared: &[SharedInfo],
-    size: UVec3,
     run: unsafe fn(&[CpuBinding], Invocation),
     bindings: &[CpuBinding],
-    [workgroup, workgroups]: [UVec3; 2],
+    [size, workgroup, workgroups]: [UVec3; 3],
     order: Option<&[u64]>,
+    subgroup_size: Option<u32>,
     is_watched: bool,
 ) -> Result<(), String> {
     let watch = |shared: &SharedInfo| is_watched.then(|| WorkgroupMemory::new(shared.len));
@@ -128,7 +151,7 @@ pub unsafe fn run_bound(
     // a thread, so only one at a time touches memory.
     let body = |id| unsafe { run(bindings, id) };
     let place = Invocation::new(UVec3::ZERO, workgroup, workgroups, size);
-    run_to_end(place, &body, order).map_err(|reason| match reason {
+    run_to_end(place, &body, order, subgroup_size).map_err(|reason| match reason {
         Failure::Divergence(reason) => format!("{reason}, in workgroup {workgroup}"),
         Failure::Memory(reason) => reason,
     })
@@ -146,13 +169,15 @@ fn run_to_end(
     place: Invocation,
     run: &dyn Fn(Invocation),
     order: Option<&[u64]>,
+    subgroup_size: Option<u32>,
 ) -> Result<(), Failure> {
     let size = place.size;
     phase::next();
     phase::begin(size);
+    SUBGROUP_SIZE.set(subgroup_size);
     let new = |index: u32| {
         let id = Invocation { local: unlinear(index.into(), size), wait, ..place };
-        let body = move |yielder: &Yielder<(), Barrier>, ()| {
+        let body = move |yielder: &Yielder<(), Stop>, ()| {
             CURRENT.set(yielder);
             running::enter(index);
             run(id);
@@ -161,45 +186,68 @@ fn run_to_end(
         unsafe { Coroutine::with_stack_unchecked(take_stack(), body) }
     };
     let mut invocations: Vec<Body> = (0..size.element_product()).map(new).collect();
+    let mut stops = vec![None; invocations.len()];
+    // empty without subgroups
+    let mut meetings = vec![None; subgroup_size.map_or(0, |_| invocations.len())];
     loop {
-        let mut waiting = vec![None; invocations.len()];
-        for step in 0..invocations.len() {
-            let index = order.map_or(step, |order| order[step] as usize);
-            let invocation = &mut invocations[index];
-            if invocation.done() {
-                continue;
-            }
-            match catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield())) {
-                Ok(barrier) => waiting[index] = barrier,
-                Err(panic) => {
-                    give_up(invocations);
-                    // it may have panicked because of a wrong value
-                    match phase::take_conflict() {
-                        Some(conflict) => return Err(Failure::Memory(conflict)),
-                        None => resume_unwind(panic),
-                    }
-                }
+        if let Err(panic) = go_on(&mut invocations, &mut stops, &mut meetings, order) {
+            give_up(invocations);
+            // it may have panicked because of a wrong value
+            match phase::take_conflict() {
+                Some(conflict) => return Err(Failure::Memory(conflict)),
+                None => resume_unwind(panic),
             }
         }
-        CURRENT.set(ptr::null());
-        let failure = if waiting.iter().any(|barrier| *barrier != waiting[0]) {
-            Some(Failure::Divergence(divergence(&waiting, size)))
-        } else {
-            phase::take_conflict().map(Failure::Memory)
+        let subgroups = |of| subgroups_meet(size, of, &mut stops, &mut meetings);
+        let failure = match subgroup_size.map_or(Ok(false), subgroups) {
+            // those that wait at barriers go on waiting
+            Ok(true) => continue,
+            Ok(false) => match barrier_is_reached(size, &stops) {
+                Ok(()) => phase::take_conflict().map(Failure::Memory),
+                Err(reason) => Some(Failure::Divergence(reason)),
+            },
+            Err(reason) => Some(Failure::Divergence(reason)),
         };
         if let Some(failure) = failure {
             give_up(invocations);
             return Err(failure);
         }
-        if waiting[0].is_none() {
+        if stops[0].is_none() {
             break;
         }
+        stops.fill(None);
         phase::next();
     }
     for invocation in invocations {
         STACKS.with_borrow_mut(|stacks| stacks.push(invocation.into_stack()));
     }
     path::take();
+    Ok(())
+}
+
+/// Runs each invocation that does not wait to its next stop, or to its end.
+#[inline(always)]
+fn go_on(
+    invocations: &mut [Body],
+    stops: &mut [Option<Stop>],
+    meetings: &mut [Option<Meeting>],
+    order: Option<&[u64]>,
+) -> std::thread::Result<()> {
+    for step in 0..invocations.len() {
+        let index = order.map_or(step, |order| order[step] as usize);
+        let invocation = &mut invocations[index];
+        if invocation.done() || stops[index].is_some() {
+            continue;
+        }
+        if let Some(meeting) = meetings.get(index) {
+            MEETING.set(*meeting);
+        }
+        stops[index] = catch_unwind(AssertUnwindSafe(|| invocation.resume(()).as_yield()))?;
+        if let Some(meeting) = meetings.get_mut(index) {
+            *meeting = MEETING.take();
+        }
+    }
+    CURRENT.set(ptr::null());
     Ok(())
 }
 
@@ -218,39 +266,6 @@ fn give_up(invocations: Vec<Body>) {
     running::silence(false);
 }
 
-/// Lists which invocations wait at which barrier, if they do not all wait at the same one.
-fn divergence(waiting: &[Option<Barrier>], size: UVec3) -> String {
-    let (first, others): (Vec<_>, Vec<_>) =
-        (0..waiting.len()).partition(|&index| waiting[index] == waiting[0]);
-    let ways = [waiting[first[0]], waiting[others[0]]];
-    let side = |indices: &[usize]| {
-        let place = unlinear(indices[0] as u64, size);
-        let does = match waiting[indices[0]] {
-            Some(barrier) => {
-                format!("waits at the barrier of {}{}", barrier.at, way(barrier, ways))
-            }
-            None => "has ended".to_owned(),
-        };
-        match indices.len() - 1 {
-            0 => format!("invocation {place} {does}"),
-            more => format!("invocation {place} (with {more} more) {does}"),
-        }
-    };
-    let first = side(&first);
-    let others = side(&others);
-    format!("a barrier in divergent control flow: {first}, while {others}")
-}
-
-/// How an invocation came to its barrier, if two came to the same one on different paths.
-fn way(own: Barrier, ways: [Option<Barrier>; 2]) -> String {
-    let [Some(first), Some(second)] = ways else { return String::new() };
-    if first.at != second.at {
-        return String::new();
-    }
-    let same = first.path.iter().zip(second.path).take_while(|(one, other)| one == other).count();
-    own.path.get(same).map_or_else(String::new, |step| format!(" {step}"))
-}
-
 fn take_stack() -> DefaultStack {
     STACKS
         .with_borrow_mut(Vec::pop)
@@ -265,19 +280,26 @@ pub struct Workgroup {
     size: UVec3,
     place: UVec3,
     among: UVec3,
+    subgroup_size: u32,
 }
 
 impl Workgroup {
     /// The only workgroup of a dispatch. `size` is the kernel's `threads`.
     #[must_use]
     pub fn new(size: [u32; 3]) -> Self {
-        Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE }
+        Self { size: size.into(), place: UVec3::ZERO, among: UVec3::ONE, subgroup_size: 32 }
     }
 
     /// Places the workgroup at `place` in a dispatch of `among` workgroups.
     #[must_use]
     pub fn at(self, place: [u32; 3], among: [u32; 3]) -> Self {
         Self { place: place.into(), among: among.into(), ..self }
+    }
+
+    /// Divides the workgroup into subgroups of `size`: one of [`SIZES`](crate::subgroup::SIZES). Otherwise they have 32 lanes.
+    #[must_use]
+    pub fn subgroups(self, size: u32) -> Self {
+        Self { subgroup_size: size, ..self }
     }
 
     /// Calls `kernel` for every invocation.
@@ -288,7 +310,7 @@ impl Workgroup {
     #[track_caller]
     pub fn run(&self, kernel: impl Fn(Invocation)) {
         let place = Invocation::new(UVec3::ZERO, self.place, self.among, self.size);
-        match run_to_end(place, &kernel, None) {
+        match run_to_end(place, &kernel, None, Some(self.subgroup_size)) {
             Ok(()) => {}
             Err(Failure::Divergence(reason) | Failure::Memory(reason)) => panic!("{reason}"),
         }

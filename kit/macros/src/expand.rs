@@ -157,6 +157,13 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
         false => quote!(::<f32>),
     });
     let each = each(kernel);
+    let lanes = kernel.subgroups.then(|| {
+        quote! {
+            #[spirv(subgroup_size)] subgroup_size: u32,
+            #[spirv(subgroup_local_invocation_id)] subgroup_lane: u32,
+        }
+    });
+    let subgroup = kernel.subgroups.then(|| quote!(.with_subgroup(subgroup_size, subgroup_lane)));
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
@@ -165,9 +172,10 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
             #[spirv(local_invocation_id)] local: ::muslin::dependencies::glam::UVec3,
             #[spirv(workgroup_id)] workgroup: ::muslin::dependencies::glam::UVec3,
             #[spirv(num_workgroups)] workgroups: ::muslin::dependencies::glam::UVec3,
+            #lanes
             #(#parameters),*
         ) {
-            let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each);
+            let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each) #subgroup;
             self::#name #lane (id, #(#arguments),*);
         }
     }
@@ -229,6 +237,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let run_variant = run_variant(kernel);
     let run_fused = run_fused(kernel);
     let fused = kernel.fused;
+    let subgroups = kernel.subgroups;
     let z_serial = kernel.z_serial;
     let z_innermost = kernel.z_innermost;
     let each = each(kernel);
@@ -249,6 +258,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 workgroup_size: [#x, #y, #z],
                 iterations: #iterations,
                 fused: #fused,
+                subgroups: #subgroups,
                 z_serial: #z_serial,
                 z_innermost: #z_innermost,
                 each: #each,
@@ -268,11 +278,12 @@ fn info(kernel: &Kernel) -> TokenStream {
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
             #limit
             #is_params
-            // what every implementation of WebGPU offers
-            const SIZE: [u32; 3] = [#x, #y, #z];
-            const INVOCATIONS: u32 = SIZE[0].saturating_mul(SIZE[1]).saturating_mul(SIZE[2]);
-            ::core::assert!(INVOCATIONS > 0 && INVOCATIONS <= 256 && SIZE[2] <= 64, #invocations);
-            ::core::assert!(!#z_serial || SIZE[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
+            // what every implementation of WebGPU offers; constants here would hide those that `threads` names
+            let size: [u32; 3] = [#x, #y, #z];
+            let invocations: u32 = size[0].saturating_mul(size[1]).saturating_mul(size[2]);
+            ::core::assert!(invocations > 0 && invocations <= 256 && size[2] <= 64, #invocations);
+            ::core::assert!(!#z_serial || size[2] == 1, "`z_serial` takes workgroups that are one invocation thick: `threads(x, y)`");
+            ::core::assert!(!#subgroups || size[1] == 1 && size[2] == 1, "`subgroups` takes workgroups along x: `threads(x)`");
             ::core::assert!(workgroup_bytes(&#all_shared) <= MAX_WORKGROUP_BYTES, #memory);
         };
     }

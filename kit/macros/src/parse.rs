@@ -62,6 +62,8 @@ pub struct Kernel {
     pub fused: bool,
     /// Whether it has barriers without workgroup memory.
     pub storage_barriers: bool,
+    /// Whether it has operations of subgroups.
+    pub subgroups: bool,
     /// On the CPU the workgroups of one z run one after another, on one thread.
     pub z_serial: bool,
     /// On the CPU the workgroups of one x and y run one after another.
@@ -87,7 +89,8 @@ impl Kernel {
         let function: ItemFn = syn::parse2(item)?;
         let attribute = parse_attribute(attribute)?;
         let Attribute { threads, fused, z_serial, z_innermost, lanes, .. } = attribute;
-        let Attribute { iterations, counts, work, unordered, storage_barriers, .. } = attribute;
+        let Attribute { iterations, counts, work, unordered, storage_barriers, subgroups, .. } =
+            attribute;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
             Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
@@ -118,6 +121,7 @@ impl Kernel {
             threads,
             fused,
             storage_barriers,
+            subgroups,
             z_serial,
             z_innermost,
             lanes,
@@ -155,7 +159,8 @@ impl Kernel {
             return Err(Error::new(name.span(), "`unordered` names bindings of the type `Write`"));
         }
         if kernel.lanes.is_some() && kernel.waits() {
-            let message = "a kernel with workgroup memory or storage barriers has no `lanes`";
+            let message =
+                "a kernel with workgroup memory, storage barriers or subgroups has no `lanes`";
             return Err(Error::new(kernel.function.sig.span(), message));
         }
         Ok(kernel)
@@ -173,7 +178,7 @@ impl Kernel {
 
     /// Whether the invocations of a workgroup can wait for each other.
     pub fn waits(&self) -> bool {
-        self.storage_barriers || self.has(|role| matches!(role, Role::Shared(_)))
+        self.storage_barriers || self.subgroups || self.has(|role| matches!(role, Role::Shared(_)))
     }
 
     /// Whether it has a second entry point, in which shared tiles are workgroup memory.
@@ -190,6 +195,7 @@ struct Attribute {
     threads: [Expr; 3],
     fused: bool,
     storage_barriers: bool,
+    subgroups: bool,
     z_serial: bool,
     z_innermost: bool,
     lanes: Option<Lanes>,
@@ -199,12 +205,13 @@ struct Attribute {
     unordered: Vec<Ident>,
 }
 
-/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `z_serial` or `z_innermost`, `lanes` or
+/// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial` or `z_innermost`, `lanes` or
 /// `lanes(field)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     let mut threads = None;
     let mut fused = false;
     let mut storage_barriers = false;
+    let mut subgroups = false;
     let mut z_serial = false;
     let mut z_innermost = false;
     let mut lanes = None;
@@ -219,6 +226,10 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
         }
         if meta.path.is_ident("storage_barriers") {
             storage_barriers = true;
+            return Ok(());
+        }
+        if meta.path.is_ident("subgroups") {
+            subgroups = true;
             return Ok(());
         }
         if meta.path.is_ident("z_serial") {
@@ -259,7 +270,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
         }
         if !meta.path.is_ident("threads") {
             let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, \
-                `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `counts(field, ..)`, `unordered(binding, ..)` or `work(function)`";
+                `subgroups`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `counts(field, ..)`, `unordered(binding, ..)` or `work(function)`";
             return Err(meta.error(expected));
         }
         let content;
@@ -289,6 +300,7 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
         threads,
         fused,
         storage_barriers,
+        subgroups,
         z_serial,
         z_innermost,
         lanes,

@@ -126,6 +126,9 @@ pub struct Interface {
     pub bindings: Vec<Binding>,
     /// Arrays in workgroup memory.
     pub shared: Vec<Shared>,
+    /// Whether it has operations of subgroups, which a device or a browser can lack.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub subgroups: bool,
 }
 
 /// One buffer of a kernel.
@@ -226,6 +229,7 @@ impl Interface {
             each: kernel.each,
             bindings: kernel.bindings.iter().map(binding).collect(),
             shared: point.shared.iter().map(shared).collect(),
+            subgroups: kernel.subgroups,
         }
     }
 }
@@ -262,6 +266,7 @@ mod tests {
                     element_bytes: 4,
                 }],
                 shared: Vec::new(),
+                subgroups: false,
             },
         }
     }

@@ -43,6 +43,12 @@ corpus! {
         storage_barrier_is_missing
         barrier_for_all_workgroups
     }
+    subgroups {
+        lanes_without_items
+        size_is_written_out
+        ballot_of_one_word
+        operation_for_a_barrier
+    }
     workgroup_memory {
         half_is_loaded
         counts_are_not_cleared

@@ -1,0 +1,160 @@
+//! Subgroups of every size: what they compute, and what is said of wrong ones.
+
+use muslin::prelude::*;
+use muslin::subgroup::SIZES;
+use muslin_check::devices;
+use muslin_device::{Device, DeviceOptions, Error, Modules};
+
+const INVOCATIONS: u32 = 96;
+
+/// Of each invocation: lane, sum, smallest, largest and first of the squares, and how many are odd.
+#[kernel(threads(INVOCATIONS), subgroups)]
+pub fn each_operation(id: Invocation, output: Write<u32>, floats: Write<f32>) {
+    let own = id.local.x * id.local.x;
+    let first = 6 * id.index();
+    if id.workgroup.x == 0 {
+        output.write(first, id.subgroup_lane());
+        output.write(first + 1, id.subgroup_sum(own));
+        output.write(first + 2, id.subgroup_min(own));
+        output.write(first + 3, id.subgroup_max(own));
+        output.write(first + 4, id.subgroup_broadcast_first(own));
+        output.write(first + 5, muslin::subgroup::lanes(id.subgroup_ballot(own % 2 == 1)));
+        let float = own as f32 - 1000.0;
+        let first = 4 * id.index();
+        floats.write(first, id.subgroup_sum(float));
+        floats.write(first + 1, id.subgroup_min(float));
+        floats.write(first + 2, id.subgroup_max(float));
+        floats.write(first + 3, id.subgroup_broadcast_first(float));
+    }
+}
+
+/// The first subgroup waits at an operation, and the others wait at a barrier.
+#[kernel(threads(INVOCATIONS), subgroups)]
+pub fn own_ways(id: Invocation, output: Write<u32>, unused: Shared<u32, 1>) {
+    let mut sum = 0;
+    if id.local.x == 0 {
+        unused.write(0, 0);
+    }
+    if id.local.x < id.subgroup_size() {
+        sum = id.subgroup_sum(1);
+    }
+    id.barrier();
+    if id.workgroup.x == 0 {
+        output.write(id.index(), sum);
+    }
+}
+
+/// Half of a subgroup waits at a barrier.
+#[kernel(threads(64), subgroups)]
+pub fn operation_or_barrier(id: Invocation, output: Write<u32>) {
+    if id.local.x.is_multiple_of(2) {
+        id.barrier(); // one half
+    }
+    output.write(id.index(), id.subgroup_sum(1)); // the other half
+}
+
+/// Declares none.
+#[kernel(threads(64))]
+pub fn undeclared(id: Invocation, output: Write<u32>) {
+    output.write(id.index(), id.subgroup_sum(1));
+}
+
+/// Declares none, and waits at barriers.
+#[kernel(threads(64))]
+pub fn undeclared_lane(id: Invocation, output: Write<u32>, unused: Shared<u32, 64>) {
+    unused.write(id.local.x, 0);
+    output.write(id.index(), id.subgroup_lane());
+}
+
+/// Devices of every size that look for mistakes.
+fn every_size() -> impl Iterator<Item = (usize, Device)> {
+    SIZES.into_iter().map(|size| {
+        let options = DeviceOptions::checked().subgroup_size(size);
+        (size as usize, Device::open(&options, Modules::none()).expect("the CPU"))
+    })
+}
+
+#[test]
+fn operations_are_those_of_the_lanes() {
+    let squares: Vec<u32> = (0..INVOCATIONS).map(|i| i * i).collect();
+    for (size, device) in every_size() {
+        let output = device.unwritten("output", 6 * squares.len()).unwrap();
+        let floats = device.unwritten("floats", 4 * squares.len()).unwrap();
+        let kernel = EachOperationKernel { output: &output, floats: &floats };
+        device.run(&kernel, INVOCATIONS, 1).unwrap();
+        let (output, floats) = (device.read(&output).unwrap(), device.read(&floats).unwrap());
+        for lanes in squares.chunks(size) {
+            for (lane, own) in lanes.iter().enumerate() {
+                let at = squares.iter().position(|square| square == own).unwrap();
+                let sum: u32 = lanes.iter().sum();
+                let odd = lanes.iter().filter(|square| *square % 2 == 1).count();
+                let (first, last) = (lanes[0], lanes[lanes.len() - 1]);
+                let expected = [lane as u32, sum, first, last, first, odd as u32];
+                assert_eq!(output[6 * at..6 * at + 6], expected, "{size}: {at}");
+                let float = |square| square as f32 - 1000.0;
+                let sum = sum as f32 - 1000.0 * lanes.len() as f32;
+                let expected = [sum, float(first), float(last), float(first)];
+                assert_eq!(floats[4 * at..4 * at + 4], expected, "{size}: {at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_subgroup_may_go_its_own_way() {
+    for (size, device) in every_size() {
+        let output = device.unwritten("output", INVOCATIONS as usize).unwrap();
+        device.run(&OwnWaysKernel { output: &output }, INVOCATIONS, 1).unwrap();
+        let lanes = size.min(INVOCATIONS as usize);
+        let expected = (0..INVOCATIONS as usize).map(|i| if i < lanes { lanes as u32 } else { 0 });
+        assert!(device.read(&output).unwrap().into_iter().eq(expected), "{size}");
+    }
+}
+
+/// The line of this file that ends with a text.
+fn line(end: &str) -> String {
+    let mut lines = include_str!("subgroups.rs").lines();
+    format!("subgroups.rs:{}:", 1 + lines.position(|line| line.ends_with(end)).unwrap())
+}
+
+#[test]
+fn lanes_that_wait_elsewhere_are_named() {
+    let options = DeviceOptions::checked().subgroup_size(16);
+    let device = Device::open(&options, Modules::none()).unwrap();
+    let output = device.unwritten("output", 64).unwrap();
+    let error = device.run(&OperationOrBarrierKernel { output: &output }, 64, 1).unwrap_err();
+    let message = error.to_string();
+    let [barrier, operation] = [line("// one half"), line("// the other half")];
+    for part in [
+        "`operation_or_barrier`: a subgroup's operation in divergent control flow: ",
+        "invocation [0, 0, 0] (with 7 more) waits at the barrier of ",
+        "while invocation [1, 0, 0] (with 7 more) waits at the operation of ",
+        "in a subgroup of 16, in workgroup [0, 0, 0]",
+        &barrier,
+        &operation,
+    ] {
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
+#[test]
+fn subgroups_are_declared() {
+    let device = devices::checked();
+    let output = device.unwritten("output", 64).unwrap();
+    let errors = [
+        device.run(&UndeclaredKernel { output: &output }, 64, 1),
+        device.run(&UndeclaredLaneKernel { output: &output }, 64, 1),
+    ];
+    for error in errors {
+        let message = error.unwrap_err().to_string();
+        assert!(message.contains("`#[kernel(.., subgroups)]`, at "), "{message}");
+    }
+}
+
+#[test]
+fn a_device_has_one_of_the_sizes() {
+    let error =
+        Device::open(&DeviceOptions::cpu(1).subgroup_size(12), Modules::none()).unwrap_err();
+    assert!(matches!(error, Error::Argument { .. }));
+    assert!(error.to_string().contains("12 lanes: its size is one of [4, 8,"), "{error}");
+}

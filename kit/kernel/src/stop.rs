@@ -1,0 +1,118 @@
+//! Where the invocations of a workgroup wait for each other.
+
+extern crate std;
+
+use core::panic::Location;
+use core::ptr;
+use std::borrow::ToOwned;
+use std::format;
+use std::string::String;
+use std::vec::Vec;
+
+use glam::{UVec3, UVec4};
+
+use crate::path::Step;
+use crate::running::unlinear;
+use crate::subgroup::Operation;
+
+/// What an invocation waits at: a barrier, or an operation of its subgroup. It is small, because each wait copies it.
+#[derive(Clone, Copy)]
+pub struct Stop {
+    /// Place in the source.
+    pub at: &'static Location<'static>,
+    /// The branches and loops around it. The waiting coroutine owns it, so it lives until that is resumed or dropped.
+    pub path: &'static [Step],
+}
+
+/// What an invocation gives to an operation of its subgroup, and then the result.
+#[derive(Clone, Copy)]
+pub struct Meeting {
+    pub operation: Operation,
+    /// The bits of the value in its first component.
+    pub value: UVec4,
+}
+
+/// A stop, and the subgroup's operation there, if it is no barrier; `None` for an invocation that has ended.
+type Place = Option<(Stop, Option<Operation>)>;
+
+impl PartialEq for Stop {
+    fn eq(&self, other: &Self) -> bool {
+        // mostly it is one place in memory: its text takes longer to compare than an invocation to wait
+        (ptr::eq(self.at, other.at) || self.at == other.at) && self.path == other.path
+    }
+}
+
+/// Runs the operations that subgroups wait at: their lanes go on, with the results. Returns whether there was one.
+pub fn subgroups_meet(
+    size: UVec3,
+    subgroup_size: u32,
+    stops: &mut [Option<Stop>],
+    meetings: &mut [Option<Meeting>],
+) -> Result<bool, String> {
+    let mut met = false;
+    let lanes = subgroup_size as usize;
+    let subgroups = stops.chunks_mut(lanes).zip(meetings.chunks_mut(lanes));
+    for (subgroup, (stops, meetings)) in subgroups.enumerate() {
+        if meetings.iter().all(Option::is_none) {
+            continue;
+        }
+        let place = |(stop, meeting): (&Option<Stop>, &Option<Meeting>)| -> Place {
+            stop.map(|stop| (stop, meeting.map(|meeting| meeting.operation)))
+        };
+        let places: Vec<_> = stops.iter().zip(&*meetings).map(place).collect();
+        let Some((_, Some(operation))) =
+            places[0].filter(|_| places.iter().all(|of| *of == places[0]))
+        else {
+            let reason = divergence("a subgroup's operation", &places, subgroup * lanes, size);
+            return Err(format!("{reason}, in a subgroup of {subgroup_size}"));
+        };
+        let bits: Vec<_> = meetings.iter().flatten().map(|meeting| meeting.value.x).collect();
+        meetings.fill(Some(Meeting { operation, value: operation.of(&bits) }));
+        stops.fill(None);
+        met = true;
+    }
+    Ok(met)
+}
+
+/// Fails if not all invocations wait at one barrier, and not all have ended.
+pub fn barrier_is_reached(size: UVec3, stops: &[Option<Stop>]) -> Result<(), String> {
+    if stops.iter().all(|stop| *stop == stops[0]) {
+        return Ok(());
+    }
+    let places: Vec<_> = stops.iter().map(|stop| stop.map(|stop| (stop, None))).collect();
+    Err(divergence("a barrier", &places, 0, size))
+}
+
+/// Lists which invocations wait at which barrier or operation, if they do not all wait at the same one. `begin` is the first one's index.
+fn divergence(what: &str, places: &[Place], begin: usize, size: UVec3) -> String {
+    let (first, others): (Vec<_>, Vec<_>) =
+        (0..places.len()).partition(|&index| places[index] == places[0]);
+    let ways = [places[first[0]], places[others[0]]];
+    let side = |indices: &[usize]| {
+        let place = unlinear((begin + indices[0]) as u64, size);
+        let does = match places[indices[0]] {
+            Some((stop, operation)) => {
+                let kind = if operation.is_some() { "operation" } else { "barrier" };
+                format!("waits at the {kind} of {}{}", stop.at, way(stop, ways))
+            }
+            None => "has ended".to_owned(),
+        };
+        match indices.len() - 1 {
+            0 => format!("invocation {place} {does}"),
+            more => format!("invocation {place} (with {more} more) {does}"),
+        }
+    };
+    let first = side(&first);
+    let others = side(&others);
+    format!("{what} in divergent control flow: {first}, while {others}")
+}
+
+/// How an invocation came to its stop, if two came to the same one on different paths.
+fn way(own: Stop, ways: [Place; 2]) -> String {
+    let [Some((first, _)), Some((second, _))] = ways else { return String::new() };
+    if first.at != second.at {
+        return String::new();
+    }
+    let same = first.path.iter().zip(second.path).take_while(|(one, other)| one == other).count();
+    own.path.get(same).map_or_else(String::new, |step| format!(" {step}"))
+}

@@ -1,0 +1,249 @@
+//! Subgroups: the invocations of a workgroup that a GPU runs in step, and that exchange values without memory.
+//!
+//! The device chooses how many they are: 4 to 128, a power of two. So a kernel takes any size, and says `subgroups`:
+//!
+//! ```
+//! # extern crate muslin_kernel as muslin;
+//! use muslin::prelude::*;
+//!
+//! /// Adds up the values of each workgroup.
+//! #[kernel(threads(64), subgroups)]
+//! pub fn total(id: Invocation, input: Read<u32>, output: Write<u32>, sum: Shared<u32, 1>) {
+//!     if id.local.x == 0 {
+//!         sum.write(0, 0);
+//!     }
+//!     id.barrier();
+//!     let of_subgroup = id.subgroup_sum(input.read(id.index()));
+//!     if id.subgroup_lane() == 0 {
+//!         sum.atomic_add(0, of_subgroup);
+//!     }
+//!     id.barrier();
+//!     if id.local.x == 0 {
+//!         output.write(id.workgroup_index(), sum.read(0));
+//!     }
+//! }
+//!
+//! # fn main() {
+//! let (input, mut output) = (vec![1; 64], [0]);
+//! for size in muslin::subgroup::SIZES {
+//!     let (input, view, sum) = (Read::from(&input[..]), Write::from(&mut output[..]), SharedMemory::new());
+//!     Workgroup::new([64, 1, 1]).subgroups(size).run(|id| total(id, input, view, sum.view()));
+//!     assert_eq!(output, [64]);
+//! }
+//! # }
+//! ```
+//!
+//! All invocations of a subgroup come to each operation, on the same path. They wait for each other there, but it is no barrier: what
+//! they write to memory is not ordered. In the last subgroup of a workgroup, lanes can be missing. Workgroups lie along x, because only there
+//! naga knows lanes:
+//!
+//! ```compile_fail,E0080
+//! # extern crate muslin_kernel as muslin;
+//! # use muslin::prelude::*;
+//! #[kernel(threads(8, 8), subgroups)]
+//! pub fn total(id: Invocation, output: Write<u32>) {
+//!     output.write(id.index(), id.subgroup_sum(1));
+//! }
+//! # fn main() {}
+//! ```
+
+use glam::UVec4;
+#[cfg(target_arch = "spirv")]
+use spirv_std::arch;
+
+use crate::invocation::Invocation;
+#[cfg(not(target_arch = "spirv"))]
+use crate::workgroup::{meet, subgroup_size as size};
+
+/// The sizes that the subgroups of a device can have.
+pub const SIZES: [u32; 6] = [4, 8, 16, 32, 64, 128];
+
+/// A number that subgroups exchange: `u32` or `f32`. The methods are those of [`Invocation`].
+#[allow(missing_docs)]
+pub trait SubgroupNumber: Copy {
+    #[doc(hidden)]
+    fn subgroup_sum(self) -> Self;
+    #[doc(hidden)]
+    fn subgroup_min(self) -> Self;
+    #[doc(hidden)]
+    fn subgroup_max(self) -> Self;
+    #[doc(hidden)]
+    fn subgroup_broadcast_first(self) -> Self;
+}
+
+macro_rules! number {
+    ($number:ident: $($function:ident is $on_gpu:ident, $operation:ident;)*) => {
+        impl SubgroupNumber for $number {
+            $(
+                #[inline(always)]
+                #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+                fn $function(self) -> Self {
+                    #[cfg(target_arch = "spirv")]
+                    let result = arch::$on_gpu(self);
+                    #[cfg(not(target_arch = "spirv"))]
+                    let result = bytemuck::cast(meet(Operation::$operation, bytemuck::cast(self)).x);
+                    result
+                }
+            )*
+        }
+    };
+}
+
+number! { u32:
+    subgroup_sum is subgroup_i_add, Sum;
+    subgroup_min is subgroup_u_min, Min;
+    subgroup_max is subgroup_u_max, Max;
+    subgroup_broadcast_first is subgroup_broadcast_first, First;
+}
+
+number! { f32:
+    subgroup_sum is subgroup_f_add, FloatSum;
+    subgroup_min is subgroup_f_min, FloatMin;
+    subgroup_max is subgroup_f_max, FloatMax;
+    subgroup_broadcast_first is subgroup_broadcast_first, First;
+}
+
+impl Invocation {
+    /// Number of lanes of a subgroup, a power of two. In the last subgroup of a workgroup, some can be missing.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_size(&self) -> u32 {
+        #[cfg(target_arch = "spirv")]
+        let size = self.subgroup.x;
+        #[cfg(not(target_arch = "spirv"))]
+        let size = size();
+        size
+    }
+
+    /// The invocation's lane: its position in its subgroup.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_lane(&self) -> u32 {
+        #[cfg(target_arch = "spirv")]
+        let lane = self.subgroup.y;
+        #[cfg(not(target_arch = "spirv"))]
+        let lane = self.local_index() % size();
+        lane
+    }
+
+    /// The sum of the subgroup's values: of `u32` modulo 2^32, of `f32` in an order that the device chooses.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_sum<T: SubgroupNumber>(&self, value: T) -> T {
+        value.subgroup_sum()
+    }
+
+    /// The smallest of the subgroup's values. None of them is NaN.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_min<T: SubgroupNumber>(&self, value: T) -> T {
+        value.subgroup_min()
+    }
+
+    /// The largest of the subgroup's values. None of them is NaN.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_max<T: SubgroupNumber>(&self, value: T) -> T {
+        value.subgroup_max()
+    }
+
+    /// The value of the subgroup's first lane.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_broadcast_first<T: SubgroupNumber>(&self, value: T) -> T {
+        value.subgroup_broadcast_first()
+    }
+
+    /// In which of the subgroup's lanes `is_set` is true: lane `i` is bit `i % 32` of component `i / 32`. [`lanes`] and [`lanes_before`]
+    /// count them.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_ballot(&self, is_set: bool) -> UVec4 {
+        #[cfg(target_arch = "spirv")]
+        let ballot = arch::subgroup_ballot(is_set);
+        #[cfg(not(target_arch = "spirv"))]
+        let ballot = meet(Operation::Ballot, is_set.into());
+        ballot
+    }
+}
+
+/// Number of lanes in a ballot.
+#[inline(always)]
+pub fn lanes(ballot: UVec4) -> u32 {
+    ballot.x.count_ones() + ballot.y.count_ones() + ballot.z.count_ones() + ballot.w.count_ones()
+}
+
+/// Number of lanes in a ballot that come before a lane, itself not included.
+#[inline(always)]
+pub fn lanes_before(ballot: UVec4, lane: u32) -> u32 {
+    let below = (1 << (lane % 32)) - 1;
+    let word = lane / 32;
+    // all bits of the words before its own
+    let mask = |of: u32| {
+        if of == word {
+            below
+        } else if of < word {
+            !0
+        } else {
+            0
+        }
+    };
+    lanes(ballot & UVec4::new(mask(0), mask(1), mask(2), mask(3)))
+}
+
+/// An operation of a subgroup on the CPU.
+#[cfg(not(target_arch = "spirv"))]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Operation {
+    Sum,
+    Min,
+    Max,
+    FloatSum,
+    FloatMin,
+    FloatMax,
+    First,
+    Ballot,
+}
+
+#[cfg(not(target_arch = "spirv"))]
+impl Operation {
+    /// The result, of the bits of each lane's value. That of a number is the first component.
+    pub(crate) fn of(self, lanes: &[u32]) -> UVec4 {
+        let values = || lanes.iter().copied();
+        let floats = || values().map(f32::from_bits);
+        let float = |value: Option<f32>| value.unwrap_or_default().to_bits();
+        let result = match self {
+            Self::Sum => values().fold(0, u32::wrapping_add),
+            Self::Min => values().min().unwrap_or_default(),
+            Self::Max => values().max().unwrap_or_default(),
+            Self::FloatSum => float(floats().reduce(|a, b| a + b)),
+            Self::FloatMin => float(floats().reduce(f32::min)),
+            Self::FloatMax => float(floats().reduce(f32::max)),
+            Self::First => lanes[0],
+            Self::Ballot => {
+                let bits =
+                    (0..).zip(values()).fold(0, |bits, (i, is_set)| bits | u128::from(is_set) << i);
+                return UVec4::from_array(core::array::from_fn(|word| {
+                    (bits >> (32 * word)) as u32
+                }));
+            }
+        };
+        UVec4::new(result, 0, 0, 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ballot_counts_the_lanes_before_each() {
+        let is_set = |lane: u32| lane.is_multiple_of(3) || lane > 100;
+        let bits: [u32; 128] = core::array::from_fn(|lane| is_set(lane as u32).into());
+        let ballot = Operation::Ballot.of(&bits);
+        for lane in 0..128 {
+            assert_eq!(lanes_before(ballot, lane), bits[..lane as usize].iter().sum::<u32>());
+        }
+        assert_eq!(lanes(ballot), bits.iter().sum::<u32>());
+    }
+}

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use muslin::{KernelInfo, kernels};
-use muslin_device::{Device, InstructionSet, Modules};
+use muslin_device::{Device, InstructionSet, Modules, STALE};
 
 use super::case::Case;
 use super::parity::Rounding;
@@ -52,7 +52,10 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
         let driver = device.arithmetic();
         println!("{}", Report { adapter, driver, path: device.backend(), kernels: rows });
     }
-    let failures = folded(failures);
+    let mut failures = folded(failures);
+    if !failures.is_empty() && modules.manifest().is_stale {
+        failures.insert(0, format!("GPUs run old kernels: {STALE}"));
+    }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 

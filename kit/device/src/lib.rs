@@ -103,7 +103,7 @@ pub use host::Host;
 pub use modules::Aligned;
 pub use modules::{CompiledKernel, Modules};
 pub use muslin::kernel::{InstructionSet, kernels_of};
-pub use muslin_manifest::{List, Table, grouped};
+pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};
 pub use timings::KernelTime;

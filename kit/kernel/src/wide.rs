@@ -87,8 +87,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     const WIDTH: u32 = N as u32;
     // CPUs with eight lanes have 16 registers: too few for sixteen sums and their terms
     const COLUMNS: u32 = if N == 8 { 2 } else { 4 };
-    // only AVX-512 converts whole vectors to 64-bit integers
-    const ADDS_TWO: bool = N == 16;
+    const ADDS_TWO: bool = N > 1;
     const READS_FOUR: bool = false;
     const GATHERS_TWO: bool = N > 1;
     type One = Wide<1, FUSED>;

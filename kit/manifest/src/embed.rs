@@ -7,6 +7,10 @@ use std::path::{Path, PathBuf};
 
 use crate::{Manifest, source_hash};
 
+/// What [`Manifest::is_stale`] means, and what to do.
+pub const STALE: &str =
+    "the compiled kernels are older than their sources: run `cargo xtask kernels`";
+
 /// Makes the crate embed the modules of a folder and their manifest. The manifest's sources are relative to
 /// `workspace`. A build script calls this; `muslin_device::modules!()` is the counterpart in the crate.
 ///
@@ -22,11 +26,14 @@ pub fn embed(kernels: &Path, workspace: &Path) {
     let watched = if kernels.is_dir() { kernels } else { kernels.parent().unwrap_or(kernels) };
     println!("cargo::rerun-if-changed={}", watched.display());
 
-    let manifest = Manifest::load(kernels).unwrap_or_else(|error| {
+    let mut manifest = Manifest::load(kernels).unwrap_or_else(|error| {
         println!("cargo::warning=no compiled kernels ({error}): run `cargo xtask kernels`");
         Manifest::empty()
     });
-    warn_when_stale(workspace, &manifest);
+    manifest.is_stale = is_stale(workspace, &manifest);
+    if manifest.is_stale {
+        println!("cargo::warning={STALE}");
+    }
     fs::write(out.join("manifest.json"), manifest.to_json()).expect("OUT_DIR is writable");
     fs::write(out.join("kernels.rs"), table(kernels, &manifest)).expect("OUT_DIR is writable");
 }
@@ -60,18 +67,14 @@ fn table(kernels: &Path, manifest: &Manifest) -> String {
     table + "]\n"
 }
 
-/// Warns if the GPU still runs an old version of a kernel. Without sources, there is no warning.
-fn warn_when_stale(workspace: &Path, manifest: &Manifest) {
+/// Whether the GPU still runs an old version of a kernel. Without sources, nobody knows.
+fn is_stale(workspace: &Path, manifest: &Manifest) -> bool {
     let folders: Vec<_> = manifest.sources.iter().map(|folder| workspace.join(folder)).collect();
     if folders.is_empty() || !folders.iter().all(|folder| folder.is_dir()) {
-        return;
+        return false;
     }
     for folder in folders {
         println!("cargo::rerun-if-changed={}", folder.display());
     }
-    if source_hash(workspace, &manifest.sources).is_ok_and(|hash| hash != manifest.source_hash) {
-        println!(
-            "cargo::warning=the compiled kernels are older than their sources: run `cargo xtask kernels`"
-        );
-    }
+    source_hash(workspace, &manifest.sources).is_ok_and(|hash| hash != manifest.source_hash)
 }

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-pub use embed::{embed, embed_compiled};
+pub use embed::{STALE, embed, embed_compiled};
 #[cfg(feature = "kernels")]
 pub use list::List;
 pub use source::{locked_version, source_hash};
@@ -68,6 +68,9 @@ pub struct Manifest {
     pub compiler: Compiler,
     /// The kernels, sorted by name.
     pub kernels: Vec<KernelEntry>,
+    /// Whether the sources have changed since. Only the build script knows: see [`embed`].
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_stale: bool,
 }
 
 /// The compiler that made the modules.
@@ -166,7 +169,14 @@ impl Manifest {
         mut kernels: Vec<KernelEntry>,
     ) -> Self {
         kernels.sort_by(|a, b| a.name.cmp(&b.name));
-        Self { format_version: FORMAT_VERSION, sources, source_hash, compiler, kernels }
+        Self {
+            format_version: FORMAT_VERSION,
+            sources,
+            source_hash,
+            compiler,
+            kernels,
+            is_stale: false,
+        }
     }
 
     /// A manifest without kernels, as in a checkout whose kernels have not been compiled.

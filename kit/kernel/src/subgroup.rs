@@ -24,9 +24,12 @@
 //! }
 //!
 //! # fn main() {
-//! let (input, mut output) = (vec![1; 64], [0]);
+//! let ones = [1; 64];
+//! let mut output = [0];
 //! for size in muslin::subgroup::SIZES {
-//!     let (input, view, sum) = (Read::from(&input[..]), Write::from(&mut output[..]), SharedMemory::new());
+//!     let sum = SharedMemory::new();
+//!     let input = Read::from(&ones[..]);
+//!     let view = Write::from(&mut output[..]);
 //!     Workgroup::new([64, 1, 1]).subgroups(size).run(|id| total(id, input, view, sum.view()));
 //!     assert_eq!(output, [64]);
 //! }

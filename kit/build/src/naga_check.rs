@@ -4,6 +4,9 @@ use anyhow::{Result, bail};
 use naga::front::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
+/// What a kernel can need, and an adapter may have.
+pub const OFFERED: Capabilities = Capabilities::SHADER_FLOAT16.union(Capabilities::SUBGROUP);
+
 /// Fails with the reason if naga refuses the module.
 pub fn check(spirv: &[u8]) -> Result<()> {
     let options = spv::Options::default();
@@ -11,9 +14,7 @@ pub fn check(spirv: &[u8]) -> Result<()> {
         Ok(module) => module,
         Err(error) => bail!("naga cannot read the module: {error}"),
     };
-    // features that an adapter may have
-    let offered = Capabilities::SHADER_FLOAT16 | Capabilities::SUBGROUP;
-    match Validator::new(ValidationFlags::all(), offered).validate(&module) {
+    match Validator::new(ValidationFlags::all(), OFFERED).validate(&module) {
         Ok(_) => Ok(()),
         Err(error) => bail!("naga refuses the module: {:?}", error.into_inner()),
     }

@@ -22,7 +22,7 @@ pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
     let (info, head) = match (validate(Capabilities::empty()), validate(Capabilities::SUBGROUP)) {
         (Ok(info), _) => (info, ""),
         (_, Ok(info)) => (info, "enable subgroups;\n\n"),
-        _ if validate(Capabilities::all()).is_ok() => return Ok(None),
+        _ if validate(crate::naga_check::OFFERED).is_ok() => return Ok(None),
         (Err(error), _) => bail!("the module is not for browsers: {:?}", error.into_inner()),
     };
     let text = write_string(&module, &info, WriterFlags::empty())?;

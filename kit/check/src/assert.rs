@@ -1,6 +1,7 @@
 //! Runs all cases on all devices of this machine, as one test.
 
 use std::collections::BTreeSet;
+use std::fmt;
 
 use muslin::{KernelInfo, kernels};
 use muslin_device::{Device, InstructionSet, Modules, STALE};
@@ -27,7 +28,7 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
         return;
     }
     let cpu = devices::cpu(None);
-    let mut failures = without_case(cases);
+    let mut failures = Vec::new();
     // they say what is wrong, where others have wrong values
     checked(cases, &cpu, &mut failures);
     let plain = devices::cpus().into_iter().chain(devices::gpus(modules));
@@ -41,7 +42,9 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
             let of_cpu = case.measure(&cpu, &device, rounding);
             let of_equations = case.compare_with_exact(&device, rounding);
             if let Ok(measure) = &of_equations {
-                failures.extend(uncompared(case, measure, name));
+                for what in uncompared(case, measure) {
+                    add(&mut failures, case.kernel, name, what);
+                }
             }
             for (beside, result) in [("the CPU", &of_cpu), ("the equations", &of_equations)] {
                 add_failure(&mut failures, case, &device, [name, beside], result);
@@ -52,39 +55,50 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
         let driver = device.arithmetic();
         println!("{}", Report { adapter, driver, path: device.backend(), kernels: rows });
     }
-    let mut failures = folded(failures);
-    if !failures.is_empty() && modules.manifest().is_stale {
-        failures.insert(0, format!("GPUs run old kernels: {STALE}"));
+    let mut lines = without_case(cases);
+    lines.extend(failures.iter().map(ToString::to_string));
+    if !lines.is_empty() && modules.manifest().is_stale {
+        lines.insert(0, format!("GPUs run old kernels: {STALE}"));
     }
-    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    assert!(lines.is_empty(), "{}", lines.join("\n"));
 }
 
-/// One line for what several devices say of a kernel.
-fn folded(failures: Vec<String>) -> Vec<String> {
-    let mut lines: Vec<[String; 3]> = Vec::new();
-    for failure in failures {
-        let parts = failure.split_once(" on ").and_then(|(kernel, rest)| {
-            let (device, what) = rest.split_once(": ")?;
-            Some([kernel, device, what].map(str::to_owned))
-        });
-        let [kernel, device, what] =
-            parts.unwrap_or_else(|| [String::new(), String::new(), failure]);
-        let same = lines.iter_mut().find(|line| line[0] == kernel && line[2] == what);
-        match same {
-            Some(line) if line[1] == device => {}
-            Some(line) => line[1] = format!("{}, {device}", line[1]),
-            None => lines.push([kernel, device, what]),
-        }
+/// What one or several devices say of a kernel.
+struct Failure {
+    kernel: &'static str,
+    devices: Vec<String>,
+    what: String,
+    /// The command of a debugger.
+    command: Option<String>,
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} on {}: {}", self.kernel, self.devices.join(", "), self.what)?;
+        self.command.iter().try_for_each(|command| write!(f, "\n{command}"))
     }
-    let line = |[kernel, device, what]: [String; 3]| match kernel.is_empty() {
-        true => what,
-        false => format!("{kernel} on {device}: {what}"),
-    };
-    lines.into_iter().map(line).collect()
+}
+
+/// Adds a failure, or a device to what others have said. Returns it if it is new.
+fn add<'a>(
+    failures: &'a mut Vec<Failure>,
+    kernel: &'static str,
+    device: &str,
+    what: String,
+) -> Option<&'a mut Failure> {
+    let same = |failure: &&mut Failure| failure.kernel == kernel && failure.what == what;
+    if let Some(failure) = failures.iter_mut().find(same) {
+        if failure.devices.iter().all(|name| name != device) {
+            failure.devices.push(device.to_owned());
+        }
+        return None;
+    }
+    failures.push(Failure { kernel, devices: vec![device.to_owned()], what, command: None });
+    failures.last_mut()
 }
 
 /// The mistakes that the checked CPUs find.
-fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<String>) {
+fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<Failure>) {
     let scalar = devices::with(InstructionSet::Scalar);
     let checked = [
         ("cpu, checked", devices::checked()),
@@ -99,7 +113,9 @@ fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<String>) {
             let result = case.measure(reference, device, Rounding::AsWritten);
             add_failure(failures, case, device, [name, "the CPU"], &result);
             if !is_variant && result.is_ok_and(|measure| measure.share.value > 0.0) {
-                failures.push(format!("{} on {name}: the result changes where one workgroup more is run, or the order differs", case.kernel));
+                let what =
+                    "the result changes where one workgroup more is run, or the order differs";
+                add(failures, case.kernel, name, what.to_owned());
             }
         }
     }
@@ -110,39 +126,44 @@ fn is_new(case: &Case, device: &Device, name: &str) -> bool {
     !name.contains("variants") || case.entry_point(device) != case.kernel
 }
 
-/// Adds what is wrong with a result. A kernel's first failure has the command of a debugger.
+/// Adds what is wrong with a result. A kernel's first wrong value has the command of a debugger.
 fn add_failure(
-    failures: &mut Vec<String>,
+    failures: &mut Vec<Failure>,
     case: &Case,
     device: &Device,
     [name, beside]: [&str; 2],
     result: &muslin_device::Result<Measure>,
 ) {
-    let subject = format!("{} on {name}", case.entry_point(device));
+    let kernel = case.entry_point(device);
     let measure = match result {
-        Err(error) => return failures.push(format!("{subject}: {error}")),
+        Err(error) => {
+            add(failures, kernel, name, error.to_string());
+            return;
+        }
         Ok(measure) if measure.is_ok() => return,
         Ok(measure) => measure,
     };
-    let of_debugger = format!("{}='{} ", debugger::STOP, case.kernel);
-    let is_first = !failures.iter().any(|failure| failure.contains(&of_debugger));
-    failures.push(measure.describe(&subject, beside, case.why));
-    if is_first {
-        failures.extend(debugger::command(case, &measure.share));
+    // a variant's debugger runs the plain kernel
+    let is_own = |failure: &Failure| [case.kernel, kernel].contains(&failure.kernel);
+    let has_command = |failure: &Failure| is_own(failure) && failure.command.is_some();
+    let is_first = !failures.iter().any(has_command);
+    if let Some(failure) = add(failures, kernel, name, measure.describe(beside, case.why))
+        && is_first
+    {
+        failure.command = debugger::command(case, &measure.share);
     }
 }
 
 /// Outputs of which the equations give too few values.
-fn uncompared(case: &Case, measure: &Measure, name: &str) -> Vec<String> {
-    let kernel = case.kernel;
+fn uncompared(case: &Case, measure: &Measure) -> Vec<String> {
     let mut failures = Vec::new();
     if measure.values == 0 {
-        failures.push(format!("{kernel} on {name}: `exact` gives no value of any output"));
+        failures.push("`exact` gives no value of any output".to_owned());
     }
     for (output, [compared, written]) in &measure.compared {
         if (*compared as f64) < case.compared * *written as f64 {
             failures.push(format!(
-                "{kernel} on {name}: `exact` gives {compared} of the {written} values that it writes to `{output}`, fewer than `COMPARED` asks for"
+                "`exact` gives {compared} of the {written} values that it writes to `{output}`, fewer than `COMPARED` asks for"
             ));
         }
     }

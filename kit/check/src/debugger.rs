@@ -10,7 +10,7 @@ use crate::devices;
 use crate::measure::Worst;
 
 /// A kernel, an invocation and a set of inputs.
-pub(super) const STOP: &str = "MUSLIN_STOP";
+const STOP: &str = "MUSLIN_STOP";
 
 /// The command that stops in the invocation that has written an element, if the CPU run knows it.
 pub fn command(case: &Case, worst: &Worst) -> Option<String> {

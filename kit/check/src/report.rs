@@ -155,8 +155,8 @@ impl fmt::Display for Report {
         write!(f, "{adapter} ({driver}), {path}\n{table}")?;
         let failed = self.kernels.iter().filter(|row| !row.ok);
         failed
-            .map(|row| row.measure.describe(row.kernel, "the CPU", row.why))
-            .try_for_each(|text| writeln!(f, "{text}"))
+            .map(|row| (row.kernel, row.measure.describe("the CPU", row.why)))
+            .try_for_each(|(kernel, text)| writeln!(f, "{kernel}: {text}"))
     }
 }
 
@@ -195,12 +195,12 @@ fn size(value: f64) -> String {
 impl Measure {
     /// The values that are too far apart, and where they are farthest: without a line's end.
     #[must_use]
-    pub fn describe(&self, kernel: &str, beside: &str, why: &str) -> String {
+    pub fn describe(&self, beside: &str, why: &str) -> String {
         let Worst { set, output, index, cpu, found, .. } = &self.share;
         let failures = self.failures;
         let values = self.values;
         format!(
-            "{kernel}: {failures} of {values} values are too far from {beside}, the worst is `{output}[{index}]` of \"{set}\": \
+            "{failures} of {values} values are too far from {beside}, the worst is `{output}[{index}]` of \"{set}\": \
              {}, not {}; tolerance: {why}",
             number(*found),
             number(*cpu),

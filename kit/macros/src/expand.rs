@@ -215,9 +215,8 @@ fn info(kernel: &Kernel) -> TokenStream {
             }
         })
     });
-    let kernel_name = &kernel.function.sig.ident;
-    let invocations = format!("the kernel `{kernel_name}`: a workgroup has 1 to 256 invocations");
-    let memory = format!("the kernel `{kernel_name}`: a workgroup has at most 16 KiB of memory");
+    let invocations = format!("the kernel `{name}`: a workgroup has 1 to 256 invocations");
+    let memory = format!("the kernel `{name}`: a workgroup has at most 16 KiB of memory");
     let is_params = kernel.uniform().map(|uniform| {
         let element = &uniform.element;
         quote_spanned! { element.span() => ::muslin::kernel::is_params::<#element>(); }

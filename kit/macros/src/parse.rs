@@ -361,13 +361,10 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
         return Err(Error::new(argument.ty.span(), message));
     }
     let is_buffer = matches!(role, Role::Read | Role::Write);
-    if let Some((segment, advice)) = with_another_layout(&element)
+    if let Some(wrong) = with_another_layout(&element)
         && is_buffer
     {
-        let message = format!(
-            "the elements of `{name}` are `{}`, which a GPU lays out in another way than Rust, or lacks: use {advice}",
-            segment.ident
-        );
+        let message = format!("the elements of `{name}` are {wrong}");
         return Err(Error::new(argument.ty.span(), message));
     }
     Ok(Parameter { name, role, element })
@@ -376,28 +373,28 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
 /// Refuses a struct of parameters with a field that a GPU reads in another way.
 pub fn check_params(item: &ItemStruct) -> Result<()> {
     for field in &item.fields {
-        let name = field.ident.as_ref().map_or_else(String::new, ToString::to_string);
-        let structure = &item.ident;
-        let message = match (&field.ty, with_another_layout(&field.ty)) {
-            (Type::Array(_), _) => format!(
-                "`{name}` of `{structure}` is an array, which a GPU lays out in another way than Rust: use one field for each value"
-            ),
-            (_, Some((segment, advice))) => format!(
-                "`{name}` of `{structure}` is `{}`, which a GPU lays out in another way than Rust, or lacks: use {advice}",
-                segment.ident
-            ),
-            _ => continue,
+        let wrong = match &field.ty {
+            Type::Array(_) => Some(another_layout("an array", "one field for each value")),
+            ty => with_another_layout(ty),
         };
-        return Err(Error::new(field.ty.span(), message));
+        if let Some(wrong) = wrong {
+            let name = field.ident.as_ref().map_or_else(String::new, ToString::to_string);
+            let message = format!("`{name}` of `{}` is {wrong}", item.ident);
+            return Err(Error::new(field.ty.span(), message));
+        }
     }
     Ok(())
 }
 
-/// A type of [`WITH_ANOTHER_LAYOUT`], and what to use instead.
-fn with_another_layout(ty: &Type) -> Option<(&PathSegment, &'static str)> {
+/// A type of [`WITH_ANOTHER_LAYOUT`], the reason not to use it, and what to use instead.
+fn with_another_layout(ty: &Type) -> Option<String> {
     let segment = last_segment(ty)?;
-    let (_, advice) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)?;
-    Some((segment, advice))
+    let (name, advice) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)?;
+    Some(another_layout(&format!("`{name}`"), advice))
+}
+
+fn another_layout(ty: &str, advice: &str) -> String {
+    format!("{ty}, which a GPU lays out in another way than Rust, or lacks: use {advice}")
 }
 
 fn is_path(ty: &Type, name: &str) -> bool {

@@ -6,6 +6,7 @@ mod compiled;
 mod isa;
 mod kernel_rules;
 mod large;
+mod memory;
 mod parity;
 mod timings;
 mod variants;

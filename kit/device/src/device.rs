@@ -389,18 +389,3 @@ fn elements(info: &KernelInfo, buffers: &[&RawBuffer]) -> Vec<u64> {
     };
     bindings.zip(buffers).map(count).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::modules::Modules;
-    use crate::options::DeviceOptions;
-
-    #[test]
-    fn zeros_are_zeros_where_other_values_lay() {
-        let device = Device::open(&DeviceOptions::cpu(Some(1)), Modules::none()).unwrap();
-        drop(device.upload("values", &[7_u32; 250]).unwrap());
-        let again = device.zeros::<u32>("zeros", 250).unwrap();
-        assert_eq!(device.read(&again).unwrap(), [0; 250]);
-    }
-}

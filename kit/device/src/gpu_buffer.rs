@@ -2,7 +2,7 @@
 
 /// A buffer of a GPU.
 #[cfg(feature = "gpu")]
-pub type GpuBuffer = wgpu::Buffer;
+pub type GpuBuffer = crate::gpu::GpuMemory;
 
 /// No buffer: there is no GPU without the feature `gpu`.
 #[cfg(not(feature = "gpu"))]

@@ -45,7 +45,7 @@ methods! {
     entry_point(&KernelInfo) -> EntryPoint;
     is_software() -> bool;
     max_buffer_bytes() -> u64;
-    allocate(&'static str, u64) -> Result<GpuBuffer>;
+    allocate(&'static str, u64, bool) -> Result<GpuBuffer>;
     write(&GpuBuffer, &[u8]) -> ();
     read(&mut [(&GpuBuffer, u64, &mut [u8])]) -> Result<()>;
     dispatch(&'static KernelInfo, &[u8], &[(usize, &Count)], &[&RawBuffer], [u32; 3]) -> Result<()>;

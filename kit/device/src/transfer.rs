@@ -23,7 +23,7 @@ impl Device {
         self.refuse(label, bytes)?;
         let memory = match &self.kind {
             Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes, zeros)?)),
-            Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes)?),
+            Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes, zeros)?),
             Kind::Planner(planner) => Memory::Planned(planner.allocate(label, bytes)?),
         };
         Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))

@@ -40,10 +40,10 @@ impl Fills {
         };
         assert_eq!(counts.raw().begin, 0, "counts have a buffer of their own");
         let row = [word, *place, *first, count.upper_bound()];
-        match self.fills.iter_mut().find(|fill| fill.counts == *buffer) {
+        match self.fills.iter_mut().find(|fill| fill.counts == **buffer) {
             Some(fill) => fill.placement.extend(row),
             None => self.fills.push(Fill {
-                counts: buffer.clone(),
+                counts: wgpu::Buffer::clone(buffer),
                 pipeline: pipeline.clone(),
                 placement: row.to_vec(),
             }),

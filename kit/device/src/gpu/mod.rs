@@ -2,6 +2,7 @@
 
 mod adapter;
 mod fill;
+mod memory;
 mod pipeline;
 mod recorder;
 mod timer;
@@ -20,9 +21,14 @@ use crate::error::{Error, Result};
 use crate::modules::Modules;
 use crate::options::{DeviceOptions, SpirvPath};
 pub use adapter::adapters;
+pub use memory::GpuMemory;
+use memory::MemoryPool;
 use pipeline::Pipelines;
 use recorder::{Counted, Recorder};
 use variants::Variants;
+
+/// The largest buffer for reading that is kept, in bytes.
+const MAX_STAGING: u64 = 64 << 20;
 
 /// The GPU backend.
 #[derive(Debug)]
@@ -35,6 +41,9 @@ pub struct Gpu {
     variants: Variants,
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
+    memory: MemoryPool,
+    /// The buffer for the next bytes that the host reads.
+    staging: Mutex<Option<wgpu::Buffer>>,
     failures: Arc<Mutex<Failures>>,
     /// Number of times that the host has waited to read.
     waits: AtomicU64,
@@ -49,8 +58,11 @@ impl Gpu {
         let limits = device.limits();
         let failures = Arc::default();
         record_failures(&device, &failures);
+        let memory = MemoryPool::default();
         Ok(Self {
-            recorder: Mutex::new(Recorder::new(&device)),
+            recorder: Mutex::new(Recorder::new(&device, &memory)),
+            memory,
+            staging: Mutex::default(),
             pipelines: Pipelines::new(spirv, variants, modules),
             info: adapter.get_info(),
             device,
@@ -97,7 +109,8 @@ impl Gpu {
         self.limits.max_buffer_size.min(self.limits.max_storage_buffer_binding_size)
     }
 
-    pub fn allocate(&self, label: &'static str, bytes: u64) -> Result<wgpu::Buffer> {
+    /// Memory for a buffer. Without `zeros` it can contain anything.
+    pub fn allocate(&self, label: &'static str, bytes: u64, zeros: bool) -> Result<GpuMemory> {
         self.check()?;
         let what = || format!("the buffer `{label}` on {}", self.info.name);
         // an empty buffer cannot be bound, and a copy needs a multiple of four bytes
@@ -109,6 +122,25 @@ impl Gpu {
                 what: what(),
             });
         }
+        if let Some(memory) = self.memory.take(size) {
+            if zeros {
+                self.clear(&memory, 0, size);
+            }
+            return Ok(memory);
+        }
+        let new = self.allocate_new(label, size).or_else(|| {
+            self.memory.clear();
+            // the driver gets it back when what uses it has run
+            let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
+            self.allocate_new(label, size)
+        });
+        let new =
+            new.ok_or_else(|| Error::OutOfMemory { needed: bytes, available: None, what: what() })?;
+        Ok(self.memory.lend(new))
+    }
+
+    /// A new buffer of zeros; `None` if the GPU has no memory for it.
+    fn allocate_new(&self, label: &'static str, size: u64) -> Option<wgpu::Buffer> {
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some(label),
@@ -118,10 +150,7 @@ impl Gpu {
                 | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        match pollster::block_on(scope.pop()) {
-            Some(_) => Err(Error::OutOfMemory { needed: bytes, available: None, what: what() }),
-            None => Ok(buffer),
-        }
+        pollster::block_on(scope.pop()).is_none().then_some(buffer)
     }
 
     pub fn write(&self, buffer: &wgpu::Buffer, bytes: &[u8]) {
@@ -138,19 +167,14 @@ impl Gpu {
     }
 
     /// Waits for all queued work, and copies bytes of each buffer, starting at an offset.
-    pub fn read(&self, ranges: &mut [(&wgpu::Buffer, u64, &mut [u8])]) -> Result<()> {
+    pub fn read(&self, ranges: &mut [(&GpuMemory, u64, &mut [u8])]) -> Result<()> {
         self.waits.fetch_add(1, Ordering::Relaxed);
         // wgpu copies whole words
-        let words = |(_, begin, target): &(&wgpu::Buffer, u64, &mut [u8])| {
+        let words = |(_, begin, target): &(&GpuMemory, u64, &mut [u8])| {
             begin / 4 * 4..(begin + target.len() as u64).next_multiple_of(4)
         };
-        let size = ranges.iter().map(words).map(|words| words.end - words.start).sum();
-        let staging = self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read back"),
-            size,
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
+        let size: u64 = ranges.iter().map(words).map(|words| words.end - words.start).sum();
+        let staging = self.take_staging(size);
         {
             let mut recorder = self.recorder();
             let mut at = 0;
@@ -162,7 +186,7 @@ impl Gpu {
             recorder.submit(&self.device, &self.queue);
         }
         let (sender, receiver) = std::sync::mpsc::channel();
-        staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
+        staging.slice(..size).map_async(wgpu::MapMode::Read, move |result| {
             // the receiver is gone only if this function has returned an error
             let _ = sender.send(result);
         });
@@ -173,7 +197,7 @@ impl Gpu {
             .recv()
             .map_err(|_| Error::DeviceLost { reason: "it did not answer".into() })?;
         mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
-        let range = staging.slice(..).get_mapped_range();
+        let range = staging.slice(..size).get_mapped_range();
         let range = range.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
         let mut at = 0;
         for copied in ranges {
@@ -183,7 +207,25 @@ impl Gpu {
             target.copy_from_slice(&range[first..first + target.len()]);
             at += (words.end - words.start) as usize;
         }
+        drop(range);
+        staging.unmap();
+        if staging.size() <= MAX_STAGING {
+            *self.staging.lock().unwrap_or_else(PoisonError::into_inner) = Some(staging);
+        }
         Ok(())
+    }
+
+    /// A buffer that the host can read, of at least `size` bytes.
+    fn take_staging(&self, size: u64) -> wgpu::Buffer {
+        let last = self.staging.lock().unwrap_or_else(PoisonError::into_inner).take();
+        last.filter(|last| last.size() >= size).unwrap_or_else(|| {
+            self.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("read back"),
+                size,
+                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                mapped_at_creation: false,
+            })
+        })
     }
 
     pub fn dispatch(

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use muslin::{Access, KernelInfo};
 
 use super::fill::Fills;
+use super::memory::MemoryPool;
 use super::pipeline::Pipeline;
 use super::timer::{SLOTS, Timer};
 use crate::count::Count;
@@ -37,10 +38,11 @@ pub struct Recorder {
     timer: Option<Timer>,
     /// Whether dispatches are timed.
     times: bool,
+    memory: MemoryPool,
 }
 
 impl Recorder {
-    pub fn new(device: &wgpu::Device) -> Self {
+    pub fn new(device: &wgpu::Device, memory: &MemoryPool) -> Self {
         let uniforms = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("uniforms"),
             size: SLOT * SLOTS,
@@ -57,6 +59,7 @@ impl Recorder {
             slots: Vec::new(),
             timer: Timer::new(device),
             times: false,
+            memory: memory.clone(),
         }
     }
 
@@ -167,6 +170,7 @@ impl Recorder {
             self.slots.clear();
         }
         queue.submit(self.finished.drain(..));
+        self.memory.submitted();
     }
 
     /// Turns the timing of dispatches on or off. Returns whether the device can time them.

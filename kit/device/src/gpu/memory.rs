@@ -1,0 +1,81 @@
+//! Memory of a GPU. It is reused, as on the CPU: a driver takes milliseconds to find hundreds of megabytes.
+
+use std::ops::Deref;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Number of submissions after which unused memory goes back to the driver.
+const SUBMISSIONS: u64 = 64;
+
+/// A buffer that goes back to its pool when nobody has it anymore.
+#[derive(Clone, Debug)]
+pub struct GpuMemory(Arc<Lent>);
+
+#[derive(Debug)]
+struct Lent {
+    buffer: wgpu::Buffer,
+    pool: MemoryPool,
+}
+
+impl Deref for GpuMemory {
+    type Target = wgpu::Buffer;
+
+    fn deref(&self) -> &wgpu::Buffer {
+        &self.0.buffer
+    }
+}
+
+impl Drop for Lent {
+    fn drop(&mut self) {
+        self.pool.unused().returned.push(self.buffer.clone());
+    }
+}
+
+/// Unused buffers.
+#[derive(Clone, Debug, Default)]
+pub struct MemoryPool(Arc<Mutex<Unused>>);
+
+#[derive(Debug, Default)]
+struct Unused {
+    /// Number of submissions so far.
+    submissions: u64,
+    /// Commands that are recorded and not submitted may use these. The host writes before such commands run, so nobody gets them yet.
+    returned: Vec<wgpu::Buffer>,
+    /// Buffers, each with the number of the submission since which it is free.
+    free: Vec<(wgpu::Buffer, u64)>,
+}
+
+impl MemoryPool {
+    fn unused(&self) -> MutexGuard<'_, Unused> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The smallest free buffer of at least `bytes` bytes, and not much more. Its old content remains.
+    pub fn take(&self, bytes: u64) -> Option<GpuMemory> {
+        let mut unused = self.unused();
+        let fits = |size: u64| (bytes..=bytes + bytes / 4).contains(&size);
+        let free = unused.free.iter().enumerate();
+        let fitting = free.filter(|(_, (buffer, _))| fits(buffer.size()));
+        let (place, _) = fitting.min_by_key(|(_, (buffer, _))| buffer.size())?;
+        let (buffer, _) = unused.free.swap_remove(place);
+        Some(self.lend(buffer))
+    }
+
+    /// Makes a new buffer come to the pool when nobody has it anymore.
+    pub fn lend(&self, buffer: wgpu::Buffer) -> GpuMemory {
+        GpuMemory(Arc::new(Lent { buffer, pool: self.clone() }))
+    }
+
+    /// Declares that all recorded commands are submitted.
+    pub fn submitted(&self) {
+        let unused = &mut *self.unused();
+        unused.submissions += 1;
+        let now = unused.submissions;
+        unused.free.extend(unused.returned.drain(..).map(|buffer| (buffer, now)));
+        unused.free.retain(|(_, since)| now - since < SUBMISSIONS);
+    }
+
+    /// Returns the free memory to the driver.
+    pub fn clear(&self) {
+        self.unused().free.clear();
+    }
+}

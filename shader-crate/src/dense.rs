@@ -24,7 +24,7 @@ const BLOCK_COLUMNS: u32 = OUTPUTS_PER_INVOCATION / 4;
 pub struct DenseParams {
     /// Samples in the batch.
     pub samples: u32,
-    /// Distance of two rows in `input` and `output`: at least three more than there are samples.
+    /// Distance of two rows in `input` and `output`, a multiple of 4.
     pub stride: u32,
     /// Inputs of the layer.
     pub inputs: u32,
@@ -88,8 +88,8 @@ pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,
     parameters: Read<Vec4>,
-    input: Read<f32>,
-    output: Write<f32>,
+    input: ReadFours<f32>,
+    output: WriteFours<f32>,
 ) {
     let sample = id.index();
     if sample < params.samples {
@@ -109,8 +109,8 @@ pub fn dense<S: Samples>(
 fn four_columns<S: Samples>(
     params: &DenseParams,
     parameters: Read<Vec4>,
-    input: Read<f32>,
-    output: Write<f32>,
+    input: ReadFours<f32>,
+    output: WriteFours<f32>,
     sample: u32,
     first: u32,
 ) {
@@ -144,8 +144,8 @@ fn four_columns<S: Samples>(
 fn two_columns<S: Samples>(
     params: &DenseParams,
     parameters: Read<Vec4>,
-    input: Read<f32>,
-    output: Write<f32>,
+    input: ReadFours<f32>,
+    output: WriteFours<f32>,
     sample: u32,
     first: u32,
 ) {
@@ -170,7 +170,7 @@ fn two_columns<S: Samples>(
 /// Writes four rows of `max(value, 0)`, those of a layer's outputs from a row on.
 #[inline(always)]
 pub fn write_rectified<S: Samples>(
-    output: Write<f32>,
+    output: WriteFours<f32>,
     value: LaneVec4<S>,
     row: u32,
     params: &DenseParams,

@@ -9,7 +9,7 @@ use crate::limits::{MAX_CAMERAS, MAX_HIDDEN_WIDTH, MAX_SLICE};
 use muslin::binned;
 use muslin::lane_vec4::LaneVec4;
 use muslin::prelude::*;
-use muslin::samples::Samples;
+use muslin::samples::{Four, Samples};
 #[cfg(not(target_arch = "spirv"))]
 use muslin::work::{NUMBER, Shape, Work, wide};
 
@@ -24,7 +24,7 @@ pub const WEIGHT_ROWS_PER_INVOCATION: u32 = 4;
 pub struct DenseBackwardParams {
     /// Samples in the chunk.
     pub samples: u32,
-    /// Distance of two rows in `input`, `output_gradient` and `input_gradient`: at least three more than there are samples.
+    /// Distance of two rows in `input`, `output_gradient` and `input_gradient`, a multiple of 4.
     pub stride: u32,
     /// Inputs of the layer.
     pub inputs: u32,
@@ -62,7 +62,7 @@ fn add_dot<S: Samples>(sum: S, weight: Vec4, g: LaneVec4<S>) -> S {
 
 /// Four rows of a buffer, from a row on.
 #[inline(always)]
-fn read_column<S: Samples>(buffer: Read<f32>, first: u32, stride: u32) -> LaneVec4<S> {
+fn read_column<S: Samples>(buffer: ReadFours<f32>, first: u32, stride: u32) -> LaneVec4<S> {
     LaneVec4 {
         x: S::read(buffer, first),
         y: S::read(buffer, first + stride),
@@ -98,9 +98,9 @@ pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
     parameters: Read<Vec4>,
-    input: Read<f32>,
-    output_gradient: Read<f32>,
-    input_gradient: Write<f32>,
+    input: ReadFours<f32>,
+    output_gradient: ReadFours<f32>,
+    input_gradient: WriteFours<f32>,
 ) {
     let sample = id.index();
     if sample < params.samples {
@@ -149,8 +149,8 @@ pub fn dense_backward<S: Samples>(
 #[inline(always)]
 fn write_gradient<S: Samples>(
     params: &DenseBackwardParams,
-    input: Read<f32>,
-    output: Write<f32>,
+    input: ReadFours<f32>,
+    output: WriteFours<f32>,
     value: LaneVec4<S>,
     row: u32,
     sample: u32,
@@ -176,7 +176,7 @@ fn write_gradient<S: Samples>(
 
 /// Derivative of max(x, 0) of the layer below, if there is one: an output of 0 has no gradient.
 #[inline(always)]
-fn masked<S: Samples>(params: &DenseBackwardParams, input: Read<f32>, value: S, at: u32) -> S {
+fn masked<S: Samples>(params: &DenseBackwardParams, input: ReadFours<f32>, value: S, at: u32) -> S {
     if params.rectified != 0 { value.where_positive(S::read(input, at)) } else { value }
 }
 
@@ -225,13 +225,12 @@ fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
     }
 }
 
-/// Samples whose values are read together where [`Lane::READS_FOUR`]. Places are then counted in fours: a compiler must know
-/// that they are multiples of four.
+/// Samples whose values are read together where [`Lane::READS_FOUR`]. Places are then counted in fours.
 const FEW: u32 = 4;
 
 /// [`read_column`] of a few samples.
 #[inline(always)]
-fn read_few<L: Lane>(rows: Read<f32>, first: u32, stride: u32) -> [LaneVec4<L>; FEW as usize] {
+fn read_few<L: Lane>(rows: ReadFours<f32>, first: u32, stride: u32) -> [LaneVec4<L>; FEW as usize] {
     let few = [
         few_of_row::<L>(rows, first),
         few_of_row::<L>(rows, first + stride),
@@ -249,14 +248,8 @@ fn read_few<L: Lane>(rows: Read<f32>, first: u32, stride: u32) -> [LaneVec4<L>; 
 
 /// A few values of a row.
 #[inline(always)]
-fn few_of_row<L: Lane>(rows: Read<f32>, first: u32) -> [L; FEW as usize] {
-    let first = FEW * first;
-    [
-        L::read(rows, first),
-        L::read(rows, first + 1),
-        L::read(rows, first + 2),
-        L::read(rows, first + 3),
-    ]
+fn few_of_row<L: Lane>(rows: ReadFours<f32>, first: u32) -> [L; FEW as usize] {
+    Four::read_vector(rows, first).each()
 }
 
 /// [`add_scaled`] of a few samples, one after another.
@@ -318,8 +311,8 @@ pub fn dense_weight_backward<L: Lane>(
     params: &DenseWeightBackwardParams,
     first_pair: Read<u32>,
     first_sample: Read<u32>,
-    input: Read<f32>,
-    output_gradient: Read<f32>,
+    input: ReadFours<f32>,
+    output_gradient: ReadFours<f32>,
     carry: Write<Vec4>,
     sum: Write<u32>,
 ) {
@@ -389,8 +382,8 @@ fn add_slice<L: Lane>(
     params: &DenseWeightBackwardParams,
     index: u32,
     [first, last]: [u32; 2],
-    input: Read<f32>,
-    output_gradient: Read<f32>,
+    input: ReadFours<f32>,
+    output_gradient: ReadFours<f32>,
     carry: Write<Vec4>,
     sum: Write<u32>,
 ) {
@@ -457,7 +450,7 @@ fn add_slice<L: Lane>(
 fn sum_column<L: Lane>(
     lanes: LaneVec4<L>,
     rest: LaneVec4<L::One>,
-    rows: Read<f32>,
+    rows: ReadFours<f32>,
     first: u32,
     stride: u32,
     [begin, end]: [u32; 2],
@@ -512,9 +505,9 @@ fn begin_sums<L: Lane>(carry: Write<Vec4>, at: [u32; 4], continues: bool) -> [La
 #[inline(always)]
 fn sum_products<L: Lane>(
     before: [LaneVec4<L>; 4],
-    input: Read<f32>,
+    input: ReadFours<f32>,
     rows: [u32; 4],
-    output_gradient: Read<f32>,
+    output_gradient: ReadFours<f32>,
     g: u32,
     stride: u32,
     [begin, end]: [u32; 2],
@@ -536,9 +529,9 @@ fn sum_products<L: Lane>(
 #[inline(always)]
 fn sum_each<L: Lane>(
     before: [LaneVec4<L>; 4],
-    input: Read<f32>,
+    input: ReadFours<f32>,
     [row0, row1, row2, row3]: [u32; 4],
-    output_gradient: Read<f32>,
+    output_gradient: ReadFours<f32>,
     g: u32,
     stride: u32,
     [begin, end]: [u32; 2],
@@ -548,10 +541,10 @@ fn sum_each<L: Lane>(
     let mut sample = begin;
     while sample + L::WIDTH <= end {
         let g = read_column::<L>(output_gradient, g + sample, stride);
-        sum0 = add_scaled(sum0, L::read(input, row0 + sample), g);
-        sum1 = add_scaled(sum1, L::read(input, row1 + sample), g);
-        sum2 = add_scaled(sum2, L::read(input, row2 + sample), g);
-        sum3 = add_scaled(sum3, L::read(input, row3 + sample), g);
+        sum0 = add_scaled(sum0, Samples::read(input, row0 + sample), g);
+        sum1 = add_scaled(sum1, Samples::read(input, row1 + sample), g);
+        sum2 = add_scaled(sum2, Samples::read(input, row2 + sample), g);
+        sum3 = add_scaled(sum3, Samples::read(input, row3 + sample), g);
         sample += L::WIDTH;
     }
     ([sum0, sum1, sum2, sum3], sample)
@@ -562,9 +555,9 @@ fn sum_each<L: Lane>(
 #[inline(always)]
 fn sum_few<L: Lane>(
     before: [LaneVec4<L>; 4],
-    input: Read<f32>,
+    input: ReadFours<f32>,
     [row0, row1, row2, row3]: [u32; 4],
-    output_gradient: Read<f32>,
+    output_gradient: ReadFours<f32>,
     g: u32,
     stride: u32,
     [begin, end]: [u32; 2],
@@ -593,7 +586,7 @@ fn sum_few<L: Lane>(
 #[inline(always)]
 fn sum_lanes<L: Lane>(
     before: LaneVec4<L>,
-    rows: Read<f32>,
+    rows: ReadFours<f32>,
     first: u32,
     stride: u32,
     [begin, end]: [u32; 2],
@@ -613,7 +606,7 @@ fn sum_lanes<L: Lane>(
 #[inline(always)]
 fn sum_each_lane<L: Lane>(
     before: LaneVec4<L>,
-    rows: Read<f32>,
+    rows: ReadFours<f32>,
     first: u32,
     stride: u32,
     [begin, end]: [u32; 2],
@@ -632,7 +625,7 @@ fn sum_each_lane<L: Lane>(
 #[inline(always)]
 fn sum_few_lanes<L: Lane>(
     before: LaneVec4<L>,
-    rows: Read<f32>,
+    rows: ReadFours<f32>,
     first: u32,
     stride: u32,
     [begin, end]: [u32; 2],
@@ -671,7 +664,6 @@ mod tests {
 
     use super::*;
     use crate::dense::{DenseParams, dense};
-    use muslin::samples::Four;
 
     fn numbers(count: u32) -> Vec<f32> {
         (0..count).map(|i| (i * 37 % 101) as f32 / 50.0 - 1.0).collect()
@@ -694,7 +686,7 @@ mod tests {
     #[test]
     fn layers_of_four_samples_are_those_of_one() {
         for samples in [1, 2, 3, 4, 63, 70] {
-            let stride = samples + 3;
+            let stride = (samples + 3_u32).next_multiple_of(4);
             let inputs = 11;
             let columns = 8;
             let weight = 3;

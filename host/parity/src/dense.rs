@@ -29,7 +29,8 @@ pub struct Layer {
 impl Layer {
     /// A layer whose weights and inputs are filled; `huge` ones leave their sums finite.
     pub fn new(samples: u32, inputs: u32, columns: u32, fill: Fill, random: &mut Random) -> Self {
-        Self::with_stride(samples, samples + 5, inputs, columns, fill, random)
+        let stride = (samples + 5).next_multiple_of(4);
+        Self::with_stride(samples, stride, inputs, columns, fill, random)
     }
 
     /// As [`new`](Self::new), with another distance of rows.

@@ -27,11 +27,7 @@ struct type_10 {
     member_3: type_9,
 }
 
-struct type_13 {
-    member: array<f32>,
-}
-
-struct type_18 {
+struct type_14 {
     member: array<vec4<f32>>,
 }
 
@@ -41,35 +37,35 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_3: type_5;
 @group(0) @binding(3) 
-var<storage> global_4: type_13;
+var<storage> global_4: type_14;
 @group(0) @binding(1) 
-var<storage> global_5: type_18;
+var<storage> global_5: type_14;
 @group(0) @binding(2) 
-var<storage> global_6: type_13;
+var<storage> global_6: type_14;
 @group(0) @binding(4) 
-var<storage, read_write> global_7: type_13;
+var<storage, read_write> global_7: type_14;
 
 fn function_() {
+    var phi_113_: u32;
     var phi_116_: u32;
-    var phi_119_: u32;
-    var phi_121_: type_10;
-    var phi_123_: type_10;
+    var phi_118_: type_10;
+    var phi_120_: type_10;
     var local: type_10;
-    var phi_582_: type_9;
+    var phi_559_: type_9;
     var local_1: type_10;
-    var phi_642_: type_9;
+    var phi_618_: type_9;
     var local_2: type_10;
-    var phi_702_: type_9;
+    var phi_677_: type_9;
     var local_3: type_10;
-    var phi_762_: type_9;
+    var phi_736_: type_9;
     var local_4: type_10;
-    var phi_823_: type_9;
+    var phi_796_: type_9;
     var local_5: type_10;
-    var phi_883_: type_9;
+    var phi_855_: type_9;
     var local_6: type_10;
-    var phi_943_: type_9;
+    var phi_914_: type_9;
     var local_7: type_10;
-    var phi_1003_: type_9;
+    var phi_973_: type_9;
     var local_8: u32;
     var local_9: u32;
     var local_10: type_10;
@@ -94,15 +90,15 @@ fn function_() {
         let _e77 = (_e42 + 5u);
         let _e82 = (_e42 + 6u);
         let _e87 = (_e42 + 7u);
-        phi_116_ = 0u;
-        phi_119_ = _e32;
-        phi_121_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
-        phi_123_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
+        phi_113_ = 0u;
+        phi_116_ = _e32;
+        phi_118_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
+        phi_120_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
         loop {
-            let _e93 = phi_116_;
-            let _e95 = phi_119_;
-            let _e97 = phi_121_;
-            let _e99 = phi_123_;
+            let _e93 = phi_113_;
+            let _e95 = phi_116_;
+            let _e97 = phi_118_;
+            let _e99 = phi_120_;
             local = _e99;
             local_1 = _e99;
             local_2 = _e99;
@@ -113,253 +109,230 @@ fn function_() {
             local_7 = _e97;
             if (_e93 < _e52) {
                 let _e103 = global_3.member.member_1;
-                let _e106 = global_4.member[_e95];
-                let _e110 = global_4.member[(_e95 + 1u)];
-                let _e114 = global_4.member[(_e95 + 2u)];
-                let _e118 = global_4.member[(_e95 + 3u)];
-                let _e119 = (_e95 + _e103);
-                let _e122 = global_4.member[_e119];
-                let _e126 = global_4.member[(_e119 + 1u)];
-                let _e130 = global_4.member[(_e119 + 2u)];
-                let _e134 = global_4.member[(_e119 + 3u)];
-                let _e136 = (_e95 + (2u * _e103));
-                let _e139 = global_4.member[_e136];
-                let _e143 = global_4.member[(_e136 + 1u)];
-                let _e147 = global_4.member[(_e136 + 2u)];
-                let _e151 = global_4.member[(_e136 + 3u)];
-                let _e153 = (_e95 + (3u * _e103));
-                let _e156 = global_4.member[_e153];
-                let _e160 = global_4.member[(_e153 + 1u)];
-                let _e164 = global_4.member[(_e153 + 2u)];
-                let _e168 = global_4.member[(_e153 + 3u)];
-                let _e172 = global_5.member[((_e49 + (select(_e46, _e42, (_e42 < _e46)) * _e52)) + _e93)];
-                let _e176 = global_5.member[((_e49 + (select(_e46, _e57, (_e57 < _e46)) * _e52)) + _e93)];
-                let _e180 = global_5.member[((_e49 + (select(_e46, _e62, (_e62 < _e46)) * _e52)) + _e93)];
-                let _e184 = global_5.member[((_e49 + (select(_e46, _e67, (_e67 < _e46)) * _e52)) + _e93)];
-                let _e357 = global_5.member[((_e49 + (select(_e46, _e72, (_e72 < _e46)) * _e52)) + _e93)];
-                let _e361 = global_5.member[((_e49 + (select(_e46, _e77, (_e77 < _e46)) * _e52)) + _e93)];
-                let _e365 = global_5.member[((_e49 + (select(_e46, _e82, (_e82 < _e46)) * _e52)) + _e93)];
-                let _e369 = global_5.member[((_e49 + (select(_e46, _e87, (_e87 < _e46)) * _e52)) + _e93)];
+                let _e107 = global_4.member[(_e95 / 4u)];
+                let _e116 = global_4.member[((_e95 + _e103) / 4u)];
+                let _e126 = global_4.member[((_e95 + (2u * _e103)) / 4u)];
+                let _e136 = global_4.member[((_e95 + (3u * _e103)) / 4u)];
+                let _e144 = global_5.member[((_e49 + (select(_e46, _e42, (_e42 < _e46)) * _e52)) + _e93)];
+                let _e148 = global_5.member[((_e49 + (select(_e46, _e57, (_e57 < _e46)) * _e52)) + _e93)];
+                let _e152 = global_5.member[((_e49 + (select(_e46, _e62, (_e62 < _e46)) * _e52)) + _e93)];
+                let _e156 = global_5.member[((_e49 + (select(_e46, _e67, (_e67 < _e46)) * _e52)) + _e93)];
+                let _e329 = global_5.member[((_e49 + (select(_e46, _e72, (_e72 < _e46)) * _e52)) + _e93)];
+                let _e333 = global_5.member[((_e49 + (select(_e46, _e77, (_e77 < _e46)) * _e52)) + _e93)];
+                let _e337 = global_5.member[((_e49 + (select(_e46, _e82, (_e82 < _e46)) * _e52)) + _e93)];
+                let _e341 = global_5.member[((_e49 + (select(_e46, _e87, (_e87 < _e46)) * _e52)) + _e93)];
                 local_8 = (_e93 + 1u);
                 local_9 = (_e95 + (4u * _e103));
-                local_10 = type_10(type_9(((_e156 * _e357.w) + ((_e139 * _e357.z) + ((_e122 * _e357.y) + ((_e106 * _e357.x) + _e97.member.member)))), ((_e160 * _e357.w) + ((_e143 * _e357.z) + ((_e126 * _e357.y) + ((_e110 * _e357.x) + _e97.member.member_1)))), ((_e164 * _e357.w) + ((_e147 * _e357.z) + ((_e130 * _e357.y) + ((_e114 * _e357.x) + _e97.member.member_2)))), ((_e168 * _e357.w) + ((_e151 * _e357.z) + ((_e134 * _e357.y) + ((_e118 * _e357.x) + _e97.member.member_3))))), type_9(((_e156 * _e361.w) + ((_e139 * _e361.z) + ((_e122 * _e361.y) + ((_e106 * _e361.x) + _e97.member_1.member)))), ((_e160 * _e361.w) + ((_e143 * _e361.z) + ((_e126 * _e361.y) + ((_e110 * _e361.x) + _e97.member_1.member_1)))), ((_e164 * _e361.w) + ((_e147 * _e361.z) + ((_e130 * _e361.y) + ((_e114 * _e361.x) + _e97.member_1.member_2)))), ((_e168 * _e361.w) + ((_e151 * _e361.z) + ((_e134 * _e361.y) + ((_e118 * _e361.x) + _e97.member_1.member_3))))), type_9(((_e156 * _e365.w) + ((_e139 * _e365.z) + ((_e122 * _e365.y) + ((_e106 * _e365.x) + _e97.member_2.member)))), ((_e160 * _e365.w) + ((_e143 * _e365.z) + ((_e126 * _e365.y) + ((_e110 * _e365.x) + _e97.member_2.member_1)))), ((_e164 * _e365.w) + ((_e147 * _e365.z) + ((_e130 * _e365.y) + ((_e114 * _e365.x) + _e97.member_2.member_2)))), ((_e168 * _e365.w) + ((_e151 * _e365.z) + ((_e134 * _e365.y) + ((_e118 * _e365.x) + _e97.member_2.member_3))))), type_9(((_e156 * _e369.w) + ((_e139 * _e369.z) + ((_e122 * _e369.y) + ((_e106 * _e369.x) + _e97.member_3.member)))), ((_e160 * _e369.w) + ((_e143 * _e369.z) + ((_e126 * _e369.y) + ((_e110 * _e369.x) + _e97.member_3.member_1)))), ((_e164 * _e369.w) + ((_e147 * _e369.z) + ((_e130 * _e369.y) + ((_e114 * _e369.x) + _e97.member_3.member_2)))), ((_e168 * _e369.w) + ((_e151 * _e369.z) + ((_e134 * _e369.y) + ((_e118 * _e369.x) + _e97.member_3.member_3))))));
-                local_11 = type_10(type_9(((_e156 * _e172.w) + ((_e139 * _e172.z) + ((_e122 * _e172.y) + ((_e106 * _e172.x) + _e99.member.member)))), ((_e160 * _e172.w) + ((_e143 * _e172.z) + ((_e126 * _e172.y) + ((_e110 * _e172.x) + _e99.member.member_1)))), ((_e164 * _e172.w) + ((_e147 * _e172.z) + ((_e130 * _e172.y) + ((_e114 * _e172.x) + _e99.member.member_2)))), ((_e168 * _e172.w) + ((_e151 * _e172.z) + ((_e134 * _e172.y) + ((_e118 * _e172.x) + _e99.member.member_3))))), type_9(((_e156 * _e176.w) + ((_e139 * _e176.z) + ((_e122 * _e176.y) + ((_e106 * _e176.x) + _e99.member_1.member)))), ((_e160 * _e176.w) + ((_e143 * _e176.z) + ((_e126 * _e176.y) + ((_e110 * _e176.x) + _e99.member_1.member_1)))), ((_e164 * _e176.w) + ((_e147 * _e176.z) + ((_e130 * _e176.y) + ((_e114 * _e176.x) + _e99.member_1.member_2)))), ((_e168 * _e176.w) + ((_e151 * _e176.z) + ((_e134 * _e176.y) + ((_e118 * _e176.x) + _e99.member_1.member_3))))), type_9(((_e156 * _e180.w) + ((_e139 * _e180.z) + ((_e122 * _e180.y) + ((_e106 * _e180.x) + _e99.member_2.member)))), ((_e160 * _e180.w) + ((_e143 * _e180.z) + ((_e126 * _e180.y) + ((_e110 * _e180.x) + _e99.member_2.member_1)))), ((_e164 * _e180.w) + ((_e147 * _e180.z) + ((_e130 * _e180.y) + ((_e114 * _e180.x) + _e99.member_2.member_2)))), ((_e168 * _e180.w) + ((_e151 * _e180.z) + ((_e134 * _e180.y) + ((_e118 * _e180.x) + _e99.member_2.member_3))))), type_9(((_e156 * _e184.w) + ((_e139 * _e184.z) + ((_e122 * _e184.y) + ((_e106 * _e184.x) + _e99.member_3.member)))), ((_e160 * _e184.w) + ((_e143 * _e184.z) + ((_e126 * _e184.y) + ((_e110 * _e184.x) + _e99.member_3.member_1)))), ((_e164 * _e184.w) + ((_e147 * _e184.z) + ((_e130 * _e184.y) + ((_e114 * _e184.x) + _e99.member_3.member_2)))), ((_e168 * _e184.w) + ((_e151 * _e184.z) + ((_e134 * _e184.y) + ((_e118 * _e184.x) + _e99.member_3.member_3))))));
+                local_10 = type_10(type_9(((_e136.x * _e329.w) + ((_e126.x * _e329.z) + ((_e116.x * _e329.y) + ((_e107.x * _e329.x) + _e97.member.member)))), ((_e136.y * _e329.w) + ((_e126.y * _e329.z) + ((_e116.y * _e329.y) + ((_e107.y * _e329.x) + _e97.member.member_1)))), ((_e136.z * _e329.w) + ((_e126.z * _e329.z) + ((_e116.z * _e329.y) + ((_e107.z * _e329.x) + _e97.member.member_2)))), ((_e136.w * _e329.w) + ((_e126.w * _e329.z) + ((_e116.w * _e329.y) + ((_e107.w * _e329.x) + _e97.member.member_3))))), type_9(((_e136.x * _e333.w) + ((_e126.x * _e333.z) + ((_e116.x * _e333.y) + ((_e107.x * _e333.x) + _e97.member_1.member)))), ((_e136.y * _e333.w) + ((_e126.y * _e333.z) + ((_e116.y * _e333.y) + ((_e107.y * _e333.x) + _e97.member_1.member_1)))), ((_e136.z * _e333.w) + ((_e126.z * _e333.z) + ((_e116.z * _e333.y) + ((_e107.z * _e333.x) + _e97.member_1.member_2)))), ((_e136.w * _e333.w) + ((_e126.w * _e333.z) + ((_e116.w * _e333.y) + ((_e107.w * _e333.x) + _e97.member_1.member_3))))), type_9(((_e136.x * _e337.w) + ((_e126.x * _e337.z) + ((_e116.x * _e337.y) + ((_e107.x * _e337.x) + _e97.member_2.member)))), ((_e136.y * _e337.w) + ((_e126.y * _e337.z) + ((_e116.y * _e337.y) + ((_e107.y * _e337.x) + _e97.member_2.member_1)))), ((_e136.z * _e337.w) + ((_e126.z * _e337.z) + ((_e116.z * _e337.y) + ((_e107.z * _e337.x) + _e97.member_2.member_2)))), ((_e136.w * _e337.w) + ((_e126.w * _e337.z) + ((_e116.w * _e337.y) + ((_e107.w * _e337.x) + _e97.member_2.member_3))))), type_9(((_e136.x * _e341.w) + ((_e126.x * _e341.z) + ((_e116.x * _e341.y) + ((_e107.x * _e341.x) + _e97.member_3.member)))), ((_e136.y * _e341.w) + ((_e126.y * _e341.z) + ((_e116.y * _e341.y) + ((_e107.y * _e341.x) + _e97.member_3.member_1)))), ((_e136.z * _e341.w) + ((_e126.z * _e341.z) + ((_e116.z * _e341.y) + ((_e107.z * _e341.x) + _e97.member_3.member_2)))), ((_e136.w * _e341.w) + ((_e126.w * _e341.z) + ((_e116.w * _e341.y) + ((_e107.w * _e341.x) + _e97.member_3.member_3))))));
+                local_11 = type_10(type_9(((_e136.x * _e144.w) + ((_e126.x * _e144.z) + ((_e116.x * _e144.y) + ((_e107.x * _e144.x) + _e99.member.member)))), ((_e136.y * _e144.w) + ((_e126.y * _e144.z) + ((_e116.y * _e144.y) + ((_e107.y * _e144.x) + _e99.member.member_1)))), ((_e136.z * _e144.w) + ((_e126.z * _e144.z) + ((_e116.z * _e144.y) + ((_e107.z * _e144.x) + _e99.member.member_2)))), ((_e136.w * _e144.w) + ((_e126.w * _e144.z) + ((_e116.w * _e144.y) + ((_e107.w * _e144.x) + _e99.member.member_3))))), type_9(((_e136.x * _e148.w) + ((_e126.x * _e148.z) + ((_e116.x * _e148.y) + ((_e107.x * _e148.x) + _e99.member_1.member)))), ((_e136.y * _e148.w) + ((_e126.y * _e148.z) + ((_e116.y * _e148.y) + ((_e107.y * _e148.x) + _e99.member_1.member_1)))), ((_e136.z * _e148.w) + ((_e126.z * _e148.z) + ((_e116.z * _e148.y) + ((_e107.z * _e148.x) + _e99.member_1.member_2)))), ((_e136.w * _e148.w) + ((_e126.w * _e148.z) + ((_e116.w * _e148.y) + ((_e107.w * _e148.x) + _e99.member_1.member_3))))), type_9(((_e136.x * _e152.w) + ((_e126.x * _e152.z) + ((_e116.x * _e152.y) + ((_e107.x * _e152.x) + _e99.member_2.member)))), ((_e136.y * _e152.w) + ((_e126.y * _e152.z) + ((_e116.y * _e152.y) + ((_e107.y * _e152.x) + _e99.member_2.member_1)))), ((_e136.z * _e152.w) + ((_e126.z * _e152.z) + ((_e116.z * _e152.y) + ((_e107.z * _e152.x) + _e99.member_2.member_2)))), ((_e136.w * _e152.w) + ((_e126.w * _e152.z) + ((_e116.w * _e152.y) + ((_e107.w * _e152.x) + _e99.member_2.member_3))))), type_9(((_e136.x * _e156.w) + ((_e126.x * _e156.z) + ((_e116.x * _e156.y) + ((_e107.x * _e156.x) + _e99.member_3.member)))), ((_e136.y * _e156.w) + ((_e126.y * _e156.z) + ((_e116.y * _e156.y) + ((_e107.y * _e156.x) + _e99.member_3.member_1)))), ((_e136.z * _e156.w) + ((_e126.z * _e156.z) + ((_e116.z * _e156.y) + ((_e107.z * _e156.x) + _e99.member_3.member_2)))), ((_e136.w * _e156.w) + ((_e126.w * _e156.z) + ((_e116.w * _e156.y) + ((_e107.w * _e156.x) + _e99.member_3.member_3))))));
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e1009 = local_8;
-                phi_116_ = _e1009;
-                let _e1012 = local_9;
-                phi_119_ = _e1012;
-                let _e1015 = local_10;
-                phi_121_ = _e1015;
-                let _e1018 = local_11;
-                phi_123_ = _e1018;
+                let _e973 = local_8;
+                phi_113_ = _e973;
+                let _e976 = local_9;
+                phi_116_ = _e976;
+                let _e979 = local_10;
+                phi_118_ = _e979;
+                let _e982 = local_11;
+                phi_120_ = _e982;
             }
         }
-        let _e542 = (_e35 - _e32);
-        let _e545 = global_3.member.member_1;
-        let _e547 = ((_e42 * _e545) + _e32);
-        let _e550 = global_3.member.member_6;
-        if (_e42 < _e550) {
-            let _e553 = local;
-            let _e557 = global_3.member.member_7;
-            if (_e557 == 0u) {
-                phi_582_ = _e553.member;
+        let _e514 = (_e35 - _e32);
+        let _e517 = global_3.member.member_1;
+        let _e519 = ((_e42 * _e517) + _e32);
+        let _e522 = global_3.member.member_6;
+        if (_e42 < _e522) {
+            let _e525 = local;
+            let _e529 = global_3.member.member_7;
+            if (_e529 == 0u) {
+                phi_559_ = _e525.member;
             } else {
-                let _e561 = global_6.member[_e547];
-                let _e565 = global_6.member[(_e547 + 1u)];
-                let _e569 = global_6.member[(_e547 + 2u)];
-                let _e573 = global_6.member[(_e547 + 3u)];
-                phi_582_ = type_9(select(0f, _e553.member.member, (0f < _e561)), select(0f, _e553.member.member_1, (0f < _e565)), select(0f, _e553.member.member_2, (0f < _e569)), select(0f, _e553.member.member_3, (0f < _e573)));
+                let _e534 = global_6.member[(_e519 / 4u)];
+                phi_559_ = type_9(select(0f, _e525.member.member, (0f < _e534.x)), select(0f, _e525.member.member_1, (0f < _e534.y)), select(0f, _e525.member.member_2, (0f < _e534.z)), select(0f, _e525.member.member_3, (0f < _e534.w)));
             }
-            let _e588 = phi_582_;
-            global_7.member[_e547] = _e588.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e547 + 1u)] = _e588.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e547 + 2u)] = _e588.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e547 + 3u)] = _e588.member_3;
+            let _e553 = phi_559_;
+            if (_e514 > 3u) {
+                global_7.member[(_e519 / 4u)] = vec4<f32>(_e553.member, _e553.member_1, _e553.member_2, _e553.member_3);
+            } else {
+                let _e563 = (_e519 / 4u);
+                global_7.member[_e563][0u] = _e553.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e563][1u] = _e553.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e563][2u] = _e553.member_2;
+                }
             }
         }
-        let _e607 = (_e547 + _e545);
-        if (_e57 < _e550) {
-            let _e610 = local_1;
-            let _e614 = global_3.member.member_7;
-            if (_e614 == 0u) {
-                phi_642_ = _e610.member_1;
+        let _e578 = (_e519 + _e517);
+        if (_e57 < _e522) {
+            let _e581 = local_1;
+            let _e585 = global_3.member.member_7;
+            if (_e585 == 0u) {
+                phi_618_ = _e581.member_1;
             } else {
-                let _e618 = global_6.member[_e607];
-                let _e622 = global_6.member[(_e607 + 1u)];
-                let _e626 = global_6.member[(_e607 + 2u)];
-                let _e630 = global_6.member[(_e607 + 3u)];
-                phi_642_ = type_9(select(0f, _e610.member_1.member, (0f < _e618)), select(0f, _e610.member_1.member_1, (0f < _e622)), select(0f, _e610.member_1.member_2, (0f < _e626)), select(0f, _e610.member_1.member_3, (0f < _e630)));
+                let _e590 = global_6.member[(_e578 / 4u)];
+                phi_618_ = type_9(select(0f, _e581.member_1.member, (0f < _e590.x)), select(0f, _e581.member_1.member_1, (0f < _e590.y)), select(0f, _e581.member_1.member_2, (0f < _e590.z)), select(0f, _e581.member_1.member_3, (0f < _e590.w)));
             }
-            let _e645 = phi_642_;
-            global_7.member[_e607] = _e645.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e607 + 1u)] = _e645.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e607 + 2u)] = _e645.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e607 + 3u)] = _e645.member_3;
+            let _e609 = phi_618_;
+            if (_e514 > 3u) {
+                global_7.member[(_e578 / 4u)] = vec4<f32>(_e609.member, _e609.member_1, _e609.member_2, _e609.member_3);
+            } else {
+                let _e619 = (_e578 / 4u);
+                global_7.member[_e619][0u] = _e609.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e619][1u] = _e609.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e619][2u] = _e609.member_2;
+                }
             }
         }
-        let _e664 = (_e607 + _e545);
-        if (_e62 < _e550) {
-            let _e667 = local_2;
-            let _e671 = global_3.member.member_7;
-            if (_e671 == 0u) {
-                phi_702_ = _e667.member_2;
+        let _e634 = (_e578 + _e517);
+        if (_e62 < _e522) {
+            let _e637 = local_2;
+            let _e641 = global_3.member.member_7;
+            if (_e641 == 0u) {
+                phi_677_ = _e637.member_2;
             } else {
-                let _e675 = global_6.member[_e664];
-                let _e679 = global_6.member[(_e664 + 1u)];
-                let _e683 = global_6.member[(_e664 + 2u)];
-                let _e687 = global_6.member[(_e664 + 3u)];
-                phi_702_ = type_9(select(0f, _e667.member_2.member, (0f < _e675)), select(0f, _e667.member_2.member_1, (0f < _e679)), select(0f, _e667.member_2.member_2, (0f < _e683)), select(0f, _e667.member_2.member_3, (0f < _e687)));
+                let _e646 = global_6.member[(_e634 / 4u)];
+                phi_677_ = type_9(select(0f, _e637.member_2.member, (0f < _e646.x)), select(0f, _e637.member_2.member_1, (0f < _e646.y)), select(0f, _e637.member_2.member_2, (0f < _e646.z)), select(0f, _e637.member_2.member_3, (0f < _e646.w)));
             }
-            let _e702 = phi_702_;
-            global_7.member[_e664] = _e702.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e664 + 1u)] = _e702.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e664 + 2u)] = _e702.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e664 + 3u)] = _e702.member_3;
+            let _e665 = phi_677_;
+            if (_e514 > 3u) {
+                global_7.member[(_e634 / 4u)] = vec4<f32>(_e665.member, _e665.member_1, _e665.member_2, _e665.member_3);
+            } else {
+                let _e675 = (_e634 / 4u);
+                global_7.member[_e675][0u] = _e665.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e675][1u] = _e665.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e675][2u] = _e665.member_2;
+                }
             }
         }
-        let _e721 = (_e664 + _e545);
-        if (_e67 < _e550) {
-            let _e724 = local_3;
-            let _e728 = global_3.member.member_7;
-            if (_e728 == 0u) {
-                phi_762_ = _e724.member_3;
+        let _e690 = (_e634 + _e517);
+        if (_e67 < _e522) {
+            let _e693 = local_3;
+            let _e697 = global_3.member.member_7;
+            if (_e697 == 0u) {
+                phi_736_ = _e693.member_3;
             } else {
-                let _e732 = global_6.member[_e721];
-                let _e736 = global_6.member[(_e721 + 1u)];
-                let _e740 = global_6.member[(_e721 + 2u)];
-                let _e744 = global_6.member[(_e721 + 3u)];
-                phi_762_ = type_9(select(0f, _e724.member_3.member, (0f < _e732)), select(0f, _e724.member_3.member_1, (0f < _e736)), select(0f, _e724.member_3.member_2, (0f < _e740)), select(0f, _e724.member_3.member_3, (0f < _e744)));
+                let _e702 = global_6.member[(_e690 / 4u)];
+                phi_736_ = type_9(select(0f, _e693.member_3.member, (0f < _e702.x)), select(0f, _e693.member_3.member_1, (0f < _e702.y)), select(0f, _e693.member_3.member_2, (0f < _e702.z)), select(0f, _e693.member_3.member_3, (0f < _e702.w)));
             }
-            let _e759 = phi_762_;
-            global_7.member[_e721] = _e759.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e721 + 1u)] = _e759.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e721 + 2u)] = _e759.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e721 + 3u)] = _e759.member_3;
+            let _e721 = phi_736_;
+            if (_e514 > 3u) {
+                global_7.member[(_e690 / 4u)] = vec4<f32>(_e721.member, _e721.member_1, _e721.member_2, _e721.member_3);
+            } else {
+                let _e731 = (_e690 / 4u);
+                global_7.member[_e731][0u] = _e721.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e731][1u] = _e721.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e731][2u] = _e721.member_2;
+                }
             }
         }
-        let _e779 = ((_e72 * _e545) + _e32);
-        if (_e72 < _e550) {
-            let _e782 = local_4;
-            let _e786 = global_3.member.member_7;
-            if (_e786 == 0u) {
-                phi_823_ = _e782.member;
+        let _e747 = ((_e72 * _e517) + _e32);
+        if (_e72 < _e522) {
+            let _e750 = local_4;
+            let _e754 = global_3.member.member_7;
+            if (_e754 == 0u) {
+                phi_796_ = _e750.member;
             } else {
-                let _e790 = global_6.member[_e779];
-                let _e794 = global_6.member[(_e779 + 1u)];
-                let _e798 = global_6.member[(_e779 + 2u)];
-                let _e802 = global_6.member[(_e779 + 3u)];
-                phi_823_ = type_9(select(0f, _e782.member.member, (0f < _e790)), select(0f, _e782.member.member_1, (0f < _e794)), select(0f, _e782.member.member_2, (0f < _e798)), select(0f, _e782.member.member_3, (0f < _e802)));
+                let _e759 = global_6.member[(_e747 / 4u)];
+                phi_796_ = type_9(select(0f, _e750.member.member, (0f < _e759.x)), select(0f, _e750.member.member_1, (0f < _e759.y)), select(0f, _e750.member.member_2, (0f < _e759.z)), select(0f, _e750.member.member_3, (0f < _e759.w)));
             }
-            let _e817 = phi_823_;
-            global_7.member[_e779] = _e817.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e779 + 1u)] = _e817.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e779 + 2u)] = _e817.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e779 + 3u)] = _e817.member_3;
+            let _e778 = phi_796_;
+            if (_e514 > 3u) {
+                global_7.member[(_e747 / 4u)] = vec4<f32>(_e778.member, _e778.member_1, _e778.member_2, _e778.member_3);
+            } else {
+                let _e788 = (_e747 / 4u);
+                global_7.member[_e788][0u] = _e778.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e788][1u] = _e778.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e788][2u] = _e778.member_2;
+                }
             }
         }
-        let _e836 = (_e779 + _e545);
-        if (_e77 < _e550) {
-            let _e839 = local_5;
-            let _e843 = global_3.member.member_7;
-            if (_e843 == 0u) {
-                phi_883_ = _e839.member_1;
+        let _e803 = (_e747 + _e517);
+        if (_e77 < _e522) {
+            let _e806 = local_5;
+            let _e810 = global_3.member.member_7;
+            if (_e810 == 0u) {
+                phi_855_ = _e806.member_1;
             } else {
-                let _e847 = global_6.member[_e836];
-                let _e851 = global_6.member[(_e836 + 1u)];
-                let _e855 = global_6.member[(_e836 + 2u)];
-                let _e859 = global_6.member[(_e836 + 3u)];
-                phi_883_ = type_9(select(0f, _e839.member_1.member, (0f < _e847)), select(0f, _e839.member_1.member_1, (0f < _e851)), select(0f, _e839.member_1.member_2, (0f < _e855)), select(0f, _e839.member_1.member_3, (0f < _e859)));
+                let _e815 = global_6.member[(_e803 / 4u)];
+                phi_855_ = type_9(select(0f, _e806.member_1.member, (0f < _e815.x)), select(0f, _e806.member_1.member_1, (0f < _e815.y)), select(0f, _e806.member_1.member_2, (0f < _e815.z)), select(0f, _e806.member_1.member_3, (0f < _e815.w)));
             }
-            let _e874 = phi_883_;
-            global_7.member[_e836] = _e874.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e836 + 1u)] = _e874.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e836 + 2u)] = _e874.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e836 + 3u)] = _e874.member_3;
+            let _e834 = phi_855_;
+            if (_e514 > 3u) {
+                global_7.member[(_e803 / 4u)] = vec4<f32>(_e834.member, _e834.member_1, _e834.member_2, _e834.member_3);
+            } else {
+                let _e844 = (_e803 / 4u);
+                global_7.member[_e844][0u] = _e834.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e844][1u] = _e834.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e844][2u] = _e834.member_2;
+                }
             }
         }
-        let _e893 = (_e836 + _e545);
-        if (_e82 < _e550) {
-            let _e896 = local_6;
-            let _e900 = global_3.member.member_7;
-            if (_e900 == 0u) {
-                phi_943_ = _e896.member_2;
+        let _e859 = (_e803 + _e517);
+        if (_e82 < _e522) {
+            let _e862 = local_6;
+            let _e866 = global_3.member.member_7;
+            if (_e866 == 0u) {
+                phi_914_ = _e862.member_2;
             } else {
-                let _e904 = global_6.member[_e893];
-                let _e908 = global_6.member[(_e893 + 1u)];
-                let _e912 = global_6.member[(_e893 + 2u)];
-                let _e916 = global_6.member[(_e893 + 3u)];
-                phi_943_ = type_9(select(0f, _e896.member_2.member, (0f < _e904)), select(0f, _e896.member_2.member_1, (0f < _e908)), select(0f, _e896.member_2.member_2, (0f < _e912)), select(0f, _e896.member_2.member_3, (0f < _e916)));
+                let _e871 = global_6.member[(_e859 / 4u)];
+                phi_914_ = type_9(select(0f, _e862.member_2.member, (0f < _e871.x)), select(0f, _e862.member_2.member_1, (0f < _e871.y)), select(0f, _e862.member_2.member_2, (0f < _e871.z)), select(0f, _e862.member_2.member_3, (0f < _e871.w)));
             }
-            let _e931 = phi_943_;
-            global_7.member[_e893] = _e931.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e893 + 1u)] = _e931.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e893 + 2u)] = _e931.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e893 + 3u)] = _e931.member_3;
+            let _e890 = phi_914_;
+            if (_e514 > 3u) {
+                global_7.member[(_e859 / 4u)] = vec4<f32>(_e890.member, _e890.member_1, _e890.member_2, _e890.member_3);
+            } else {
+                let _e900 = (_e859 / 4u);
+                global_7.member[_e900][0u] = _e890.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e900][1u] = _e890.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e900][2u] = _e890.member_2;
+                }
             }
         }
-        let _e950 = (_e893 + _e545);
-        if (_e87 < _e550) {
-            let _e953 = local_7;
-            let _e957 = global_3.member.member_7;
-            if (_e957 == 0u) {
-                phi_1003_ = _e953.member_3;
+        let _e915 = (_e859 + _e517);
+        if (_e87 < _e522) {
+            let _e918 = local_7;
+            let _e922 = global_3.member.member_7;
+            if (_e922 == 0u) {
+                phi_973_ = _e918.member_3;
             } else {
-                let _e961 = global_6.member[_e950];
-                let _e965 = global_6.member[(_e950 + 1u)];
-                let _e969 = global_6.member[(_e950 + 2u)];
-                let _e973 = global_6.member[(_e950 + 3u)];
-                phi_1003_ = type_9(select(0f, _e953.member_3.member, (0f < _e961)), select(0f, _e953.member_3.member_1, (0f < _e965)), select(0f, _e953.member_3.member_2, (0f < _e969)), select(0f, _e953.member_3.member_3, (0f < _e973)));
+                let _e927 = global_6.member[(_e915 / 4u)];
+                phi_973_ = type_9(select(0f, _e918.member_3.member, (0f < _e927.x)), select(0f, _e918.member_3.member_1, (0f < _e927.y)), select(0f, _e918.member_3.member_2, (0f < _e927.z)), select(0f, _e918.member_3.member_3, (0f < _e927.w)));
             }
-            let _e988 = phi_1003_;
-            global_7.member[_e950] = _e988.member;
-            if (_e542 > 1u) {
-                global_7.member[(_e950 + 1u)] = _e988.member_1;
-            }
-            if (_e542 > 2u) {
-                global_7.member[(_e950 + 2u)] = _e988.member_2;
-            }
-            if (_e542 > 3u) {
-                global_7.member[(_e950 + 3u)] = _e988.member_3;
+            let _e946 = phi_973_;
+            if (_e514 > 3u) {
+                global_7.member[(_e915 / 4u)] = vec4<f32>(_e946.member, _e946.member_1, _e946.member_2, _e946.member_3);
+            } else {
+                let _e956 = (_e915 / 4u);
+                global_7.member[_e956][0u] = _e946.member;
+                if (_e514 > 1u) {
+                    global_7.member[_e956][1u] = _e946.member_1;
+                }
+                if (_e514 > 2u) {
+                    global_7.member[_e956][2u] = _e946.member_2;
+                }
             }
         }
     }

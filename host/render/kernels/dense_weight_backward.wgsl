@@ -33,11 +33,7 @@ struct type_18 {
     member_3: f32,
 }
 
-struct type_21 {
-    member: array<f32>,
-}
-
-struct type_27 {
+struct type_24 {
     member: array<atomic<u32>>,
 }
 
@@ -53,78 +49,134 @@ var<storage> global_5: type_10;
 @group(0) @binding(5) 
 var<storage, read_write> global_6: type_16;
 @group(0) @binding(4) 
-var<storage> global_7: type_21;
+var<storage> global_7: type_16;
 @group(0) @binding(6) 
-var<storage, read_write> global_8: type_27;
+var<storage, read_write> global_8: type_24;
 @group(0) @binding(3) 
-var<storage> global_9: type_21;
+var<storage> global_9: type_16;
 
 fn function_() {
+    var phi_112_: u32;
     var phi_115_: u32;
-    var phi_118_: u32;
-    var phi_139_: u32;
+    var phi_136_: u32;
     var local: u32;
-    var phi_154_: u32;
+    var phi_151_: u32;
     var local_1: u32;
-    var phi_163_: u32;
-    var phi_181_: u32;
-    var phi_182_: u32;
-    var phi_183_: bool;
-    var phi_188_: u32;
+    var phi_160_: u32;
+    var phi_178_: u32;
+    var phi_179_: u32;
+    var phi_180_: bool;
+    var phi_185_: u32;
+    var phi_187_: u32;
     var phi_190_: u32;
-    var phi_193_: u32;
-    var phi_195_: u32;
-    var phi_219_: u32;
-    var phi_250_: vec4<f32>;
-    var phi_263_: u32;
-    var phi_267_: u32;
-    var phi_270_: type_18;
-    var phi_299_: u32;
-    var phi_302_: type_18;
-    var phi_386_: u32;
-    var phi_389_: type_18;
+    var phi_192_: u32;
+    var phi_216_: u32;
+    var phi_247_: vec4<f32>;
+    var phi_260_: u32;
+    var phi_264_: u32;
+    var phi_267_: type_18;
+    var phi_289_: array<f32, 2>;
+    var phi_297_: f32;
+    var phi_315_: array<f32, 2>;
+    var phi_323_: f32;
+    var phi_342_: array<f32, 2>;
+    var phi_350_: f32;
+    var phi_369_: array<f32, 2>;
+    var phi_377_: f32;
+    var phi_388_: u32;
+    var phi_391_: type_18;
+    var phi_451_: u32;
+    var phi_454_: type_18;
+    var phi_476_: array<f32, 2>;
+    var phi_484_: f32;
+    var phi_502_: array<f32, 2>;
+    var phi_510_: f32;
+    var phi_529_: array<f32, 2>;
+    var phi_537_: f32;
+    var phi_556_: array<f32, 2>;
+    var phi_564_: f32;
     var local_2: type_18;
     var local_3: type_18;
     var local_4: type_18;
     var local_5: type_18;
-    var phi_421_: u32;
-    var phi_424_: type_18;
+    var phi_578_: u32;
+    var phi_581_: type_18;
+    var phi_603_: array<f32, 2>;
+    var phi_611_: f32;
+    var phi_629_: array<f32, 2>;
+    var phi_637_: f32;
+    var phi_656_: array<f32, 2>;
+    var phi_664_: f32;
+    var phi_683_: array<f32, 2>;
+    var phi_691_: f32;
     var local_6: type_18;
     var local_7: type_18;
     var local_8: type_18;
     var local_9: type_18;
-    var phi_499_: u32;
-    var phi_501_: array<u32, 2>;
-    var phi_507_: array<u32, 2>;
-    var phi_555_: u32;
-    var phi_557_: array<u32, 2>;
-    var phi_563_: array<u32, 2>;
-    var phi_611_: u32;
-    var phi_613_: array<u32, 2>;
-    var phi_619_: array<u32, 2>;
-    var phi_667_: u32;
-    var phi_669_: array<u32, 2>;
-    var phi_675_: array<u32, 2>;
-    var phi_731_: vec4<f32>;
-    var phi_742_: vec4<f32>;
-    var phi_753_: vec4<f32>;
-    var phi_764_: vec4<f32>;
-    var phi_777_: u32;
-    var phi_781_: type_18;
-    var phi_784_: type_18;
-    var phi_786_: type_18;
-    var phi_788_: type_18;
-    var phi_790_: u32;
-    var phi_877_: u32;
-    var phi_880_: type_18;
-    var phi_882_: type_18;
-    var phi_884_: type_18;
-    var phi_886_: type_18;
-    var phi_1144_: type_18;
-    var phi_1147_: type_18;
-    var phi_1149_: type_18;
-    var phi_1151_: type_18;
-    var phi_1153_: u32;
+    var phi_748_: u32;
+    var phi_750_: array<u32, 2>;
+    var phi_756_: array<u32, 2>;
+    var phi_804_: u32;
+    var phi_806_: array<u32, 2>;
+    var phi_812_: array<u32, 2>;
+    var phi_860_: u32;
+    var phi_862_: array<u32, 2>;
+    var phi_868_: array<u32, 2>;
+    var phi_916_: u32;
+    var phi_918_: array<u32, 2>;
+    var phi_924_: array<u32, 2>;
+    var phi_980_: vec4<f32>;
+    var phi_991_: vec4<f32>;
+    var phi_1002_: vec4<f32>;
+    var phi_1013_: vec4<f32>;
+    var phi_1026_: u32;
+    var phi_1030_: type_18;
+    var phi_1033_: type_18;
+    var phi_1035_: type_18;
+    var phi_1037_: type_18;
+    var phi_1039_: u32;
+    var phi_1061_: array<f32, 2>;
+    var phi_1069_: f32;
+    var phi_1087_: array<f32, 2>;
+    var phi_1095_: f32;
+    var phi_1114_: array<f32, 2>;
+    var phi_1122_: f32;
+    var phi_1141_: array<f32, 2>;
+    var phi_1149_: f32;
+    var phi_1167_: array<f32, 2>;
+    var phi_1175_: f32;
+    var phi_1205_: array<f32, 2>;
+    var phi_1213_: f32;
+    var phi_1243_: array<f32, 2>;
+    var phi_1251_: f32;
+    var phi_1281_: array<f32, 2>;
+    var phi_1289_: f32;
+    var phi_1310_: u32;
+    var phi_1313_: type_18;
+    var phi_1315_: type_18;
+    var phi_1317_: type_18;
+    var phi_1319_: type_18;
+    var phi_1529_: type_18;
+    var phi_1532_: type_18;
+    var phi_1534_: type_18;
+    var phi_1536_: type_18;
+    var phi_1538_: u32;
+    var phi_1560_: array<f32, 2>;
+    var phi_1568_: f32;
+    var phi_1586_: array<f32, 2>;
+    var phi_1594_: f32;
+    var phi_1613_: array<f32, 2>;
+    var phi_1621_: f32;
+    var phi_1640_: array<f32, 2>;
+    var phi_1648_: f32;
+    var phi_1666_: array<f32, 2>;
+    var phi_1674_: f32;
+    var phi_1704_: array<f32, 2>;
+    var phi_1712_: f32;
+    var phi_1742_: array<f32, 2>;
+    var phi_1750_: f32;
+    var phi_1780_: array<f32, 2>;
+    var phi_1788_: f32;
     var local_10: type_18;
     var local_11: type_18;
     var local_12: type_18;
@@ -141,80 +193,96 @@ fn function_() {
     var local_23: type_18;
     var local_24: type_18;
     var local_25: type_18;
-    var phi_1249_: type_18;
-    var phi_1252_: type_18;
-    var phi_1254_: type_18;
-    var phi_1256_: type_18;
-    var phi_1258_: u32;
+    var phi_1818_: type_18;
+    var phi_1821_: type_18;
+    var phi_1823_: type_18;
+    var phi_1825_: type_18;
+    var phi_1827_: u32;
+    var phi_1849_: array<f32, 2>;
+    var phi_1857_: f32;
+    var phi_1875_: array<f32, 2>;
+    var phi_1883_: f32;
+    var phi_1902_: array<f32, 2>;
+    var phi_1910_: f32;
+    var phi_1929_: array<f32, 2>;
+    var phi_1937_: f32;
+    var phi_1955_: array<f32, 2>;
+    var phi_1963_: f32;
+    var phi_1993_: array<f32, 2>;
+    var phi_2001_: f32;
+    var phi_2031_: array<f32, 2>;
+    var phi_2039_: f32;
+    var phi_2069_: array<f32, 2>;
+    var phi_2077_: f32;
     var local_26: type_18;
     var local_27: type_18;
     var local_28: type_18;
     var local_29: type_18;
-    var phi_1385_: u32;
-    var phi_1387_: array<u32, 2>;
-    var phi_1393_: array<u32, 2>;
-    var phi_1441_: u32;
-    var phi_1443_: array<u32, 2>;
-    var phi_1449_: array<u32, 2>;
-    var phi_1497_: u32;
-    var phi_1499_: array<u32, 2>;
-    var phi_1505_: array<u32, 2>;
-    var phi_1553_: u32;
-    var phi_1555_: array<u32, 2>;
-    var phi_1561_: array<u32, 2>;
+    var phi_2138_: u32;
+    var phi_2140_: array<u32, 2>;
+    var phi_2146_: array<u32, 2>;
+    var phi_2194_: u32;
+    var phi_2196_: array<u32, 2>;
+    var phi_2202_: array<u32, 2>;
+    var phi_2250_: u32;
+    var phi_2252_: array<u32, 2>;
+    var phi_2258_: array<u32, 2>;
+    var phi_2306_: u32;
+    var phi_2308_: array<u32, 2>;
+    var phi_2314_: array<u32, 2>;
     var local_30: type_18;
     var local_31: type_18;
     var local_32: type_18;
     var local_33: type_18;
-    var phi_1628_: u32;
-    var phi_1630_: array<u32, 2>;
-    var phi_1636_: array<u32, 2>;
-    var phi_1684_: u32;
-    var phi_1686_: array<u32, 2>;
-    var phi_1692_: array<u32, 2>;
-    var phi_1740_: u32;
-    var phi_1742_: array<u32, 2>;
-    var phi_1748_: array<u32, 2>;
-    var phi_1796_: u32;
-    var phi_1798_: array<u32, 2>;
-    var phi_1804_: array<u32, 2>;
+    var phi_2381_: u32;
+    var phi_2383_: array<u32, 2>;
+    var phi_2389_: array<u32, 2>;
+    var phi_2437_: u32;
+    var phi_2439_: array<u32, 2>;
+    var phi_2445_: array<u32, 2>;
+    var phi_2493_: u32;
+    var phi_2495_: array<u32, 2>;
+    var phi_2501_: array<u32, 2>;
+    var phi_2549_: u32;
+    var phi_2551_: array<u32, 2>;
+    var phi_2557_: array<u32, 2>;
     var local_34: type_18;
     var local_35: type_18;
     var local_36: type_18;
     var local_37: type_18;
-    var phi_1871_: u32;
-    var phi_1873_: array<u32, 2>;
-    var phi_1879_: array<u32, 2>;
-    var phi_1927_: u32;
-    var phi_1929_: array<u32, 2>;
-    var phi_1935_: array<u32, 2>;
-    var phi_1983_: u32;
-    var phi_1985_: array<u32, 2>;
-    var phi_1991_: array<u32, 2>;
-    var phi_2039_: u32;
-    var phi_2041_: array<u32, 2>;
-    var phi_2047_: array<u32, 2>;
+    var phi_2624_: u32;
+    var phi_2626_: array<u32, 2>;
+    var phi_2632_: array<u32, 2>;
+    var phi_2680_: u32;
+    var phi_2682_: array<u32, 2>;
+    var phi_2688_: array<u32, 2>;
+    var phi_2736_: u32;
+    var phi_2738_: array<u32, 2>;
+    var phi_2744_: array<u32, 2>;
+    var phi_2792_: u32;
+    var phi_2794_: array<u32, 2>;
+    var phi_2800_: array<u32, 2>;
     var local_38: type_18;
     var local_39: type_18;
     var local_40: type_18;
     var local_41: type_18;
-    var phi_2114_: u32;
-    var phi_2116_: array<u32, 2>;
-    var phi_2122_: array<u32, 2>;
-    var phi_2170_: u32;
-    var phi_2172_: array<u32, 2>;
-    var phi_2178_: array<u32, 2>;
-    var phi_2226_: u32;
-    var phi_2228_: array<u32, 2>;
-    var phi_2234_: array<u32, 2>;
-    var phi_2282_: u32;
-    var phi_2284_: array<u32, 2>;
-    var phi_2290_: array<u32, 2>;
-    var phi_2315_: u32;
+    var phi_2867_: u32;
+    var phi_2869_: array<u32, 2>;
+    var phi_2875_: array<u32, 2>;
+    var phi_2923_: u32;
+    var phi_2925_: array<u32, 2>;
+    var phi_2931_: array<u32, 2>;
+    var phi_2979_: u32;
+    var phi_2981_: array<u32, 2>;
+    var phi_2987_: array<u32, 2>;
+    var phi_3035_: u32;
+    var phi_3037_: array<u32, 2>;
+    var phi_3043_: array<u32, 2>;
+    var phi_3068_: u32;
+    var phi_188_: u32;
     var phi_191_: u32;
-    var phi_194_: u32;
-    var phi_196_: u32;
-    var phi_2316_: bool;
+    var phi_193_: u32;
+    var phi_3069_: bool;
     var local_42: u32;
     var local_43: u32;
     var local_44: u32;
@@ -277,11 +345,11 @@ fn function_() {
                 if (_e72 < _e69) {
                     let _e77 = (_e72 + _e56);
                     let _e82 = global_3.member.member_7;
-                    phi_115_ = _e82;
-                    phi_118_ = 0u;
+                    phi_112_ = _e82;
+                    phi_115_ = 0u;
                     loop {
-                        let _e84 = phi_115_;
-                        let _e86 = phi_118_;
+                        let _e84 = phi_112_;
+                        let _e86 = phi_115_;
                         let _e87 = (_e86 + 1u);
                         local = _e86;
                         local_1 = _e87;
@@ -292,12 +360,12 @@ fn function_() {
                             let _e97 = global_4.member[(_e90 * _e93)];
                             let _e100 = global_3.member.member_9;
                             if (_e100 == 0u) {
-                                phi_139_ = _e97;
+                                phi_136_ = _e97;
                             } else {
                                 let _e104 = global_5.member[_e97];
-                                phi_139_ = _e104;
+                                phi_136_ = _e104;
                             }
-                            let _e106 = phi_139_;
+                            let _e106 = phi_136_;
                             let _e107 = (_e106 <= _e72);
                             local_42 = select(_e90, _e84, _e107);
                             local_43 = select(_e86, _e90, _e107);
@@ -306,10 +374,10 @@ fn function_() {
                             break;
                         }
                         continuing {
-                            let _e2375 = local_42;
-                            phi_115_ = _e2375;
-                            let _e2378 = local_43;
-                            phi_118_ = _e2378;
+                            let _e2951 = local_42;
+                            phi_112_ = _e2951;
+                            let _e2954 = local_43;
+                            phi_115_ = _e2954;
                         }
                     }
                     let _e112 = global_3.member.member_8;
@@ -318,90 +386,90 @@ fn function_() {
                     let _e121 = global_3.member.member_9;
                     let _e122 = (_e121 == 0u);
                     if _e122 {
-                        phi_154_ = _e118;
+                        phi_151_ = _e118;
                     } else {
                         let _e125 = global_5.member[_e118];
-                        phi_154_ = _e125;
+                        phi_151_ = _e125;
                     }
-                    let _e127 = phi_154_;
+                    let _e127 = phi_151_;
                     let _e129 = local_1;
                     let _e133 = global_4.member[(_e129 * _e112)];
                     if _e122 {
-                        phi_163_ = _e133;
+                        phi_160_ = _e133;
                     } else {
                         let _e136 = global_5.member[_e133];
-                        phi_163_ = _e136;
+                        phi_160_ = _e136;
                     }
-                    let _e138 = phi_163_;
+                    let _e138 = phi_160_;
                     if (_e56 == 0u) {
                         break;
                     }
                     let _e141 = ((_e72 - _e127) % _e56);
                     if (_e41.z == 0u) {
-                        phi_182_ = u32();
-                        phi_183_ = true;
+                        phi_179_ = u32();
+                        phi_180_ = true;
                     } else {
                         let _e143 = (_e141 == 0u);
                         if _e143 {
-                            phi_181_ = u32();
+                            phi_178_ = u32();
                         } else {
                             let _e145 = ((_e72 - _e141) + _e56);
-                            phi_181_ = select(_e138, _e145, (_e145 < _e138));
+                            phi_178_ = select(_e138, _e145, (_e145 < _e138));
                         }
-                        let _e149 = phi_181_;
-                        phi_182_ = _e149;
-                        phi_183_ = _e143;
+                        let _e149 = phi_178_;
+                        phi_179_ = _e149;
+                        phi_180_ = _e143;
                     }
-                    let _e151 = phi_182_;
-                    let _e153 = phi_183_;
+                    let _e151 = phi_179_;
+                    let _e153 = phi_180_;
                     if _e153 {
-                        phi_188_ = (_e72 - _e141);
+                        phi_185_ = (_e72 - _e141);
                     } else {
-                        phi_188_ = _e151;
+                        phi_185_ = _e151;
                     }
-                    let _e156 = phi_188_;
-                    phi_190_ = _e138;
-                    phi_193_ = _e156;
-                    let _e2396 = local_46;
-                    phi_195_ = _e2396;
+                    let _e156 = phi_185_;
+                    phi_187_ = _e138;
+                    phi_190_ = _e156;
+                    let _e2972 = local_46;
+                    phi_192_ = _e2972;
                     loop {
-                        let _e158 = phi_190_;
-                        let _e160 = phi_193_;
-                        let _e162 = phi_195_;
-                        phi_2316_ = false;
+                        let _e158 = phi_187_;
+                        let _e160 = phi_190_;
+                        let _e162 = phi_192_;
+                        phi_3069_ = false;
                         if (_e160 < select(_e69, _e77, (_e77 < _e69))) {
                             if (_e160 == _e158) {
-                                let _e2359 = global_4.member[((_e162 + 2u) * _e112)];
+                                let _e2935 = global_4.member[((_e162 + 2u) * _e112)];
                                 if _e122 {
-                                    phi_2315_ = _e2359;
+                                    phi_3068_ = _e2935;
                                 } else {
-                                    let _e2362 = global_5.member[_e2359];
-                                    phi_2315_ = _e2362;
+                                    let _e2938 = global_5.member[_e2935];
+                                    phi_3068_ = _e2938;
                                 }
-                                let _e2364 = phi_2315_;
-                                phi_191_ = _e2364;
-                                phi_194_ = _e160;
-                                phi_196_ = (_e162 + 1u);
+                                let _e2940 = phi_3068_;
+                                phi_188_ = _e2940;
+                                phi_191_ = _e160;
+                                phi_193_ = (_e162 + 1u);
                             } else {
                                 let _e165 = (_e160 + _e56);
                                 let _e167 = select(_e158, _e165, (_e165 < _e158));
                                 let _e168 = (_e53 == 0u);
                                 if _e168 {
-                                    phi_2316_ = true;
+                                    phi_3069_ = true;
                                     break;
                                 }
                                 let _e169 = (_e50 / _e53);
                                 if _e168 {
-                                    phi_2316_ = true;
+                                    phi_3069_ = true;
                                     break;
                                 }
                                 let _e170 = (_e50 % _e53);
                                 if (_e160 > _e65) {
-                                    phi_219_ = (_e160 - _e65);
+                                    phi_216_ = (_e160 - _e65);
                                 } else {
-                                    phi_219_ = 0u;
+                                    phi_216_ = 0u;
                                 }
-                                let _e174 = phi_219_;
+                                let _e174 = phi_216_;
                                 let _e175 = (_e167 - _e65);
                                 let _e177 = select(_e68, _e175, (_e175 < _e68));
                                 let _e180 = global_3.member.member_12;
@@ -413,898 +481,1175 @@ fn function_() {
                                 let _e192 = global_3.member.member_2;
                                 let _e194 = ((4u * _e170) * _e192);
                                 if (_e169 < (_e61 + 1u)) {
-                                    let _e669 = (_e169 * 4u);
-                                    let _e672 = global_3.member.member_5;
-                                    let _e675 = ((_e672 + (_e669 * _e53)) + _e170);
-                                    let _e676 = (_e60 - _e669);
-                                    let _e680 = (_e675 + (select(_e676, 1u, (1u < _e676)) * _e53));
-                                    let _e684 = (_e675 + (select(_e676, 2u, (2u < _e676)) * _e53));
-                                    let _e688 = (_e675 + (select(_e676, 3u, (3u < _e676)) * _e53));
-                                    let _e693 = (_e669 * _e192);
-                                    let _e694 = (_e669 + 1u);
-                                    let _e697 = (select(_e60, _e694, (_e694 < _e60)) * _e192);
-                                    let _e698 = (_e669 + 2u);
-                                    let _e701 = (select(_e60, _e698, (_e698 < _e60)) * _e192);
-                                    let _e702 = (_e669 + 3u);
-                                    let _e705 = (select(_e60, _e702, (_e702 < _e60)) * _e192);
+                                    let _e861 = (_e169 * 4u);
+                                    let _e864 = global_3.member.member_5;
+                                    let _e867 = ((_e864 + (_e861 * _e53)) + _e170);
+                                    let _e868 = (_e60 - _e861);
+                                    let _e872 = (_e867 + (select(_e868, 1u, (1u < _e868)) * _e53));
+                                    let _e876 = (_e867 + (select(_e868, 2u, (2u < _e868)) * _e53));
+                                    let _e880 = (_e867 + (select(_e868, 3u, (3u < _e868)) * _e53));
+                                    let _e885 = (_e861 * _e192);
+                                    let _e886 = (_e861 + 1u);
+                                    let _e889 = (select(_e60, _e886, (_e886 < _e60)) * _e192);
+                                    let _e890 = (_e861 + 2u);
+                                    let _e893 = (select(_e60, _e890, (_e890 < _e60)) * _e192);
+                                    let _e894 = (_e861 + 3u);
+                                    let _e897 = (select(_e60, _e894, (_e894 < _e60)) * _e192);
                                     if _e189 {
-                                        let _e708 = global_6.member[(_e184 + _e675)];
-                                        phi_731_ = _e708;
+                                        let _e900 = global_6.member[(_e184 + _e867)];
+                                        phi_980_ = _e900;
                                     } else {
-                                        phi_731_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_980_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e710 = phi_731_;
+                                    let _e902 = phi_980_;
                                     if _e189 {
-                                        let _e718 = global_6.member[(_e184 + _e680)];
-                                        phi_742_ = _e718;
+                                        let _e910 = global_6.member[(_e184 + _e872)];
+                                        phi_991_ = _e910;
                                     } else {
-                                        phi_742_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_991_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e720 = phi_742_;
+                                    let _e912 = phi_991_;
                                     if _e189 {
-                                        let _e728 = global_6.member[(_e184 + _e684)];
-                                        phi_753_ = _e728;
+                                        let _e920 = global_6.member[(_e184 + _e876)];
+                                        phi_1002_ = _e920;
                                     } else {
-                                        phi_753_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_1002_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e730 = phi_753_;
+                                    let _e922 = phi_1002_;
                                     if _e189 {
-                                        let _e738 = global_6.member[(_e184 + _e688)];
-                                        phi_764_ = _e738;
+                                        let _e930 = global_6.member[(_e184 + _e880)];
+                                        phi_1013_ = _e930;
                                     } else {
-                                        phi_764_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_1013_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e740 = phi_764_;
-                                    let _e746 = (_e174 % 4u);
-                                    if (_e746 == 0u) {
-                                        phi_777_ = _e174;
+                                    let _e932 = phi_1013_;
+                                    let _e938 = (_e174 % 4u);
+                                    if (_e938 == 0u) {
+                                        phi_1026_ = _e174;
                                     } else {
-                                        phi_777_ = (_e174 + (4u - _e746));
+                                        phi_1026_ = (_e174 + (4u - _e938));
                                     }
-                                    let _e751 = phi_777_;
-                                    phi_781_ = type_18(_e740.x, _e740.y, _e740.z, _e740.w);
-                                    phi_784_ = type_18(_e730.x, _e730.y, _e730.z, _e730.w);
-                                    phi_786_ = type_18(_e720.x, _e720.y, _e720.z, _e720.w);
-                                    phi_788_ = type_18(_e710.x, _e710.y, _e710.z, _e710.w);
-                                    phi_790_ = _e174;
+                                    let _e943 = phi_1026_;
+                                    phi_1030_ = type_18(_e932.x, _e932.y, _e932.z, _e932.w);
+                                    phi_1033_ = type_18(_e922.x, _e922.y, _e922.z, _e922.w);
+                                    phi_1035_ = type_18(_e912.x, _e912.y, _e912.z, _e912.w);
+                                    phi_1037_ = type_18(_e902.x, _e902.y, _e902.z, _e902.w);
+                                    phi_1039_ = _e174;
                                     loop {
-                                        let _e755 = phi_781_;
-                                        let _e757 = phi_784_;
-                                        let _e759 = phi_786_;
-                                        let _e761 = phi_788_;
-                                        let _e763 = phi_790_;
-                                        let _e764 = (_e763 + 1u);
-                                        local_62 = _e755;
-                                        local_64 = _e757;
-                                        local_66 = _e759;
-                                        local_68 = _e761;
-                                        if (_e764 <= select(_e177, _e751, (_e751 < _e177))) {
-                                            let _e766 = (_e194 + _e763);
-                                            let _e769 = global_7.member[_e766];
-                                            let _e773 = global_7.member[(_e766 + _e192)];
-                                            let _e778 = global_7.member[(_e766 + (2u * _e192))];
-                                            let _e783 = global_7.member[(_e766 + (3u * _e192))];
-                                            let _e787 = global_9.member[(_e693 + _e763)];
-                                            let _e804 = global_9.member[(_e697 + _e763)];
-                                            let _e821 = global_9.member[(_e701 + _e763)];
-                                            let _e838 = global_9.member[(_e705 + _e763)];
-                                            local_57 = type_18(((_e838 * _e769) + _e755.member), ((_e838 * _e773) + _e755.member_1), ((_e838 * _e778) + _e755.member_2), ((_e838 * _e783) + _e755.member_3));
-                                            local_58 = type_18(((_e821 * _e769) + _e757.member), ((_e821 * _e773) + _e757.member_1), ((_e821 * _e778) + _e757.member_2), ((_e821 * _e783) + _e757.member_3));
-                                            local_59 = type_18(((_e804 * _e769) + _e759.member), ((_e804 * _e773) + _e759.member_1), ((_e804 * _e778) + _e759.member_2), ((_e804 * _e783) + _e759.member_3));
-                                            local_60 = type_18(((_e787 * _e769) + _e761.member), ((_e787 * _e773) + _e761.member_1), ((_e787 * _e778) + _e761.member_2), ((_e787 * _e783) + _e761.member_3));
+                                        let _e947 = phi_1030_;
+                                        let _e949 = phi_1033_;
+                                        let _e951 = phi_1035_;
+                                        let _e953 = phi_1037_;
+                                        let _e955 = phi_1039_;
+                                        let _e956 = (_e955 + 1u);
+                                        local_62 = _e947;
+                                        local_64 = _e949;
+                                        local_66 = _e951;
+                                        local_68 = _e953;
+                                        if (_e956 <= select(_e177, _e943, (_e943 < _e177))) {
+                                            let _e958 = (_e194 + _e955);
+                                            let _e964 = global_7.member[(((_e958 / 4u) * 4u) / 4u)];
+                                            if ((_e958 % 2u) == 0u) {
+                                                phi_1061_ = array<f32, 2>(_e964.x, _e964.z);
+                                            } else {
+                                                phi_1061_ = array<f32, 2>(_e964.y, _e964.w);
+                                            }
+                                            let _e974 = phi_1061_;
+                                            if ((_e958 % 4u) < 2u) {
+                                                phi_1069_ = _e974[0];
+                                            } else {
+                                                phi_1069_ = _e974[1];
+                                            }
+                                            let _e980 = phi_1069_;
+                                            let _e981 = (_e958 + _e192);
+                                            let _e987 = global_7.member[(((_e981 / 4u) * 4u) / 4u)];
+                                            if ((_e981 % 2u) == 0u) {
+                                                phi_1087_ = array<f32, 2>(_e987.x, _e987.z);
+                                            } else {
+                                                phi_1087_ = array<f32, 2>(_e987.y, _e987.w);
+                                            }
+                                            let _e997 = phi_1087_;
+                                            if ((_e981 % 4u) < 2u) {
+                                                phi_1095_ = _e997[0];
+                                            } else {
+                                                phi_1095_ = _e997[1];
+                                            }
+                                            let _e1003 = phi_1095_;
+                                            let _e1005 = (_e958 + (2u * _e192));
+                                            let _e1011 = global_7.member[(((_e1005 / 4u) * 4u) / 4u)];
+                                            if ((_e1005 % 2u) == 0u) {
+                                                phi_1114_ = array<f32, 2>(_e1011.x, _e1011.z);
+                                            } else {
+                                                phi_1114_ = array<f32, 2>(_e1011.y, _e1011.w);
+                                            }
+                                            let _e1021 = phi_1114_;
+                                            if ((_e1005 % 4u) < 2u) {
+                                                phi_1122_ = _e1021[0];
+                                            } else {
+                                                phi_1122_ = _e1021[1];
+                                            }
+                                            let _e1027 = phi_1122_;
+                                            let _e1029 = (_e958 + (3u * _e192));
+                                            let _e1035 = global_7.member[(((_e1029 / 4u) * 4u) / 4u)];
+                                            if ((_e1029 % 2u) == 0u) {
+                                                phi_1141_ = array<f32, 2>(_e1035.x, _e1035.z);
+                                            } else {
+                                                phi_1141_ = array<f32, 2>(_e1035.y, _e1035.w);
+                                            }
+                                            let _e1045 = phi_1141_;
+                                            if ((_e1029 % 4u) < 2u) {
+                                                phi_1149_ = _e1045[0];
+                                            } else {
+                                                phi_1149_ = _e1045[1];
+                                            }
+                                            let _e1051 = phi_1149_;
+                                            let _e1052 = (_e885 + _e955);
+                                            let _e1058 = global_9.member[(((_e1052 / 4u) * 4u) / 4u)];
+                                            if ((_e1052 % 2u) == 0u) {
+                                                phi_1167_ = array<f32, 2>(_e1058.x, _e1058.z);
+                                            } else {
+                                                phi_1167_ = array<f32, 2>(_e1058.y, _e1058.w);
+                                            }
+                                            let _e1068 = phi_1167_;
+                                            if ((_e1052 % 4u) < 2u) {
+                                                phi_1175_ = _e1068[0];
+                                            } else {
+                                                phi_1175_ = _e1068[1];
+                                            }
+                                            let _e1074 = phi_1175_;
+                                            let _e1088 = (_e889 + _e955);
+                                            let _e1094 = global_9.member[(((_e1088 / 4u) * 4u) / 4u)];
+                                            local_60 = type_18(((_e1074 * _e980) + _e953.member), ((_e1074 * _e1003) + _e953.member_1), ((_e1074 * _e1027) + _e953.member_2), ((_e1074 * _e1051) + _e953.member_3));
+                                            if ((_e1088 % 2u) == 0u) {
+                                                phi_1205_ = array<f32, 2>(_e1094.x, _e1094.z);
+                                            } else {
+                                                phi_1205_ = array<f32, 2>(_e1094.y, _e1094.w);
+                                            }
+                                            let _e1104 = phi_1205_;
+                                            if ((_e1088 % 4u) < 2u) {
+                                                phi_1213_ = _e1104[0];
+                                            } else {
+                                                phi_1213_ = _e1104[1];
+                                            }
+                                            let _e1110 = phi_1213_;
+                                            let _e1124 = (_e893 + _e955);
+                                            let _e1130 = global_9.member[(((_e1124 / 4u) * 4u) / 4u)];
+                                            local_59 = type_18(((_e1110 * _e980) + _e951.member), ((_e1110 * _e1003) + _e951.member_1), ((_e1110 * _e1027) + _e951.member_2), ((_e1110 * _e1051) + _e951.member_3));
+                                            if ((_e1124 % 2u) == 0u) {
+                                                phi_1243_ = array<f32, 2>(_e1130.x, _e1130.z);
+                                            } else {
+                                                phi_1243_ = array<f32, 2>(_e1130.y, _e1130.w);
+                                            }
+                                            let _e1140 = phi_1243_;
+                                            if ((_e1124 % 4u) < 2u) {
+                                                phi_1251_ = _e1140[0];
+                                            } else {
+                                                phi_1251_ = _e1140[1];
+                                            }
+                                            let _e1146 = phi_1251_;
+                                            let _e1160 = (_e897 + _e955);
+                                            let _e1166 = global_9.member[(((_e1160 / 4u) * 4u) / 4u)];
+                                            local_58 = type_18(((_e1146 * _e980) + _e949.member), ((_e1146 * _e1003) + _e949.member_1), ((_e1146 * _e1027) + _e949.member_2), ((_e1146 * _e1051) + _e949.member_3));
+                                            if ((_e1160 % 2u) == 0u) {
+                                                phi_1281_ = array<f32, 2>(_e1166.x, _e1166.z);
+                                            } else {
+                                                phi_1281_ = array<f32, 2>(_e1166.y, _e1166.w);
+                                            }
+                                            let _e1176 = phi_1281_;
+                                            if ((_e1160 % 4u) < 2u) {
+                                                phi_1289_ = _e1176[0];
+                                            } else {
+                                                phi_1289_ = _e1176[1];
+                                            }
+                                            let _e1182 = phi_1289_;
+                                            local_57 = type_18(((_e1182 * _e980) + _e947.member), ((_e1182 * _e1003) + _e947.member_1), ((_e1182 * _e1027) + _e947.member_2), ((_e1182 * _e1051) + _e947.member_3));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2455 = local_57;
-                                            phi_781_ = _e2455;
-                                            let _e2458 = local_58;
-                                            phi_784_ = _e2458;
-                                            let _e2461 = local_59;
-                                            phi_786_ = _e2461;
-                                            let _e2464 = local_60;
-                                            phi_788_ = _e2464;
-                                            phi_790_ = _e764;
+                                            let _e3055 = local_57;
+                                            phi_1030_ = _e3055;
+                                            let _e3058 = local_58;
+                                            phi_1033_ = _e3058;
+                                            let _e3061 = local_59;
+                                            phi_1035_ = _e3061;
+                                            let _e3064 = local_60;
+                                            phi_1037_ = _e3064;
+                                            phi_1039_ = _e956;
                                         }
                                     }
-                                    let _e857 = (_e192 / 4u);
-                                    phi_877_ = (_e751 / 4u);
-                                    let _e2471 = local_62;
-                                    phi_880_ = _e2471;
-                                    let _e2476 = local_64;
-                                    phi_882_ = _e2476;
-                                    let _e2481 = local_66;
-                                    phi_884_ = _e2481;
-                                    let _e2486 = local_68;
-                                    phi_886_ = _e2486;
+                                    let _e1201 = (_e192 / 4u);
+                                    phi_1310_ = (_e943 / 4u);
+                                    let _e3087 = local_62;
+                                    phi_1313_ = _e3087;
+                                    let _e3092 = local_64;
+                                    phi_1315_ = _e3092;
+                                    let _e3097 = local_66;
+                                    phi_1317_ = _e3097;
+                                    let _e3102 = local_68;
+                                    phi_1319_ = _e3102;
                                     loop {
-                                        let _e860 = phi_877_;
-                                        let _e862 = phi_880_;
-                                        let _e864 = phi_882_;
-                                        let _e866 = phi_884_;
-                                        let _e868 = phi_886_;
-                                        let _e869 = (4u * _e860);
-                                        local_70 = _e862;
-                                        local_72 = _e864;
-                                        local_74 = _e866;
-                                        local_76 = _e868;
-                                        local_78 = _e869;
-                                        if ((_e869 + 4u) <= _e177) {
-                                            let _e872 = ((_e194 / 4u) + _e860);
-                                            let _e873 = (4u * _e872);
-                                            let _e876 = global_7.member[_e873];
-                                            let _e880 = global_7.member[(_e873 + 1u)];
-                                            let _e884 = global_7.member[(_e873 + 2u)];
-                                            let _e888 = global_7.member[(_e873 + 3u)];
-                                            let _e890 = (4u * (_e872 + _e857));
-                                            let _e893 = global_7.member[_e890];
-                                            let _e897 = global_7.member[(_e890 + 1u)];
-                                            let _e901 = global_7.member[(_e890 + 2u)];
-                                            let _e905 = global_7.member[(_e890 + 3u)];
-                                            let _e908 = (4u * (_e872 + (2u * _e857)));
-                                            let _e911 = global_7.member[_e908];
-                                            let _e915 = global_7.member[(_e908 + 1u)];
-                                            let _e919 = global_7.member[(_e908 + 2u)];
-                                            let _e923 = global_7.member[(_e908 + 3u)];
-                                            let _e926 = (4u * (_e872 + (3u * _e857)));
-                                            let _e929 = global_7.member[_e926];
-                                            let _e933 = global_7.member[(_e926 + 1u)];
-                                            let _e937 = global_7.member[(_e926 + 2u)];
-                                            let _e941 = global_7.member[(_e926 + 3u)];
-                                            let _e943 = (4u * ((_e693 / 4u) + _e860));
-                                            let _e946 = global_9.member[_e943];
-                                            let _e950 = global_9.member[(_e943 + 1u)];
-                                            let _e954 = global_9.member[(_e943 + 2u)];
-                                            let _e958 = global_9.member[(_e943 + 3u)];
-                                            let _e960 = (4u * ((_e697 / 4u) + _e860));
-                                            let _e963 = global_9.member[_e960];
-                                            let _e967 = global_9.member[(_e960 + 1u)];
-                                            let _e971 = global_9.member[(_e960 + 2u)];
-                                            let _e975 = global_9.member[(_e960 + 3u)];
-                                            let _e977 = (4u * ((_e701 / 4u) + _e860));
-                                            let _e980 = global_9.member[_e977];
-                                            let _e984 = global_9.member[(_e977 + 1u)];
-                                            let _e988 = global_9.member[(_e977 + 2u)];
-                                            let _e992 = global_9.member[(_e977 + 3u)];
-                                            let _e994 = (4u * ((_e705 / 4u) + _e860));
-                                            let _e997 = global_9.member[_e994];
-                                            let _e1001 = global_9.member[(_e994 + 1u)];
-                                            let _e1005 = global_9.member[(_e994 + 2u)];
-                                            let _e1009 = global_9.member[(_e994 + 3u)];
-                                            local_61 = (_e860 + 1u);
-                                            local_63 = type_18(((_e1009 * _e888) + ((_e1005 * _e884) + ((_e1001 * _e880) + ((_e997 * _e876) + _e862.member)))), ((_e1009 * _e905) + ((_e1005 * _e901) + ((_e1001 * _e897) + ((_e997 * _e893) + _e862.member_1)))), ((_e1009 * _e923) + ((_e1005 * _e919) + ((_e1001 * _e915) + ((_e997 * _e911) + _e862.member_2)))), ((_e1009 * _e941) + ((_e1005 * _e937) + ((_e1001 * _e933) + ((_e997 * _e929) + _e862.member_3)))));
-                                            local_65 = type_18(((_e992 * _e888) + ((_e988 * _e884) + ((_e984 * _e880) + ((_e980 * _e876) + _e864.member)))), ((_e992 * _e905) + ((_e988 * _e901) + ((_e984 * _e897) + ((_e980 * _e893) + _e864.member_1)))), ((_e992 * _e923) + ((_e988 * _e919) + ((_e984 * _e915) + ((_e980 * _e911) + _e864.member_2)))), ((_e992 * _e941) + ((_e988 * _e937) + ((_e984 * _e933) + ((_e980 * _e929) + _e864.member_3)))));
-                                            local_67 = type_18(((_e975 * _e888) + ((_e971 * _e884) + ((_e967 * _e880) + ((_e963 * _e876) + _e866.member)))), ((_e975 * _e905) + ((_e971 * _e901) + ((_e967 * _e897) + ((_e963 * _e893) + _e866.member_1)))), ((_e975 * _e923) + ((_e971 * _e919) + ((_e967 * _e915) + ((_e963 * _e911) + _e866.member_2)))), ((_e975 * _e941) + ((_e971 * _e937) + ((_e967 * _e933) + ((_e963 * _e929) + _e866.member_3)))));
-                                            local_69 = type_18(((_e958 * _e888) + ((_e954 * _e884) + ((_e950 * _e880) + ((_e946 * _e876) + _e868.member)))), ((_e958 * _e905) + ((_e954 * _e901) + ((_e950 * _e897) + ((_e946 * _e893) + _e868.member_1)))), ((_e958 * _e923) + ((_e954 * _e919) + ((_e950 * _e915) + ((_e946 * _e911) + _e868.member_2)))), ((_e958 * _e941) + ((_e954 * _e937) + ((_e950 * _e933) + ((_e946 * _e929) + _e868.member_3)))));
+                                        let _e1204 = phi_1310_;
+                                        let _e1206 = phi_1313_;
+                                        let _e1208 = phi_1315_;
+                                        let _e1210 = phi_1317_;
+                                        let _e1212 = phi_1319_;
+                                        let _e1213 = (4u * _e1204);
+                                        local_70 = _e1206;
+                                        local_72 = _e1208;
+                                        local_74 = _e1210;
+                                        local_76 = _e1212;
+                                        local_78 = _e1213;
+                                        if ((_e1213 + 4u) <= _e177) {
+                                            let _e1216 = ((_e194 / 4u) + _e1204);
+                                            let _e1219 = global_7.member[_e1216];
+                                            let _e1227 = global_7.member[(_e1216 + _e1201)];
+                                            let _e1236 = global_7.member[(_e1216 + (2u * _e1201))];
+                                            let _e1245 = global_7.member[(_e1216 + (3u * _e1201))];
+                                            let _e1253 = global_9.member[((_e885 / 4u) + _e1204)];
+                                            let _e1261 = global_9.member[((_e889 / 4u) + _e1204)];
+                                            let _e1269 = global_9.member[((_e893 / 4u) + _e1204)];
+                                            let _e1277 = global_9.member[((_e897 / 4u) + _e1204)];
+                                            local_61 = (_e1204 + 1u);
+                                            local_63 = type_18(((_e1277.w * _e1219.w) + ((_e1277.z * _e1219.z) + ((_e1277.y * _e1219.y) + ((_e1277.x * _e1219.x) + _e1206.member)))), ((_e1277.w * _e1227.w) + ((_e1277.z * _e1227.z) + ((_e1277.y * _e1227.y) + ((_e1277.x * _e1227.x) + _e1206.member_1)))), ((_e1277.w * _e1236.w) + ((_e1277.z * _e1236.z) + ((_e1277.y * _e1236.y) + ((_e1277.x * _e1236.x) + _e1206.member_2)))), ((_e1277.w * _e1245.w) + ((_e1277.z * _e1245.z) + ((_e1277.y * _e1245.y) + ((_e1277.x * _e1245.x) + _e1206.member_3)))));
+                                            local_65 = type_18(((_e1269.w * _e1219.w) + ((_e1269.z * _e1219.z) + ((_e1269.y * _e1219.y) + ((_e1269.x * _e1219.x) + _e1208.member)))), ((_e1269.w * _e1227.w) + ((_e1269.z * _e1227.z) + ((_e1269.y * _e1227.y) + ((_e1269.x * _e1227.x) + _e1208.member_1)))), ((_e1269.w * _e1236.w) + ((_e1269.z * _e1236.z) + ((_e1269.y * _e1236.y) + ((_e1269.x * _e1236.x) + _e1208.member_2)))), ((_e1269.w * _e1245.w) + ((_e1269.z * _e1245.z) + ((_e1269.y * _e1245.y) + ((_e1269.x * _e1245.x) + _e1208.member_3)))));
+                                            local_67 = type_18(((_e1261.w * _e1219.w) + ((_e1261.z * _e1219.z) + ((_e1261.y * _e1219.y) + ((_e1261.x * _e1219.x) + _e1210.member)))), ((_e1261.w * _e1227.w) + ((_e1261.z * _e1227.z) + ((_e1261.y * _e1227.y) + ((_e1261.x * _e1227.x) + _e1210.member_1)))), ((_e1261.w * _e1236.w) + ((_e1261.z * _e1236.z) + ((_e1261.y * _e1236.y) + ((_e1261.x * _e1236.x) + _e1210.member_2)))), ((_e1261.w * _e1245.w) + ((_e1261.z * _e1245.z) + ((_e1261.y * _e1245.y) + ((_e1261.x * _e1245.x) + _e1210.member_3)))));
+                                            local_69 = type_18(((_e1253.w * _e1219.w) + ((_e1253.z * _e1219.z) + ((_e1253.y * _e1219.y) + ((_e1253.x * _e1219.x) + _e1212.member)))), ((_e1253.w * _e1227.w) + ((_e1253.z * _e1227.z) + ((_e1253.y * _e1227.y) + ((_e1253.x * _e1227.x) + _e1212.member_1)))), ((_e1253.w * _e1236.w) + ((_e1253.z * _e1236.z) + ((_e1253.y * _e1236.y) + ((_e1253.x * _e1236.x) + _e1212.member_2)))), ((_e1253.w * _e1245.w) + ((_e1253.z * _e1245.z) + ((_e1253.y * _e1245.y) + ((_e1253.x * _e1245.x) + _e1212.member_3)))));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2468 = local_61;
-                                            phi_877_ = _e2468;
-                                            let _e2473 = local_63;
-                                            phi_880_ = _e2473;
-                                            let _e2478 = local_65;
-                                            phi_882_ = _e2478;
-                                            let _e2483 = local_67;
-                                            phi_884_ = _e2483;
-                                            let _e2488 = local_69;
-                                            phi_886_ = _e2488;
+                                            let _e3084 = local_61;
+                                            phi_1310_ = _e3084;
+                                            let _e3089 = local_63;
+                                            phi_1313_ = _e3089;
+                                            let _e3094 = local_65;
+                                            phi_1315_ = _e3094;
+                                            let _e3099 = local_67;
+                                            phi_1317_ = _e3099;
+                                            let _e3104 = local_69;
+                                            phi_1319_ = _e3104;
                                         }
                                     }
-                                    let _e2491 = local_70;
-                                    phi_1144_ = _e2491;
-                                    let _e2496 = local_72;
-                                    phi_1147_ = _e2496;
-                                    let _e2501 = local_74;
-                                    phi_1149_ = _e2501;
-                                    let _e2506 = local_76;
-                                    phi_1151_ = _e2506;
-                                    let _e2511 = local_78;
-                                    phi_1153_ = _e2511;
+                                    let _e3107 = local_70;
+                                    phi_1529_ = _e3107;
+                                    let _e3112 = local_72;
+                                    phi_1532_ = _e3112;
+                                    let _e3117 = local_74;
+                                    phi_1534_ = _e3117;
+                                    let _e3122 = local_76;
+                                    phi_1536_ = _e3122;
+                                    let _e3127 = local_78;
+                                    phi_1538_ = _e3127;
                                     loop {
-                                        let _e1160 = phi_1144_;
-                                        let _e1162 = phi_1147_;
-                                        let _e1164 = phi_1149_;
-                                        let _e1166 = phi_1151_;
-                                        let _e1168 = phi_1153_;
-                                        let _e1169 = (_e1168 + 1u);
-                                        local_10 = _e1166;
-                                        local_11 = _e1166;
-                                        local_12 = _e1166;
-                                        local_13 = _e1166;
-                                        local_14 = _e1164;
-                                        local_15 = _e1164;
-                                        local_16 = _e1164;
-                                        local_17 = _e1164;
-                                        local_18 = _e1162;
-                                        local_19 = _e1162;
-                                        local_20 = _e1162;
-                                        local_21 = _e1162;
-                                        local_22 = _e1160;
-                                        local_23 = _e1160;
-                                        local_24 = _e1160;
-                                        local_25 = _e1160;
-                                        local_83 = _e1168;
-                                        if (_e1169 <= _e177) {
-                                            let _e1171 = (_e194 + _e1168);
-                                            let _e1174 = global_7.member[_e1171];
-                                            let _e1178 = global_7.member[(_e1171 + _e192)];
-                                            let _e1183 = global_7.member[(_e1171 + (2u * _e192))];
-                                            let _e1188 = global_7.member[(_e1171 + (3u * _e192))];
-                                            let _e1192 = global_9.member[(_e693 + _e1168)];
-                                            let _e1209 = global_9.member[(_e697 + _e1168)];
-                                            let _e1226 = global_9.member[(_e701 + _e1168)];
-                                            let _e1243 = global_9.member[(_e705 + _e1168)];
-                                            local_71 = type_18(((_e1243 * _e1174) + _e1160.member), ((_e1243 * _e1178) + _e1160.member_1), ((_e1243 * _e1183) + _e1160.member_2), ((_e1243 * _e1188) + _e1160.member_3));
-                                            local_73 = type_18(((_e1226 * _e1174) + _e1162.member), ((_e1226 * _e1178) + _e1162.member_1), ((_e1226 * _e1183) + _e1162.member_2), ((_e1226 * _e1188) + _e1162.member_3));
-                                            local_75 = type_18(((_e1209 * _e1174) + _e1164.member), ((_e1209 * _e1178) + _e1164.member_1), ((_e1209 * _e1183) + _e1164.member_2), ((_e1209 * _e1188) + _e1164.member_3));
-                                            local_77 = type_18(((_e1192 * _e1174) + _e1166.member), ((_e1192 * _e1178) + _e1166.member_1), ((_e1192 * _e1183) + _e1166.member_2), ((_e1192 * _e1188) + _e1166.member_3));
+                                        let _e1432 = phi_1529_;
+                                        let _e1434 = phi_1532_;
+                                        let _e1436 = phi_1534_;
+                                        let _e1438 = phi_1536_;
+                                        let _e1440 = phi_1538_;
+                                        let _e1441 = (_e1440 + 1u);
+                                        local_10 = _e1438;
+                                        local_11 = _e1438;
+                                        local_12 = _e1438;
+                                        local_13 = _e1438;
+                                        local_14 = _e1436;
+                                        local_15 = _e1436;
+                                        local_16 = _e1436;
+                                        local_17 = _e1436;
+                                        local_18 = _e1434;
+                                        local_19 = _e1434;
+                                        local_20 = _e1434;
+                                        local_21 = _e1434;
+                                        local_22 = _e1432;
+                                        local_23 = _e1432;
+                                        local_24 = _e1432;
+                                        local_25 = _e1432;
+                                        local_83 = _e1440;
+                                        if (_e1441 <= _e177) {
+                                            let _e1443 = (_e194 + _e1440);
+                                            let _e1449 = global_7.member[(((_e1443 / 4u) * 4u) / 4u)];
+                                            if ((_e1443 % 2u) == 0u) {
+                                                phi_1560_ = array<f32, 2>(_e1449.x, _e1449.z);
+                                            } else {
+                                                phi_1560_ = array<f32, 2>(_e1449.y, _e1449.w);
+                                            }
+                                            let _e1459 = phi_1560_;
+                                            if ((_e1443 % 4u) < 2u) {
+                                                phi_1568_ = _e1459[0];
+                                            } else {
+                                                phi_1568_ = _e1459[1];
+                                            }
+                                            let _e1465 = phi_1568_;
+                                            let _e1466 = (_e1443 + _e192);
+                                            let _e1472 = global_7.member[(((_e1466 / 4u) * 4u) / 4u)];
+                                            if ((_e1466 % 2u) == 0u) {
+                                                phi_1586_ = array<f32, 2>(_e1472.x, _e1472.z);
+                                            } else {
+                                                phi_1586_ = array<f32, 2>(_e1472.y, _e1472.w);
+                                            }
+                                            let _e1482 = phi_1586_;
+                                            if ((_e1466 % 4u) < 2u) {
+                                                phi_1594_ = _e1482[0];
+                                            } else {
+                                                phi_1594_ = _e1482[1];
+                                            }
+                                            let _e1488 = phi_1594_;
+                                            let _e1490 = (_e1443 + (2u * _e192));
+                                            let _e1496 = global_7.member[(((_e1490 / 4u) * 4u) / 4u)];
+                                            if ((_e1490 % 2u) == 0u) {
+                                                phi_1613_ = array<f32, 2>(_e1496.x, _e1496.z);
+                                            } else {
+                                                phi_1613_ = array<f32, 2>(_e1496.y, _e1496.w);
+                                            }
+                                            let _e1506 = phi_1613_;
+                                            if ((_e1490 % 4u) < 2u) {
+                                                phi_1621_ = _e1506[0];
+                                            } else {
+                                                phi_1621_ = _e1506[1];
+                                            }
+                                            let _e1512 = phi_1621_;
+                                            let _e1514 = (_e1443 + (3u * _e192));
+                                            let _e1520 = global_7.member[(((_e1514 / 4u) * 4u) / 4u)];
+                                            if ((_e1514 % 2u) == 0u) {
+                                                phi_1640_ = array<f32, 2>(_e1520.x, _e1520.z);
+                                            } else {
+                                                phi_1640_ = array<f32, 2>(_e1520.y, _e1520.w);
+                                            }
+                                            let _e1530 = phi_1640_;
+                                            if ((_e1514 % 4u) < 2u) {
+                                                phi_1648_ = _e1530[0];
+                                            } else {
+                                                phi_1648_ = _e1530[1];
+                                            }
+                                            let _e1536 = phi_1648_;
+                                            let _e1537 = (_e885 + _e1440);
+                                            let _e1543 = global_9.member[(((_e1537 / 4u) * 4u) / 4u)];
+                                            if ((_e1537 % 2u) == 0u) {
+                                                phi_1666_ = array<f32, 2>(_e1543.x, _e1543.z);
+                                            } else {
+                                                phi_1666_ = array<f32, 2>(_e1543.y, _e1543.w);
+                                            }
+                                            let _e1553 = phi_1666_;
+                                            if ((_e1537 % 4u) < 2u) {
+                                                phi_1674_ = _e1553[0];
+                                            } else {
+                                                phi_1674_ = _e1553[1];
+                                            }
+                                            let _e1559 = phi_1674_;
+                                            let _e1573 = (_e889 + _e1440);
+                                            let _e1579 = global_9.member[(((_e1573 / 4u) * 4u) / 4u)];
+                                            local_77 = type_18(((_e1559 * _e1465) + _e1438.member), ((_e1559 * _e1488) + _e1438.member_1), ((_e1559 * _e1512) + _e1438.member_2), ((_e1559 * _e1536) + _e1438.member_3));
+                                            if ((_e1573 % 2u) == 0u) {
+                                                phi_1704_ = array<f32, 2>(_e1579.x, _e1579.z);
+                                            } else {
+                                                phi_1704_ = array<f32, 2>(_e1579.y, _e1579.w);
+                                            }
+                                            let _e1589 = phi_1704_;
+                                            if ((_e1573 % 4u) < 2u) {
+                                                phi_1712_ = _e1589[0];
+                                            } else {
+                                                phi_1712_ = _e1589[1];
+                                            }
+                                            let _e1595 = phi_1712_;
+                                            let _e1609 = (_e893 + _e1440);
+                                            let _e1615 = global_9.member[(((_e1609 / 4u) * 4u) / 4u)];
+                                            local_75 = type_18(((_e1595 * _e1465) + _e1436.member), ((_e1595 * _e1488) + _e1436.member_1), ((_e1595 * _e1512) + _e1436.member_2), ((_e1595 * _e1536) + _e1436.member_3));
+                                            if ((_e1609 % 2u) == 0u) {
+                                                phi_1742_ = array<f32, 2>(_e1615.x, _e1615.z);
+                                            } else {
+                                                phi_1742_ = array<f32, 2>(_e1615.y, _e1615.w);
+                                            }
+                                            let _e1625 = phi_1742_;
+                                            if ((_e1609 % 4u) < 2u) {
+                                                phi_1750_ = _e1625[0];
+                                            } else {
+                                                phi_1750_ = _e1625[1];
+                                            }
+                                            let _e1631 = phi_1750_;
+                                            let _e1645 = (_e897 + _e1440);
+                                            let _e1651 = global_9.member[(((_e1645 / 4u) * 4u) / 4u)];
+                                            local_73 = type_18(((_e1631 * _e1465) + _e1434.member), ((_e1631 * _e1488) + _e1434.member_1), ((_e1631 * _e1512) + _e1434.member_2), ((_e1631 * _e1536) + _e1434.member_3));
+                                            if ((_e1645 % 2u) == 0u) {
+                                                phi_1780_ = array<f32, 2>(_e1651.x, _e1651.z);
+                                            } else {
+                                                phi_1780_ = array<f32, 2>(_e1651.y, _e1651.w);
+                                            }
+                                            let _e1661 = phi_1780_;
+                                            if ((_e1645 % 4u) < 2u) {
+                                                phi_1788_ = _e1661[0];
+                                            } else {
+                                                phi_1788_ = _e1661[1];
+                                            }
+                                            let _e1667 = phi_1788_;
+                                            local_71 = type_18(((_e1667 * _e1465) + _e1432.member), ((_e1667 * _e1488) + _e1432.member_1), ((_e1667 * _e1512) + _e1432.member_2), ((_e1667 * _e1536) + _e1432.member_3));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2493 = local_71;
-                                            phi_1144_ = _e2493;
-                                            let _e2498 = local_73;
-                                            phi_1147_ = _e2498;
-                                            let _e2503 = local_75;
-                                            phi_1149_ = _e2503;
-                                            let _e2508 = local_77;
-                                            phi_1151_ = _e2508;
-                                            phi_1153_ = _e1169;
+                                            let _e3109 = local_71;
+                                            phi_1529_ = _e3109;
+                                            let _e3114 = local_73;
+                                            phi_1532_ = _e3114;
+                                            let _e3119 = local_75;
+                                            phi_1534_ = _e3119;
+                                            let _e3124 = local_77;
+                                            phi_1536_ = _e3124;
+                                            phi_1538_ = _e1441;
                                         }
                                     }
-                                    let _e1258 = local_10;
-                                    let _e1261 = local_11;
-                                    let _e1264 = local_12;
-                                    let _e1267 = local_13;
-                                    let _e1270 = local_14;
-                                    let _e1273 = local_15;
-                                    let _e1276 = local_16;
-                                    let _e1279 = local_17;
-                                    let _e1282 = local_18;
-                                    let _e1285 = local_19;
-                                    let _e1288 = local_20;
-                                    let _e1291 = local_21;
-                                    let _e1294 = local_22;
-                                    let _e1297 = local_23;
-                                    let _e1300 = local_24;
-                                    let _e1303 = local_25;
-                                    phi_1249_ = type_18(0f, 0f, 0f, 0f);
-                                    phi_1252_ = type_18(0f, 0f, 0f, 0f);
-                                    phi_1254_ = type_18(0f, 0f, 0f, 0f);
-                                    phi_1256_ = type_18(0f, 0f, 0f, 0f);
-                                    let _e2542 = local_83;
-                                    phi_1258_ = _e2542;
+                                    let _e1682 = local_10;
+                                    let _e1685 = local_11;
+                                    let _e1688 = local_12;
+                                    let _e1691 = local_13;
+                                    let _e1694 = local_14;
+                                    let _e1697 = local_15;
+                                    let _e1700 = local_16;
+                                    let _e1703 = local_17;
+                                    let _e1706 = local_18;
+                                    let _e1709 = local_19;
+                                    let _e1712 = local_20;
+                                    let _e1715 = local_21;
+                                    let _e1718 = local_22;
+                                    let _e1721 = local_23;
+                                    let _e1724 = local_24;
+                                    let _e1727 = local_25;
+                                    phi_1818_ = type_18(0f, 0f, 0f, 0f);
+                                    phi_1821_ = type_18(0f, 0f, 0f, 0f);
+                                    phi_1823_ = type_18(0f, 0f, 0f, 0f);
+                                    phi_1825_ = type_18(0f, 0f, 0f, 0f);
+                                    let _e3174 = local_83;
+                                    phi_1827_ = _e3174;
                                     loop {
-                                        let _e1306 = phi_1249_;
-                                        let _e1308 = phi_1252_;
-                                        let _e1310 = phi_1254_;
-                                        let _e1312 = phi_1256_;
-                                        let _e1314 = phi_1258_;
-                                        let _e1315 = (_e1314 + 1u);
-                                        local_26 = _e1312;
-                                        local_27 = _e1312;
-                                        local_28 = _e1312;
-                                        local_29 = _e1312;
-                                        local_30 = _e1310;
-                                        local_31 = _e1310;
-                                        local_32 = _e1310;
-                                        local_33 = _e1310;
-                                        local_34 = _e1308;
-                                        local_35 = _e1308;
-                                        local_36 = _e1308;
-                                        local_37 = _e1308;
-                                        local_38 = _e1306;
-                                        local_39 = _e1306;
-                                        local_40 = _e1306;
-                                        local_41 = _e1306;
-                                        if (_e1315 <= _e177) {
-                                            let _e1317 = (_e194 + _e1314);
-                                            let _e1320 = global_7.member[_e1317];
-                                            let _e1324 = global_7.member[(_e1317 + _e192)];
-                                            let _e1329 = global_7.member[(_e1317 + (2u * _e192))];
-                                            let _e1334 = global_7.member[(_e1317 + (3u * _e192))];
-                                            let _e1338 = global_9.member[(_e693 + _e1314)];
-                                            let _e1355 = global_9.member[(_e697 + _e1314)];
-                                            let _e1372 = global_9.member[(_e701 + _e1314)];
-                                            let _e1389 = global_9.member[(_e705 + _e1314)];
-                                            local_79 = type_18(((_e1389 * _e1320) + _e1306.member), ((_e1389 * _e1324) + _e1306.member_1), ((_e1389 * _e1329) + _e1306.member_2), ((_e1389 * _e1334) + _e1306.member_3));
-                                            local_80 = type_18(((_e1372 * _e1320) + _e1308.member), ((_e1372 * _e1324) + _e1308.member_1), ((_e1372 * _e1329) + _e1308.member_2), ((_e1372 * _e1334) + _e1308.member_3));
-                                            local_81 = type_18(((_e1355 * _e1320) + _e1310.member), ((_e1355 * _e1324) + _e1310.member_1), ((_e1355 * _e1329) + _e1310.member_2), ((_e1355 * _e1334) + _e1310.member_3));
-                                            local_82 = type_18(((_e1338 * _e1320) + _e1312.member), ((_e1338 * _e1324) + _e1312.member_1), ((_e1338 * _e1329) + _e1312.member_2), ((_e1338 * _e1334) + _e1312.member_3));
+                                        let _e1730 = phi_1818_;
+                                        let _e1732 = phi_1821_;
+                                        let _e1734 = phi_1823_;
+                                        let _e1736 = phi_1825_;
+                                        let _e1738 = phi_1827_;
+                                        let _e1739 = (_e1738 + 1u);
+                                        local_26 = _e1736;
+                                        local_27 = _e1736;
+                                        local_28 = _e1736;
+                                        local_29 = _e1736;
+                                        local_30 = _e1734;
+                                        local_31 = _e1734;
+                                        local_32 = _e1734;
+                                        local_33 = _e1734;
+                                        local_34 = _e1732;
+                                        local_35 = _e1732;
+                                        local_36 = _e1732;
+                                        local_37 = _e1732;
+                                        local_38 = _e1730;
+                                        local_39 = _e1730;
+                                        local_40 = _e1730;
+                                        local_41 = _e1730;
+                                        if (_e1739 <= _e177) {
+                                            let _e1741 = (_e194 + _e1738);
+                                            let _e1747 = global_7.member[(((_e1741 / 4u) * 4u) / 4u)];
+                                            if ((_e1741 % 2u) == 0u) {
+                                                phi_1849_ = array<f32, 2>(_e1747.x, _e1747.z);
+                                            } else {
+                                                phi_1849_ = array<f32, 2>(_e1747.y, _e1747.w);
+                                            }
+                                            let _e1757 = phi_1849_;
+                                            if ((_e1741 % 4u) < 2u) {
+                                                phi_1857_ = _e1757[0];
+                                            } else {
+                                                phi_1857_ = _e1757[1];
+                                            }
+                                            let _e1763 = phi_1857_;
+                                            let _e1764 = (_e1741 + _e192);
+                                            let _e1770 = global_7.member[(((_e1764 / 4u) * 4u) / 4u)];
+                                            if ((_e1764 % 2u) == 0u) {
+                                                phi_1875_ = array<f32, 2>(_e1770.x, _e1770.z);
+                                            } else {
+                                                phi_1875_ = array<f32, 2>(_e1770.y, _e1770.w);
+                                            }
+                                            let _e1780 = phi_1875_;
+                                            if ((_e1764 % 4u) < 2u) {
+                                                phi_1883_ = _e1780[0];
+                                            } else {
+                                                phi_1883_ = _e1780[1];
+                                            }
+                                            let _e1786 = phi_1883_;
+                                            let _e1788 = (_e1741 + (2u * _e192));
+                                            let _e1794 = global_7.member[(((_e1788 / 4u) * 4u) / 4u)];
+                                            if ((_e1788 % 2u) == 0u) {
+                                                phi_1902_ = array<f32, 2>(_e1794.x, _e1794.z);
+                                            } else {
+                                                phi_1902_ = array<f32, 2>(_e1794.y, _e1794.w);
+                                            }
+                                            let _e1804 = phi_1902_;
+                                            if ((_e1788 % 4u) < 2u) {
+                                                phi_1910_ = _e1804[0];
+                                            } else {
+                                                phi_1910_ = _e1804[1];
+                                            }
+                                            let _e1810 = phi_1910_;
+                                            let _e1812 = (_e1741 + (3u * _e192));
+                                            let _e1818 = global_7.member[(((_e1812 / 4u) * 4u) / 4u)];
+                                            if ((_e1812 % 2u) == 0u) {
+                                                phi_1929_ = array<f32, 2>(_e1818.x, _e1818.z);
+                                            } else {
+                                                phi_1929_ = array<f32, 2>(_e1818.y, _e1818.w);
+                                            }
+                                            let _e1828 = phi_1929_;
+                                            if ((_e1812 % 4u) < 2u) {
+                                                phi_1937_ = _e1828[0];
+                                            } else {
+                                                phi_1937_ = _e1828[1];
+                                            }
+                                            let _e1834 = phi_1937_;
+                                            let _e1835 = (_e885 + _e1738);
+                                            let _e1841 = global_9.member[(((_e1835 / 4u) * 4u) / 4u)];
+                                            if ((_e1835 % 2u) == 0u) {
+                                                phi_1955_ = array<f32, 2>(_e1841.x, _e1841.z);
+                                            } else {
+                                                phi_1955_ = array<f32, 2>(_e1841.y, _e1841.w);
+                                            }
+                                            let _e1851 = phi_1955_;
+                                            if ((_e1835 % 4u) < 2u) {
+                                                phi_1963_ = _e1851[0];
+                                            } else {
+                                                phi_1963_ = _e1851[1];
+                                            }
+                                            let _e1857 = phi_1963_;
+                                            let _e1871 = (_e889 + _e1738);
+                                            let _e1877 = global_9.member[(((_e1871 / 4u) * 4u) / 4u)];
+                                            local_82 = type_18(((_e1857 * _e1763) + _e1736.member), ((_e1857 * _e1786) + _e1736.member_1), ((_e1857 * _e1810) + _e1736.member_2), ((_e1857 * _e1834) + _e1736.member_3));
+                                            if ((_e1871 % 2u) == 0u) {
+                                                phi_1993_ = array<f32, 2>(_e1877.x, _e1877.z);
+                                            } else {
+                                                phi_1993_ = array<f32, 2>(_e1877.y, _e1877.w);
+                                            }
+                                            let _e1887 = phi_1993_;
+                                            if ((_e1871 % 4u) < 2u) {
+                                                phi_2001_ = _e1887[0];
+                                            } else {
+                                                phi_2001_ = _e1887[1];
+                                            }
+                                            let _e1893 = phi_2001_;
+                                            let _e1907 = (_e893 + _e1738);
+                                            let _e1913 = global_9.member[(((_e1907 / 4u) * 4u) / 4u)];
+                                            local_81 = type_18(((_e1893 * _e1763) + _e1734.member), ((_e1893 * _e1786) + _e1734.member_1), ((_e1893 * _e1810) + _e1734.member_2), ((_e1893 * _e1834) + _e1734.member_3));
+                                            if ((_e1907 % 2u) == 0u) {
+                                                phi_2031_ = array<f32, 2>(_e1913.x, _e1913.z);
+                                            } else {
+                                                phi_2031_ = array<f32, 2>(_e1913.y, _e1913.w);
+                                            }
+                                            let _e1923 = phi_2031_;
+                                            if ((_e1907 % 4u) < 2u) {
+                                                phi_2039_ = _e1923[0];
+                                            } else {
+                                                phi_2039_ = _e1923[1];
+                                            }
+                                            let _e1929 = phi_2039_;
+                                            let _e1943 = (_e897 + _e1738);
+                                            let _e1949 = global_9.member[(((_e1943 / 4u) * 4u) / 4u)];
+                                            local_80 = type_18(((_e1929 * _e1763) + _e1732.member), ((_e1929 * _e1786) + _e1732.member_1), ((_e1929 * _e1810) + _e1732.member_2), ((_e1929 * _e1834) + _e1732.member_3));
+                                            if ((_e1943 % 2u) == 0u) {
+                                                phi_2069_ = array<f32, 2>(_e1949.x, _e1949.z);
+                                            } else {
+                                                phi_2069_ = array<f32, 2>(_e1949.y, _e1949.w);
+                                            }
+                                            let _e1959 = phi_2069_;
+                                            if ((_e1943 % 4u) < 2u) {
+                                                phi_2077_ = _e1959[0];
+                                            } else {
+                                                phi_2077_ = _e1959[1];
+                                            }
+                                            let _e1965 = phi_2077_;
+                                            local_79 = type_18(((_e1965 * _e1763) + _e1730.member), ((_e1965 * _e1786) + _e1730.member_1), ((_e1965 * _e1810) + _e1730.member_2), ((_e1965 * _e1834) + _e1730.member_3));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2530 = local_79;
-                                            phi_1249_ = _e2530;
-                                            let _e2533 = local_80;
-                                            phi_1252_ = _e2533;
-                                            let _e2536 = local_81;
-                                            phi_1254_ = _e2536;
-                                            let _e2539 = local_82;
-                                            phi_1256_ = _e2539;
-                                            phi_1258_ = _e1315;
+                                            let _e3162 = local_79;
+                                            phi_1818_ = _e3162;
+                                            let _e3165 = local_80;
+                                            phi_1821_ = _e3165;
+                                            let _e3168 = local_81;
+                                            phi_1823_ = _e3168;
+                                            let _e3171 = local_82;
+                                            phi_1825_ = _e3171;
+                                            phi_1827_ = _e1739;
                                         }
                                     }
-                                    let _e1404 = local_26;
-                                    let _e1406 = (_e1258.member + _e1404.member);
-                                    let _e1408 = local_27;
-                                    let _e1410 = (_e1261.member_1 + _e1408.member_1);
-                                    let _e1412 = local_28;
-                                    let _e1414 = (_e1264.member_2 + _e1412.member_2);
-                                    let _e1416 = local_29;
-                                    let _e1418 = (_e1267.member_3 + _e1416.member_3);
+                                    let _e1980 = local_26;
+                                    let _e1982 = (_e1682.member + _e1980.member);
+                                    let _e1984 = local_27;
+                                    let _e1986 = (_e1685.member_1 + _e1984.member_1);
+                                    let _e1988 = local_28;
+                                    let _e1990 = (_e1688.member_2 + _e1988.member_2);
+                                    let _e1992 = local_29;
+                                    let _e1994 = (_e1691.member_3 + _e1992.member_3);
                                     if _e187 {
-                                        let _e1423 = (4u * _e183);
-                                        let _e1424 = (4u * _e675);
-                                        let _e1425 = bitcast<u32>(_e1406);
-                                        let _e1428 = ((_e1425 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1428 == 0u) {
+                                        let _e1999 = (4u * _e183);
+                                        let _e2000 = (4u * _e867);
+                                        let _e2001 = bitcast<u32>(_e1982);
+                                        let _e2004 = ((_e2001 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e2004 == 0u) {
                                         } else {
-                                            let _e1431 = (_e1428 % 16u);
-                                            let _e1433 = ((_e1425 & 8388607u) | 8388608u);
-                                            let _e1436 = (_e1433 << bitcast<u32>((_e1431 & 31u)));
-                                            let _e1442 = ((_e1433 >> bitcast<u32>(((31u - _e1431) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1425 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1387_ = array<u32, 2>(_e1436, _e1442);
+                                            let _e2007 = (_e2004 % 16u);
+                                            let _e2009 = ((_e2001 & 8388607u) | 8388608u);
+                                            let _e2012 = (_e2009 << bitcast<u32>((_e2007 & 31u)));
+                                            let _e2018 = ((_e2009 >> bitcast<u32>(((31u - _e2007) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e2001 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_2140_ = array<u32, 2>(_e2012, _e2018);
                                             } else {
-                                                let _e1448 = (~(_e1436) + 1u);
-                                                if (_e1448 == 0u) {
-                                                    phi_1385_ = (~(_e1442) + 1u);
+                                                let _e2024 = (~(_e2012) + 1u);
+                                                if (_e2024 == 0u) {
+                                                    phi_2138_ = (~(_e2018) + 1u);
                                                 } else {
-                                                    phi_1385_ = ~(_e1442);
+                                                    phi_2138_ = ~(_e2018);
                                                 }
-                                                let _e1454 = phi_1385_;
-                                                phi_1387_ = array<u32, 2>(_e1448, _e1454);
+                                                let _e2030 = phi_2138_;
+                                                phi_2140_ = array<u32, 2>(_e2024, _e2030);
                                             }
-                                            let _e1457 = phi_1387_;
-                                            let _e1458 = (_e1428 < 255u);
-                                            if _e1458 {
-                                                phi_1393_ = _e1457;
+                                            let _e2033 = phi_2140_;
+                                            let _e2034 = (_e2004 < 255u);
+                                            if _e2034 {
+                                                phi_2146_ = _e2033;
                                             } else {
-                                                phi_1393_ = array<u32, 2>(1u, 0u);
+                                                phi_2146_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1461 = phi_1393_;
-                                            let _e1466 = (2u * ((select(16u, (_e1428 / 16u), _e1458) * _e1423) + _e1424));
-                                            let _e1469 = atomicAdd((&global_8.member[_e1466]), _e1461[0]);
-                                            let _e1477 = atomicAdd((&global_8.member[(_e1466 + 1u)]), (_e1461[1] + select(0u, 1u, ((_e1469 + _e1461[0]) < _e1461[0]))));
+                                            let _e2037 = phi_2146_;
+                                            let _e2042 = (2u * ((select(16u, (_e2004 / 16u), _e2034) * _e1999) + _e2000));
+                                            let _e2045 = atomicAdd((&global_8.member[_e2042]), _e2037[0]);
+                                            let _e2053 = atomicAdd((&global_8.member[(_e2042 + 1u)]), (_e2037[1] + select(0u, 1u, ((_e2045 + _e2037[0]) < _e2037[0]))));
                                         }
-                                        let _e1479 = bitcast<u32>(_e1410);
-                                        let _e1482 = ((_e1479 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1482 == 0u) {
+                                        let _e2055 = bitcast<u32>(_e1986);
+                                        let _e2058 = ((_e2055 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e2058 == 0u) {
                                         } else {
-                                            let _e1485 = (_e1482 % 16u);
-                                            let _e1487 = ((_e1479 & 8388607u) | 8388608u);
-                                            let _e1490 = (_e1487 << bitcast<u32>((_e1485 & 31u)));
-                                            let _e1496 = ((_e1487 >> bitcast<u32>(((31u - _e1485) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1479 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1443_ = array<u32, 2>(_e1490, _e1496);
+                                            let _e2061 = (_e2058 % 16u);
+                                            let _e2063 = ((_e2055 & 8388607u) | 8388608u);
+                                            let _e2066 = (_e2063 << bitcast<u32>((_e2061 & 31u)));
+                                            let _e2072 = ((_e2063 >> bitcast<u32>(((31u - _e2061) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e2055 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_2196_ = array<u32, 2>(_e2066, _e2072);
                                             } else {
-                                                let _e1502 = (~(_e1490) + 1u);
-                                                if (_e1502 == 0u) {
-                                                    phi_1441_ = (~(_e1496) + 1u);
+                                                let _e2078 = (~(_e2066) + 1u);
+                                                if (_e2078 == 0u) {
+                                                    phi_2194_ = (~(_e2072) + 1u);
                                                 } else {
-                                                    phi_1441_ = ~(_e1496);
+                                                    phi_2194_ = ~(_e2072);
                                                 }
-                                                let _e1508 = phi_1441_;
-                                                phi_1443_ = array<u32, 2>(_e1502, _e1508);
+                                                let _e2084 = phi_2194_;
+                                                phi_2196_ = array<u32, 2>(_e2078, _e2084);
                                             }
-                                            let _e1511 = phi_1443_;
-                                            let _e1512 = (_e1482 < 255u);
-                                            if _e1512 {
-                                                phi_1449_ = _e1511;
+                                            let _e2087 = phi_2196_;
+                                            let _e2088 = (_e2058 < 255u);
+                                            if _e2088 {
+                                                phi_2202_ = _e2087;
                                             } else {
-                                                phi_1449_ = array<u32, 2>(1u, 0u);
+                                                phi_2202_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1515 = phi_1449_;
-                                            let _e1520 = (2u * ((select(16u, (_e1482 / 16u), _e1512) * _e1423) + (_e1424 + 1u)));
-                                            let _e1523 = atomicAdd((&global_8.member[_e1520]), _e1515[0]);
-                                            let _e1531 = atomicAdd((&global_8.member[(_e1520 + 1u)]), (_e1515[1] + select(0u, 1u, ((_e1523 + _e1515[0]) < _e1515[0]))));
+                                            let _e2091 = phi_2202_;
+                                            let _e2096 = (2u * ((select(16u, (_e2058 / 16u), _e2088) * _e1999) + (_e2000 + 1u)));
+                                            let _e2099 = atomicAdd((&global_8.member[_e2096]), _e2091[0]);
+                                            let _e2107 = atomicAdd((&global_8.member[(_e2096 + 1u)]), (_e2091[1] + select(0u, 1u, ((_e2099 + _e2091[0]) < _e2091[0]))));
                                         }
-                                        let _e1533 = bitcast<u32>(_e1414);
-                                        let _e1536 = ((_e1533 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1536 == 0u) {
+                                        let _e2109 = bitcast<u32>(_e1990);
+                                        let _e2112 = ((_e2109 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e2112 == 0u) {
                                         } else {
-                                            let _e1539 = (_e1536 % 16u);
-                                            let _e1541 = ((_e1533 & 8388607u) | 8388608u);
-                                            let _e1544 = (_e1541 << bitcast<u32>((_e1539 & 31u)));
-                                            let _e1550 = ((_e1541 >> bitcast<u32>(((31u - _e1539) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1533 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1499_ = array<u32, 2>(_e1544, _e1550);
+                                            let _e2115 = (_e2112 % 16u);
+                                            let _e2117 = ((_e2109 & 8388607u) | 8388608u);
+                                            let _e2120 = (_e2117 << bitcast<u32>((_e2115 & 31u)));
+                                            let _e2126 = ((_e2117 >> bitcast<u32>(((31u - _e2115) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e2109 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_2252_ = array<u32, 2>(_e2120, _e2126);
                                             } else {
-                                                let _e1556 = (~(_e1544) + 1u);
-                                                if (_e1556 == 0u) {
-                                                    phi_1497_ = (~(_e1550) + 1u);
+                                                let _e2132 = (~(_e2120) + 1u);
+                                                if (_e2132 == 0u) {
+                                                    phi_2250_ = (~(_e2126) + 1u);
                                                 } else {
-                                                    phi_1497_ = ~(_e1550);
+                                                    phi_2250_ = ~(_e2126);
                                                 }
-                                                let _e1562 = phi_1497_;
-                                                phi_1499_ = array<u32, 2>(_e1556, _e1562);
+                                                let _e2138 = phi_2250_;
+                                                phi_2252_ = array<u32, 2>(_e2132, _e2138);
                                             }
-                                            let _e1565 = phi_1499_;
-                                            let _e1566 = (_e1536 < 255u);
-                                            if _e1566 {
-                                                phi_1505_ = _e1565;
+                                            let _e2141 = phi_2252_;
+                                            let _e2142 = (_e2112 < 255u);
+                                            if _e2142 {
+                                                phi_2258_ = _e2141;
                                             } else {
-                                                phi_1505_ = array<u32, 2>(1u, 0u);
+                                                phi_2258_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1569 = phi_1505_;
-                                            let _e1574 = (2u * ((select(16u, (_e1536 / 16u), _e1566) * _e1423) + (_e1424 + 2u)));
-                                            let _e1577 = atomicAdd((&global_8.member[_e1574]), _e1569[0]);
-                                            let _e1585 = atomicAdd((&global_8.member[(_e1574 + 1u)]), (_e1569[1] + select(0u, 1u, ((_e1577 + _e1569[0]) < _e1569[0]))));
+                                            let _e2145 = phi_2258_;
+                                            let _e2150 = (2u * ((select(16u, (_e2112 / 16u), _e2142) * _e1999) + (_e2000 + 2u)));
+                                            let _e2153 = atomicAdd((&global_8.member[_e2150]), _e2145[0]);
+                                            let _e2161 = atomicAdd((&global_8.member[(_e2150 + 1u)]), (_e2145[1] + select(0u, 1u, ((_e2153 + _e2145[0]) < _e2145[0]))));
                                         }
-                                        let _e1587 = bitcast<u32>(_e1418);
-                                        let _e1590 = ((_e1587 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1590 == 0u) {
+                                        let _e2163 = bitcast<u32>(_e1994);
+                                        let _e2166 = ((_e2163 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e2166 == 0u) {
                                         } else {
-                                            let _e1593 = (_e1590 % 16u);
-                                            let _e1595 = ((_e1587 & 8388607u) | 8388608u);
-                                            let _e1598 = (_e1595 << bitcast<u32>((_e1593 & 31u)));
-                                            let _e1604 = ((_e1595 >> bitcast<u32>(((31u - _e1593) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1587 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1555_ = array<u32, 2>(_e1598, _e1604);
+                                            let _e2169 = (_e2166 % 16u);
+                                            let _e2171 = ((_e2163 & 8388607u) | 8388608u);
+                                            let _e2174 = (_e2171 << bitcast<u32>((_e2169 & 31u)));
+                                            let _e2180 = ((_e2171 >> bitcast<u32>(((31u - _e2169) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e2163 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_2308_ = array<u32, 2>(_e2174, _e2180);
                                             } else {
-                                                let _e1610 = (~(_e1598) + 1u);
-                                                if (_e1610 == 0u) {
-                                                    phi_1553_ = (~(_e1604) + 1u);
+                                                let _e2186 = (~(_e2174) + 1u);
+                                                if (_e2186 == 0u) {
+                                                    phi_2306_ = (~(_e2180) + 1u);
                                                 } else {
-                                                    phi_1553_ = ~(_e1604);
+                                                    phi_2306_ = ~(_e2180);
                                                 }
-                                                let _e1616 = phi_1553_;
-                                                phi_1555_ = array<u32, 2>(_e1610, _e1616);
+                                                let _e2192 = phi_2306_;
+                                                phi_2308_ = array<u32, 2>(_e2186, _e2192);
                                             }
-                                            let _e1619 = phi_1555_;
-                                            let _e1620 = (_e1590 < 255u);
-                                            if _e1620 {
-                                                phi_1561_ = _e1619;
+                                            let _e2195 = phi_2308_;
+                                            let _e2196 = (_e2166 < 255u);
+                                            if _e2196 {
+                                                phi_2314_ = _e2195;
                                             } else {
-                                                phi_1561_ = array<u32, 2>(1u, 0u);
+                                                phi_2314_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1623 = phi_1561_;
-                                            let _e1628 = (2u * ((select(16u, (_e1590 / 16u), _e1620) * _e1423) + (_e1424 + 3u)));
-                                            let _e1631 = atomicAdd((&global_8.member[_e1628]), _e1623[0]);
-                                            let _e1639 = atomicAdd((&global_8.member[(_e1628 + 1u)]), (_e1623[1] + select(0u, 1u, ((_e1631 + _e1623[0]) < _e1623[0]))));
+                                            let _e2199 = phi_2314_;
+                                            let _e2204 = (2u * ((select(16u, (_e2166 / 16u), _e2196) * _e1999) + (_e2000 + 3u)));
+                                            let _e2207 = atomicAdd((&global_8.member[_e2204]), _e2199[0]);
+                                            let _e2215 = atomicAdd((&global_8.member[(_e2204 + 1u)]), (_e2199[1] + select(0u, 1u, ((_e2207 + _e2199[0]) < _e2199[0]))));
                                         }
                                     } else {
-                                        global_6.member[(_e186 + _e675)] = vec4<f32>(_e1406, _e1410, _e1414, _e1418);
+                                        global_6.member[(_e186 + _e867)] = vec4<f32>(_e1982, _e1986, _e1990, _e1994);
                                     }
-                                    if (_e694 < _e59) {
-                                        let _e1642 = local_30;
-                                        let _e1644 = (_e1270.member + _e1642.member);
-                                        let _e1646 = local_31;
-                                        let _e1648 = (_e1273.member_1 + _e1646.member_1);
-                                        let _e1650 = local_32;
-                                        let _e1652 = (_e1276.member_2 + _e1650.member_2);
-                                        let _e1654 = local_33;
-                                        let _e1656 = (_e1279.member_3 + _e1654.member_3);
+                                    if (_e886 < _e59) {
+                                        let _e2218 = local_30;
+                                        let _e2220 = (_e1694.member + _e2218.member);
+                                        let _e2222 = local_31;
+                                        let _e2224 = (_e1697.member_1 + _e2222.member_1);
+                                        let _e2226 = local_32;
+                                        let _e2228 = (_e1700.member_2 + _e2226.member_2);
+                                        let _e2230 = local_33;
+                                        let _e2232 = (_e1703.member_3 + _e2230.member_3);
                                         if _e187 {
-                                            let _e1661 = (4u * _e183);
-                                            let _e1662 = (4u * _e680);
-                                            let _e1663 = bitcast<u32>(_e1644);
-                                            let _e1666 = ((_e1663 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1666 == 0u) {
+                                            let _e2237 = (4u * _e183);
+                                            let _e2238 = (4u * _e872);
+                                            let _e2239 = bitcast<u32>(_e2220);
+                                            let _e2242 = ((_e2239 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2242 == 0u) {
                                             } else {
-                                                let _e1669 = (_e1666 % 16u);
-                                                let _e1671 = ((_e1663 & 8388607u) | 8388608u);
-                                                let _e1674 = (_e1671 << bitcast<u32>((_e1669 & 31u)));
-                                                let _e1680 = ((_e1671 >> bitcast<u32>(((31u - _e1669) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1663 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1630_ = array<u32, 2>(_e1674, _e1680);
+                                                let _e2245 = (_e2242 % 16u);
+                                                let _e2247 = ((_e2239 & 8388607u) | 8388608u);
+                                                let _e2250 = (_e2247 << bitcast<u32>((_e2245 & 31u)));
+                                                let _e2256 = ((_e2247 >> bitcast<u32>(((31u - _e2245) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2239 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2383_ = array<u32, 2>(_e2250, _e2256);
                                                 } else {
-                                                    let _e1686 = (~(_e1674) + 1u);
-                                                    if (_e1686 == 0u) {
-                                                        phi_1628_ = (~(_e1680) + 1u);
+                                                    let _e2262 = (~(_e2250) + 1u);
+                                                    if (_e2262 == 0u) {
+                                                        phi_2381_ = (~(_e2256) + 1u);
                                                     } else {
-                                                        phi_1628_ = ~(_e1680);
+                                                        phi_2381_ = ~(_e2256);
                                                     }
-                                                    let _e1692 = phi_1628_;
-                                                    phi_1630_ = array<u32, 2>(_e1686, _e1692);
+                                                    let _e2268 = phi_2381_;
+                                                    phi_2383_ = array<u32, 2>(_e2262, _e2268);
                                                 }
-                                                let _e1695 = phi_1630_;
-                                                let _e1696 = (_e1666 < 255u);
-                                                if _e1696 {
-                                                    phi_1636_ = _e1695;
+                                                let _e2271 = phi_2383_;
+                                                let _e2272 = (_e2242 < 255u);
+                                                if _e2272 {
+                                                    phi_2389_ = _e2271;
                                                 } else {
-                                                    phi_1636_ = array<u32, 2>(1u, 0u);
+                                                    phi_2389_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1699 = phi_1636_;
-                                                let _e1704 = (2u * ((select(16u, (_e1666 / 16u), _e1696) * _e1661) + _e1662));
-                                                let _e1707 = atomicAdd((&global_8.member[_e1704]), _e1699[0]);
-                                                let _e1715 = atomicAdd((&global_8.member[(_e1704 + 1u)]), (_e1699[1] + select(0u, 1u, ((_e1707 + _e1699[0]) < _e1699[0]))));
+                                                let _e2275 = phi_2389_;
+                                                let _e2280 = (2u * ((select(16u, (_e2242 / 16u), _e2272) * _e2237) + _e2238));
+                                                let _e2283 = atomicAdd((&global_8.member[_e2280]), _e2275[0]);
+                                                let _e2291 = atomicAdd((&global_8.member[(_e2280 + 1u)]), (_e2275[1] + select(0u, 1u, ((_e2283 + _e2275[0]) < _e2275[0]))));
                                             }
-                                            let _e1717 = bitcast<u32>(_e1648);
-                                            let _e1720 = ((_e1717 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1720 == 0u) {
+                                            let _e2293 = bitcast<u32>(_e2224);
+                                            let _e2296 = ((_e2293 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2296 == 0u) {
                                             } else {
-                                                let _e1723 = (_e1720 % 16u);
-                                                let _e1725 = ((_e1717 & 8388607u) | 8388608u);
-                                                let _e1728 = (_e1725 << bitcast<u32>((_e1723 & 31u)));
-                                                let _e1734 = ((_e1725 >> bitcast<u32>(((31u - _e1723) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1717 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1686_ = array<u32, 2>(_e1728, _e1734);
+                                                let _e2299 = (_e2296 % 16u);
+                                                let _e2301 = ((_e2293 & 8388607u) | 8388608u);
+                                                let _e2304 = (_e2301 << bitcast<u32>((_e2299 & 31u)));
+                                                let _e2310 = ((_e2301 >> bitcast<u32>(((31u - _e2299) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2293 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2439_ = array<u32, 2>(_e2304, _e2310);
                                                 } else {
-                                                    let _e1740 = (~(_e1728) + 1u);
-                                                    if (_e1740 == 0u) {
-                                                        phi_1684_ = (~(_e1734) + 1u);
+                                                    let _e2316 = (~(_e2304) + 1u);
+                                                    if (_e2316 == 0u) {
+                                                        phi_2437_ = (~(_e2310) + 1u);
                                                     } else {
-                                                        phi_1684_ = ~(_e1734);
+                                                        phi_2437_ = ~(_e2310);
                                                     }
-                                                    let _e1746 = phi_1684_;
-                                                    phi_1686_ = array<u32, 2>(_e1740, _e1746);
+                                                    let _e2322 = phi_2437_;
+                                                    phi_2439_ = array<u32, 2>(_e2316, _e2322);
                                                 }
-                                                let _e1749 = phi_1686_;
-                                                let _e1750 = (_e1720 < 255u);
-                                                if _e1750 {
-                                                    phi_1692_ = _e1749;
+                                                let _e2325 = phi_2439_;
+                                                let _e2326 = (_e2296 < 255u);
+                                                if _e2326 {
+                                                    phi_2445_ = _e2325;
                                                 } else {
-                                                    phi_1692_ = array<u32, 2>(1u, 0u);
+                                                    phi_2445_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1753 = phi_1692_;
-                                                let _e1758 = (2u * ((select(16u, (_e1720 / 16u), _e1750) * _e1661) + (_e1662 + 1u)));
-                                                let _e1761 = atomicAdd((&global_8.member[_e1758]), _e1753[0]);
-                                                let _e1769 = atomicAdd((&global_8.member[(_e1758 + 1u)]), (_e1753[1] + select(0u, 1u, ((_e1761 + _e1753[0]) < _e1753[0]))));
+                                                let _e2329 = phi_2445_;
+                                                let _e2334 = (2u * ((select(16u, (_e2296 / 16u), _e2326) * _e2237) + (_e2238 + 1u)));
+                                                let _e2337 = atomicAdd((&global_8.member[_e2334]), _e2329[0]);
+                                                let _e2345 = atomicAdd((&global_8.member[(_e2334 + 1u)]), (_e2329[1] + select(0u, 1u, ((_e2337 + _e2329[0]) < _e2329[0]))));
                                             }
-                                            let _e1771 = bitcast<u32>(_e1652);
-                                            let _e1774 = ((_e1771 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1774 == 0u) {
+                                            let _e2347 = bitcast<u32>(_e2228);
+                                            let _e2350 = ((_e2347 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2350 == 0u) {
                                             } else {
-                                                let _e1777 = (_e1774 % 16u);
-                                                let _e1779 = ((_e1771 & 8388607u) | 8388608u);
-                                                let _e1782 = (_e1779 << bitcast<u32>((_e1777 & 31u)));
-                                                let _e1788 = ((_e1779 >> bitcast<u32>(((31u - _e1777) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1771 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1742_ = array<u32, 2>(_e1782, _e1788);
+                                                let _e2353 = (_e2350 % 16u);
+                                                let _e2355 = ((_e2347 & 8388607u) | 8388608u);
+                                                let _e2358 = (_e2355 << bitcast<u32>((_e2353 & 31u)));
+                                                let _e2364 = ((_e2355 >> bitcast<u32>(((31u - _e2353) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2347 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2495_ = array<u32, 2>(_e2358, _e2364);
                                                 } else {
-                                                    let _e1794 = (~(_e1782) + 1u);
-                                                    if (_e1794 == 0u) {
-                                                        phi_1740_ = (~(_e1788) + 1u);
+                                                    let _e2370 = (~(_e2358) + 1u);
+                                                    if (_e2370 == 0u) {
+                                                        phi_2493_ = (~(_e2364) + 1u);
                                                     } else {
-                                                        phi_1740_ = ~(_e1788);
+                                                        phi_2493_ = ~(_e2364);
                                                     }
-                                                    let _e1800 = phi_1740_;
-                                                    phi_1742_ = array<u32, 2>(_e1794, _e1800);
+                                                    let _e2376 = phi_2493_;
+                                                    phi_2495_ = array<u32, 2>(_e2370, _e2376);
                                                 }
-                                                let _e1803 = phi_1742_;
-                                                let _e1804 = (_e1774 < 255u);
-                                                if _e1804 {
-                                                    phi_1748_ = _e1803;
+                                                let _e2379 = phi_2495_;
+                                                let _e2380 = (_e2350 < 255u);
+                                                if _e2380 {
+                                                    phi_2501_ = _e2379;
                                                 } else {
-                                                    phi_1748_ = array<u32, 2>(1u, 0u);
+                                                    phi_2501_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1807 = phi_1748_;
-                                                let _e1812 = (2u * ((select(16u, (_e1774 / 16u), _e1804) * _e1661) + (_e1662 + 2u)));
-                                                let _e1815 = atomicAdd((&global_8.member[_e1812]), _e1807[0]);
-                                                let _e1823 = atomicAdd((&global_8.member[(_e1812 + 1u)]), (_e1807[1] + select(0u, 1u, ((_e1815 + _e1807[0]) < _e1807[0]))));
+                                                let _e2383 = phi_2501_;
+                                                let _e2388 = (2u * ((select(16u, (_e2350 / 16u), _e2380) * _e2237) + (_e2238 + 2u)));
+                                                let _e2391 = atomicAdd((&global_8.member[_e2388]), _e2383[0]);
+                                                let _e2399 = atomicAdd((&global_8.member[(_e2388 + 1u)]), (_e2383[1] + select(0u, 1u, ((_e2391 + _e2383[0]) < _e2383[0]))));
                                             }
-                                            let _e1825 = bitcast<u32>(_e1656);
-                                            let _e1828 = ((_e1825 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1828 == 0u) {
+                                            let _e2401 = bitcast<u32>(_e2232);
+                                            let _e2404 = ((_e2401 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2404 == 0u) {
                                             } else {
-                                                let _e1831 = (_e1828 % 16u);
-                                                let _e1833 = ((_e1825 & 8388607u) | 8388608u);
-                                                let _e1836 = (_e1833 << bitcast<u32>((_e1831 & 31u)));
-                                                let _e1842 = ((_e1833 >> bitcast<u32>(((31u - _e1831) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1825 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1798_ = array<u32, 2>(_e1836, _e1842);
+                                                let _e2407 = (_e2404 % 16u);
+                                                let _e2409 = ((_e2401 & 8388607u) | 8388608u);
+                                                let _e2412 = (_e2409 << bitcast<u32>((_e2407 & 31u)));
+                                                let _e2418 = ((_e2409 >> bitcast<u32>(((31u - _e2407) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2401 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2551_ = array<u32, 2>(_e2412, _e2418);
                                                 } else {
-                                                    let _e1848 = (~(_e1836) + 1u);
-                                                    if (_e1848 == 0u) {
-                                                        phi_1796_ = (~(_e1842) + 1u);
+                                                    let _e2424 = (~(_e2412) + 1u);
+                                                    if (_e2424 == 0u) {
+                                                        phi_2549_ = (~(_e2418) + 1u);
                                                     } else {
-                                                        phi_1796_ = ~(_e1842);
+                                                        phi_2549_ = ~(_e2418);
                                                     }
-                                                    let _e1854 = phi_1796_;
-                                                    phi_1798_ = array<u32, 2>(_e1848, _e1854);
+                                                    let _e2430 = phi_2549_;
+                                                    phi_2551_ = array<u32, 2>(_e2424, _e2430);
                                                 }
-                                                let _e1857 = phi_1798_;
-                                                let _e1858 = (_e1828 < 255u);
-                                                if _e1858 {
-                                                    phi_1804_ = _e1857;
+                                                let _e2433 = phi_2551_;
+                                                let _e2434 = (_e2404 < 255u);
+                                                if _e2434 {
+                                                    phi_2557_ = _e2433;
                                                 } else {
-                                                    phi_1804_ = array<u32, 2>(1u, 0u);
+                                                    phi_2557_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1861 = phi_1804_;
-                                                let _e1866 = (2u * ((select(16u, (_e1828 / 16u), _e1858) * _e1661) + (_e1662 + 3u)));
-                                                let _e1869 = atomicAdd((&global_8.member[_e1866]), _e1861[0]);
-                                                let _e1877 = atomicAdd((&global_8.member[(_e1866 + 1u)]), (_e1861[1] + select(0u, 1u, ((_e1869 + _e1861[0]) < _e1861[0]))));
+                                                let _e2437 = phi_2557_;
+                                                let _e2442 = (2u * ((select(16u, (_e2404 / 16u), _e2434) * _e2237) + (_e2238 + 3u)));
+                                                let _e2445 = atomicAdd((&global_8.member[_e2442]), _e2437[0]);
+                                                let _e2453 = atomicAdd((&global_8.member[(_e2442 + 1u)]), (_e2437[1] + select(0u, 1u, ((_e2445 + _e2437[0]) < _e2437[0]))));
                                             }
                                         } else {
-                                            global_6.member[(_e186 + _e680)] = vec4<f32>(_e1644, _e1648, _e1652, _e1656);
+                                            global_6.member[(_e186 + _e872)] = vec4<f32>(_e2220, _e2224, _e2228, _e2232);
                                         }
                                     }
-                                    if (_e698 < _e59) {
-                                        let _e1880 = local_34;
-                                        let _e1882 = (_e1282.member + _e1880.member);
-                                        let _e1884 = local_35;
-                                        let _e1886 = (_e1285.member_1 + _e1884.member_1);
-                                        let _e1888 = local_36;
-                                        let _e1890 = (_e1288.member_2 + _e1888.member_2);
-                                        let _e1892 = local_37;
-                                        let _e1894 = (_e1291.member_3 + _e1892.member_3);
+                                    if (_e890 < _e59) {
+                                        let _e2456 = local_34;
+                                        let _e2458 = (_e1706.member + _e2456.member);
+                                        let _e2460 = local_35;
+                                        let _e2462 = (_e1709.member_1 + _e2460.member_1);
+                                        let _e2464 = local_36;
+                                        let _e2466 = (_e1712.member_2 + _e2464.member_2);
+                                        let _e2468 = local_37;
+                                        let _e2470 = (_e1715.member_3 + _e2468.member_3);
                                         if _e187 {
-                                            let _e1899 = (4u * _e183);
-                                            let _e1900 = (4u * _e684);
-                                            let _e1901 = bitcast<u32>(_e1882);
-                                            let _e1904 = ((_e1901 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1904 == 0u) {
+                                            let _e2475 = (4u * _e183);
+                                            let _e2476 = (4u * _e876);
+                                            let _e2477 = bitcast<u32>(_e2458);
+                                            let _e2480 = ((_e2477 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2480 == 0u) {
                                             } else {
-                                                let _e1907 = (_e1904 % 16u);
-                                                let _e1909 = ((_e1901 & 8388607u) | 8388608u);
-                                                let _e1912 = (_e1909 << bitcast<u32>((_e1907 & 31u)));
-                                                let _e1918 = ((_e1909 >> bitcast<u32>(((31u - _e1907) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1901 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1873_ = array<u32, 2>(_e1912, _e1918);
+                                                let _e2483 = (_e2480 % 16u);
+                                                let _e2485 = ((_e2477 & 8388607u) | 8388608u);
+                                                let _e2488 = (_e2485 << bitcast<u32>((_e2483 & 31u)));
+                                                let _e2494 = ((_e2485 >> bitcast<u32>(((31u - _e2483) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2477 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2626_ = array<u32, 2>(_e2488, _e2494);
                                                 } else {
-                                                    let _e1924 = (~(_e1912) + 1u);
-                                                    if (_e1924 == 0u) {
-                                                        phi_1871_ = (~(_e1918) + 1u);
+                                                    let _e2500 = (~(_e2488) + 1u);
+                                                    if (_e2500 == 0u) {
+                                                        phi_2624_ = (~(_e2494) + 1u);
                                                     } else {
-                                                        phi_1871_ = ~(_e1918);
+                                                        phi_2624_ = ~(_e2494);
                                                     }
-                                                    let _e1930 = phi_1871_;
-                                                    phi_1873_ = array<u32, 2>(_e1924, _e1930);
+                                                    let _e2506 = phi_2624_;
+                                                    phi_2626_ = array<u32, 2>(_e2500, _e2506);
                                                 }
-                                                let _e1933 = phi_1873_;
-                                                let _e1934 = (_e1904 < 255u);
-                                                if _e1934 {
-                                                    phi_1879_ = _e1933;
+                                                let _e2509 = phi_2626_;
+                                                let _e2510 = (_e2480 < 255u);
+                                                if _e2510 {
+                                                    phi_2632_ = _e2509;
                                                 } else {
-                                                    phi_1879_ = array<u32, 2>(1u, 0u);
+                                                    phi_2632_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1937 = phi_1879_;
-                                                let _e1942 = (2u * ((select(16u, (_e1904 / 16u), _e1934) * _e1899) + _e1900));
-                                                let _e1945 = atomicAdd((&global_8.member[_e1942]), _e1937[0]);
-                                                let _e1953 = atomicAdd((&global_8.member[(_e1942 + 1u)]), (_e1937[1] + select(0u, 1u, ((_e1945 + _e1937[0]) < _e1937[0]))));
+                                                let _e2513 = phi_2632_;
+                                                let _e2518 = (2u * ((select(16u, (_e2480 / 16u), _e2510) * _e2475) + _e2476));
+                                                let _e2521 = atomicAdd((&global_8.member[_e2518]), _e2513[0]);
+                                                let _e2529 = atomicAdd((&global_8.member[(_e2518 + 1u)]), (_e2513[1] + select(0u, 1u, ((_e2521 + _e2513[0]) < _e2513[0]))));
                                             }
-                                            let _e1955 = bitcast<u32>(_e1886);
-                                            let _e1958 = ((_e1955 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1958 == 0u) {
+                                            let _e2531 = bitcast<u32>(_e2462);
+                                            let _e2534 = ((_e2531 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2534 == 0u) {
                                             } else {
-                                                let _e1961 = (_e1958 % 16u);
-                                                let _e1963 = ((_e1955 & 8388607u) | 8388608u);
-                                                let _e1966 = (_e1963 << bitcast<u32>((_e1961 & 31u)));
-                                                let _e1972 = ((_e1963 >> bitcast<u32>(((31u - _e1961) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1955 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1929_ = array<u32, 2>(_e1966, _e1972);
+                                                let _e2537 = (_e2534 % 16u);
+                                                let _e2539 = ((_e2531 & 8388607u) | 8388608u);
+                                                let _e2542 = (_e2539 << bitcast<u32>((_e2537 & 31u)));
+                                                let _e2548 = ((_e2539 >> bitcast<u32>(((31u - _e2537) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2531 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2682_ = array<u32, 2>(_e2542, _e2548);
                                                 } else {
-                                                    let _e1978 = (~(_e1966) + 1u);
-                                                    if (_e1978 == 0u) {
-                                                        phi_1927_ = (~(_e1972) + 1u);
+                                                    let _e2554 = (~(_e2542) + 1u);
+                                                    if (_e2554 == 0u) {
+                                                        phi_2680_ = (~(_e2548) + 1u);
                                                     } else {
-                                                        phi_1927_ = ~(_e1972);
+                                                        phi_2680_ = ~(_e2548);
                                                     }
-                                                    let _e1984 = phi_1927_;
-                                                    phi_1929_ = array<u32, 2>(_e1978, _e1984);
+                                                    let _e2560 = phi_2680_;
+                                                    phi_2682_ = array<u32, 2>(_e2554, _e2560);
                                                 }
-                                                let _e1987 = phi_1929_;
-                                                let _e1988 = (_e1958 < 255u);
-                                                if _e1988 {
-                                                    phi_1935_ = _e1987;
+                                                let _e2563 = phi_2682_;
+                                                let _e2564 = (_e2534 < 255u);
+                                                if _e2564 {
+                                                    phi_2688_ = _e2563;
                                                 } else {
-                                                    phi_1935_ = array<u32, 2>(1u, 0u);
+                                                    phi_2688_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1991 = phi_1935_;
-                                                let _e1996 = (2u * ((select(16u, (_e1958 / 16u), _e1988) * _e1899) + (_e1900 + 1u)));
-                                                let _e1999 = atomicAdd((&global_8.member[_e1996]), _e1991[0]);
-                                                let _e2007 = atomicAdd((&global_8.member[(_e1996 + 1u)]), (_e1991[1] + select(0u, 1u, ((_e1999 + _e1991[0]) < _e1991[0]))));
+                                                let _e2567 = phi_2688_;
+                                                let _e2572 = (2u * ((select(16u, (_e2534 / 16u), _e2564) * _e2475) + (_e2476 + 1u)));
+                                                let _e2575 = atomicAdd((&global_8.member[_e2572]), _e2567[0]);
+                                                let _e2583 = atomicAdd((&global_8.member[(_e2572 + 1u)]), (_e2567[1] + select(0u, 1u, ((_e2575 + _e2567[0]) < _e2567[0]))));
                                             }
-                                            let _e2009 = bitcast<u32>(_e1890);
-                                            let _e2012 = ((_e2009 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2012 == 0u) {
+                                            let _e2585 = bitcast<u32>(_e2466);
+                                            let _e2588 = ((_e2585 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2588 == 0u) {
                                             } else {
-                                                let _e2015 = (_e2012 % 16u);
-                                                let _e2017 = ((_e2009 & 8388607u) | 8388608u);
-                                                let _e2020 = (_e2017 << bitcast<u32>((_e2015 & 31u)));
-                                                let _e2026 = ((_e2017 >> bitcast<u32>(((31u - _e2015) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2009 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1985_ = array<u32, 2>(_e2020, _e2026);
+                                                let _e2591 = (_e2588 % 16u);
+                                                let _e2593 = ((_e2585 & 8388607u) | 8388608u);
+                                                let _e2596 = (_e2593 << bitcast<u32>((_e2591 & 31u)));
+                                                let _e2602 = ((_e2593 >> bitcast<u32>(((31u - _e2591) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2585 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2738_ = array<u32, 2>(_e2596, _e2602);
                                                 } else {
-                                                    let _e2032 = (~(_e2020) + 1u);
-                                                    if (_e2032 == 0u) {
-                                                        phi_1983_ = (~(_e2026) + 1u);
+                                                    let _e2608 = (~(_e2596) + 1u);
+                                                    if (_e2608 == 0u) {
+                                                        phi_2736_ = (~(_e2602) + 1u);
                                                     } else {
-                                                        phi_1983_ = ~(_e2026);
+                                                        phi_2736_ = ~(_e2602);
                                                     }
-                                                    let _e2038 = phi_1983_;
-                                                    phi_1985_ = array<u32, 2>(_e2032, _e2038);
+                                                    let _e2614 = phi_2736_;
+                                                    phi_2738_ = array<u32, 2>(_e2608, _e2614);
                                                 }
-                                                let _e2041 = phi_1985_;
-                                                let _e2042 = (_e2012 < 255u);
-                                                if _e2042 {
-                                                    phi_1991_ = _e2041;
+                                                let _e2617 = phi_2738_;
+                                                let _e2618 = (_e2588 < 255u);
+                                                if _e2618 {
+                                                    phi_2744_ = _e2617;
                                                 } else {
-                                                    phi_1991_ = array<u32, 2>(1u, 0u);
+                                                    phi_2744_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2045 = phi_1991_;
-                                                let _e2050 = (2u * ((select(16u, (_e2012 / 16u), _e2042) * _e1899) + (_e1900 + 2u)));
-                                                let _e2053 = atomicAdd((&global_8.member[_e2050]), _e2045[0]);
-                                                let _e2061 = atomicAdd((&global_8.member[(_e2050 + 1u)]), (_e2045[1] + select(0u, 1u, ((_e2053 + _e2045[0]) < _e2045[0]))));
+                                                let _e2621 = phi_2744_;
+                                                let _e2626 = (2u * ((select(16u, (_e2588 / 16u), _e2618) * _e2475) + (_e2476 + 2u)));
+                                                let _e2629 = atomicAdd((&global_8.member[_e2626]), _e2621[0]);
+                                                let _e2637 = atomicAdd((&global_8.member[(_e2626 + 1u)]), (_e2621[1] + select(0u, 1u, ((_e2629 + _e2621[0]) < _e2621[0]))));
                                             }
-                                            let _e2063 = bitcast<u32>(_e1894);
-                                            let _e2066 = ((_e2063 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2066 == 0u) {
+                                            let _e2639 = bitcast<u32>(_e2470);
+                                            let _e2642 = ((_e2639 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2642 == 0u) {
                                             } else {
-                                                let _e2069 = (_e2066 % 16u);
-                                                let _e2071 = ((_e2063 & 8388607u) | 8388608u);
-                                                let _e2074 = (_e2071 << bitcast<u32>((_e2069 & 31u)));
-                                                let _e2080 = ((_e2071 >> bitcast<u32>(((31u - _e2069) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2063 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2041_ = array<u32, 2>(_e2074, _e2080);
+                                                let _e2645 = (_e2642 % 16u);
+                                                let _e2647 = ((_e2639 & 8388607u) | 8388608u);
+                                                let _e2650 = (_e2647 << bitcast<u32>((_e2645 & 31u)));
+                                                let _e2656 = ((_e2647 >> bitcast<u32>(((31u - _e2645) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2639 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2794_ = array<u32, 2>(_e2650, _e2656);
                                                 } else {
-                                                    let _e2086 = (~(_e2074) + 1u);
-                                                    if (_e2086 == 0u) {
-                                                        phi_2039_ = (~(_e2080) + 1u);
+                                                    let _e2662 = (~(_e2650) + 1u);
+                                                    if (_e2662 == 0u) {
+                                                        phi_2792_ = (~(_e2656) + 1u);
                                                     } else {
-                                                        phi_2039_ = ~(_e2080);
+                                                        phi_2792_ = ~(_e2656);
                                                     }
-                                                    let _e2092 = phi_2039_;
-                                                    phi_2041_ = array<u32, 2>(_e2086, _e2092);
+                                                    let _e2668 = phi_2792_;
+                                                    phi_2794_ = array<u32, 2>(_e2662, _e2668);
                                                 }
-                                                let _e2095 = phi_2041_;
-                                                let _e2096 = (_e2066 < 255u);
-                                                if _e2096 {
-                                                    phi_2047_ = _e2095;
+                                                let _e2671 = phi_2794_;
+                                                let _e2672 = (_e2642 < 255u);
+                                                if _e2672 {
+                                                    phi_2800_ = _e2671;
                                                 } else {
-                                                    phi_2047_ = array<u32, 2>(1u, 0u);
+                                                    phi_2800_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2099 = phi_2047_;
-                                                let _e2104 = (2u * ((select(16u, (_e2066 / 16u), _e2096) * _e1899) + (_e1900 + 3u)));
-                                                let _e2107 = atomicAdd((&global_8.member[_e2104]), _e2099[0]);
-                                                let _e2115 = atomicAdd((&global_8.member[(_e2104 + 1u)]), (_e2099[1] + select(0u, 1u, ((_e2107 + _e2099[0]) < _e2099[0]))));
+                                                let _e2675 = phi_2800_;
+                                                let _e2680 = (2u * ((select(16u, (_e2642 / 16u), _e2672) * _e2475) + (_e2476 + 3u)));
+                                                let _e2683 = atomicAdd((&global_8.member[_e2680]), _e2675[0]);
+                                                let _e2691 = atomicAdd((&global_8.member[(_e2680 + 1u)]), (_e2675[1] + select(0u, 1u, ((_e2683 + _e2675[0]) < _e2675[0]))));
                                             }
                                         } else {
-                                            global_6.member[(_e186 + _e684)] = vec4<f32>(_e1882, _e1886, _e1890, _e1894);
+                                            global_6.member[(_e186 + _e876)] = vec4<f32>(_e2458, _e2462, _e2466, _e2470);
                                         }
                                     }
-                                    if (_e702 < _e59) {
-                                        let _e2118 = local_38;
-                                        let _e2120 = (_e1294.member + _e2118.member);
-                                        let _e2122 = local_39;
-                                        let _e2124 = (_e1297.member_1 + _e2122.member_1);
-                                        let _e2126 = local_40;
-                                        let _e2128 = (_e1300.member_2 + _e2126.member_2);
-                                        let _e2130 = local_41;
-                                        let _e2132 = (_e1303.member_3 + _e2130.member_3);
+                                    if (_e894 < _e59) {
+                                        let _e2694 = local_38;
+                                        let _e2696 = (_e1718.member + _e2694.member);
+                                        let _e2698 = local_39;
+                                        let _e2700 = (_e1721.member_1 + _e2698.member_1);
+                                        let _e2702 = local_40;
+                                        let _e2704 = (_e1724.member_2 + _e2702.member_2);
+                                        let _e2706 = local_41;
+                                        let _e2708 = (_e1727.member_3 + _e2706.member_3);
                                         if _e187 {
-                                            let _e2137 = (4u * _e183);
-                                            let _e2138 = (4u * _e688);
-                                            let _e2139 = bitcast<u32>(_e2120);
-                                            let _e2142 = ((_e2139 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2142 == 0u) {
+                                            let _e2713 = (4u * _e183);
+                                            let _e2714 = (4u * _e880);
+                                            let _e2715 = bitcast<u32>(_e2696);
+                                            let _e2718 = ((_e2715 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2718 == 0u) {
                                             } else {
-                                                let _e2145 = (_e2142 % 16u);
-                                                let _e2147 = ((_e2139 & 8388607u) | 8388608u);
-                                                let _e2150 = (_e2147 << bitcast<u32>((_e2145 & 31u)));
-                                                let _e2156 = ((_e2147 >> bitcast<u32>(((31u - _e2145) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2139 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2116_ = array<u32, 2>(_e2150, _e2156);
+                                                let _e2721 = (_e2718 % 16u);
+                                                let _e2723 = ((_e2715 & 8388607u) | 8388608u);
+                                                let _e2726 = (_e2723 << bitcast<u32>((_e2721 & 31u)));
+                                                let _e2732 = ((_e2723 >> bitcast<u32>(((31u - _e2721) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2715 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2869_ = array<u32, 2>(_e2726, _e2732);
                                                 } else {
-                                                    let _e2162 = (~(_e2150) + 1u);
-                                                    if (_e2162 == 0u) {
-                                                        phi_2114_ = (~(_e2156) + 1u);
+                                                    let _e2738 = (~(_e2726) + 1u);
+                                                    if (_e2738 == 0u) {
+                                                        phi_2867_ = (~(_e2732) + 1u);
                                                     } else {
-                                                        phi_2114_ = ~(_e2156);
+                                                        phi_2867_ = ~(_e2732);
                                                     }
-                                                    let _e2168 = phi_2114_;
-                                                    phi_2116_ = array<u32, 2>(_e2162, _e2168);
+                                                    let _e2744 = phi_2867_;
+                                                    phi_2869_ = array<u32, 2>(_e2738, _e2744);
                                                 }
-                                                let _e2171 = phi_2116_;
-                                                let _e2172 = (_e2142 < 255u);
-                                                if _e2172 {
-                                                    phi_2122_ = _e2171;
+                                                let _e2747 = phi_2869_;
+                                                let _e2748 = (_e2718 < 255u);
+                                                if _e2748 {
+                                                    phi_2875_ = _e2747;
                                                 } else {
-                                                    phi_2122_ = array<u32, 2>(1u, 0u);
+                                                    phi_2875_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2175 = phi_2122_;
-                                                let _e2180 = (2u * ((select(16u, (_e2142 / 16u), _e2172) * _e2137) + _e2138));
-                                                let _e2183 = atomicAdd((&global_8.member[_e2180]), _e2175[0]);
-                                                let _e2191 = atomicAdd((&global_8.member[(_e2180 + 1u)]), (_e2175[1] + select(0u, 1u, ((_e2183 + _e2175[0]) < _e2175[0]))));
+                                                let _e2751 = phi_2875_;
+                                                let _e2756 = (2u * ((select(16u, (_e2718 / 16u), _e2748) * _e2713) + _e2714));
+                                                let _e2759 = atomicAdd((&global_8.member[_e2756]), _e2751[0]);
+                                                let _e2767 = atomicAdd((&global_8.member[(_e2756 + 1u)]), (_e2751[1] + select(0u, 1u, ((_e2759 + _e2751[0]) < _e2751[0]))));
                                             }
-                                            let _e2193 = bitcast<u32>(_e2124);
-                                            let _e2196 = ((_e2193 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2196 == 0u) {
+                                            let _e2769 = bitcast<u32>(_e2700);
+                                            let _e2772 = ((_e2769 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2772 == 0u) {
                                             } else {
-                                                let _e2199 = (_e2196 % 16u);
-                                                let _e2201 = ((_e2193 & 8388607u) | 8388608u);
-                                                let _e2204 = (_e2201 << bitcast<u32>((_e2199 & 31u)));
-                                                let _e2210 = ((_e2201 >> bitcast<u32>(((31u - _e2199) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2193 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2172_ = array<u32, 2>(_e2204, _e2210);
+                                                let _e2775 = (_e2772 % 16u);
+                                                let _e2777 = ((_e2769 & 8388607u) | 8388608u);
+                                                let _e2780 = (_e2777 << bitcast<u32>((_e2775 & 31u)));
+                                                let _e2786 = ((_e2777 >> bitcast<u32>(((31u - _e2775) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2769 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2925_ = array<u32, 2>(_e2780, _e2786);
                                                 } else {
-                                                    let _e2216 = (~(_e2204) + 1u);
-                                                    if (_e2216 == 0u) {
-                                                        phi_2170_ = (~(_e2210) + 1u);
+                                                    let _e2792 = (~(_e2780) + 1u);
+                                                    if (_e2792 == 0u) {
+                                                        phi_2923_ = (~(_e2786) + 1u);
                                                     } else {
-                                                        phi_2170_ = ~(_e2210);
+                                                        phi_2923_ = ~(_e2786);
                                                     }
-                                                    let _e2222 = phi_2170_;
-                                                    phi_2172_ = array<u32, 2>(_e2216, _e2222);
+                                                    let _e2798 = phi_2923_;
+                                                    phi_2925_ = array<u32, 2>(_e2792, _e2798);
                                                 }
-                                                let _e2225 = phi_2172_;
-                                                let _e2226 = (_e2196 < 255u);
-                                                if _e2226 {
-                                                    phi_2178_ = _e2225;
+                                                let _e2801 = phi_2925_;
+                                                let _e2802 = (_e2772 < 255u);
+                                                if _e2802 {
+                                                    phi_2931_ = _e2801;
                                                 } else {
-                                                    phi_2178_ = array<u32, 2>(1u, 0u);
+                                                    phi_2931_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2229 = phi_2178_;
-                                                let _e2234 = (2u * ((select(16u, (_e2196 / 16u), _e2226) * _e2137) + (_e2138 + 1u)));
-                                                let _e2237 = atomicAdd((&global_8.member[_e2234]), _e2229[0]);
-                                                let _e2245 = atomicAdd((&global_8.member[(_e2234 + 1u)]), (_e2229[1] + select(0u, 1u, ((_e2237 + _e2229[0]) < _e2229[0]))));
+                                                let _e2805 = phi_2931_;
+                                                let _e2810 = (2u * ((select(16u, (_e2772 / 16u), _e2802) * _e2713) + (_e2714 + 1u)));
+                                                let _e2813 = atomicAdd((&global_8.member[_e2810]), _e2805[0]);
+                                                let _e2821 = atomicAdd((&global_8.member[(_e2810 + 1u)]), (_e2805[1] + select(0u, 1u, ((_e2813 + _e2805[0]) < _e2805[0]))));
                                             }
-                                            let _e2247 = bitcast<u32>(_e2128);
-                                            let _e2250 = ((_e2247 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2250 == 0u) {
+                                            let _e2823 = bitcast<u32>(_e2704);
+                                            let _e2826 = ((_e2823 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2826 == 0u) {
                                             } else {
-                                                let _e2253 = (_e2250 % 16u);
-                                                let _e2255 = ((_e2247 & 8388607u) | 8388608u);
-                                                let _e2258 = (_e2255 << bitcast<u32>((_e2253 & 31u)));
-                                                let _e2264 = ((_e2255 >> bitcast<u32>(((31u - _e2253) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2247 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2228_ = array<u32, 2>(_e2258, _e2264);
+                                                let _e2829 = (_e2826 % 16u);
+                                                let _e2831 = ((_e2823 & 8388607u) | 8388608u);
+                                                let _e2834 = (_e2831 << bitcast<u32>((_e2829 & 31u)));
+                                                let _e2840 = ((_e2831 >> bitcast<u32>(((31u - _e2829) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2823 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2981_ = array<u32, 2>(_e2834, _e2840);
                                                 } else {
-                                                    let _e2270 = (~(_e2258) + 1u);
-                                                    if (_e2270 == 0u) {
-                                                        phi_2226_ = (~(_e2264) + 1u);
+                                                    let _e2846 = (~(_e2834) + 1u);
+                                                    if (_e2846 == 0u) {
+                                                        phi_2979_ = (~(_e2840) + 1u);
                                                     } else {
-                                                        phi_2226_ = ~(_e2264);
+                                                        phi_2979_ = ~(_e2840);
                                                     }
-                                                    let _e2276 = phi_2226_;
-                                                    phi_2228_ = array<u32, 2>(_e2270, _e2276);
+                                                    let _e2852 = phi_2979_;
+                                                    phi_2981_ = array<u32, 2>(_e2846, _e2852);
                                                 }
-                                                let _e2279 = phi_2228_;
-                                                let _e2280 = (_e2250 < 255u);
-                                                if _e2280 {
-                                                    phi_2234_ = _e2279;
+                                                let _e2855 = phi_2981_;
+                                                let _e2856 = (_e2826 < 255u);
+                                                if _e2856 {
+                                                    phi_2987_ = _e2855;
                                                 } else {
-                                                    phi_2234_ = array<u32, 2>(1u, 0u);
+                                                    phi_2987_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2283 = phi_2234_;
-                                                let _e2288 = (2u * ((select(16u, (_e2250 / 16u), _e2280) * _e2137) + (_e2138 + 2u)));
-                                                let _e2291 = atomicAdd((&global_8.member[_e2288]), _e2283[0]);
-                                                let _e2299 = atomicAdd((&global_8.member[(_e2288 + 1u)]), (_e2283[1] + select(0u, 1u, ((_e2291 + _e2283[0]) < _e2283[0]))));
+                                                let _e2859 = phi_2987_;
+                                                let _e2864 = (2u * ((select(16u, (_e2826 / 16u), _e2856) * _e2713) + (_e2714 + 2u)));
+                                                let _e2867 = atomicAdd((&global_8.member[_e2864]), _e2859[0]);
+                                                let _e2875 = atomicAdd((&global_8.member[(_e2864 + 1u)]), (_e2859[1] + select(0u, 1u, ((_e2867 + _e2859[0]) < _e2859[0]))));
                                             }
-                                            let _e2301 = bitcast<u32>(_e2132);
-                                            let _e2304 = ((_e2301 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2304 == 0u) {
+                                            let _e2877 = bitcast<u32>(_e2708);
+                                            let _e2880 = ((_e2877 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2880 == 0u) {
                                             } else {
-                                                let _e2307 = (_e2304 % 16u);
-                                                let _e2309 = ((_e2301 & 8388607u) | 8388608u);
-                                                let _e2312 = (_e2309 << bitcast<u32>((_e2307 & 31u)));
-                                                let _e2318 = ((_e2309 >> bitcast<u32>(((31u - _e2307) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2301 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2284_ = array<u32, 2>(_e2312, _e2318);
+                                                let _e2883 = (_e2880 % 16u);
+                                                let _e2885 = ((_e2877 & 8388607u) | 8388608u);
+                                                let _e2888 = (_e2885 << bitcast<u32>((_e2883 & 31u)));
+                                                let _e2894 = ((_e2885 >> bitcast<u32>(((31u - _e2883) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2877 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_3037_ = array<u32, 2>(_e2888, _e2894);
                                                 } else {
-                                                    let _e2324 = (~(_e2312) + 1u);
-                                                    if (_e2324 == 0u) {
-                                                        phi_2282_ = (~(_e2318) + 1u);
+                                                    let _e2900 = (~(_e2888) + 1u);
+                                                    if (_e2900 == 0u) {
+                                                        phi_3035_ = (~(_e2894) + 1u);
                                                     } else {
-                                                        phi_2282_ = ~(_e2318);
+                                                        phi_3035_ = ~(_e2894);
                                                     }
-                                                    let _e2330 = phi_2282_;
-                                                    phi_2284_ = array<u32, 2>(_e2324, _e2330);
+                                                    let _e2906 = phi_3035_;
+                                                    phi_3037_ = array<u32, 2>(_e2900, _e2906);
                                                 }
-                                                let _e2333 = phi_2284_;
-                                                let _e2334 = (_e2304 < 255u);
-                                                if _e2334 {
-                                                    phi_2290_ = _e2333;
+                                                let _e2909 = phi_3037_;
+                                                let _e2910 = (_e2880 < 255u);
+                                                if _e2910 {
+                                                    phi_3043_ = _e2909;
                                                 } else {
-                                                    phi_2290_ = array<u32, 2>(1u, 0u);
+                                                    phi_3043_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2337 = phi_2290_;
-                                                let _e2342 = (2u * ((select(16u, (_e2304 / 16u), _e2334) * _e2137) + (_e2138 + 3u)));
-                                                let _e2345 = atomicAdd((&global_8.member[_e2342]), _e2337[0]);
-                                                let _e2353 = atomicAdd((&global_8.member[(_e2342 + 1u)]), (_e2337[1] + select(0u, 1u, ((_e2345 + _e2337[0]) < _e2337[0]))));
+                                                let _e2913 = phi_3043_;
+                                                let _e2918 = (2u * ((select(16u, (_e2880 / 16u), _e2910) * _e2713) + (_e2714 + 3u)));
+                                                let _e2921 = atomicAdd((&global_8.member[_e2918]), _e2913[0]);
+                                                let _e2929 = atomicAdd((&global_8.member[(_e2918 + 1u)]), (_e2913[1] + select(0u, 1u, ((_e2921 + _e2913[0]) < _e2913[0]))));
                                             }
                                         } else {
-                                            global_6.member[(_e186 + _e688)] = vec4<f32>(_e2120, _e2124, _e2128, _e2132);
+                                            global_6.member[(_e186 + _e880)] = vec4<f32>(_e2696, _e2700, _e2704, _e2708);
                                         }
                                     }
                                 } else {
@@ -1312,317 +1657,454 @@ fn function_() {
                                     let _e199 = (_e198 + _e170);
                                     if _e189 {
                                         let _e203 = global_6.member[(_e184 + _e199)];
-                                        phi_250_ = _e203;
+                                        phi_247_ = _e203;
                                     } else {
-                                        phi_250_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_247_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e205 = phi_250_;
+                                    let _e205 = phi_247_;
                                     let _e211 = (_e174 % 4u);
                                     if (_e211 == 0u) {
-                                        phi_263_ = _e174;
+                                        phi_260_ = _e174;
                                     } else {
-                                        phi_263_ = (_e174 + (4u - _e211));
+                                        phi_260_ = (_e174 + (4u - _e211));
                                     }
-                                    let _e216 = phi_263_;
-                                    phi_267_ = _e174;
-                                    phi_270_ = type_18(_e205.x, _e205.y, _e205.z, _e205.w);
+                                    let _e216 = phi_260_;
+                                    phi_264_ = _e174;
+                                    phi_267_ = type_18(_e205.x, _e205.y, _e205.z, _e205.w);
                                     loop {
-                                        let _e220 = phi_267_;
-                                        let _e222 = phi_270_;
+                                        let _e220 = phi_264_;
+                                        let _e222 = phi_267_;
                                         let _e223 = (_e220 + 1u);
                                         local_50 = _e222;
                                         if (_e223 <= select(_e177, _e216, (_e216 < _e177))) {
                                             let _e225 = (_e194 + _e220);
-                                            let _e228 = global_7.member[_e225];
-                                            let _e232 = global_7.member[(_e225 + _e192)];
-                                            let _e237 = global_7.member[(_e225 + (2u * _e192))];
-                                            let _e242 = global_7.member[(_e225 + (3u * _e192))];
-                                            local_48 = type_18((_e222.member + _e228), (_e222.member_1 + _e232), (_e222.member_2 + _e237), (_e222.member_3 + _e242));
+                                            let _e231 = global_7.member[(((_e225 / 4u) * 4u) / 4u)];
+                                            if ((_e225 % 2u) == 0u) {
+                                                phi_289_ = array<f32, 2>(_e231.x, _e231.z);
+                                            } else {
+                                                phi_289_ = array<f32, 2>(_e231.y, _e231.w);
+                                            }
+                                            let _e241 = phi_289_;
+                                            if ((_e225 % 4u) < 2u) {
+                                                phi_297_ = _e241[0];
+                                            } else {
+                                                phi_297_ = _e241[1];
+                                            }
+                                            let _e247 = phi_297_;
+                                            let _e248 = (_e225 + _e192);
+                                            let _e254 = global_7.member[(((_e248 / 4u) * 4u) / 4u)];
+                                            if ((_e248 % 2u) == 0u) {
+                                                phi_315_ = array<f32, 2>(_e254.x, _e254.z);
+                                            } else {
+                                                phi_315_ = array<f32, 2>(_e254.y, _e254.w);
+                                            }
+                                            let _e264 = phi_315_;
+                                            if ((_e248 % 4u) < 2u) {
+                                                phi_323_ = _e264[0];
+                                            } else {
+                                                phi_323_ = _e264[1];
+                                            }
+                                            let _e270 = phi_323_;
+                                            let _e272 = (_e225 + (2u * _e192));
+                                            let _e278 = global_7.member[(((_e272 / 4u) * 4u) / 4u)];
+                                            if ((_e272 % 2u) == 0u) {
+                                                phi_342_ = array<f32, 2>(_e278.x, _e278.z);
+                                            } else {
+                                                phi_342_ = array<f32, 2>(_e278.y, _e278.w);
+                                            }
+                                            let _e288 = phi_342_;
+                                            if ((_e272 % 4u) < 2u) {
+                                                phi_350_ = _e288[0];
+                                            } else {
+                                                phi_350_ = _e288[1];
+                                            }
+                                            let _e294 = phi_350_;
+                                            let _e296 = (_e225 + (3u * _e192));
+                                            let _e302 = global_7.member[(((_e296 / 4u) * 4u) / 4u)];
+                                            if ((_e296 % 2u) == 0u) {
+                                                phi_369_ = array<f32, 2>(_e302.x, _e302.z);
+                                            } else {
+                                                phi_369_ = array<f32, 2>(_e302.y, _e302.w);
+                                            }
+                                            let _e312 = phi_369_;
+                                            if ((_e296 % 4u) < 2u) {
+                                                phi_377_ = _e312[0];
+                                            } else {
+                                                phi_377_ = _e312[1];
+                                            }
+                                            let _e318 = phi_377_;
+                                            local_48 = type_18((_e222.member + _e247), (_e222.member_1 + _e270), (_e222.member_2 + _e294), (_e222.member_3 + _e318));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            phi_267_ = _e223;
-                                            let _e2405 = local_48;
-                                            phi_270_ = _e2405;
+                                            phi_264_ = _e223;
+                                            let _e2981 = local_48;
+                                            phi_267_ = _e2981;
                                         }
                                     }
-                                    phi_299_ = (_e216 / 4u);
-                                    let _e2411 = local_50;
-                                    phi_302_ = _e2411;
+                                    phi_388_ = (_e216 / 4u);
+                                    let _e2995 = local_50;
+                                    phi_391_ = _e2995;
                                     loop {
-                                        let _e254 = phi_299_;
-                                        let _e256 = phi_302_;
-                                        let _e257 = (4u * _e254);
-                                        local_52 = _e257;
-                                        local_53 = _e256;
-                                        if ((_e257 + 4u) <= _e177) {
-                                            let _e261 = ((_e194 / 4u) + _e254);
-                                            let _e262 = (_e192 / 4u);
-                                            let _e263 = (4u * _e261);
-                                            let _e266 = global_7.member[_e263];
-                                            let _e270 = global_7.member[(_e263 + 1u)];
-                                            let _e274 = global_7.member[(_e263 + 2u)];
-                                            let _e278 = global_7.member[(_e263 + 3u)];
-                                            let _e280 = (4u * (_e261 + _e262));
-                                            let _e283 = global_7.member[_e280];
-                                            let _e287 = global_7.member[(_e280 + 1u)];
-                                            let _e291 = global_7.member[(_e280 + 2u)];
-                                            let _e295 = global_7.member[(_e280 + 3u)];
-                                            let _e298 = (4u * (_e261 + (2u * _e262)));
-                                            let _e301 = global_7.member[_e298];
-                                            let _e305 = global_7.member[(_e298 + 1u)];
-                                            let _e309 = global_7.member[(_e298 + 2u)];
-                                            let _e313 = global_7.member[(_e298 + 3u)];
-                                            let _e316 = (4u * (_e261 + (3u * _e262)));
-                                            let _e319 = global_7.member[_e316];
-                                            let _e323 = global_7.member[(_e316 + 1u)];
-                                            let _e327 = global_7.member[(_e316 + 2u)];
-                                            let _e331 = global_7.member[(_e316 + 3u)];
-                                            local_49 = (_e254 + 1u);
-                                            local_51 = type_18(((((_e256.member + _e266) + _e270) + _e274) + _e278), ((((_e256.member_1 + _e283) + _e287) + _e291) + _e295), ((((_e256.member_2 + _e301) + _e305) + _e309) + _e313), ((((_e256.member_3 + _e319) + _e323) + _e327) + _e331));
+                                        let _e330 = phi_388_;
+                                        let _e332 = phi_391_;
+                                        let _e333 = (4u * _e330);
+                                        local_52 = _e333;
+                                        local_53 = _e332;
+                                        if ((_e333 + 4u) <= _e177) {
+                                            let _e337 = ((_e194 / 4u) + _e330);
+                                            let _e338 = (_e192 / 4u);
+                                            let _e341 = global_7.member[_e337];
+                                            let _e349 = global_7.member[(_e337 + _e338)];
+                                            let _e358 = global_7.member[(_e337 + (2u * _e338))];
+                                            let _e367 = global_7.member[(_e337 + (3u * _e338))];
+                                            local_49 = (_e330 + 1u);
+                                            local_51 = type_18(((((_e332.member + _e341.x) + _e341.y) + _e341.z) + _e341.w), ((((_e332.member_1 + _e349.x) + _e349.y) + _e349.z) + _e349.w), ((((_e332.member_2 + _e358.x) + _e358.y) + _e358.z) + _e358.w), ((((_e332.member_3 + _e367.x) + _e367.y) + _e367.z) + _e367.w));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2408 = local_49;
-                                            phi_299_ = _e2408;
-                                            let _e2413 = local_51;
-                                            phi_302_ = _e2413;
+                                            let _e2992 = local_49;
+                                            phi_388_ = _e2992;
+                                            let _e2997 = local_51;
+                                            phi_391_ = _e2997;
                                         }
                                     }
-                                    let _e2416 = local_52;
-                                    phi_386_ = _e2416;
-                                    let _e2419 = local_53;
-                                    phi_389_ = _e2419;
+                                    let _e3000 = local_52;
+                                    phi_451_ = _e3000;
+                                    let _e3003 = local_53;
+                                    phi_454_ = _e3003;
                                     loop {
-                                        let _e355 = phi_386_;
-                                        let _e357 = phi_389_;
-                                        let _e358 = (_e355 + 1u);
-                                        local_2 = _e357;
-                                        local_3 = _e357;
-                                        local_4 = _e357;
-                                        local_5 = _e357;
-                                        local_55 = _e355;
-                                        if (_e358 <= _e177) {
-                                            let _e360 = (_e194 + _e355);
-                                            let _e363 = global_7.member[_e360];
-                                            let _e367 = global_7.member[(_e360 + _e192)];
-                                            let _e372 = global_7.member[(_e360 + (2u * _e192))];
-                                            let _e377 = global_7.member[(_e360 + (3u * _e192))];
-                                            local_54 = type_18((_e357.member + _e363), (_e357.member_1 + _e367), (_e357.member_2 + _e372), (_e357.member_3 + _e377));
+                                        let _e395 = phi_451_;
+                                        let _e397 = phi_454_;
+                                        let _e398 = (_e395 + 1u);
+                                        local_2 = _e397;
+                                        local_3 = _e397;
+                                        local_4 = _e397;
+                                        local_5 = _e397;
+                                        local_55 = _e395;
+                                        if (_e398 <= _e177) {
+                                            let _e400 = (_e194 + _e395);
+                                            let _e406 = global_7.member[(((_e400 / 4u) * 4u) / 4u)];
+                                            if ((_e400 % 2u) == 0u) {
+                                                phi_476_ = array<f32, 2>(_e406.x, _e406.z);
+                                            } else {
+                                                phi_476_ = array<f32, 2>(_e406.y, _e406.w);
+                                            }
+                                            let _e416 = phi_476_;
+                                            if ((_e400 % 4u) < 2u) {
+                                                phi_484_ = _e416[0];
+                                            } else {
+                                                phi_484_ = _e416[1];
+                                            }
+                                            let _e422 = phi_484_;
+                                            let _e423 = (_e400 + _e192);
+                                            let _e429 = global_7.member[(((_e423 / 4u) * 4u) / 4u)];
+                                            if ((_e423 % 2u) == 0u) {
+                                                phi_502_ = array<f32, 2>(_e429.x, _e429.z);
+                                            } else {
+                                                phi_502_ = array<f32, 2>(_e429.y, _e429.w);
+                                            }
+                                            let _e439 = phi_502_;
+                                            if ((_e423 % 4u) < 2u) {
+                                                phi_510_ = _e439[0];
+                                            } else {
+                                                phi_510_ = _e439[1];
+                                            }
+                                            let _e445 = phi_510_;
+                                            let _e447 = (_e400 + (2u * _e192));
+                                            let _e453 = global_7.member[(((_e447 / 4u) * 4u) / 4u)];
+                                            if ((_e447 % 2u) == 0u) {
+                                                phi_529_ = array<f32, 2>(_e453.x, _e453.z);
+                                            } else {
+                                                phi_529_ = array<f32, 2>(_e453.y, _e453.w);
+                                            }
+                                            let _e463 = phi_529_;
+                                            if ((_e447 % 4u) < 2u) {
+                                                phi_537_ = _e463[0];
+                                            } else {
+                                                phi_537_ = _e463[1];
+                                            }
+                                            let _e469 = phi_537_;
+                                            let _e471 = (_e400 + (3u * _e192));
+                                            let _e477 = global_7.member[(((_e471 / 4u) * 4u) / 4u)];
+                                            if ((_e471 % 2u) == 0u) {
+                                                phi_556_ = array<f32, 2>(_e477.x, _e477.z);
+                                            } else {
+                                                phi_556_ = array<f32, 2>(_e477.y, _e477.w);
+                                            }
+                                            let _e487 = phi_556_;
+                                            if ((_e471 % 4u) < 2u) {
+                                                phi_564_ = _e487[0];
+                                            } else {
+                                                phi_564_ = _e487[1];
+                                            }
+                                            let _e493 = phi_564_;
+                                            local_54 = type_18((_e397.member + _e422), (_e397.member_1 + _e445), (_e397.member_2 + _e469), (_e397.member_3 + _e493));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            phi_386_ = _e358;
-                                            let _e2421 = local_54;
-                                            phi_389_ = _e2421;
+                                            phi_451_ = _e398;
+                                            let _e3005 = local_54;
+                                            phi_454_ = _e3005;
                                         }
                                     }
-                                    let _e388 = local_2;
-                                    let _e391 = local_3;
-                                    let _e394 = local_4;
-                                    let _e397 = local_5;
-                                    let _e2428 = local_55;
-                                    phi_421_ = _e2428;
-                                    phi_424_ = type_18(0f, 0f, 0f, 0f);
+                                    let _e504 = local_2;
+                                    let _e507 = local_3;
+                                    let _e510 = local_4;
+                                    let _e513 = local_5;
+                                    let _e3020 = local_55;
+                                    phi_578_ = _e3020;
+                                    phi_581_ = type_18(0f, 0f, 0f, 0f);
                                     loop {
-                                        let _e400 = phi_421_;
-                                        let _e402 = phi_424_;
-                                        let _e403 = (_e400 + 1u);
-                                        local_6 = _e402;
-                                        local_7 = _e402;
-                                        local_8 = _e402;
-                                        local_9 = _e402;
-                                        if (_e403 <= _e177) {
-                                            let _e405 = (_e194 + _e400);
-                                            let _e408 = global_7.member[_e405];
-                                            let _e412 = global_7.member[(_e405 + _e192)];
-                                            let _e417 = global_7.member[(_e405 + (2u * _e192))];
-                                            let _e422 = global_7.member[(_e405 + (3u * _e192))];
-                                            local_56 = type_18((_e402.member + _e408), (_e402.member_1 + _e412), (_e402.member_2 + _e417), (_e402.member_3 + _e422));
+                                        let _e516 = phi_578_;
+                                        let _e518 = phi_581_;
+                                        let _e519 = (_e516 + 1u);
+                                        local_6 = _e518;
+                                        local_7 = _e518;
+                                        local_8 = _e518;
+                                        local_9 = _e518;
+                                        if (_e519 <= _e177) {
+                                            let _e521 = (_e194 + _e516);
+                                            let _e527 = global_7.member[(((_e521 / 4u) * 4u) / 4u)];
+                                            if ((_e521 % 2u) == 0u) {
+                                                phi_603_ = array<f32, 2>(_e527.x, _e527.z);
+                                            } else {
+                                                phi_603_ = array<f32, 2>(_e527.y, _e527.w);
+                                            }
+                                            let _e537 = phi_603_;
+                                            if ((_e521 % 4u) < 2u) {
+                                                phi_611_ = _e537[0];
+                                            } else {
+                                                phi_611_ = _e537[1];
+                                            }
+                                            let _e543 = phi_611_;
+                                            let _e544 = (_e521 + _e192);
+                                            let _e550 = global_7.member[(((_e544 / 4u) * 4u) / 4u)];
+                                            if ((_e544 % 2u) == 0u) {
+                                                phi_629_ = array<f32, 2>(_e550.x, _e550.z);
+                                            } else {
+                                                phi_629_ = array<f32, 2>(_e550.y, _e550.w);
+                                            }
+                                            let _e560 = phi_629_;
+                                            if ((_e544 % 4u) < 2u) {
+                                                phi_637_ = _e560[0];
+                                            } else {
+                                                phi_637_ = _e560[1];
+                                            }
+                                            let _e566 = phi_637_;
+                                            let _e568 = (_e521 + (2u * _e192));
+                                            let _e574 = global_7.member[(((_e568 / 4u) * 4u) / 4u)];
+                                            if ((_e568 % 2u) == 0u) {
+                                                phi_656_ = array<f32, 2>(_e574.x, _e574.z);
+                                            } else {
+                                                phi_656_ = array<f32, 2>(_e574.y, _e574.w);
+                                            }
+                                            let _e584 = phi_656_;
+                                            if ((_e568 % 4u) < 2u) {
+                                                phi_664_ = _e584[0];
+                                            } else {
+                                                phi_664_ = _e584[1];
+                                            }
+                                            let _e590 = phi_664_;
+                                            let _e592 = (_e521 + (3u * _e192));
+                                            let _e598 = global_7.member[(((_e592 / 4u) * 4u) / 4u)];
+                                            if ((_e592 % 2u) == 0u) {
+                                                phi_683_ = array<f32, 2>(_e598.x, _e598.z);
+                                            } else {
+                                                phi_683_ = array<f32, 2>(_e598.y, _e598.w);
+                                            }
+                                            let _e608 = phi_683_;
+                                            if ((_e592 % 4u) < 2u) {
+                                                phi_691_ = _e608[0];
+                                            } else {
+                                                phi_691_ = _e608[1];
+                                            }
+                                            let _e614 = phi_691_;
+                                            local_56 = type_18((_e518.member + _e543), (_e518.member_1 + _e566), (_e518.member_2 + _e590), (_e518.member_3 + _e614));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            phi_421_ = _e403;
-                                            let _e2431 = local_56;
-                                            phi_424_ = _e2431;
+                                            phi_578_ = _e519;
+                                            let _e3023 = local_56;
+                                            phi_581_ = _e3023;
                                         }
                                     }
-                                    let _e433 = local_6;
-                                    let _e435 = (_e388.member + _e433.member);
-                                    let _e437 = local_7;
-                                    let _e439 = (_e391.member_1 + _e437.member_1);
-                                    let _e441 = local_8;
-                                    let _e443 = (_e394.member_2 + _e441.member_2);
-                                    let _e445 = local_9;
-                                    let _e447 = (_e397.member_3 + _e445.member_3);
+                                    let _e625 = local_6;
+                                    let _e627 = (_e504.member + _e625.member);
+                                    let _e629 = local_7;
+                                    let _e631 = (_e507.member_1 + _e629.member_1);
+                                    let _e633 = local_8;
+                                    let _e635 = (_e510.member_2 + _e633.member_2);
+                                    let _e637 = local_9;
+                                    let _e639 = (_e513.member_3 + _e637.member_3);
                                     if _e187 {
-                                        let _e452 = (4u * _e183);
-                                        let _e453 = (4u * _e199);
-                                        let _e454 = bitcast<u32>(_e435);
-                                        let _e457 = ((_e454 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e457 == 0u) {
+                                        let _e644 = (4u * _e183);
+                                        let _e645 = (4u * _e199);
+                                        let _e646 = bitcast<u32>(_e627);
+                                        let _e649 = ((_e646 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e649 == 0u) {
                                         } else {
-                                            let _e460 = (_e457 % 16u);
-                                            let _e462 = ((_e454 & 8388607u) | 8388608u);
-                                            let _e465 = (_e462 << bitcast<u32>((_e460 & 31u)));
-                                            let _e471 = ((_e462 >> bitcast<u32>(((31u - _e460) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e454 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_501_ = array<u32, 2>(_e465, _e471);
+                                            let _e652 = (_e649 % 16u);
+                                            let _e654 = ((_e646 & 8388607u) | 8388608u);
+                                            let _e657 = (_e654 << bitcast<u32>((_e652 & 31u)));
+                                            let _e663 = ((_e654 >> bitcast<u32>(((31u - _e652) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e646 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_750_ = array<u32, 2>(_e657, _e663);
                                             } else {
-                                                let _e477 = (~(_e465) + 1u);
-                                                if (_e477 == 0u) {
-                                                    phi_499_ = (~(_e471) + 1u);
+                                                let _e669 = (~(_e657) + 1u);
+                                                if (_e669 == 0u) {
+                                                    phi_748_ = (~(_e663) + 1u);
                                                 } else {
-                                                    phi_499_ = ~(_e471);
+                                                    phi_748_ = ~(_e663);
                                                 }
-                                                let _e483 = phi_499_;
-                                                phi_501_ = array<u32, 2>(_e477, _e483);
+                                                let _e675 = phi_748_;
+                                                phi_750_ = array<u32, 2>(_e669, _e675);
                                             }
-                                            let _e486 = phi_501_;
-                                            let _e487 = (_e457 < 255u);
-                                            if _e487 {
-                                                phi_507_ = _e486;
+                                            let _e678 = phi_750_;
+                                            let _e679 = (_e649 < 255u);
+                                            if _e679 {
+                                                phi_756_ = _e678;
                                             } else {
-                                                phi_507_ = array<u32, 2>(1u, 0u);
+                                                phi_756_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e490 = phi_507_;
-                                            let _e495 = (2u * ((select(16u, (_e457 / 16u), _e487) * _e452) + _e453));
-                                            let _e498 = atomicAdd((&global_8.member[_e495]), _e490[0]);
-                                            let _e506 = atomicAdd((&global_8.member[(_e495 + 1u)]), (_e490[1] + select(0u, 1u, ((_e498 + _e490[0]) < _e490[0]))));
+                                            let _e682 = phi_756_;
+                                            let _e687 = (2u * ((select(16u, (_e649 / 16u), _e679) * _e644) + _e645));
+                                            let _e690 = atomicAdd((&global_8.member[_e687]), _e682[0]);
+                                            let _e698 = atomicAdd((&global_8.member[(_e687 + 1u)]), (_e682[1] + select(0u, 1u, ((_e690 + _e682[0]) < _e682[0]))));
                                         }
-                                        let _e508 = bitcast<u32>(_e439);
-                                        let _e511 = ((_e508 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e511 == 0u) {
+                                        let _e700 = bitcast<u32>(_e631);
+                                        let _e703 = ((_e700 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e703 == 0u) {
                                         } else {
-                                            let _e514 = (_e511 % 16u);
-                                            let _e516 = ((_e508 & 8388607u) | 8388608u);
-                                            let _e519 = (_e516 << bitcast<u32>((_e514 & 31u)));
-                                            let _e525 = ((_e516 >> bitcast<u32>(((31u - _e514) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e508 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_557_ = array<u32, 2>(_e519, _e525);
+                                            let _e706 = (_e703 % 16u);
+                                            let _e708 = ((_e700 & 8388607u) | 8388608u);
+                                            let _e711 = (_e708 << bitcast<u32>((_e706 & 31u)));
+                                            let _e717 = ((_e708 >> bitcast<u32>(((31u - _e706) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e700 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_806_ = array<u32, 2>(_e711, _e717);
                                             } else {
-                                                let _e531 = (~(_e519) + 1u);
-                                                if (_e531 == 0u) {
-                                                    phi_555_ = (~(_e525) + 1u);
+                                                let _e723 = (~(_e711) + 1u);
+                                                if (_e723 == 0u) {
+                                                    phi_804_ = (~(_e717) + 1u);
                                                 } else {
-                                                    phi_555_ = ~(_e525);
+                                                    phi_804_ = ~(_e717);
                                                 }
-                                                let _e537 = phi_555_;
-                                                phi_557_ = array<u32, 2>(_e531, _e537);
+                                                let _e729 = phi_804_;
+                                                phi_806_ = array<u32, 2>(_e723, _e729);
                                             }
-                                            let _e540 = phi_557_;
-                                            let _e541 = (_e511 < 255u);
-                                            if _e541 {
-                                                phi_563_ = _e540;
+                                            let _e732 = phi_806_;
+                                            let _e733 = (_e703 < 255u);
+                                            if _e733 {
+                                                phi_812_ = _e732;
                                             } else {
-                                                phi_563_ = array<u32, 2>(1u, 0u);
+                                                phi_812_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e544 = phi_563_;
-                                            let _e549 = (2u * ((select(16u, (_e511 / 16u), _e541) * _e452) + (_e453 + 1u)));
-                                            let _e552 = atomicAdd((&global_8.member[_e549]), _e544[0]);
-                                            let _e560 = atomicAdd((&global_8.member[(_e549 + 1u)]), (_e544[1] + select(0u, 1u, ((_e552 + _e544[0]) < _e544[0]))));
+                                            let _e736 = phi_812_;
+                                            let _e741 = (2u * ((select(16u, (_e703 / 16u), _e733) * _e644) + (_e645 + 1u)));
+                                            let _e744 = atomicAdd((&global_8.member[_e741]), _e736[0]);
+                                            let _e752 = atomicAdd((&global_8.member[(_e741 + 1u)]), (_e736[1] + select(0u, 1u, ((_e744 + _e736[0]) < _e736[0]))));
                                         }
-                                        let _e562 = bitcast<u32>(_e443);
-                                        let _e565 = ((_e562 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e565 == 0u) {
+                                        let _e754 = bitcast<u32>(_e635);
+                                        let _e757 = ((_e754 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e757 == 0u) {
                                         } else {
-                                            let _e568 = (_e565 % 16u);
-                                            let _e570 = ((_e562 & 8388607u) | 8388608u);
-                                            let _e573 = (_e570 << bitcast<u32>((_e568 & 31u)));
-                                            let _e579 = ((_e570 >> bitcast<u32>(((31u - _e568) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e562 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_613_ = array<u32, 2>(_e573, _e579);
+                                            let _e760 = (_e757 % 16u);
+                                            let _e762 = ((_e754 & 8388607u) | 8388608u);
+                                            let _e765 = (_e762 << bitcast<u32>((_e760 & 31u)));
+                                            let _e771 = ((_e762 >> bitcast<u32>(((31u - _e760) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e754 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_862_ = array<u32, 2>(_e765, _e771);
                                             } else {
-                                                let _e585 = (~(_e573) + 1u);
-                                                if (_e585 == 0u) {
-                                                    phi_611_ = (~(_e579) + 1u);
+                                                let _e777 = (~(_e765) + 1u);
+                                                if (_e777 == 0u) {
+                                                    phi_860_ = (~(_e771) + 1u);
                                                 } else {
-                                                    phi_611_ = ~(_e579);
+                                                    phi_860_ = ~(_e771);
                                                 }
-                                                let _e591 = phi_611_;
-                                                phi_613_ = array<u32, 2>(_e585, _e591);
+                                                let _e783 = phi_860_;
+                                                phi_862_ = array<u32, 2>(_e777, _e783);
                                             }
-                                            let _e594 = phi_613_;
-                                            let _e595 = (_e565 < 255u);
-                                            if _e595 {
-                                                phi_619_ = _e594;
+                                            let _e786 = phi_862_;
+                                            let _e787 = (_e757 < 255u);
+                                            if _e787 {
+                                                phi_868_ = _e786;
                                             } else {
-                                                phi_619_ = array<u32, 2>(1u, 0u);
+                                                phi_868_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e598 = phi_619_;
-                                            let _e603 = (2u * ((select(16u, (_e565 / 16u), _e595) * _e452) + (_e453 + 2u)));
-                                            let _e606 = atomicAdd((&global_8.member[_e603]), _e598[0]);
-                                            let _e614 = atomicAdd((&global_8.member[(_e603 + 1u)]), (_e598[1] + select(0u, 1u, ((_e606 + _e598[0]) < _e598[0]))));
+                                            let _e790 = phi_868_;
+                                            let _e795 = (2u * ((select(16u, (_e757 / 16u), _e787) * _e644) + (_e645 + 2u)));
+                                            let _e798 = atomicAdd((&global_8.member[_e795]), _e790[0]);
+                                            let _e806 = atomicAdd((&global_8.member[(_e795 + 1u)]), (_e790[1] + select(0u, 1u, ((_e798 + _e790[0]) < _e790[0]))));
                                         }
-                                        let _e616 = bitcast<u32>(_e447);
-                                        let _e619 = ((_e616 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e619 == 0u) {
+                                        let _e808 = bitcast<u32>(_e639);
+                                        let _e811 = ((_e808 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e811 == 0u) {
                                         } else {
-                                            let _e622 = (_e619 % 16u);
-                                            let _e624 = ((_e616 & 8388607u) | 8388608u);
-                                            let _e627 = (_e624 << bitcast<u32>((_e622 & 31u)));
-                                            let _e633 = ((_e624 >> bitcast<u32>(((31u - _e622) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e616 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_669_ = array<u32, 2>(_e627, _e633);
+                                            let _e814 = (_e811 % 16u);
+                                            let _e816 = ((_e808 & 8388607u) | 8388608u);
+                                            let _e819 = (_e816 << bitcast<u32>((_e814 & 31u)));
+                                            let _e825 = ((_e816 >> bitcast<u32>(((31u - _e814) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e808 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_918_ = array<u32, 2>(_e819, _e825);
                                             } else {
-                                                let _e639 = (~(_e627) + 1u);
-                                                if (_e639 == 0u) {
-                                                    phi_667_ = (~(_e633) + 1u);
+                                                let _e831 = (~(_e819) + 1u);
+                                                if (_e831 == 0u) {
+                                                    phi_916_ = (~(_e825) + 1u);
                                                 } else {
-                                                    phi_667_ = ~(_e633);
+                                                    phi_916_ = ~(_e825);
                                                 }
-                                                let _e645 = phi_667_;
-                                                phi_669_ = array<u32, 2>(_e639, _e645);
+                                                let _e837 = phi_916_;
+                                                phi_918_ = array<u32, 2>(_e831, _e837);
                                             }
-                                            let _e648 = phi_669_;
-                                            let _e649 = (_e619 < 255u);
-                                            if _e649 {
-                                                phi_675_ = _e648;
+                                            let _e840 = phi_918_;
+                                            let _e841 = (_e811 < 255u);
+                                            if _e841 {
+                                                phi_924_ = _e840;
                                             } else {
-                                                phi_675_ = array<u32, 2>(1u, 0u);
+                                                phi_924_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e652 = phi_675_;
-                                            let _e657 = (2u * ((select(16u, (_e619 / 16u), _e649) * _e452) + (_e453 + 3u)));
-                                            let _e660 = atomicAdd((&global_8.member[_e657]), _e652[0]);
-                                            let _e668 = atomicAdd((&global_8.member[(_e657 + 1u)]), (_e652[1] + select(0u, 1u, ((_e660 + _e652[0]) < _e652[0]))));
+                                            let _e844 = phi_924_;
+                                            let _e849 = (2u * ((select(16u, (_e811 / 16u), _e841) * _e644) + (_e645 + 3u)));
+                                            let _e852 = atomicAdd((&global_8.member[_e849]), _e844[0]);
+                                            let _e860 = atomicAdd((&global_8.member[(_e849 + 1u)]), (_e844[1] + select(0u, 1u, ((_e852 + _e844[0]) < _e844[0]))));
                                         }
                                     } else {
-                                        global_6.member[(_e186 + _e199)] = vec4<f32>(_e435, _e439, _e443, _e447);
+                                        global_6.member[(_e186 + _e199)] = vec4<f32>(_e627, _e631, _e635, _e639);
                                     }
                                 }
-                                phi_191_ = _e158;
-                                phi_194_ = _e167;
-                                phi_196_ = _e162;
+                                phi_188_ = _e158;
+                                phi_191_ = _e167;
+                                phi_193_ = _e162;
                             }
-                            let _e2366 = phi_191_;
-                            let _e2368 = phi_194_;
-                            let _e2370 = phi_196_;
-                            local_44 = _e2366;
-                            local_45 = _e2368;
-                            local_47 = _e2370;
+                            let _e2942 = phi_188_;
+                            let _e2944 = phi_191_;
+                            let _e2946 = phi_193_;
+                            local_44 = _e2942;
+                            local_45 = _e2944;
+                            local_47 = _e2946;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2390 = local_44;
-                            phi_190_ = _e2390;
-                            let _e2393 = local_45;
-                            phi_193_ = _e2393;
-                            let _e2398 = local_47;
-                            phi_195_ = _e2398;
+                            let _e2966 = local_44;
+                            phi_187_ = _e2966;
+                            let _e2969 = local_45;
+                            phi_190_ = _e2969;
+                            let _e2974 = local_47;
+                            phi_192_ = _e2974;
                         }
                     }
-                    let _e2372 = phi_2316_;
-                    if _e2372 {
+                    let _e2948 = phi_3069_;
+                    if _e2948 {
                         break;
                     }
                 }

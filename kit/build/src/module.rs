@@ -87,7 +87,7 @@ fn check_buffer(kernel: &KernelInfo, buffer: &Buffer) -> Result<()> {
         declared.name
     );
     // small integers are packed into words
-    let bytes = declared.element_bytes.max(4);
+    let bytes = declared.device_bytes.max(4);
     let element = declared.element;
     ensure!(
         access == "uniform" || stride == Some(bytes),

@@ -48,6 +48,8 @@ pub struct BindingInfo {
     pub element: &'static str,
     /// Size of an element, in bytes.
     pub element_bytes: u32,
+    /// Size of what a GPU reads at once: a vector of [`Fours`](crate::memory::Fours), otherwise an element.
+    pub device_bytes: u32,
 }
 
 /// An array of a kernel in workgroup memory.

@@ -1,4 +1,5 @@
-//! Buffers for kernels: [`Read`], [`Write`], [`Packed`] of small integers, and workgroup memory, [`Shared`].
+//! Buffers for kernels: [`Read`], [`Write`], [`Packed`] of small integers, [`ReadFours`] and [`WriteFours`], and workgroup
+//! memory, [`Shared`].
 //!
 //! On the GPU, [`Read`] and [`Write`] are slices, indexed without checks. A bounds check inside nested loops would
 //! become an exit through several levels, which naga's SPIR-V reader miscompiles
@@ -13,8 +14,20 @@ mod host;
 mod monitor;
 
 #[cfg(target_arch = "spirv")]
-pub use device::{Packed, Read, ReadBuffer, Shared, SharedBuffer, Write, WriteBuffer};
+pub use device::{
+    Packed, Read, ReadBuffer, ReadFours, Shared, SharedBuffer, Write, WriteBuffer, WriteFours,
+};
 #[cfg(not(target_arch = "spirv"))]
-pub use host::{Packed, Read, Shared, Write};
+pub use host::{Packed, Read, ReadFours, Shared, Write, WriteFours};
 #[cfg(not(target_arch = "spirv"))]
 pub use monitor::{AccessMonitor, Touch};
+
+/// Numbers of which a GPU reads and writes four at once: those of [`ReadFours`] and [`WriteFours`].
+pub trait Fours {
+    /// Four of them.
+    type Vector: Copy;
+}
+
+impl Fours for f32 {
+    type Vector = glam::Vec4;
+}

@@ -8,7 +8,7 @@ pub use muslin_macros::{gradient, kernel, loops, params};
 pub use crate::atomic::AtomicBuffer;
 pub use crate::invocation::Invocation;
 pub use crate::lane::{Lane, LaneIndex};
-pub use crate::memory::{Packed, Read, Shared, Write};
+pub use crate::memory::{Packed, Read, ReadFours, Shared, Write, WriteFours};
 #[cfg(target_arch = "spirv")]
 pub use crate::memory::{ReadBuffer, SharedBuffer, WriteBuffer};
 pub use crate::shared_tile::{SharedTile, Source};

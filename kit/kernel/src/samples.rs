@@ -3,11 +3,19 @@
 //! For one sample, a layer reads sixteen weights for sixteen multiply-adds. For four samples, the same weights serve
 //! sixty-four. So a kernel can be generic over [`Samples`] instead of [`Lane`]. A GPU runs it with [`Four`]: an
 //! invocation handles four consecutive samples. The CPU runs it with lanes, like other kernels.
+//!
+//! Rows of samples are [`ReadFours`] and [`WriteFours`]: on a GPU, buffers of vectors. So four samples are one load. Some
+//! drivers would make four loads of four numbers. A row begins at a multiple of four, and on the CPU the buffers
+//! are those of single numbers.
 
 use crate::lane::Lane;
-use crate::memory::{Read, Write};
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
+use crate::memory::{ReadFours, WriteFours};
+#[cfg(target_arch = "spirv")]
+use glam::Vec4;
+#[cfg(target_arch = "spirv")]
+use spirv_std::arch::IndexUnchecked;
 
 /// One `f32` for each of several samples.
 pub trait Samples: Copy {
@@ -23,11 +31,12 @@ pub trait Samples: Copy {
     fn max(self, other: Self) -> Self;
     /// `self` where `x` is greater than 0, and 0 elsewhere.
     fn where_positive(self, x: Self) -> Self;
-    /// Reads consecutive values, starting at `first`. All of them must be in the buffer: each row has room for three
-    /// values after its last sample.
-    fn read(buffer: Read<f32>, first: u32) -> Self;
-    /// Stores consecutive values of the first `count` samples, at least 1, starting at `first`.
-    fn write(self, buffer: Write<f32>, first: u32, count: u32);
+    /// Reads consecutive values, starting at `first`: for [`Four`], a multiple of four. All of them must be in the buffer:
+    /// each row has room for three values after its last sample.
+    fn read(buffer: ReadFours<f32>, first: u32) -> Self;
+    /// Stores consecutive values of the first `count` samples, at least 1, starting at `first`, as in
+    /// [`read`](Samples::read).
+    fn write(self, buffer: WriteFours<f32>, first: u32, count: u32);
 }
 
 /// If lanes are samples, the rest has one lane each, so there are never fewer than [`Lane::WIDTH`].
@@ -58,17 +67,45 @@ impl<L: Lane> Samples for L {
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn read(buffer: Read<f32>, first: u32) -> Self {
-        L::read(buffer, first)
+    fn read(buffer: ReadFours<f32>, first: u32) -> Self {
+        #[cfg(not(target_arch = "spirv"))]
+        return L::read(buffer, first);
+        #[cfg(target_arch = "spirv")]
+        {
+            let four = Four::read(buffer, first / 4 * 4).each::<L>();
+            let low = if first % 2 == 0 { [four[0], four[2]] } else { [four[1], four[3]] };
+            if first % 4 < 2 { low[0] } else { low[1] }
+        }
     }
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn write(self, buffer: Write<f32>, first: u32, count: u32) {
+    fn write(self, buffer: WriteFours<f32>, first: u32, count: u32) {
         #[cfg(not(target_arch = "spirv"))]
-        debug_assert!(count >= L::WIDTH, "{count} samples for {} lanes", L::WIDTH);
-        let _ = count;
-        L::write(self, buffer, first);
+        {
+            debug_assert!(count >= L::WIDTH, "{count} samples for {} lanes", L::WIDTH);
+            L::write(self, buffer, first);
+        }
+        #[cfg(target_arch = "spirv")]
+        {
+            let _ = count;
+            // SAFETY: the CPU run of every kernel checks its indices
+            let four = unsafe { buffer.index_unchecked_mut(first as usize / 4) };
+            let at = first % 4;
+            let value = self.sum();
+            if at == 0 {
+                four.x = value;
+            }
+            if at == 1 {
+                four.y = value;
+            }
+            if at == 2 {
+                four.z = value;
+            }
+            if at == 3 {
+                four.w = value;
+            }
+        }
     }
 }
 
@@ -79,6 +116,25 @@ pub struct Four {
     y: f32,
     z: f32,
     w: f32,
+}
+
+impl Four {
+    /// Reads the four values of a vector: those from `4 index` on.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn read_vector(buffer: ReadFours<f32>, index: u32) -> Self {
+        #[cfg(target_arch = "spirv")]
+        let [x, y, z, w] = buffer.read(index).to_array();
+        #[cfg(not(target_arch = "spirv"))]
+        let [x, y, z, w] = buffer.read_lanes(4 * index);
+        Self { x, y, z, w }
+    }
+
+    /// The value of each sample, in every lane.
+    #[inline(always)]
+    pub fn each<L: Lane>(self) -> [L; 4] {
+        [L::splat(self.x), L::splat(self.y), L::splat(self.z), L::splat(self.w)]
+    }
 }
 
 impl Samples for Four {
@@ -122,50 +178,56 @@ impl Samples for Four {
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn read(buffer: Read<f32>, first: u32) -> Self {
-        Self {
-            x: buffer.read(first),
-            y: buffer.read(first + 1),
-            z: buffer.read(first + 2),
-            w: buffer.read(first + 3),
-        }
+    fn read(buffer: ReadFours<f32>, first: u32) -> Self {
+        #[cfg(not(target_arch = "spirv"))]
+        debug_assert!(first.is_multiple_of(4), "a row begins at a multiple of four");
+        Self::read_vector(buffer, first / 4)
     }
 
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn write(self, buffer: Write<f32>, first: u32, count: u32) {
-        buffer.write(first, self.x);
-        if count > 1 {
-            buffer.write(first + 1, self.y);
-        }
-        if count > 2 {
-            buffer.write(first + 2, self.z);
-        }
+    fn write(self, buffer: WriteFours<f32>, first: u32, count: u32) {
+        #[cfg(target_arch = "spirv")]
         if count > 3 {
-            buffer.write(first + 3, self.w);
+            buffer.write(first / 4, Vec4::new(self.x, self.y, self.z, self.w));
+        } else {
+            // SAFETY: the CPU run of every kernel checks its indices
+            let four = unsafe { buffer.index_unchecked_mut(first as usize / 4) };
+            four.x = self.x;
+            if count > 1 {
+                four.y = self.y;
+            }
+            if count > 2 {
+                four.z = self.z;
+            }
         }
+        #[cfg(not(target_arch = "spirv"))]
+        (first..first + count.min(4))
+            .zip(self.each())
+            .for_each(|(at, value)| buffer.write(at, value));
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::memory::{Read, Write};
 
     /// A few steps of a layer, with samples.
     fn layer<S: Samples>(input: &[f32], output: &mut [f32], first: u32, count: u32) {
         let a = S::read(Read::from(input), first);
-        let b = S::read(Read::from(input), first + 1);
+        let b = S::read(Read::from(input), first + 4);
         let sum = a.mul_add(S::splat(-1.5), S::splat(0.25)).max(b);
         sum.where_positive(a).write(Write::from(output), first, count);
     }
 
     #[test]
     fn four_samples_are_those_of_one() {
-        let input = [0.5, -2.0, 0.0, 3.0, -0.25, 7.0, f32::MIN_POSITIVE, -1.0, 2.0, 1.0, 4.0];
+        let input = [0.5, -2.0, 0.0, 3.0, -0.25, 7.0, f32::MIN_POSITIVE, -1.0, 2.0, 1.0, 4.0, 0.0];
         for count in 1..=4 {
-            for first in 0..6 {
-                let mut four = [9.0; 12];
-                let mut one = [9.0; 12];
+            for first in [0, 4] {
+                let mut four = [9.0; 8];
+                let mut one = [9.0; 8];
                 layer::<Four>(&input, &mut four, first, count);
                 (first..first + count).for_each(|at| layer::<f32>(&input, &mut one, at, 1));
                 assert_eq!(four, one, "{count} from {first}");

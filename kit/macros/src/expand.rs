@@ -88,7 +88,7 @@ fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
     if kernel.waits() {
         return Some(parse_quote!(true));
     }
-    let tiles = kernel.parameters.iter().filter_map(|Parameter { name, role, element }| {
+    let tiles = kernel.parameters.iter().filter_map(|Parameter { name, role, element, .. }| {
         let Role::SharedTile(len) = role else { return None };
         Some(quote! {
             ::muslin::shared_tile::SharedTile::<#element, {#len}>::is_shared(&*#name)
@@ -130,7 +130,7 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
     let mut binding = 0;
     let parameters = kernel.parameters.iter().filter_map(|parameter| {
         let name = &parameter.name;
-        let element = &parameter.element;
+        let element = &parameter.device_element;
         let number = Literal::u32_unsuffixed(binding);
         binding += u32::from(parameter.role.is_binding());
         Some(match &parameter.role {
@@ -199,7 +199,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let [x, y, z] = &kernel.threads;
     let bindings = kernel.parameters.iter().filter_map(|parameter| {
         let name = parameter.name.to_string();
-        let element = &parameter.element;
+        let Parameter { element, device_element, .. } = parameter;
         let access = match parameter.role {
             Role::Uniform => quote!(Uniform),
             Role::Read | Role::Packed => quote!(Read),
@@ -212,6 +212,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 access: ::muslin::kernel::Access::#access,
                 element: ::core::stringify!(#element),
                 element_bytes: ::core::mem::size_of::<#element>() as u32,
+                device_bytes: ::core::mem::size_of::<#device_element>() as u32,
             }
         })
     });

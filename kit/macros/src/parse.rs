@@ -14,11 +14,11 @@ use crate::checks::first_loop;
 pub enum Role {
     /// `&P`
     Uniform,
-    /// `Read<T>`
+    /// `Read<T>` or `ReadFours<T>`
     Read,
     /// `Packed<T>`
     Packed,
-    /// `Write<T>`
+    /// `Write<T>` or `WriteFours<T>`
     Write,
     /// `Shared<T, N>`, with its length
     Shared(Box<GenericArgument>),
@@ -44,6 +44,8 @@ pub struct Parameter {
     pub role: Role,
     /// `P` or `T` of [`Role`].
     pub element: Type,
+    /// The same on a GPU: of `ReadFours<T>` and `WriteFours<T>`, a vector.
+    pub device_element: Type,
 }
 
 /// How the CPU fills the lanes of a kernel that is generic over them.
@@ -352,7 +354,7 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     let (role, element) = role(&argument.ty).ok_or_else(|| {
         Error::new(
             argument.ty.span(),
-            "a parameter is `&Params`, `Read<T>`, `Packed<T>`, `Write<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
+            "a parameter is `&Params`, `Read<T>`, `Packed<T>`, `Write<T>`, `ReadFours<T>`, `WriteFours<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
         )
     })?;
     let is_small = ["u8", "u16"].iter().any(|small| is_path(&element, small));
@@ -367,7 +369,13 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
         let message = format!("the elements of `{name}` are {wrong}");
         return Err(Error::new(argument.ty.span(), message));
     }
-    Ok(Parameter { name, role, element })
+    let is_fours =
+        |ty| last_segment(ty).is_some_and(|segment| segment.ident.to_string().ends_with("Fours"));
+    let device_element = match is_fours(&argument.ty) {
+        true => parse_quote!(<#element as ::muslin::memory::Fours>::Vector),
+        false => element.clone(),
+    };
+    Ok(Parameter { name, role, element, device_element })
 }
 
 /// Refuses a struct of parameters with a field that a GPU reads in another way.
@@ -433,9 +441,9 @@ fn role(ty: &Type) -> Option<(Role, Type)> {
     let segment = last_segment(ty)?;
     let (element, length) = arguments(segment)?;
     let role = match segment.ident.to_string().as_str() {
-        "Read" => Role::Read,
+        "Read" | "ReadFours" => Role::Read,
         "Packed" => Role::Packed,
-        "Write" => Role::Write,
+        "Write" | "WriteFours" => Role::Write,
         "Shared" => Role::Shared(Box::new(length?)),
         _ => return None,
     };

@@ -4,12 +4,19 @@ use core::marker::PhantomData;
 
 use spirv_std::arch::IndexUnchecked;
 
+use super::Fours;
+
 /// A storage buffer that is only read.
 pub type Read<'a, T> = &'a [T];
 /// A storage buffer that is read and written.
 pub type Write<'a, T> = &'a mut [T];
 /// Workgroup memory.
 pub type Shared<'a, T, const N: usize> = &'a mut [T; N];
+
+/// A storage buffer that is only read, four numbers at once: one load, which no driver has to put together.
+pub type ReadFours<'a, T> = &'a [<T as Fours>::Vector];
+/// A storage buffer that is read and written, four numbers at once.
+pub type WriteFours<'a, T> = &'a mut [<T as Fours>::Vector];
 
 /// A storage buffer of `u8` or `u16` that is only read. Not every GPU has such integers, so it is a buffer of words.
 pub type Packed<'a, T> = &'a [Word<T>];

@@ -36,6 +36,11 @@ pub struct Write<'a, T> {
     lifetime: PhantomData<&'a mut [T]>,
 }
 
+/// A storage buffer that is only read, and of which a GPU reads four numbers at once: see [`samples`](crate::samples).
+pub type ReadFours<'a, T> = Read<'a, T>;
+/// As [`ReadFours`], read and written.
+pub type WriteFours<'a, T> = Write<'a, T>;
+
 /// A storage buffer of `u8` or `u16` that is only read. Its values are read as `u32`, which every GPU has.
 #[derive(Clone, Copy)]
 pub struct Packed<'a, T>(pub(crate) Read<'a, T>);

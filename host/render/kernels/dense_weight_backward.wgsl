@@ -93,36 +93,36 @@ fn function_() {
     var phi_582_: u32;
     var phi_584_: array<u32, 2>;
     var phi_590_: array<u32, 2>;
-    var phi_638_: u32;
-    var phi_640_: array<u32, 2>;
-    var phi_646_: array<u32, 2>;
-    var phi_694_: u32;
-    var phi_696_: array<u32, 2>;
-    var phi_702_: array<u32, 2>;
-    var phi_750_: u32;
-    var phi_752_: array<u32, 2>;
-    var phi_758_: array<u32, 2>;
-    var phi_814_: vec4<f32>;
-    var phi_825_: vec4<f32>;
-    var phi_836_: vec4<f32>;
-    var phi_847_: vec4<f32>;
-    var phi_862_: type_18;
-    var phi_865_: type_18;
-    var phi_867_: type_18;
-    var phi_869_: type_18;
-    var phi_871_: type_19;
-    var phi_887_: bool;
-    var phi_1141_: type_18;
-    var phi_1144_: type_18;
-    var phi_1146_: type_18;
-    var phi_1148_: type_18;
-    var phi_1150_: type_19;
-    var phi_1367_: type_18;
-    var phi_1370_: type_18;
-    var phi_1372_: type_18;
-    var phi_1374_: type_18;
-    var phi_1376_: type_19;
-    var phi_1392_: bool;
+    var phi_643_: u32;
+    var phi_645_: array<u32, 2>;
+    var phi_651_: array<u32, 2>;
+    var phi_704_: u32;
+    var phi_706_: array<u32, 2>;
+    var phi_712_: array<u32, 2>;
+    var phi_765_: u32;
+    var phi_767_: array<u32, 2>;
+    var phi_773_: array<u32, 2>;
+    var phi_834_: vec4<f32>;
+    var phi_845_: vec4<f32>;
+    var phi_856_: vec4<f32>;
+    var phi_867_: vec4<f32>;
+    var phi_882_: type_18;
+    var phi_885_: type_18;
+    var phi_887_: type_18;
+    var phi_889_: type_18;
+    var phi_891_: type_19;
+    var phi_907_: bool;
+    var phi_1161_: type_18;
+    var phi_1164_: type_18;
+    var phi_1166_: type_18;
+    var phi_1168_: type_18;
+    var phi_1170_: type_19;
+    var phi_1387_: type_18;
+    var phi_1390_: type_18;
+    var phi_1392_: type_18;
+    var phi_1394_: type_18;
+    var phi_1396_: type_19;
+    var phi_1412_: bool;
     var local_6: type_18;
     var local_7: type_18;
     var local_8: type_18;
@@ -139,59 +139,59 @@ fn function_() {
     var local_19: type_18;
     var local_20: type_18;
     var local_21: type_18;
-    var phi_1701_: u32;
-    var phi_1703_: array<u32, 2>;
-    var phi_1709_: array<u32, 2>;
-    var phi_1757_: u32;
-    var phi_1759_: array<u32, 2>;
-    var phi_1765_: array<u32, 2>;
-    var phi_1813_: u32;
-    var phi_1815_: array<u32, 2>;
-    var phi_1821_: array<u32, 2>;
-    var phi_1869_: u32;
-    var phi_1871_: array<u32, 2>;
-    var phi_1877_: array<u32, 2>;
-    var phi_1936_: u32;
-    var phi_1938_: array<u32, 2>;
-    var phi_1944_: array<u32, 2>;
-    var phi_1992_: u32;
-    var phi_1994_: array<u32, 2>;
-    var phi_2000_: array<u32, 2>;
-    var phi_2048_: u32;
-    var phi_2050_: array<u32, 2>;
-    var phi_2056_: array<u32, 2>;
-    var phi_2104_: u32;
+    var phi_1721_: u32;
+    var phi_1723_: array<u32, 2>;
+    var phi_1729_: array<u32, 2>;
+    var phi_1782_: u32;
+    var phi_1784_: array<u32, 2>;
+    var phi_1790_: array<u32, 2>;
+    var phi_1843_: u32;
+    var phi_1845_: array<u32, 2>;
+    var phi_1851_: array<u32, 2>;
+    var phi_1904_: u32;
+    var phi_1906_: array<u32, 2>;
+    var phi_1912_: array<u32, 2>;
+    var phi_1976_: u32;
+    var phi_1978_: array<u32, 2>;
+    var phi_1984_: array<u32, 2>;
+    var phi_2037_: u32;
+    var phi_2039_: array<u32, 2>;
+    var phi_2045_: array<u32, 2>;
+    var phi_2098_: u32;
+    var phi_2100_: array<u32, 2>;
     var phi_2106_: array<u32, 2>;
-    var phi_2112_: array<u32, 2>;
-    var phi_2171_: u32;
-    var phi_2173_: array<u32, 2>;
-    var phi_2179_: array<u32, 2>;
-    var phi_2227_: u32;
-    var phi_2229_: array<u32, 2>;
-    var phi_2235_: array<u32, 2>;
-    var phi_2283_: u32;
-    var phi_2285_: array<u32, 2>;
-    var phi_2291_: array<u32, 2>;
-    var phi_2339_: u32;
-    var phi_2341_: array<u32, 2>;
-    var phi_2347_: array<u32, 2>;
-    var phi_2406_: u32;
-    var phi_2408_: array<u32, 2>;
-    var phi_2414_: array<u32, 2>;
-    var phi_2462_: u32;
-    var phi_2464_: array<u32, 2>;
-    var phi_2470_: array<u32, 2>;
-    var phi_2518_: u32;
-    var phi_2520_: array<u32, 2>;
-    var phi_2526_: array<u32, 2>;
-    var phi_2574_: u32;
-    var phi_2576_: array<u32, 2>;
-    var phi_2582_: array<u32, 2>;
-    var phi_2607_: u32;
+    var phi_2159_: u32;
+    var phi_2161_: array<u32, 2>;
+    var phi_2167_: array<u32, 2>;
+    var phi_2231_: u32;
+    var phi_2233_: array<u32, 2>;
+    var phi_2239_: array<u32, 2>;
+    var phi_2292_: u32;
+    var phi_2294_: array<u32, 2>;
+    var phi_2300_: array<u32, 2>;
+    var phi_2353_: u32;
+    var phi_2355_: array<u32, 2>;
+    var phi_2361_: array<u32, 2>;
+    var phi_2414_: u32;
+    var phi_2416_: array<u32, 2>;
+    var phi_2422_: array<u32, 2>;
+    var phi_2486_: u32;
+    var phi_2488_: array<u32, 2>;
+    var phi_2494_: array<u32, 2>;
+    var phi_2547_: u32;
+    var phi_2549_: array<u32, 2>;
+    var phi_2555_: array<u32, 2>;
+    var phi_2608_: u32;
+    var phi_2610_: array<u32, 2>;
+    var phi_2616_: array<u32, 2>;
+    var phi_2669_: u32;
+    var phi_2671_: array<u32, 2>;
+    var phi_2677_: array<u32, 2>;
+    var phi_2707_: u32;
     var phi_187_: u32;
     var phi_190_: u32;
     var phi_192_: u32;
-    var phi_2608_: bool;
+    var phi_2708_: bool;
     var local_22: u32;
     var local_23: u32;
     var local_24: u32;
@@ -282,10 +282,10 @@ fn function_() {
                             break;
                         }
                         continuing {
-                            let _e2593 = local_22;
-                            phi_111_ = _e2593;
-                            let _e2596 = local_23;
-                            phi_114_ = _e2596;
+                            let _e2613 = local_22;
+                            phi_111_ = _e2613;
+                            let _e2616 = local_23;
+                            phi_114_ = _e2616;
                         }
                     }
                     let _e111 = global_3.member.member_8;
@@ -338,24 +338,24 @@ fn function_() {
                     let _e155 = phi_184_;
                     phi_186_ = _e137;
                     phi_189_ = _e155;
-                    let _e2614 = local_26;
-                    phi_191_ = _e2614;
+                    let _e2634 = local_26;
+                    phi_191_ = _e2634;
                     loop {
                         let _e157 = phi_186_;
                         let _e159 = phi_189_;
                         let _e161 = phi_191_;
-                        phi_2608_ = false;
+                        phi_2708_ = false;
                         if (_e159 < select(_e68, _e76, (_e76 < _e68))) {
                             if (_e159 == _e157) {
-                                let _e2577 = global_4.member[((_e161 + 2u) * _e111)];
+                                let _e2597 = global_4.member[((_e161 + 2u) * _e111)];
                                 if _e121 {
-                                    phi_2607_ = _e2577;
+                                    phi_2707_ = _e2597;
                                 } else {
-                                    let _e2580 = global_5.member[_e2577];
-                                    phi_2607_ = _e2580;
+                                    let _e2600 = global_5.member[_e2597];
+                                    phi_2707_ = _e2600;
                                 }
-                                let _e2582 = phi_2607_;
-                                phi_187_ = _e2582;
+                                let _e2602 = phi_2707_;
+                                phi_187_ = _e2602;
                                 phi_190_ = _e159;
                                 phi_192_ = (_e161 + 1u);
                             } else {
@@ -363,12 +363,12 @@ fn function_() {
                                 let _e166 = select(_e157, _e164, (_e164 < _e157));
                                 let _e167 = (_e52 == 0u);
                                 if _e167 {
-                                    phi_2608_ = true;
+                                    phi_2708_ = true;
                                     break;
                                 }
                                 let _e168 = (_e49 / _e52);
                                 if _e167 {
-                                    phi_2608_ = true;
+                                    phi_2708_ = true;
                                     break;
                                 }
                                 let _e169 = (_e49 % _e52);
@@ -389,856 +389,920 @@ fn function_() {
                                 let _e191 = global_3.member.member_2;
                                 let _e193 = ((4u * _e169) * _e191);
                                 if (_e168 < (_e60 + 1u)) {
-                                    let _e738 = (_e168 * 4u);
-                                    let _e741 = global_3.member.member_5;
-                                    let _e744 = ((_e741 + (_e738 * _e52)) + _e169);
-                                    let _e745 = (_e59 - _e738);
-                                    let _e749 = (_e744 + (select(_e745, 1u, (1u < _e745)) * _e52));
-                                    let _e753 = (_e744 + (select(_e745, 2u, (2u < _e745)) * _e52));
-                                    let _e757 = (_e744 + (select(_e745, 3u, (3u < _e745)) * _e52));
-                                    let _e763 = (_e738 + 1u);
-                                    let _e767 = (_e738 + 2u);
-                                    let _e771 = (_e738 + 3u);
+                                    let _e742 = (_e168 * 4u);
+                                    let _e745 = global_3.member.member_5;
+                                    let _e748 = ((_e745 + (_e742 * _e52)) + _e169);
+                                    let _e749 = (_e59 - _e742);
+                                    let _e753 = (_e748 + (select(_e749, 1u, (1u < _e749)) * _e52));
+                                    let _e757 = (_e748 + (select(_e749, 2u, (2u < _e749)) * _e52));
+                                    let _e761 = (_e748 + (select(_e749, 3u, (3u < _e749)) * _e52));
+                                    let _e767 = (_e742 + 1u);
+                                    let _e771 = (_e742 + 2u);
+                                    let _e775 = (_e742 + 3u);
                                     if _e188 {
-                                        let _e777 = global_6.member[(_e183 + _e744)];
-                                        phi_814_ = _e777;
+                                        let _e781 = global_6.member[(_e183 + _e748)];
+                                        phi_834_ = _e781;
                                     } else {
-                                        phi_814_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_834_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e779 = phi_814_;
+                                    let _e783 = phi_834_;
                                     if _e188 {
-                                        let _e787 = global_6.member[(_e183 + _e749)];
-                                        phi_825_ = _e787;
+                                        let _e791 = global_6.member[(_e183 + _e753)];
+                                        phi_845_ = _e791;
                                     } else {
-                                        phi_825_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_845_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e789 = phi_825_;
+                                    let _e793 = phi_845_;
                                     if _e188 {
-                                        let _e797 = global_6.member[(_e183 + _e753)];
-                                        phi_836_ = _e797;
+                                        let _e801 = global_6.member[(_e183 + _e757)];
+                                        phi_856_ = _e801;
                                     } else {
-                                        phi_836_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_856_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e799 = phi_836_;
+                                    let _e803 = phi_856_;
                                     if _e188 {
-                                        let _e807 = global_6.member[(_e183 + _e757)];
-                                        phi_847_ = _e807;
+                                        let _e811 = global_6.member[(_e183 + _e761)];
+                                        phi_867_ = _e811;
                                     } else {
-                                        phi_847_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_867_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e809 = phi_847_;
-                                    let _e817 = ((_e738 * _e191) / 4u);
-                                    let _e818 = ((select(_e59, _e763, (_e763 < _e59)) * _e191) / 4u);
-                                    let _e819 = ((select(_e59, _e767, (_e767 < _e59)) * _e191) / 4u);
-                                    let _e820 = ((select(_e59, _e771, (_e771 < _e59)) * _e191) / 4u);
-                                    let _e821 = (_e193 / 4u);
-                                    let _e822 = (_e191 / 4u);
-                                    phi_862_ = type_18(_e809.x, _e809.y, _e809.z, _e809.w);
-                                    phi_865_ = type_18(_e799.x, _e799.y, _e799.z, _e799.w);
-                                    phi_867_ = type_18(_e789.x, _e789.y, _e789.z, _e789.w);
-                                    phi_869_ = type_18(_e779.x, _e779.y, _e779.z, _e779.w);
-                                    phi_871_ = type_19((_e173 / 4u), _e173, _e176);
+                                    let _e813 = phi_867_;
+                                    let _e821 = ((_e742 * _e191) / 4u);
+                                    let _e822 = ((select(_e59, _e767, (_e767 < _e59)) * _e191) / 4u);
+                                    let _e823 = ((select(_e59, _e771, (_e771 < _e59)) * _e191) / 4u);
+                                    let _e824 = ((select(_e59, _e775, (_e775 < _e59)) * _e191) / 4u);
+                                    let _e825 = (_e193 / 4u);
+                                    let _e826 = (_e191 / 4u);
+                                    phi_882_ = type_18(_e813.x, _e813.y, _e813.z, _e813.w);
+                                    phi_885_ = type_18(_e803.x, _e803.y, _e803.z, _e803.w);
+                                    phi_887_ = type_18(_e793.x, _e793.y, _e793.z, _e793.w);
+                                    phi_889_ = type_18(_e783.x, _e783.y, _e783.z, _e783.w);
+                                    phi_891_ = type_19((_e173 / 4u), _e173, _e176);
                                     loop {
-                                        let _e824 = phi_862_;
-                                        let _e826 = phi_865_;
-                                        let _e828 = phi_867_;
-                                        let _e830 = phi_869_;
-                                        let _e832 = phi_871_;
-                                        local_43 = _e824;
-                                        local_45 = _e826;
-                                        local_47 = _e828;
-                                        local_49 = _e830;
-                                        local_51 = _e832;
-                                        let _e834 = (4u * _e832.member);
-                                        if (_e834 < _e832.member_2) {
-                                            phi_887_ = select(((_e834 + 4u) > _e832.member_2), true, (_e834 < _e832.member_1));
+                                        let _e828 = phi_882_;
+                                        let _e830 = phi_885_;
+                                        let _e832 = phi_887_;
+                                        let _e834 = phi_889_;
+                                        let _e836 = phi_891_;
+                                        local_43 = _e828;
+                                        local_45 = _e830;
+                                        local_47 = _e832;
+                                        local_49 = _e834;
+                                        local_51 = _e836;
+                                        let _e838 = (4u * _e836.member);
+                                        if (_e838 < _e836.member_2) {
+                                            phi_907_ = select(((_e838 + 4u) > _e836.member_2), true, (_e838 < _e836.member_1));
                                         } else {
-                                            phi_887_ = false;
+                                            phi_907_ = false;
                                         }
-                                        let _e843 = phi_887_;
-                                        if _e843 {
-                                            let _e847 = global_7.member[(_e821 + _e832.member)];
-                                            let _e854 = (_e832.member_2 - _e832.member_1);
-                                            let _e855 = ((_e834 - _e832.member_1) < _e854);
-                                            let _e856 = select(0f, _e847.x, _e855);
-                                            let _e859 = (((_e834 + 1u) - _e832.member_1) < _e854);
-                                            let _e860 = select(0f, _e847.y, _e859);
-                                            let _e863 = (((_e834 + 2u) - _e832.member_1) < _e854);
-                                            let _e864 = select(0f, _e847.z, _e863);
-                                            let _e867 = (((_e834 + 3u) - _e832.member_1) < _e854);
-                                            let _e868 = select(0f, _e847.w, _e867);
-                                            let _e873 = global_7.member[((_e821 + _e822) + _e832.member)];
-                                            let _e878 = select(0f, _e873.x, _e855);
-                                            let _e879 = select(0f, _e873.y, _e859);
-                                            let _e880 = select(0f, _e873.z, _e863);
-                                            let _e881 = select(0f, _e873.w, _e867);
-                                            let _e887 = global_7.member[((_e821 + (2u * _e822)) + _e832.member)];
-                                            let _e892 = select(0f, _e887.x, _e855);
-                                            let _e893 = select(0f, _e887.y, _e859);
-                                            let _e894 = select(0f, _e887.z, _e863);
-                                            let _e895 = select(0f, _e887.w, _e867);
-                                            let _e901 = global_7.member[((_e821 + (3u * _e822)) + _e832.member)];
-                                            let _e906 = select(0f, _e901.x, _e855);
-                                            let _e907 = select(0f, _e901.y, _e859);
-                                            let _e908 = select(0f, _e901.z, _e863);
-                                            let _e909 = select(0f, _e901.w, _e867);
-                                            let _e913 = global_9.member[(_e817 + _e832.member)];
-                                            let _e918 = select(0f, _e913.x, _e855);
-                                            let _e919 = select(0f, _e913.y, _e859);
-                                            let _e920 = select(0f, _e913.z, _e863);
-                                            let _e921 = select(0f, _e913.w, _e867);
-                                            let _e925 = global_9.member[(_e818 + _e832.member)];
-                                            let _e930 = select(0f, _e925.x, _e855);
-                                            let _e931 = select(0f, _e925.y, _e859);
-                                            let _e932 = select(0f, _e925.z, _e863);
-                                            let _e933 = select(0f, _e925.w, _e867);
-                                            let _e937 = global_9.member[(_e819 + _e832.member)];
-                                            let _e942 = select(0f, _e937.x, _e855);
-                                            let _e943 = select(0f, _e937.y, _e859);
-                                            let _e944 = select(0f, _e937.z, _e863);
-                                            let _e945 = select(0f, _e937.w, _e867);
-                                            let _e949 = global_9.member[(_e820 + _e832.member)];
-                                            let _e954 = select(0f, _e949.x, _e855);
-                                            let _e955 = select(0f, _e949.y, _e859);
-                                            let _e956 = select(0f, _e949.z, _e863);
-                                            let _e957 = select(0f, _e949.w, _e867);
-                                            local_38 = type_18(((_e957 * _e868) + ((_e956 * _e864) + ((_e955 * _e860) + ((_e954 * _e856) + _e824.member)))), ((_e957 * _e881) + ((_e956 * _e880) + ((_e955 * _e879) + ((_e954 * _e878) + _e824.member_1)))), ((_e957 * _e895) + ((_e956 * _e894) + ((_e955 * _e893) + ((_e954 * _e892) + _e824.member_2)))), ((_e957 * _e909) + ((_e956 * _e908) + ((_e955 * _e907) + ((_e954 * _e906) + _e824.member_3)))));
-                                            local_39 = type_18(((_e945 * _e868) + ((_e944 * _e864) + ((_e943 * _e860) + ((_e942 * _e856) + _e826.member)))), ((_e945 * _e881) + ((_e944 * _e880) + ((_e943 * _e879) + ((_e942 * _e878) + _e826.member_1)))), ((_e945 * _e895) + ((_e944 * _e894) + ((_e943 * _e893) + ((_e942 * _e892) + _e826.member_2)))), ((_e945 * _e909) + ((_e944 * _e908) + ((_e943 * _e907) + ((_e942 * _e906) + _e826.member_3)))));
-                                            local_40 = type_18(((_e933 * _e868) + ((_e932 * _e864) + ((_e931 * _e860) + ((_e930 * _e856) + _e828.member)))), ((_e933 * _e881) + ((_e932 * _e880) + ((_e931 * _e879) + ((_e930 * _e878) + _e828.member_1)))), ((_e933 * _e895) + ((_e932 * _e894) + ((_e931 * _e893) + ((_e930 * _e892) + _e828.member_2)))), ((_e933 * _e909) + ((_e932 * _e908) + ((_e931 * _e907) + ((_e930 * _e906) + _e828.member_3)))));
-                                            local_41 = type_18(((_e921 * _e868) + ((_e920 * _e864) + ((_e919 * _e860) + ((_e918 * _e856) + _e830.member)))), ((_e921 * _e881) + ((_e920 * _e880) + ((_e919 * _e879) + ((_e918 * _e878) + _e830.member_1)))), ((_e921 * _e895) + ((_e920 * _e894) + ((_e919 * _e893) + ((_e918 * _e892) + _e830.member_2)))), ((_e921 * _e909) + ((_e920 * _e908) + ((_e919 * _e907) + ((_e918 * _e906) + _e830.member_3)))));
-                                            local_42 = type_19((_e832.member + 1u), _e832.member_1, _e832.member_2);
+                                        let _e847 = phi_907_;
+                                        if _e847 {
+                                            let _e851 = global_7.member[(_e825 + _e836.member)];
+                                            let _e858 = (_e836.member_2 - _e836.member_1);
+                                            let _e859 = ((_e838 - _e836.member_1) < _e858);
+                                            let _e860 = select(0f, _e851.x, _e859);
+                                            let _e863 = (((_e838 + 1u) - _e836.member_1) < _e858);
+                                            let _e864 = select(0f, _e851.y, _e863);
+                                            let _e867 = (((_e838 + 2u) - _e836.member_1) < _e858);
+                                            let _e868 = select(0f, _e851.z, _e867);
+                                            let _e871 = (((_e838 + 3u) - _e836.member_1) < _e858);
+                                            let _e872 = select(0f, _e851.w, _e871);
+                                            let _e877 = global_7.member[((_e825 + _e826) + _e836.member)];
+                                            let _e882 = select(0f, _e877.x, _e859);
+                                            let _e883 = select(0f, _e877.y, _e863);
+                                            let _e884 = select(0f, _e877.z, _e867);
+                                            let _e885 = select(0f, _e877.w, _e871);
+                                            let _e891 = global_7.member[((_e825 + (2u * _e826)) + _e836.member)];
+                                            let _e896 = select(0f, _e891.x, _e859);
+                                            let _e897 = select(0f, _e891.y, _e863);
+                                            let _e898 = select(0f, _e891.z, _e867);
+                                            let _e899 = select(0f, _e891.w, _e871);
+                                            let _e905 = global_7.member[((_e825 + (3u * _e826)) + _e836.member)];
+                                            let _e910 = select(0f, _e905.x, _e859);
+                                            let _e911 = select(0f, _e905.y, _e863);
+                                            let _e912 = select(0f, _e905.z, _e867);
+                                            let _e913 = select(0f, _e905.w, _e871);
+                                            let _e917 = global_9.member[(_e821 + _e836.member)];
+                                            let _e922 = select(0f, _e917.x, _e859);
+                                            let _e923 = select(0f, _e917.y, _e863);
+                                            let _e924 = select(0f, _e917.z, _e867);
+                                            let _e925 = select(0f, _e917.w, _e871);
+                                            let _e929 = global_9.member[(_e822 + _e836.member)];
+                                            let _e934 = select(0f, _e929.x, _e859);
+                                            let _e935 = select(0f, _e929.y, _e863);
+                                            let _e936 = select(0f, _e929.z, _e867);
+                                            let _e937 = select(0f, _e929.w, _e871);
+                                            let _e941 = global_9.member[(_e823 + _e836.member)];
+                                            let _e946 = select(0f, _e941.x, _e859);
+                                            let _e947 = select(0f, _e941.y, _e863);
+                                            let _e948 = select(0f, _e941.z, _e867);
+                                            let _e949 = select(0f, _e941.w, _e871);
+                                            let _e953 = global_9.member[(_e824 + _e836.member)];
+                                            let _e958 = select(0f, _e953.x, _e859);
+                                            let _e959 = select(0f, _e953.y, _e863);
+                                            let _e960 = select(0f, _e953.z, _e867);
+                                            let _e961 = select(0f, _e953.w, _e871);
+                                            local_38 = type_18(((_e961 * _e872) + ((_e960 * _e868) + ((_e959 * _e864) + ((_e958 * _e860) + _e828.member)))), ((_e961 * _e885) + ((_e960 * _e884) + ((_e959 * _e883) + ((_e958 * _e882) + _e828.member_1)))), ((_e961 * _e899) + ((_e960 * _e898) + ((_e959 * _e897) + ((_e958 * _e896) + _e828.member_2)))), ((_e961 * _e913) + ((_e960 * _e912) + ((_e959 * _e911) + ((_e958 * _e910) + _e828.member_3)))));
+                                            local_39 = type_18(((_e949 * _e872) + ((_e948 * _e868) + ((_e947 * _e864) + ((_e946 * _e860) + _e830.member)))), ((_e949 * _e885) + ((_e948 * _e884) + ((_e947 * _e883) + ((_e946 * _e882) + _e830.member_1)))), ((_e949 * _e899) + ((_e948 * _e898) + ((_e947 * _e897) + ((_e946 * _e896) + _e830.member_2)))), ((_e949 * _e913) + ((_e948 * _e912) + ((_e947 * _e911) + ((_e946 * _e910) + _e830.member_3)))));
+                                            local_40 = type_18(((_e937 * _e872) + ((_e936 * _e868) + ((_e935 * _e864) + ((_e934 * _e860) + _e832.member)))), ((_e937 * _e885) + ((_e936 * _e884) + ((_e935 * _e883) + ((_e934 * _e882) + _e832.member_1)))), ((_e937 * _e899) + ((_e936 * _e898) + ((_e935 * _e897) + ((_e934 * _e896) + _e832.member_2)))), ((_e937 * _e913) + ((_e936 * _e912) + ((_e935 * _e911) + ((_e934 * _e910) + _e832.member_3)))));
+                                            local_41 = type_18(((_e925 * _e872) + ((_e924 * _e868) + ((_e923 * _e864) + ((_e922 * _e860) + _e834.member)))), ((_e925 * _e885) + ((_e924 * _e884) + ((_e923 * _e883) + ((_e922 * _e882) + _e834.member_1)))), ((_e925 * _e899) + ((_e924 * _e898) + ((_e923 * _e897) + ((_e922 * _e896) + _e834.member_2)))), ((_e925 * _e913) + ((_e924 * _e912) + ((_e923 * _e911) + ((_e922 * _e910) + _e834.member_3)))));
+                                            local_42 = type_19((_e836.member + 1u), _e836.member_1, _e836.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2669 = local_38;
-                                            phi_862_ = _e2669;
-                                            let _e2672 = local_39;
-                                            phi_865_ = _e2672;
-                                            let _e2675 = local_40;
-                                            phi_867_ = _e2675;
-                                            let _e2678 = local_41;
-                                            phi_869_ = _e2678;
-                                            let _e2681 = local_42;
-                                            phi_871_ = _e2681;
+                                            let _e2689 = local_38;
+                                            phi_882_ = _e2689;
+                                            let _e2692 = local_39;
+                                            phi_885_ = _e2692;
+                                            let _e2695 = local_40;
+                                            phi_887_ = _e2695;
+                                            let _e2698 = local_41;
+                                            phi_889_ = _e2698;
+                                            let _e2701 = local_42;
+                                            phi_891_ = _e2701;
                                         }
                                     }
-                                    let _e2685 = local_43;
-                                    phi_1141_ = _e2685;
-                                    let _e2690 = local_45;
-                                    phi_1144_ = _e2690;
-                                    let _e2695 = local_47;
-                                    phi_1146_ = _e2695;
-                                    let _e2700 = local_49;
-                                    phi_1148_ = _e2700;
-                                    let _e2705 = local_51;
-                                    phi_1150_ = _e2705;
+                                    let _e2705 = local_43;
+                                    phi_1161_ = _e2705;
+                                    let _e2710 = local_45;
+                                    phi_1164_ = _e2710;
+                                    let _e2715 = local_47;
+                                    phi_1166_ = _e2715;
+                                    let _e2720 = local_49;
+                                    phi_1168_ = _e2720;
+                                    let _e2725 = local_51;
+                                    phi_1170_ = _e2725;
                                     loop {
-                                        let _e1112 = phi_1141_;
-                                        let _e1114 = phi_1144_;
-                                        let _e1116 = phi_1146_;
-                                        let _e1118 = phi_1148_;
-                                        let _e1120 = phi_1150_;
-                                        local_53 = _e1112;
-                                        local_55 = _e1114;
-                                        local_57 = _e1116;
-                                        local_59 = _e1118;
-                                        local_61 = _e1120;
-                                        if !((((4u * _e1120.member) + 4u) > _e1120.member_2)) {
-                                            let _e1130 = global_7.member[(_e821 + _e1120.member)];
-                                            let _e1139 = global_7.member[((_e821 + _e822) + _e1120.member)];
-                                            let _e1149 = global_7.member[((_e821 + (2u * _e822)) + _e1120.member)];
-                                            let _e1159 = global_7.member[((_e821 + (3u * _e822)) + _e1120.member)];
-                                            let _e1167 = global_9.member[(_e817 + _e1120.member)];
-                                            let _e1175 = global_9.member[(_e818 + _e1120.member)];
-                                            let _e1183 = global_9.member[(_e819 + _e1120.member)];
-                                            let _e1191 = global_9.member[(_e820 + _e1120.member)];
-                                            local_44 = type_18(((_e1191.w * _e1130.w) + ((_e1191.z * _e1130.z) + ((_e1191.y * _e1130.y) + ((_e1191.x * _e1130.x) + _e1112.member)))), ((_e1191.w * _e1139.w) + ((_e1191.z * _e1139.z) + ((_e1191.y * _e1139.y) + ((_e1191.x * _e1139.x) + _e1112.member_1)))), ((_e1191.w * _e1149.w) + ((_e1191.z * _e1149.z) + ((_e1191.y * _e1149.y) + ((_e1191.x * _e1149.x) + _e1112.member_2)))), ((_e1191.w * _e1159.w) + ((_e1191.z * _e1159.z) + ((_e1191.y * _e1159.y) + ((_e1191.x * _e1159.x) + _e1112.member_3)))));
-                                            local_46 = type_18(((_e1183.w * _e1130.w) + ((_e1183.z * _e1130.z) + ((_e1183.y * _e1130.y) + ((_e1183.x * _e1130.x) + _e1114.member)))), ((_e1183.w * _e1139.w) + ((_e1183.z * _e1139.z) + ((_e1183.y * _e1139.y) + ((_e1183.x * _e1139.x) + _e1114.member_1)))), ((_e1183.w * _e1149.w) + ((_e1183.z * _e1149.z) + ((_e1183.y * _e1149.y) + ((_e1183.x * _e1149.x) + _e1114.member_2)))), ((_e1183.w * _e1159.w) + ((_e1183.z * _e1159.z) + ((_e1183.y * _e1159.y) + ((_e1183.x * _e1159.x) + _e1114.member_3)))));
-                                            local_48 = type_18(((_e1175.w * _e1130.w) + ((_e1175.z * _e1130.z) + ((_e1175.y * _e1130.y) + ((_e1175.x * _e1130.x) + _e1116.member)))), ((_e1175.w * _e1139.w) + ((_e1175.z * _e1139.z) + ((_e1175.y * _e1139.y) + ((_e1175.x * _e1139.x) + _e1116.member_1)))), ((_e1175.w * _e1149.w) + ((_e1175.z * _e1149.z) + ((_e1175.y * _e1149.y) + ((_e1175.x * _e1149.x) + _e1116.member_2)))), ((_e1175.w * _e1159.w) + ((_e1175.z * _e1159.z) + ((_e1175.y * _e1159.y) + ((_e1175.x * _e1159.x) + _e1116.member_3)))));
-                                            local_50 = type_18(((_e1167.w * _e1130.w) + ((_e1167.z * _e1130.z) + ((_e1167.y * _e1130.y) + ((_e1167.x * _e1130.x) + _e1118.member)))), ((_e1167.w * _e1139.w) + ((_e1167.z * _e1139.z) + ((_e1167.y * _e1139.y) + ((_e1167.x * _e1139.x) + _e1118.member_1)))), ((_e1167.w * _e1149.w) + ((_e1167.z * _e1149.z) + ((_e1167.y * _e1149.y) + ((_e1167.x * _e1149.x) + _e1118.member_2)))), ((_e1167.w * _e1159.w) + ((_e1167.z * _e1159.z) + ((_e1167.y * _e1159.y) + ((_e1167.x * _e1159.x) + _e1118.member_3)))));
-                                            local_52 = type_19((_e1120.member + 1u), _e1120.member_1, _e1120.member_2);
+                                        let _e1116 = phi_1161_;
+                                        let _e1118 = phi_1164_;
+                                        let _e1120 = phi_1166_;
+                                        let _e1122 = phi_1168_;
+                                        let _e1124 = phi_1170_;
+                                        local_53 = _e1116;
+                                        local_55 = _e1118;
+                                        local_57 = _e1120;
+                                        local_59 = _e1122;
+                                        local_61 = _e1124;
+                                        if !((((4u * _e1124.member) + 4u) > _e1124.member_2)) {
+                                            let _e1134 = global_7.member[(_e825 + _e1124.member)];
+                                            let _e1143 = global_7.member[((_e825 + _e826) + _e1124.member)];
+                                            let _e1153 = global_7.member[((_e825 + (2u * _e826)) + _e1124.member)];
+                                            let _e1163 = global_7.member[((_e825 + (3u * _e826)) + _e1124.member)];
+                                            let _e1171 = global_9.member[(_e821 + _e1124.member)];
+                                            let _e1179 = global_9.member[(_e822 + _e1124.member)];
+                                            let _e1187 = global_9.member[(_e823 + _e1124.member)];
+                                            let _e1195 = global_9.member[(_e824 + _e1124.member)];
+                                            local_44 = type_18(((_e1195.w * _e1134.w) + ((_e1195.z * _e1134.z) + ((_e1195.y * _e1134.y) + ((_e1195.x * _e1134.x) + _e1116.member)))), ((_e1195.w * _e1143.w) + ((_e1195.z * _e1143.z) + ((_e1195.y * _e1143.y) + ((_e1195.x * _e1143.x) + _e1116.member_1)))), ((_e1195.w * _e1153.w) + ((_e1195.z * _e1153.z) + ((_e1195.y * _e1153.y) + ((_e1195.x * _e1153.x) + _e1116.member_2)))), ((_e1195.w * _e1163.w) + ((_e1195.z * _e1163.z) + ((_e1195.y * _e1163.y) + ((_e1195.x * _e1163.x) + _e1116.member_3)))));
+                                            local_46 = type_18(((_e1187.w * _e1134.w) + ((_e1187.z * _e1134.z) + ((_e1187.y * _e1134.y) + ((_e1187.x * _e1134.x) + _e1118.member)))), ((_e1187.w * _e1143.w) + ((_e1187.z * _e1143.z) + ((_e1187.y * _e1143.y) + ((_e1187.x * _e1143.x) + _e1118.member_1)))), ((_e1187.w * _e1153.w) + ((_e1187.z * _e1153.z) + ((_e1187.y * _e1153.y) + ((_e1187.x * _e1153.x) + _e1118.member_2)))), ((_e1187.w * _e1163.w) + ((_e1187.z * _e1163.z) + ((_e1187.y * _e1163.y) + ((_e1187.x * _e1163.x) + _e1118.member_3)))));
+                                            local_48 = type_18(((_e1179.w * _e1134.w) + ((_e1179.z * _e1134.z) + ((_e1179.y * _e1134.y) + ((_e1179.x * _e1134.x) + _e1120.member)))), ((_e1179.w * _e1143.w) + ((_e1179.z * _e1143.z) + ((_e1179.y * _e1143.y) + ((_e1179.x * _e1143.x) + _e1120.member_1)))), ((_e1179.w * _e1153.w) + ((_e1179.z * _e1153.z) + ((_e1179.y * _e1153.y) + ((_e1179.x * _e1153.x) + _e1120.member_2)))), ((_e1179.w * _e1163.w) + ((_e1179.z * _e1163.z) + ((_e1179.y * _e1163.y) + ((_e1179.x * _e1163.x) + _e1120.member_3)))));
+                                            local_50 = type_18(((_e1171.w * _e1134.w) + ((_e1171.z * _e1134.z) + ((_e1171.y * _e1134.y) + ((_e1171.x * _e1134.x) + _e1122.member)))), ((_e1171.w * _e1143.w) + ((_e1171.z * _e1143.z) + ((_e1171.y * _e1143.y) + ((_e1171.x * _e1143.x) + _e1122.member_1)))), ((_e1171.w * _e1153.w) + ((_e1171.z * _e1153.z) + ((_e1171.y * _e1153.y) + ((_e1171.x * _e1153.x) + _e1122.member_2)))), ((_e1171.w * _e1163.w) + ((_e1171.z * _e1163.z) + ((_e1171.y * _e1163.y) + ((_e1171.x * _e1163.x) + _e1122.member_3)))));
+                                            local_52 = type_19((_e1124.member + 1u), _e1124.member_1, _e1124.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2687 = local_44;
-                                            phi_1141_ = _e2687;
-                                            let _e2692 = local_46;
-                                            phi_1144_ = _e2692;
-                                            let _e2697 = local_48;
-                                            phi_1146_ = _e2697;
-                                            let _e2702 = local_50;
-                                            phi_1148_ = _e2702;
-                                            let _e2707 = local_52;
-                                            phi_1150_ = _e2707;
+                                            let _e2707 = local_44;
+                                            phi_1161_ = _e2707;
+                                            let _e2712 = local_46;
+                                            phi_1164_ = _e2712;
+                                            let _e2717 = local_48;
+                                            phi_1166_ = _e2717;
+                                            let _e2722 = local_50;
+                                            phi_1168_ = _e2722;
+                                            let _e2727 = local_52;
+                                            phi_1170_ = _e2727;
                                         }
                                     }
-                                    let _e2710 = local_53;
-                                    phi_1367_ = _e2710;
-                                    let _e2715 = local_55;
-                                    phi_1370_ = _e2715;
-                                    let _e2720 = local_57;
-                                    phi_1372_ = _e2720;
-                                    let _e2725 = local_59;
-                                    phi_1374_ = _e2725;
-                                    let _e2730 = local_61;
-                                    phi_1376_ = _e2730;
+                                    let _e2730 = local_53;
+                                    phi_1387_ = _e2730;
+                                    let _e2735 = local_55;
+                                    phi_1390_ = _e2735;
+                                    let _e2740 = local_57;
+                                    phi_1392_ = _e2740;
+                                    let _e2745 = local_59;
+                                    phi_1394_ = _e2745;
+                                    let _e2750 = local_61;
+                                    phi_1396_ = _e2750;
                                     loop {
-                                        let _e1350 = phi_1367_;
-                                        let _e1352 = phi_1370_;
-                                        let _e1354 = phi_1372_;
-                                        let _e1356 = phi_1374_;
-                                        let _e1358 = phi_1376_;
-                                        local_6 = _e1356;
-                                        local_7 = _e1356;
-                                        local_8 = _e1356;
-                                        local_9 = _e1356;
-                                        local_10 = _e1354;
-                                        local_11 = _e1354;
-                                        local_12 = _e1354;
-                                        local_13 = _e1354;
-                                        local_14 = _e1352;
-                                        local_15 = _e1352;
-                                        local_16 = _e1352;
-                                        local_17 = _e1352;
-                                        local_18 = _e1350;
-                                        local_19 = _e1350;
-                                        local_20 = _e1350;
-                                        local_21 = _e1350;
-                                        let _e1360 = (4u * _e1358.member);
-                                        if (_e1360 < _e1358.member_2) {
-                                            phi_1392_ = select(((_e1360 + 4u) > _e1358.member_2), true, (_e1360 < _e1358.member_1));
+                                        let _e1354 = phi_1387_;
+                                        let _e1356 = phi_1390_;
+                                        let _e1358 = phi_1392_;
+                                        let _e1360 = phi_1394_;
+                                        let _e1362 = phi_1396_;
+                                        local_6 = _e1360;
+                                        local_7 = _e1360;
+                                        local_8 = _e1360;
+                                        local_9 = _e1360;
+                                        local_10 = _e1358;
+                                        local_11 = _e1358;
+                                        local_12 = _e1358;
+                                        local_13 = _e1358;
+                                        local_14 = _e1356;
+                                        local_15 = _e1356;
+                                        local_16 = _e1356;
+                                        local_17 = _e1356;
+                                        local_18 = _e1354;
+                                        local_19 = _e1354;
+                                        local_20 = _e1354;
+                                        local_21 = _e1354;
+                                        let _e1364 = (4u * _e1362.member);
+                                        if (_e1364 < _e1362.member_2) {
+                                            phi_1412_ = select(((_e1364 + 4u) > _e1362.member_2), true, (_e1364 < _e1362.member_1));
                                         } else {
-                                            phi_1392_ = false;
+                                            phi_1412_ = false;
                                         }
-                                        let _e1369 = phi_1392_;
-                                        if _e1369 {
-                                            let _e1373 = global_7.member[(_e821 + _e1358.member)];
-                                            let _e1380 = (_e1358.member_2 - _e1358.member_1);
-                                            let _e1381 = ((_e1360 - _e1358.member_1) < _e1380);
-                                            let _e1382 = select(0f, _e1373.x, _e1381);
-                                            let _e1385 = (((_e1360 + 1u) - _e1358.member_1) < _e1380);
-                                            let _e1386 = select(0f, _e1373.y, _e1385);
-                                            let _e1389 = (((_e1360 + 2u) - _e1358.member_1) < _e1380);
-                                            let _e1390 = select(0f, _e1373.z, _e1389);
-                                            let _e1393 = (((_e1360 + 3u) - _e1358.member_1) < _e1380);
-                                            let _e1394 = select(0f, _e1373.w, _e1393);
-                                            let _e1399 = global_7.member[((_e821 + _e822) + _e1358.member)];
-                                            let _e1404 = select(0f, _e1399.x, _e1381);
-                                            let _e1405 = select(0f, _e1399.y, _e1385);
-                                            let _e1406 = select(0f, _e1399.z, _e1389);
-                                            let _e1407 = select(0f, _e1399.w, _e1393);
-                                            let _e1413 = global_7.member[((_e821 + (2u * _e822)) + _e1358.member)];
-                                            let _e1418 = select(0f, _e1413.x, _e1381);
-                                            let _e1419 = select(0f, _e1413.y, _e1385);
-                                            let _e1420 = select(0f, _e1413.z, _e1389);
-                                            let _e1421 = select(0f, _e1413.w, _e1393);
-                                            let _e1427 = global_7.member[((_e821 + (3u * _e822)) + _e1358.member)];
-                                            let _e1432 = select(0f, _e1427.x, _e1381);
-                                            let _e1433 = select(0f, _e1427.y, _e1385);
-                                            let _e1434 = select(0f, _e1427.z, _e1389);
-                                            let _e1435 = select(0f, _e1427.w, _e1393);
-                                            let _e1439 = global_9.member[(_e817 + _e1358.member)];
-                                            let _e1444 = select(0f, _e1439.x, _e1381);
-                                            let _e1445 = select(0f, _e1439.y, _e1385);
-                                            let _e1446 = select(0f, _e1439.z, _e1389);
-                                            let _e1447 = select(0f, _e1439.w, _e1393);
-                                            let _e1451 = global_9.member[(_e818 + _e1358.member)];
-                                            let _e1456 = select(0f, _e1451.x, _e1381);
-                                            let _e1457 = select(0f, _e1451.y, _e1385);
-                                            let _e1458 = select(0f, _e1451.z, _e1389);
-                                            let _e1459 = select(0f, _e1451.w, _e1393);
-                                            let _e1463 = global_9.member[(_e819 + _e1358.member)];
-                                            let _e1468 = select(0f, _e1463.x, _e1381);
-                                            let _e1469 = select(0f, _e1463.y, _e1385);
-                                            let _e1470 = select(0f, _e1463.z, _e1389);
-                                            let _e1471 = select(0f, _e1463.w, _e1393);
-                                            let _e1475 = global_9.member[(_e820 + _e1358.member)];
-                                            let _e1480 = select(0f, _e1475.x, _e1381);
-                                            let _e1481 = select(0f, _e1475.y, _e1385);
-                                            let _e1482 = select(0f, _e1475.z, _e1389);
-                                            let _e1483 = select(0f, _e1475.w, _e1393);
-                                            local_54 = type_18(((_e1483 * _e1394) + ((_e1482 * _e1390) + ((_e1481 * _e1386) + ((_e1480 * _e1382) + _e1350.member)))), ((_e1483 * _e1407) + ((_e1482 * _e1406) + ((_e1481 * _e1405) + ((_e1480 * _e1404) + _e1350.member_1)))), ((_e1483 * _e1421) + ((_e1482 * _e1420) + ((_e1481 * _e1419) + ((_e1480 * _e1418) + _e1350.member_2)))), ((_e1483 * _e1435) + ((_e1482 * _e1434) + ((_e1481 * _e1433) + ((_e1480 * _e1432) + _e1350.member_3)))));
-                                            local_56 = type_18(((_e1471 * _e1394) + ((_e1470 * _e1390) + ((_e1469 * _e1386) + ((_e1468 * _e1382) + _e1352.member)))), ((_e1471 * _e1407) + ((_e1470 * _e1406) + ((_e1469 * _e1405) + ((_e1468 * _e1404) + _e1352.member_1)))), ((_e1471 * _e1421) + ((_e1470 * _e1420) + ((_e1469 * _e1419) + ((_e1468 * _e1418) + _e1352.member_2)))), ((_e1471 * _e1435) + ((_e1470 * _e1434) + ((_e1469 * _e1433) + ((_e1468 * _e1432) + _e1352.member_3)))));
-                                            local_58 = type_18(((_e1459 * _e1394) + ((_e1458 * _e1390) + ((_e1457 * _e1386) + ((_e1456 * _e1382) + _e1354.member)))), ((_e1459 * _e1407) + ((_e1458 * _e1406) + ((_e1457 * _e1405) + ((_e1456 * _e1404) + _e1354.member_1)))), ((_e1459 * _e1421) + ((_e1458 * _e1420) + ((_e1457 * _e1419) + ((_e1456 * _e1418) + _e1354.member_2)))), ((_e1459 * _e1435) + ((_e1458 * _e1434) + ((_e1457 * _e1433) + ((_e1456 * _e1432) + _e1354.member_3)))));
-                                            local_60 = type_18(((_e1447 * _e1394) + ((_e1446 * _e1390) + ((_e1445 * _e1386) + ((_e1444 * _e1382) + _e1356.member)))), ((_e1447 * _e1407) + ((_e1446 * _e1406) + ((_e1445 * _e1405) + ((_e1444 * _e1404) + _e1356.member_1)))), ((_e1447 * _e1421) + ((_e1446 * _e1420) + ((_e1445 * _e1419) + ((_e1444 * _e1418) + _e1356.member_2)))), ((_e1447 * _e1435) + ((_e1446 * _e1434) + ((_e1445 * _e1433) + ((_e1444 * _e1432) + _e1356.member_3)))));
-                                            local_62 = type_19((_e1358.member + 1u), _e1358.member_1, _e1358.member_2);
+                                        let _e1373 = phi_1412_;
+                                        if _e1373 {
+                                            let _e1377 = global_7.member[(_e825 + _e1362.member)];
+                                            let _e1384 = (_e1362.member_2 - _e1362.member_1);
+                                            let _e1385 = ((_e1364 - _e1362.member_1) < _e1384);
+                                            let _e1386 = select(0f, _e1377.x, _e1385);
+                                            let _e1389 = (((_e1364 + 1u) - _e1362.member_1) < _e1384);
+                                            let _e1390 = select(0f, _e1377.y, _e1389);
+                                            let _e1393 = (((_e1364 + 2u) - _e1362.member_1) < _e1384);
+                                            let _e1394 = select(0f, _e1377.z, _e1393);
+                                            let _e1397 = (((_e1364 + 3u) - _e1362.member_1) < _e1384);
+                                            let _e1398 = select(0f, _e1377.w, _e1397);
+                                            let _e1403 = global_7.member[((_e825 + _e826) + _e1362.member)];
+                                            let _e1408 = select(0f, _e1403.x, _e1385);
+                                            let _e1409 = select(0f, _e1403.y, _e1389);
+                                            let _e1410 = select(0f, _e1403.z, _e1393);
+                                            let _e1411 = select(0f, _e1403.w, _e1397);
+                                            let _e1417 = global_7.member[((_e825 + (2u * _e826)) + _e1362.member)];
+                                            let _e1422 = select(0f, _e1417.x, _e1385);
+                                            let _e1423 = select(0f, _e1417.y, _e1389);
+                                            let _e1424 = select(0f, _e1417.z, _e1393);
+                                            let _e1425 = select(0f, _e1417.w, _e1397);
+                                            let _e1431 = global_7.member[((_e825 + (3u * _e826)) + _e1362.member)];
+                                            let _e1436 = select(0f, _e1431.x, _e1385);
+                                            let _e1437 = select(0f, _e1431.y, _e1389);
+                                            let _e1438 = select(0f, _e1431.z, _e1393);
+                                            let _e1439 = select(0f, _e1431.w, _e1397);
+                                            let _e1443 = global_9.member[(_e821 + _e1362.member)];
+                                            let _e1448 = select(0f, _e1443.x, _e1385);
+                                            let _e1449 = select(0f, _e1443.y, _e1389);
+                                            let _e1450 = select(0f, _e1443.z, _e1393);
+                                            let _e1451 = select(0f, _e1443.w, _e1397);
+                                            let _e1455 = global_9.member[(_e822 + _e1362.member)];
+                                            let _e1460 = select(0f, _e1455.x, _e1385);
+                                            let _e1461 = select(0f, _e1455.y, _e1389);
+                                            let _e1462 = select(0f, _e1455.z, _e1393);
+                                            let _e1463 = select(0f, _e1455.w, _e1397);
+                                            let _e1467 = global_9.member[(_e823 + _e1362.member)];
+                                            let _e1472 = select(0f, _e1467.x, _e1385);
+                                            let _e1473 = select(0f, _e1467.y, _e1389);
+                                            let _e1474 = select(0f, _e1467.z, _e1393);
+                                            let _e1475 = select(0f, _e1467.w, _e1397);
+                                            let _e1479 = global_9.member[(_e824 + _e1362.member)];
+                                            let _e1484 = select(0f, _e1479.x, _e1385);
+                                            let _e1485 = select(0f, _e1479.y, _e1389);
+                                            let _e1486 = select(0f, _e1479.z, _e1393);
+                                            let _e1487 = select(0f, _e1479.w, _e1397);
+                                            local_54 = type_18(((_e1487 * _e1398) + ((_e1486 * _e1394) + ((_e1485 * _e1390) + ((_e1484 * _e1386) + _e1354.member)))), ((_e1487 * _e1411) + ((_e1486 * _e1410) + ((_e1485 * _e1409) + ((_e1484 * _e1408) + _e1354.member_1)))), ((_e1487 * _e1425) + ((_e1486 * _e1424) + ((_e1485 * _e1423) + ((_e1484 * _e1422) + _e1354.member_2)))), ((_e1487 * _e1439) + ((_e1486 * _e1438) + ((_e1485 * _e1437) + ((_e1484 * _e1436) + _e1354.member_3)))));
+                                            local_56 = type_18(((_e1475 * _e1398) + ((_e1474 * _e1394) + ((_e1473 * _e1390) + ((_e1472 * _e1386) + _e1356.member)))), ((_e1475 * _e1411) + ((_e1474 * _e1410) + ((_e1473 * _e1409) + ((_e1472 * _e1408) + _e1356.member_1)))), ((_e1475 * _e1425) + ((_e1474 * _e1424) + ((_e1473 * _e1423) + ((_e1472 * _e1422) + _e1356.member_2)))), ((_e1475 * _e1439) + ((_e1474 * _e1438) + ((_e1473 * _e1437) + ((_e1472 * _e1436) + _e1356.member_3)))));
+                                            local_58 = type_18(((_e1463 * _e1398) + ((_e1462 * _e1394) + ((_e1461 * _e1390) + ((_e1460 * _e1386) + _e1358.member)))), ((_e1463 * _e1411) + ((_e1462 * _e1410) + ((_e1461 * _e1409) + ((_e1460 * _e1408) + _e1358.member_1)))), ((_e1463 * _e1425) + ((_e1462 * _e1424) + ((_e1461 * _e1423) + ((_e1460 * _e1422) + _e1358.member_2)))), ((_e1463 * _e1439) + ((_e1462 * _e1438) + ((_e1461 * _e1437) + ((_e1460 * _e1436) + _e1358.member_3)))));
+                                            local_60 = type_18(((_e1451 * _e1398) + ((_e1450 * _e1394) + ((_e1449 * _e1390) + ((_e1448 * _e1386) + _e1360.member)))), ((_e1451 * _e1411) + ((_e1450 * _e1410) + ((_e1449 * _e1409) + ((_e1448 * _e1408) + _e1360.member_1)))), ((_e1451 * _e1425) + ((_e1450 * _e1424) + ((_e1449 * _e1423) + ((_e1448 * _e1422) + _e1360.member_2)))), ((_e1451 * _e1439) + ((_e1450 * _e1438) + ((_e1449 * _e1437) + ((_e1448 * _e1436) + _e1360.member_3)))));
+                                            local_62 = type_19((_e1362.member + 1u), _e1362.member_1, _e1362.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2712 = local_54;
-                                            phi_1367_ = _e2712;
-                                            let _e2717 = local_56;
-                                            phi_1370_ = _e2717;
-                                            let _e2722 = local_58;
-                                            phi_1372_ = _e2722;
-                                            let _e2727 = local_60;
-                                            phi_1374_ = _e2727;
-                                            let _e2732 = local_62;
-                                            phi_1376_ = _e2732;
+                                            let _e2732 = local_54;
+                                            phi_1387_ = _e2732;
+                                            let _e2737 = local_56;
+                                            phi_1390_ = _e2737;
+                                            let _e2742 = local_58;
+                                            phi_1392_ = _e2742;
+                                            let _e2747 = local_60;
+                                            phi_1394_ = _e2747;
+                                            let _e2752 = local_62;
+                                            phi_1396_ = _e2752;
                                         }
                                     }
-                                    let _e1638 = local_6;
-                                    let _e1641 = local_7;
-                                    let _e1644 = local_8;
-                                    let _e1647 = local_9;
-                                    let _e1650 = local_10;
-                                    let _e1653 = local_11;
-                                    let _e1656 = local_12;
-                                    let _e1659 = local_13;
-                                    let _e1662 = local_14;
-                                    let _e1665 = local_15;
-                                    let _e1668 = local_16;
-                                    let _e1671 = local_17;
-                                    let _e1674 = local_18;
-                                    let _e1677 = local_19;
-                                    let _e1680 = local_20;
-                                    let _e1683 = local_21;
+                                    let _e1642 = local_6;
+                                    let _e1645 = local_7;
+                                    let _e1648 = local_8;
+                                    let _e1651 = local_9;
+                                    let _e1654 = local_10;
+                                    let _e1657 = local_11;
+                                    let _e1660 = local_12;
+                                    let _e1663 = local_13;
+                                    let _e1666 = local_14;
+                                    let _e1669 = local_15;
+                                    let _e1672 = local_16;
+                                    let _e1675 = local_17;
+                                    let _e1678 = local_18;
+                                    let _e1681 = local_19;
+                                    let _e1684 = local_20;
+                                    let _e1687 = local_21;
                                     if _e186 {
-                                        let _e1689 = (4u * _e182);
-                                        let _e1690 = (4u * _e744);
-                                        let _e1691 = bitcast<u32>(_e1638.member);
-                                        let _e1694 = ((_e1691 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1694 == 0u) {
+                                        let _e1693 = (4u * _e182);
+                                        let _e1694 = (4u * _e748);
+                                        let _e1695 = bitcast<u32>(_e1642.member);
+                                        let _e1698 = ((_e1695 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1698 == 0u) {
                                         } else {
-                                            let _e1697 = (_e1694 % 16u);
-                                            let _e1699 = ((_e1691 & 8388607u) | 8388608u);
-                                            let _e1702 = (_e1699 << bitcast<u32>((_e1697 & 31u)));
-                                            let _e1708 = ((_e1699 >> bitcast<u32>(((31u - _e1697) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1691 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1703_ = array<u32, 2>(_e1702, _e1708);
+                                            let _e1701 = (_e1698 % 16u);
+                                            let _e1703 = ((_e1695 & 8388607u) | 8388608u);
+                                            let _e1706 = (_e1703 << bitcast<u32>((_e1701 & 31u)));
+                                            let _e1712 = ((_e1703 >> bitcast<u32>(((31u - _e1701) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1695 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1723_ = array<u32, 2>(_e1706, _e1712);
                                             } else {
-                                                let _e1714 = (~(_e1702) + 1u);
-                                                if (_e1714 == 0u) {
-                                                    phi_1701_ = (~(_e1708) + 1u);
+                                                let _e1718 = (~(_e1706) + 1u);
+                                                if (_e1718 == 0u) {
+                                                    phi_1721_ = (~(_e1712) + 1u);
                                                 } else {
-                                                    phi_1701_ = ~(_e1708);
+                                                    phi_1721_ = ~(_e1712);
                                                 }
-                                                let _e1720 = phi_1701_;
-                                                phi_1703_ = array<u32, 2>(_e1714, _e1720);
+                                                let _e1724 = phi_1721_;
+                                                phi_1723_ = array<u32, 2>(_e1718, _e1724);
                                             }
-                                            let _e1723 = phi_1703_;
-                                            let _e1724 = (_e1694 < 255u);
-                                            if _e1724 {
-                                                phi_1709_ = _e1723;
+                                            let _e1727 = phi_1723_;
+                                            let _e1728 = (_e1698 < 255u);
+                                            if _e1728 {
+                                                phi_1729_ = _e1727;
                                             } else {
-                                                phi_1709_ = array<u32, 2>(1u, 0u);
+                                                phi_1729_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1727 = phi_1709_;
-                                            let _e1732 = (2u * ((select(16u, (_e1694 / 16u), _e1724) * _e1689) + _e1690));
-                                            let _e1735 = atomicAdd((&global_8.member[_e1732]), _e1727[0]);
-                                            let _e1743 = atomicAdd((&global_8.member[(_e1732 + 1u)]), (_e1727[1] + select(0u, 1u, ((_e1735 + _e1727[0]) < _e1727[0]))));
+                                            let _e1731 = phi_1729_;
+                                            let _e1736 = (2u * ((select(16u, (_e1698 / 16u), _e1728) * _e1693) + _e1694));
+                                            let _e1739 = atomicAdd((&global_8.member[_e1736]), _e1731[0]);
+                                            let _e1743 = (_e1731[1] + select(0u, 1u, ((_e1739 + _e1731[0]) < _e1731[0])));
+                                            if (_e1743 == 0u) {
+                                            } else {
+                                                let _e1748 = atomicAdd((&global_8.member[(_e1736 + 1u)]), _e1743);
+                                            }
                                         }
-                                        let _e1745 = bitcast<u32>(_e1641.member_1);
-                                        let _e1748 = ((_e1745 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1748 == 0u) {
+                                        let _e1750 = bitcast<u32>(_e1645.member_1);
+                                        let _e1753 = ((_e1750 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1753 == 0u) {
                                         } else {
-                                            let _e1751 = (_e1748 % 16u);
-                                            let _e1753 = ((_e1745 & 8388607u) | 8388608u);
-                                            let _e1756 = (_e1753 << bitcast<u32>((_e1751 & 31u)));
-                                            let _e1762 = ((_e1753 >> bitcast<u32>(((31u - _e1751) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1745 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1759_ = array<u32, 2>(_e1756, _e1762);
+                                            let _e1756 = (_e1753 % 16u);
+                                            let _e1758 = ((_e1750 & 8388607u) | 8388608u);
+                                            let _e1761 = (_e1758 << bitcast<u32>((_e1756 & 31u)));
+                                            let _e1767 = ((_e1758 >> bitcast<u32>(((31u - _e1756) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1750 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1784_ = array<u32, 2>(_e1761, _e1767);
                                             } else {
-                                                let _e1768 = (~(_e1756) + 1u);
-                                                if (_e1768 == 0u) {
-                                                    phi_1757_ = (~(_e1762) + 1u);
+                                                let _e1773 = (~(_e1761) + 1u);
+                                                if (_e1773 == 0u) {
+                                                    phi_1782_ = (~(_e1767) + 1u);
                                                 } else {
-                                                    phi_1757_ = ~(_e1762);
+                                                    phi_1782_ = ~(_e1767);
                                                 }
-                                                let _e1774 = phi_1757_;
-                                                phi_1759_ = array<u32, 2>(_e1768, _e1774);
+                                                let _e1779 = phi_1782_;
+                                                phi_1784_ = array<u32, 2>(_e1773, _e1779);
                                             }
-                                            let _e1777 = phi_1759_;
-                                            let _e1778 = (_e1748 < 255u);
-                                            if _e1778 {
-                                                phi_1765_ = _e1777;
+                                            let _e1782 = phi_1784_;
+                                            let _e1783 = (_e1753 < 255u);
+                                            if _e1783 {
+                                                phi_1790_ = _e1782;
                                             } else {
-                                                phi_1765_ = array<u32, 2>(1u, 0u);
+                                                phi_1790_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1781 = phi_1765_;
-                                            let _e1786 = (2u * ((select(16u, (_e1748 / 16u), _e1778) * _e1689) + (_e1690 + 1u)));
-                                            let _e1789 = atomicAdd((&global_8.member[_e1786]), _e1781[0]);
-                                            let _e1797 = atomicAdd((&global_8.member[(_e1786 + 1u)]), (_e1781[1] + select(0u, 1u, ((_e1789 + _e1781[0]) < _e1781[0]))));
+                                            let _e1786 = phi_1790_;
+                                            let _e1791 = (2u * ((select(16u, (_e1753 / 16u), _e1783) * _e1693) + (_e1694 + 1u)));
+                                            let _e1794 = atomicAdd((&global_8.member[_e1791]), _e1786[0]);
+                                            let _e1798 = (_e1786[1] + select(0u, 1u, ((_e1794 + _e1786[0]) < _e1786[0])));
+                                            if (_e1798 == 0u) {
+                                            } else {
+                                                let _e1803 = atomicAdd((&global_8.member[(_e1791 + 1u)]), _e1798);
+                                            }
                                         }
-                                        let _e1799 = bitcast<u32>(_e1644.member_2);
-                                        let _e1802 = ((_e1799 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1802 == 0u) {
+                                        let _e1805 = bitcast<u32>(_e1648.member_2);
+                                        let _e1808 = ((_e1805 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1808 == 0u) {
                                         } else {
-                                            let _e1805 = (_e1802 % 16u);
-                                            let _e1807 = ((_e1799 & 8388607u) | 8388608u);
-                                            let _e1810 = (_e1807 << bitcast<u32>((_e1805 & 31u)));
-                                            let _e1816 = ((_e1807 >> bitcast<u32>(((31u - _e1805) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1799 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1815_ = array<u32, 2>(_e1810, _e1816);
+                                            let _e1811 = (_e1808 % 16u);
+                                            let _e1813 = ((_e1805 & 8388607u) | 8388608u);
+                                            let _e1816 = (_e1813 << bitcast<u32>((_e1811 & 31u)));
+                                            let _e1822 = ((_e1813 >> bitcast<u32>(((31u - _e1811) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1805 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1845_ = array<u32, 2>(_e1816, _e1822);
                                             } else {
-                                                let _e1822 = (~(_e1810) + 1u);
-                                                if (_e1822 == 0u) {
-                                                    phi_1813_ = (~(_e1816) + 1u);
+                                                let _e1828 = (~(_e1816) + 1u);
+                                                if (_e1828 == 0u) {
+                                                    phi_1843_ = (~(_e1822) + 1u);
                                                 } else {
-                                                    phi_1813_ = ~(_e1816);
+                                                    phi_1843_ = ~(_e1822);
                                                 }
-                                                let _e1828 = phi_1813_;
-                                                phi_1815_ = array<u32, 2>(_e1822, _e1828);
+                                                let _e1834 = phi_1843_;
+                                                phi_1845_ = array<u32, 2>(_e1828, _e1834);
                                             }
-                                            let _e1831 = phi_1815_;
-                                            let _e1832 = (_e1802 < 255u);
-                                            if _e1832 {
-                                                phi_1821_ = _e1831;
+                                            let _e1837 = phi_1845_;
+                                            let _e1838 = (_e1808 < 255u);
+                                            if _e1838 {
+                                                phi_1851_ = _e1837;
                                             } else {
-                                                phi_1821_ = array<u32, 2>(1u, 0u);
+                                                phi_1851_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1835 = phi_1821_;
-                                            let _e1840 = (2u * ((select(16u, (_e1802 / 16u), _e1832) * _e1689) + (_e1690 + 2u)));
-                                            let _e1843 = atomicAdd((&global_8.member[_e1840]), _e1835[0]);
-                                            let _e1851 = atomicAdd((&global_8.member[(_e1840 + 1u)]), (_e1835[1] + select(0u, 1u, ((_e1843 + _e1835[0]) < _e1835[0]))));
+                                            let _e1841 = phi_1851_;
+                                            let _e1846 = (2u * ((select(16u, (_e1808 / 16u), _e1838) * _e1693) + (_e1694 + 2u)));
+                                            let _e1849 = atomicAdd((&global_8.member[_e1846]), _e1841[0]);
+                                            let _e1853 = (_e1841[1] + select(0u, 1u, ((_e1849 + _e1841[0]) < _e1841[0])));
+                                            if (_e1853 == 0u) {
+                                            } else {
+                                                let _e1858 = atomicAdd((&global_8.member[(_e1846 + 1u)]), _e1853);
+                                            }
                                         }
-                                        let _e1853 = bitcast<u32>(_e1647.member_3);
-                                        let _e1856 = ((_e1853 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1856 == 0u) {
+                                        let _e1860 = bitcast<u32>(_e1651.member_3);
+                                        let _e1863 = ((_e1860 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1863 == 0u) {
                                         } else {
-                                            let _e1859 = (_e1856 % 16u);
-                                            let _e1861 = ((_e1853 & 8388607u) | 8388608u);
-                                            let _e1864 = (_e1861 << bitcast<u32>((_e1859 & 31u)));
-                                            let _e1870 = ((_e1861 >> bitcast<u32>(((31u - _e1859) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1853 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1871_ = array<u32, 2>(_e1864, _e1870);
+                                            let _e1866 = (_e1863 % 16u);
+                                            let _e1868 = ((_e1860 & 8388607u) | 8388608u);
+                                            let _e1871 = (_e1868 << bitcast<u32>((_e1866 & 31u)));
+                                            let _e1877 = ((_e1868 >> bitcast<u32>(((31u - _e1866) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1860 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1906_ = array<u32, 2>(_e1871, _e1877);
                                             } else {
-                                                let _e1876 = (~(_e1864) + 1u);
-                                                if (_e1876 == 0u) {
-                                                    phi_1869_ = (~(_e1870) + 1u);
+                                                let _e1883 = (~(_e1871) + 1u);
+                                                if (_e1883 == 0u) {
+                                                    phi_1904_ = (~(_e1877) + 1u);
                                                 } else {
-                                                    phi_1869_ = ~(_e1870);
+                                                    phi_1904_ = ~(_e1877);
                                                 }
-                                                let _e1882 = phi_1869_;
-                                                phi_1871_ = array<u32, 2>(_e1876, _e1882);
+                                                let _e1889 = phi_1904_;
+                                                phi_1906_ = array<u32, 2>(_e1883, _e1889);
                                             }
-                                            let _e1885 = phi_1871_;
-                                            let _e1886 = (_e1856 < 255u);
-                                            if _e1886 {
-                                                phi_1877_ = _e1885;
+                                            let _e1892 = phi_1906_;
+                                            let _e1893 = (_e1863 < 255u);
+                                            if _e1893 {
+                                                phi_1912_ = _e1892;
                                             } else {
-                                                phi_1877_ = array<u32, 2>(1u, 0u);
+                                                phi_1912_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1889 = phi_1877_;
-                                            let _e1894 = (2u * ((select(16u, (_e1856 / 16u), _e1886) * _e1689) + (_e1690 + 3u)));
-                                            let _e1897 = atomicAdd((&global_8.member[_e1894]), _e1889[0]);
-                                            let _e1905 = atomicAdd((&global_8.member[(_e1894 + 1u)]), (_e1889[1] + select(0u, 1u, ((_e1897 + _e1889[0]) < _e1889[0]))));
+                                            let _e1896 = phi_1912_;
+                                            let _e1901 = (2u * ((select(16u, (_e1863 / 16u), _e1893) * _e1693) + (_e1694 + 3u)));
+                                            let _e1904 = atomicAdd((&global_8.member[_e1901]), _e1896[0]);
+                                            let _e1908 = (_e1896[1] + select(0u, 1u, ((_e1904 + _e1896[0]) < _e1896[0])));
+                                            if (_e1908 == 0u) {
+                                            } else {
+                                                let _e1913 = atomicAdd((&global_8.member[(_e1901 + 1u)]), _e1908);
+                                            }
                                         }
                                     } else {
-                                        global_6.member[(_e185 + _e744)] = vec4<f32>(_e1638.member, _e1641.member_1, _e1644.member_2, _e1647.member_3);
-                                    }
-                                    if (_e763 < _e58) {
-                                        if _e186 {
-                                            let _e1911 = (4u * _e182);
-                                            let _e1912 = (4u * _e749);
-                                            let _e1913 = bitcast<u32>(_e1650.member);
-                                            let _e1916 = ((_e1913 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1916 == 0u) {
-                                            } else {
-                                                let _e1919 = (_e1916 % 16u);
-                                                let _e1921 = ((_e1913 & 8388607u) | 8388608u);
-                                                let _e1924 = (_e1921 << bitcast<u32>((_e1919 & 31u)));
-                                                let _e1930 = ((_e1921 >> bitcast<u32>(((31u - _e1919) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1913 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1938_ = array<u32, 2>(_e1924, _e1930);
-                                                } else {
-                                                    let _e1936 = (~(_e1924) + 1u);
-                                                    if (_e1936 == 0u) {
-                                                        phi_1936_ = (~(_e1930) + 1u);
-                                                    } else {
-                                                        phi_1936_ = ~(_e1930);
-                                                    }
-                                                    let _e1942 = phi_1936_;
-                                                    phi_1938_ = array<u32, 2>(_e1936, _e1942);
-                                                }
-                                                let _e1945 = phi_1938_;
-                                                let _e1946 = (_e1916 < 255u);
-                                                if _e1946 {
-                                                    phi_1944_ = _e1945;
-                                                } else {
-                                                    phi_1944_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e1949 = phi_1944_;
-                                                let _e1954 = (2u * ((select(16u, (_e1916 / 16u), _e1946) * _e1911) + _e1912));
-                                                let _e1957 = atomicAdd((&global_8.member[_e1954]), _e1949[0]);
-                                                let _e1965 = atomicAdd((&global_8.member[(_e1954 + 1u)]), (_e1949[1] + select(0u, 1u, ((_e1957 + _e1949[0]) < _e1949[0]))));
-                                            }
-                                            let _e1967 = bitcast<u32>(_e1653.member_1);
-                                            let _e1970 = ((_e1967 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1970 == 0u) {
-                                            } else {
-                                                let _e1973 = (_e1970 % 16u);
-                                                let _e1975 = ((_e1967 & 8388607u) | 8388608u);
-                                                let _e1978 = (_e1975 << bitcast<u32>((_e1973 & 31u)));
-                                                let _e1984 = ((_e1975 >> bitcast<u32>(((31u - _e1973) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1967 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1994_ = array<u32, 2>(_e1978, _e1984);
-                                                } else {
-                                                    let _e1990 = (~(_e1978) + 1u);
-                                                    if (_e1990 == 0u) {
-                                                        phi_1992_ = (~(_e1984) + 1u);
-                                                    } else {
-                                                        phi_1992_ = ~(_e1984);
-                                                    }
-                                                    let _e1996 = phi_1992_;
-                                                    phi_1994_ = array<u32, 2>(_e1990, _e1996);
-                                                }
-                                                let _e1999 = phi_1994_;
-                                                let _e2000 = (_e1970 < 255u);
-                                                if _e2000 {
-                                                    phi_2000_ = _e1999;
-                                                } else {
-                                                    phi_2000_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2003 = phi_2000_;
-                                                let _e2008 = (2u * ((select(16u, (_e1970 / 16u), _e2000) * _e1911) + (_e1912 + 1u)));
-                                                let _e2011 = atomicAdd((&global_8.member[_e2008]), _e2003[0]);
-                                                let _e2019 = atomicAdd((&global_8.member[(_e2008 + 1u)]), (_e2003[1] + select(0u, 1u, ((_e2011 + _e2003[0]) < _e2003[0]))));
-                                            }
-                                            let _e2021 = bitcast<u32>(_e1656.member_2);
-                                            let _e2024 = ((_e2021 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2024 == 0u) {
-                                            } else {
-                                                let _e2027 = (_e2024 % 16u);
-                                                let _e2029 = ((_e2021 & 8388607u) | 8388608u);
-                                                let _e2032 = (_e2029 << bitcast<u32>((_e2027 & 31u)));
-                                                let _e2038 = ((_e2029 >> bitcast<u32>(((31u - _e2027) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2021 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2050_ = array<u32, 2>(_e2032, _e2038);
-                                                } else {
-                                                    let _e2044 = (~(_e2032) + 1u);
-                                                    if (_e2044 == 0u) {
-                                                        phi_2048_ = (~(_e2038) + 1u);
-                                                    } else {
-                                                        phi_2048_ = ~(_e2038);
-                                                    }
-                                                    let _e2050 = phi_2048_;
-                                                    phi_2050_ = array<u32, 2>(_e2044, _e2050);
-                                                }
-                                                let _e2053 = phi_2050_;
-                                                let _e2054 = (_e2024 < 255u);
-                                                if _e2054 {
-                                                    phi_2056_ = _e2053;
-                                                } else {
-                                                    phi_2056_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2057 = phi_2056_;
-                                                let _e2062 = (2u * ((select(16u, (_e2024 / 16u), _e2054) * _e1911) + (_e1912 + 2u)));
-                                                let _e2065 = atomicAdd((&global_8.member[_e2062]), _e2057[0]);
-                                                let _e2073 = atomicAdd((&global_8.member[(_e2062 + 1u)]), (_e2057[1] + select(0u, 1u, ((_e2065 + _e2057[0]) < _e2057[0]))));
-                                            }
-                                            let _e2075 = bitcast<u32>(_e1659.member_3);
-                                            let _e2078 = ((_e2075 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2078 == 0u) {
-                                            } else {
-                                                let _e2081 = (_e2078 % 16u);
-                                                let _e2083 = ((_e2075 & 8388607u) | 8388608u);
-                                                let _e2086 = (_e2083 << bitcast<u32>((_e2081 & 31u)));
-                                                let _e2092 = ((_e2083 >> bitcast<u32>(((31u - _e2081) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2075 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2106_ = array<u32, 2>(_e2086, _e2092);
-                                                } else {
-                                                    let _e2098 = (~(_e2086) + 1u);
-                                                    if (_e2098 == 0u) {
-                                                        phi_2104_ = (~(_e2092) + 1u);
-                                                    } else {
-                                                        phi_2104_ = ~(_e2092);
-                                                    }
-                                                    let _e2104 = phi_2104_;
-                                                    phi_2106_ = array<u32, 2>(_e2098, _e2104);
-                                                }
-                                                let _e2107 = phi_2106_;
-                                                let _e2108 = (_e2078 < 255u);
-                                                if _e2108 {
-                                                    phi_2112_ = _e2107;
-                                                } else {
-                                                    phi_2112_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2111 = phi_2112_;
-                                                let _e2116 = (2u * ((select(16u, (_e2078 / 16u), _e2108) * _e1911) + (_e1912 + 3u)));
-                                                let _e2119 = atomicAdd((&global_8.member[_e2116]), _e2111[0]);
-                                                let _e2127 = atomicAdd((&global_8.member[(_e2116 + 1u)]), (_e2111[1] + select(0u, 1u, ((_e2119 + _e2111[0]) < _e2111[0]))));
-                                            }
-                                        } else {
-                                            global_6.member[(_e185 + _e749)] = vec4<f32>(_e1650.member, _e1653.member_1, _e1656.member_2, _e1659.member_3);
-                                        }
+                                        global_6.member[(_e185 + _e748)] = vec4<f32>(_e1642.member, _e1645.member_1, _e1648.member_2, _e1651.member_3);
                                     }
                                     if (_e767 < _e58) {
                                         if _e186 {
-                                            let _e2133 = (4u * _e182);
-                                            let _e2134 = (4u * _e753);
-                                            let _e2135 = bitcast<u32>(_e1662.member);
-                                            let _e2138 = ((_e2135 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2138 == 0u) {
+                                            let _e1919 = (4u * _e182);
+                                            let _e1920 = (4u * _e753);
+                                            let _e1921 = bitcast<u32>(_e1654.member);
+                                            let _e1924 = ((_e1921 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1924 == 0u) {
                                             } else {
-                                                let _e2141 = (_e2138 % 16u);
-                                                let _e2143 = ((_e2135 & 8388607u) | 8388608u);
-                                                let _e2146 = (_e2143 << bitcast<u32>((_e2141 & 31u)));
-                                                let _e2152 = ((_e2143 >> bitcast<u32>(((31u - _e2141) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2135 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2173_ = array<u32, 2>(_e2146, _e2152);
+                                                let _e1927 = (_e1924 % 16u);
+                                                let _e1929 = ((_e1921 & 8388607u) | 8388608u);
+                                                let _e1932 = (_e1929 << bitcast<u32>((_e1927 & 31u)));
+                                                let _e1938 = ((_e1929 >> bitcast<u32>(((31u - _e1927) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1921 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_1978_ = array<u32, 2>(_e1932, _e1938);
                                                 } else {
-                                                    let _e2158 = (~(_e2146) + 1u);
-                                                    if (_e2158 == 0u) {
-                                                        phi_2171_ = (~(_e2152) + 1u);
+                                                    let _e1944 = (~(_e1932) + 1u);
+                                                    if (_e1944 == 0u) {
+                                                        phi_1976_ = (~(_e1938) + 1u);
                                                     } else {
-                                                        phi_2171_ = ~(_e2152);
+                                                        phi_1976_ = ~(_e1938);
                                                     }
-                                                    let _e2164 = phi_2171_;
-                                                    phi_2173_ = array<u32, 2>(_e2158, _e2164);
+                                                    let _e1950 = phi_1976_;
+                                                    phi_1978_ = array<u32, 2>(_e1944, _e1950);
                                                 }
-                                                let _e2167 = phi_2173_;
-                                                let _e2168 = (_e2138 < 255u);
-                                                if _e2168 {
-                                                    phi_2179_ = _e2167;
+                                                let _e1953 = phi_1978_;
+                                                let _e1954 = (_e1924 < 255u);
+                                                if _e1954 {
+                                                    phi_1984_ = _e1953;
                                                 } else {
-                                                    phi_2179_ = array<u32, 2>(1u, 0u);
+                                                    phi_1984_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2171 = phi_2179_;
-                                                let _e2176 = (2u * ((select(16u, (_e2138 / 16u), _e2168) * _e2133) + _e2134));
-                                                let _e2179 = atomicAdd((&global_8.member[_e2176]), _e2171[0]);
-                                                let _e2187 = atomicAdd((&global_8.member[(_e2176 + 1u)]), (_e2171[1] + select(0u, 1u, ((_e2179 + _e2171[0]) < _e2171[0]))));
+                                                let _e1957 = phi_1984_;
+                                                let _e1962 = (2u * ((select(16u, (_e1924 / 16u), _e1954) * _e1919) + _e1920));
+                                                let _e1965 = atomicAdd((&global_8.member[_e1962]), _e1957[0]);
+                                                let _e1969 = (_e1957[1] + select(0u, 1u, ((_e1965 + _e1957[0]) < _e1957[0])));
+                                                if (_e1969 == 0u) {
+                                                } else {
+                                                    let _e1974 = atomicAdd((&global_8.member[(_e1962 + 1u)]), _e1969);
+                                                }
                                             }
-                                            let _e2189 = bitcast<u32>(_e1665.member_1);
-                                            let _e2192 = ((_e2189 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2192 == 0u) {
+                                            let _e1976 = bitcast<u32>(_e1657.member_1);
+                                            let _e1979 = ((_e1976 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1979 == 0u) {
                                             } else {
-                                                let _e2195 = (_e2192 % 16u);
-                                                let _e2197 = ((_e2189 & 8388607u) | 8388608u);
-                                                let _e2200 = (_e2197 << bitcast<u32>((_e2195 & 31u)));
-                                                let _e2206 = ((_e2197 >> bitcast<u32>(((31u - _e2195) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2189 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2229_ = array<u32, 2>(_e2200, _e2206);
+                                                let _e1982 = (_e1979 % 16u);
+                                                let _e1984 = ((_e1976 & 8388607u) | 8388608u);
+                                                let _e1987 = (_e1984 << bitcast<u32>((_e1982 & 31u)));
+                                                let _e1993 = ((_e1984 >> bitcast<u32>(((31u - _e1982) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1976 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2039_ = array<u32, 2>(_e1987, _e1993);
                                                 } else {
-                                                    let _e2212 = (~(_e2200) + 1u);
-                                                    if (_e2212 == 0u) {
-                                                        phi_2227_ = (~(_e2206) + 1u);
+                                                    let _e1999 = (~(_e1987) + 1u);
+                                                    if (_e1999 == 0u) {
+                                                        phi_2037_ = (~(_e1993) + 1u);
                                                     } else {
-                                                        phi_2227_ = ~(_e2206);
+                                                        phi_2037_ = ~(_e1993);
                                                     }
-                                                    let _e2218 = phi_2227_;
-                                                    phi_2229_ = array<u32, 2>(_e2212, _e2218);
+                                                    let _e2005 = phi_2037_;
+                                                    phi_2039_ = array<u32, 2>(_e1999, _e2005);
                                                 }
-                                                let _e2221 = phi_2229_;
-                                                let _e2222 = (_e2192 < 255u);
-                                                if _e2222 {
-                                                    phi_2235_ = _e2221;
+                                                let _e2008 = phi_2039_;
+                                                let _e2009 = (_e1979 < 255u);
+                                                if _e2009 {
+                                                    phi_2045_ = _e2008;
                                                 } else {
-                                                    phi_2235_ = array<u32, 2>(1u, 0u);
+                                                    phi_2045_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2225 = phi_2235_;
-                                                let _e2230 = (2u * ((select(16u, (_e2192 / 16u), _e2222) * _e2133) + (_e2134 + 1u)));
-                                                let _e2233 = atomicAdd((&global_8.member[_e2230]), _e2225[0]);
-                                                let _e2241 = atomicAdd((&global_8.member[(_e2230 + 1u)]), (_e2225[1] + select(0u, 1u, ((_e2233 + _e2225[0]) < _e2225[0]))));
+                                                let _e2012 = phi_2045_;
+                                                let _e2017 = (2u * ((select(16u, (_e1979 / 16u), _e2009) * _e1919) + (_e1920 + 1u)));
+                                                let _e2020 = atomicAdd((&global_8.member[_e2017]), _e2012[0]);
+                                                let _e2024 = (_e2012[1] + select(0u, 1u, ((_e2020 + _e2012[0]) < _e2012[0])));
+                                                if (_e2024 == 0u) {
+                                                } else {
+                                                    let _e2029 = atomicAdd((&global_8.member[(_e2017 + 1u)]), _e2024);
+                                                }
                                             }
-                                            let _e2243 = bitcast<u32>(_e1668.member_2);
-                                            let _e2246 = ((_e2243 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2246 == 0u) {
+                                            let _e2031 = bitcast<u32>(_e1660.member_2);
+                                            let _e2034 = ((_e2031 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2034 == 0u) {
                                             } else {
-                                                let _e2249 = (_e2246 % 16u);
-                                                let _e2251 = ((_e2243 & 8388607u) | 8388608u);
-                                                let _e2254 = (_e2251 << bitcast<u32>((_e2249 & 31u)));
-                                                let _e2260 = ((_e2251 >> bitcast<u32>(((31u - _e2249) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2243 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2285_ = array<u32, 2>(_e2254, _e2260);
+                                                let _e2037 = (_e2034 % 16u);
+                                                let _e2039 = ((_e2031 & 8388607u) | 8388608u);
+                                                let _e2042 = (_e2039 << bitcast<u32>((_e2037 & 31u)));
+                                                let _e2048 = ((_e2039 >> bitcast<u32>(((31u - _e2037) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2031 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2100_ = array<u32, 2>(_e2042, _e2048);
                                                 } else {
-                                                    let _e2266 = (~(_e2254) + 1u);
-                                                    if (_e2266 == 0u) {
-                                                        phi_2283_ = (~(_e2260) + 1u);
+                                                    let _e2054 = (~(_e2042) + 1u);
+                                                    if (_e2054 == 0u) {
+                                                        phi_2098_ = (~(_e2048) + 1u);
                                                     } else {
-                                                        phi_2283_ = ~(_e2260);
+                                                        phi_2098_ = ~(_e2048);
                                                     }
-                                                    let _e2272 = phi_2283_;
-                                                    phi_2285_ = array<u32, 2>(_e2266, _e2272);
+                                                    let _e2060 = phi_2098_;
+                                                    phi_2100_ = array<u32, 2>(_e2054, _e2060);
                                                 }
-                                                let _e2275 = phi_2285_;
-                                                let _e2276 = (_e2246 < 255u);
-                                                if _e2276 {
-                                                    phi_2291_ = _e2275;
+                                                let _e2063 = phi_2100_;
+                                                let _e2064 = (_e2034 < 255u);
+                                                if _e2064 {
+                                                    phi_2106_ = _e2063;
                                                 } else {
-                                                    phi_2291_ = array<u32, 2>(1u, 0u);
+                                                    phi_2106_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2279 = phi_2291_;
-                                                let _e2284 = (2u * ((select(16u, (_e2246 / 16u), _e2276) * _e2133) + (_e2134 + 2u)));
-                                                let _e2287 = atomicAdd((&global_8.member[_e2284]), _e2279[0]);
-                                                let _e2295 = atomicAdd((&global_8.member[(_e2284 + 1u)]), (_e2279[1] + select(0u, 1u, ((_e2287 + _e2279[0]) < _e2279[0]))));
+                                                let _e2067 = phi_2106_;
+                                                let _e2072 = (2u * ((select(16u, (_e2034 / 16u), _e2064) * _e1919) + (_e1920 + 2u)));
+                                                let _e2075 = atomicAdd((&global_8.member[_e2072]), _e2067[0]);
+                                                let _e2079 = (_e2067[1] + select(0u, 1u, ((_e2075 + _e2067[0]) < _e2067[0])));
+                                                if (_e2079 == 0u) {
+                                                } else {
+                                                    let _e2084 = atomicAdd((&global_8.member[(_e2072 + 1u)]), _e2079);
+                                                }
                                             }
-                                            let _e2297 = bitcast<u32>(_e1671.member_3);
-                                            let _e2300 = ((_e2297 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2300 == 0u) {
+                                            let _e2086 = bitcast<u32>(_e1663.member_3);
+                                            let _e2089 = ((_e2086 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2089 == 0u) {
                                             } else {
-                                                let _e2303 = (_e2300 % 16u);
-                                                let _e2305 = ((_e2297 & 8388607u) | 8388608u);
-                                                let _e2308 = (_e2305 << bitcast<u32>((_e2303 & 31u)));
-                                                let _e2314 = ((_e2305 >> bitcast<u32>(((31u - _e2303) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2297 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2341_ = array<u32, 2>(_e2308, _e2314);
+                                                let _e2092 = (_e2089 % 16u);
+                                                let _e2094 = ((_e2086 & 8388607u) | 8388608u);
+                                                let _e2097 = (_e2094 << bitcast<u32>((_e2092 & 31u)));
+                                                let _e2103 = ((_e2094 >> bitcast<u32>(((31u - _e2092) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2086 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2161_ = array<u32, 2>(_e2097, _e2103);
                                                 } else {
-                                                    let _e2320 = (~(_e2308) + 1u);
-                                                    if (_e2320 == 0u) {
-                                                        phi_2339_ = (~(_e2314) + 1u);
+                                                    let _e2109 = (~(_e2097) + 1u);
+                                                    if (_e2109 == 0u) {
+                                                        phi_2159_ = (~(_e2103) + 1u);
                                                     } else {
-                                                        phi_2339_ = ~(_e2314);
+                                                        phi_2159_ = ~(_e2103);
                                                     }
-                                                    let _e2326 = phi_2339_;
-                                                    phi_2341_ = array<u32, 2>(_e2320, _e2326);
+                                                    let _e2115 = phi_2159_;
+                                                    phi_2161_ = array<u32, 2>(_e2109, _e2115);
                                                 }
-                                                let _e2329 = phi_2341_;
-                                                let _e2330 = (_e2300 < 255u);
-                                                if _e2330 {
-                                                    phi_2347_ = _e2329;
+                                                let _e2118 = phi_2161_;
+                                                let _e2119 = (_e2089 < 255u);
+                                                if _e2119 {
+                                                    phi_2167_ = _e2118;
                                                 } else {
-                                                    phi_2347_ = array<u32, 2>(1u, 0u);
+                                                    phi_2167_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2333 = phi_2347_;
-                                                let _e2338 = (2u * ((select(16u, (_e2300 / 16u), _e2330) * _e2133) + (_e2134 + 3u)));
-                                                let _e2341 = atomicAdd((&global_8.member[_e2338]), _e2333[0]);
-                                                let _e2349 = atomicAdd((&global_8.member[(_e2338 + 1u)]), (_e2333[1] + select(0u, 1u, ((_e2341 + _e2333[0]) < _e2333[0]))));
+                                                let _e2122 = phi_2167_;
+                                                let _e2127 = (2u * ((select(16u, (_e2089 / 16u), _e2119) * _e1919) + (_e1920 + 3u)));
+                                                let _e2130 = atomicAdd((&global_8.member[_e2127]), _e2122[0]);
+                                                let _e2134 = (_e2122[1] + select(0u, 1u, ((_e2130 + _e2122[0]) < _e2122[0])));
+                                                if (_e2134 == 0u) {
+                                                } else {
+                                                    let _e2139 = atomicAdd((&global_8.member[(_e2127 + 1u)]), _e2134);
+                                                }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e753)] = vec4<f32>(_e1662.member, _e1665.member_1, _e1668.member_2, _e1671.member_3);
+                                            global_6.member[(_e185 + _e753)] = vec4<f32>(_e1654.member, _e1657.member_1, _e1660.member_2, _e1663.member_3);
                                         }
                                     }
                                     if (_e771 < _e58) {
                                         if _e186 {
-                                            let _e2355 = (4u * _e182);
-                                            let _e2356 = (4u * _e757);
-                                            let _e2357 = bitcast<u32>(_e1674.member);
-                                            let _e2360 = ((_e2357 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2360 == 0u) {
+                                            let _e2145 = (4u * _e182);
+                                            let _e2146 = (4u * _e757);
+                                            let _e2147 = bitcast<u32>(_e1666.member);
+                                            let _e2150 = ((_e2147 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2150 == 0u) {
                                             } else {
-                                                let _e2363 = (_e2360 % 16u);
-                                                let _e2365 = ((_e2357 & 8388607u) | 8388608u);
-                                                let _e2368 = (_e2365 << bitcast<u32>((_e2363 & 31u)));
-                                                let _e2374 = ((_e2365 >> bitcast<u32>(((31u - _e2363) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2357 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2408_ = array<u32, 2>(_e2368, _e2374);
+                                                let _e2153 = (_e2150 % 16u);
+                                                let _e2155 = ((_e2147 & 8388607u) | 8388608u);
+                                                let _e2158 = (_e2155 << bitcast<u32>((_e2153 & 31u)));
+                                                let _e2164 = ((_e2155 >> bitcast<u32>(((31u - _e2153) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2147 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2233_ = array<u32, 2>(_e2158, _e2164);
                                                 } else {
-                                                    let _e2380 = (~(_e2368) + 1u);
-                                                    if (_e2380 == 0u) {
-                                                        phi_2406_ = (~(_e2374) + 1u);
+                                                    let _e2170 = (~(_e2158) + 1u);
+                                                    if (_e2170 == 0u) {
+                                                        phi_2231_ = (~(_e2164) + 1u);
                                                     } else {
-                                                        phi_2406_ = ~(_e2374);
+                                                        phi_2231_ = ~(_e2164);
                                                     }
-                                                    let _e2386 = phi_2406_;
-                                                    phi_2408_ = array<u32, 2>(_e2380, _e2386);
+                                                    let _e2176 = phi_2231_;
+                                                    phi_2233_ = array<u32, 2>(_e2170, _e2176);
                                                 }
-                                                let _e2389 = phi_2408_;
-                                                let _e2390 = (_e2360 < 255u);
-                                                if _e2390 {
-                                                    phi_2414_ = _e2389;
+                                                let _e2179 = phi_2233_;
+                                                let _e2180 = (_e2150 < 255u);
+                                                if _e2180 {
+                                                    phi_2239_ = _e2179;
                                                 } else {
-                                                    phi_2414_ = array<u32, 2>(1u, 0u);
+                                                    phi_2239_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2393 = phi_2414_;
-                                                let _e2398 = (2u * ((select(16u, (_e2360 / 16u), _e2390) * _e2355) + _e2356));
-                                                let _e2401 = atomicAdd((&global_8.member[_e2398]), _e2393[0]);
-                                                let _e2409 = atomicAdd((&global_8.member[(_e2398 + 1u)]), (_e2393[1] + select(0u, 1u, ((_e2401 + _e2393[0]) < _e2393[0]))));
+                                                let _e2183 = phi_2239_;
+                                                let _e2188 = (2u * ((select(16u, (_e2150 / 16u), _e2180) * _e2145) + _e2146));
+                                                let _e2191 = atomicAdd((&global_8.member[_e2188]), _e2183[0]);
+                                                let _e2195 = (_e2183[1] + select(0u, 1u, ((_e2191 + _e2183[0]) < _e2183[0])));
+                                                if (_e2195 == 0u) {
+                                                } else {
+                                                    let _e2200 = atomicAdd((&global_8.member[(_e2188 + 1u)]), _e2195);
+                                                }
                                             }
-                                            let _e2411 = bitcast<u32>(_e1677.member_1);
-                                            let _e2414 = ((_e2411 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2414 == 0u) {
+                                            let _e2202 = bitcast<u32>(_e1669.member_1);
+                                            let _e2205 = ((_e2202 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2205 == 0u) {
                                             } else {
-                                                let _e2417 = (_e2414 % 16u);
-                                                let _e2419 = ((_e2411 & 8388607u) | 8388608u);
-                                                let _e2422 = (_e2419 << bitcast<u32>((_e2417 & 31u)));
-                                                let _e2428 = ((_e2419 >> bitcast<u32>(((31u - _e2417) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2411 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2464_ = array<u32, 2>(_e2422, _e2428);
+                                                let _e2208 = (_e2205 % 16u);
+                                                let _e2210 = ((_e2202 & 8388607u) | 8388608u);
+                                                let _e2213 = (_e2210 << bitcast<u32>((_e2208 & 31u)));
+                                                let _e2219 = ((_e2210 >> bitcast<u32>(((31u - _e2208) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2202 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2294_ = array<u32, 2>(_e2213, _e2219);
                                                 } else {
-                                                    let _e2434 = (~(_e2422) + 1u);
-                                                    if (_e2434 == 0u) {
-                                                        phi_2462_ = (~(_e2428) + 1u);
+                                                    let _e2225 = (~(_e2213) + 1u);
+                                                    if (_e2225 == 0u) {
+                                                        phi_2292_ = (~(_e2219) + 1u);
                                                     } else {
-                                                        phi_2462_ = ~(_e2428);
+                                                        phi_2292_ = ~(_e2219);
                                                     }
-                                                    let _e2440 = phi_2462_;
-                                                    phi_2464_ = array<u32, 2>(_e2434, _e2440);
+                                                    let _e2231 = phi_2292_;
+                                                    phi_2294_ = array<u32, 2>(_e2225, _e2231);
                                                 }
-                                                let _e2443 = phi_2464_;
-                                                let _e2444 = (_e2414 < 255u);
-                                                if _e2444 {
-                                                    phi_2470_ = _e2443;
+                                                let _e2234 = phi_2294_;
+                                                let _e2235 = (_e2205 < 255u);
+                                                if _e2235 {
+                                                    phi_2300_ = _e2234;
                                                 } else {
-                                                    phi_2470_ = array<u32, 2>(1u, 0u);
+                                                    phi_2300_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2447 = phi_2470_;
-                                                let _e2452 = (2u * ((select(16u, (_e2414 / 16u), _e2444) * _e2355) + (_e2356 + 1u)));
-                                                let _e2455 = atomicAdd((&global_8.member[_e2452]), _e2447[0]);
-                                                let _e2463 = atomicAdd((&global_8.member[(_e2452 + 1u)]), (_e2447[1] + select(0u, 1u, ((_e2455 + _e2447[0]) < _e2447[0]))));
+                                                let _e2238 = phi_2300_;
+                                                let _e2243 = (2u * ((select(16u, (_e2205 / 16u), _e2235) * _e2145) + (_e2146 + 1u)));
+                                                let _e2246 = atomicAdd((&global_8.member[_e2243]), _e2238[0]);
+                                                let _e2250 = (_e2238[1] + select(0u, 1u, ((_e2246 + _e2238[0]) < _e2238[0])));
+                                                if (_e2250 == 0u) {
+                                                } else {
+                                                    let _e2255 = atomicAdd((&global_8.member[(_e2243 + 1u)]), _e2250);
+                                                }
                                             }
-                                            let _e2465 = bitcast<u32>(_e1680.member_2);
-                                            let _e2468 = ((_e2465 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2468 == 0u) {
+                                            let _e2257 = bitcast<u32>(_e1672.member_2);
+                                            let _e2260 = ((_e2257 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2260 == 0u) {
                                             } else {
-                                                let _e2471 = (_e2468 % 16u);
-                                                let _e2473 = ((_e2465 & 8388607u) | 8388608u);
-                                                let _e2476 = (_e2473 << bitcast<u32>((_e2471 & 31u)));
-                                                let _e2482 = ((_e2473 >> bitcast<u32>(((31u - _e2471) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2465 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2520_ = array<u32, 2>(_e2476, _e2482);
+                                                let _e2263 = (_e2260 % 16u);
+                                                let _e2265 = ((_e2257 & 8388607u) | 8388608u);
+                                                let _e2268 = (_e2265 << bitcast<u32>((_e2263 & 31u)));
+                                                let _e2274 = ((_e2265 >> bitcast<u32>(((31u - _e2263) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2257 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2355_ = array<u32, 2>(_e2268, _e2274);
                                                 } else {
-                                                    let _e2488 = (~(_e2476) + 1u);
-                                                    if (_e2488 == 0u) {
-                                                        phi_2518_ = (~(_e2482) + 1u);
+                                                    let _e2280 = (~(_e2268) + 1u);
+                                                    if (_e2280 == 0u) {
+                                                        phi_2353_ = (~(_e2274) + 1u);
                                                     } else {
-                                                        phi_2518_ = ~(_e2482);
+                                                        phi_2353_ = ~(_e2274);
                                                     }
-                                                    let _e2494 = phi_2518_;
-                                                    phi_2520_ = array<u32, 2>(_e2488, _e2494);
+                                                    let _e2286 = phi_2353_;
+                                                    phi_2355_ = array<u32, 2>(_e2280, _e2286);
                                                 }
-                                                let _e2497 = phi_2520_;
-                                                let _e2498 = (_e2468 < 255u);
-                                                if _e2498 {
-                                                    phi_2526_ = _e2497;
+                                                let _e2289 = phi_2355_;
+                                                let _e2290 = (_e2260 < 255u);
+                                                if _e2290 {
+                                                    phi_2361_ = _e2289;
                                                 } else {
-                                                    phi_2526_ = array<u32, 2>(1u, 0u);
+                                                    phi_2361_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2501 = phi_2526_;
-                                                let _e2506 = (2u * ((select(16u, (_e2468 / 16u), _e2498) * _e2355) + (_e2356 + 2u)));
-                                                let _e2509 = atomicAdd((&global_8.member[_e2506]), _e2501[0]);
-                                                let _e2517 = atomicAdd((&global_8.member[(_e2506 + 1u)]), (_e2501[1] + select(0u, 1u, ((_e2509 + _e2501[0]) < _e2501[0]))));
+                                                let _e2293 = phi_2361_;
+                                                let _e2298 = (2u * ((select(16u, (_e2260 / 16u), _e2290) * _e2145) + (_e2146 + 2u)));
+                                                let _e2301 = atomicAdd((&global_8.member[_e2298]), _e2293[0]);
+                                                let _e2305 = (_e2293[1] + select(0u, 1u, ((_e2301 + _e2293[0]) < _e2293[0])));
+                                                if (_e2305 == 0u) {
+                                                } else {
+                                                    let _e2310 = atomicAdd((&global_8.member[(_e2298 + 1u)]), _e2305);
+                                                }
                                             }
-                                            let _e2519 = bitcast<u32>(_e1683.member_3);
-                                            let _e2522 = ((_e2519 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2522 == 0u) {
+                                            let _e2312 = bitcast<u32>(_e1675.member_3);
+                                            let _e2315 = ((_e2312 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2315 == 0u) {
                                             } else {
-                                                let _e2525 = (_e2522 % 16u);
-                                                let _e2527 = ((_e2519 & 8388607u) | 8388608u);
-                                                let _e2530 = (_e2527 << bitcast<u32>((_e2525 & 31u)));
-                                                let _e2536 = ((_e2527 >> bitcast<u32>(((31u - _e2525) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2519 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2576_ = array<u32, 2>(_e2530, _e2536);
+                                                let _e2318 = (_e2315 % 16u);
+                                                let _e2320 = ((_e2312 & 8388607u) | 8388608u);
+                                                let _e2323 = (_e2320 << bitcast<u32>((_e2318 & 31u)));
+                                                let _e2329 = ((_e2320 >> bitcast<u32>(((31u - _e2318) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2312 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2416_ = array<u32, 2>(_e2323, _e2329);
                                                 } else {
-                                                    let _e2542 = (~(_e2530) + 1u);
-                                                    if (_e2542 == 0u) {
-                                                        phi_2574_ = (~(_e2536) + 1u);
+                                                    let _e2335 = (~(_e2323) + 1u);
+                                                    if (_e2335 == 0u) {
+                                                        phi_2414_ = (~(_e2329) + 1u);
                                                     } else {
-                                                        phi_2574_ = ~(_e2536);
+                                                        phi_2414_ = ~(_e2329);
                                                     }
-                                                    let _e2548 = phi_2574_;
-                                                    phi_2576_ = array<u32, 2>(_e2542, _e2548);
+                                                    let _e2341 = phi_2414_;
+                                                    phi_2416_ = array<u32, 2>(_e2335, _e2341);
                                                 }
-                                                let _e2551 = phi_2576_;
-                                                let _e2552 = (_e2522 < 255u);
-                                                if _e2552 {
-                                                    phi_2582_ = _e2551;
+                                                let _e2344 = phi_2416_;
+                                                let _e2345 = (_e2315 < 255u);
+                                                if _e2345 {
+                                                    phi_2422_ = _e2344;
                                                 } else {
-                                                    phi_2582_ = array<u32, 2>(1u, 0u);
+                                                    phi_2422_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2555 = phi_2582_;
-                                                let _e2560 = (2u * ((select(16u, (_e2522 / 16u), _e2552) * _e2355) + (_e2356 + 3u)));
-                                                let _e2563 = atomicAdd((&global_8.member[_e2560]), _e2555[0]);
-                                                let _e2571 = atomicAdd((&global_8.member[(_e2560 + 1u)]), (_e2555[1] + select(0u, 1u, ((_e2563 + _e2555[0]) < _e2555[0]))));
+                                                let _e2348 = phi_2422_;
+                                                let _e2353 = (2u * ((select(16u, (_e2315 / 16u), _e2345) * _e2145) + (_e2146 + 3u)));
+                                                let _e2356 = atomicAdd((&global_8.member[_e2353]), _e2348[0]);
+                                                let _e2360 = (_e2348[1] + select(0u, 1u, ((_e2356 + _e2348[0]) < _e2348[0])));
+                                                if (_e2360 == 0u) {
+                                                } else {
+                                                    let _e2365 = atomicAdd((&global_8.member[(_e2353 + 1u)]), _e2360);
+                                                }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e757)] = vec4<f32>(_e1674.member, _e1677.member_1, _e1680.member_2, _e1683.member_3);
+                                            global_6.member[(_e185 + _e757)] = vec4<f32>(_e1666.member, _e1669.member_1, _e1672.member_2, _e1675.member_3);
+                                        }
+                                    }
+                                    if (_e775 < _e58) {
+                                        if _e186 {
+                                            let _e2371 = (4u * _e182);
+                                            let _e2372 = (4u * _e761);
+                                            let _e2373 = bitcast<u32>(_e1678.member);
+                                            let _e2376 = ((_e2373 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2376 == 0u) {
+                                            } else {
+                                                let _e2379 = (_e2376 % 16u);
+                                                let _e2381 = ((_e2373 & 8388607u) | 8388608u);
+                                                let _e2384 = (_e2381 << bitcast<u32>((_e2379 & 31u)));
+                                                let _e2390 = ((_e2381 >> bitcast<u32>(((31u - _e2379) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2373 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2488_ = array<u32, 2>(_e2384, _e2390);
+                                                } else {
+                                                    let _e2396 = (~(_e2384) + 1u);
+                                                    if (_e2396 == 0u) {
+                                                        phi_2486_ = (~(_e2390) + 1u);
+                                                    } else {
+                                                        phi_2486_ = ~(_e2390);
+                                                    }
+                                                    let _e2402 = phi_2486_;
+                                                    phi_2488_ = array<u32, 2>(_e2396, _e2402);
+                                                }
+                                                let _e2405 = phi_2488_;
+                                                let _e2406 = (_e2376 < 255u);
+                                                if _e2406 {
+                                                    phi_2494_ = _e2405;
+                                                } else {
+                                                    phi_2494_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e2409 = phi_2494_;
+                                                let _e2414 = (2u * ((select(16u, (_e2376 / 16u), _e2406) * _e2371) + _e2372));
+                                                let _e2417 = atomicAdd((&global_8.member[_e2414]), _e2409[0]);
+                                                let _e2421 = (_e2409[1] + select(0u, 1u, ((_e2417 + _e2409[0]) < _e2409[0])));
+                                                if (_e2421 == 0u) {
+                                                } else {
+                                                    let _e2426 = atomicAdd((&global_8.member[(_e2414 + 1u)]), _e2421);
+                                                }
+                                            }
+                                            let _e2428 = bitcast<u32>(_e1681.member_1);
+                                            let _e2431 = ((_e2428 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2431 == 0u) {
+                                            } else {
+                                                let _e2434 = (_e2431 % 16u);
+                                                let _e2436 = ((_e2428 & 8388607u) | 8388608u);
+                                                let _e2439 = (_e2436 << bitcast<u32>((_e2434 & 31u)));
+                                                let _e2445 = ((_e2436 >> bitcast<u32>(((31u - _e2434) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2428 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2549_ = array<u32, 2>(_e2439, _e2445);
+                                                } else {
+                                                    let _e2451 = (~(_e2439) + 1u);
+                                                    if (_e2451 == 0u) {
+                                                        phi_2547_ = (~(_e2445) + 1u);
+                                                    } else {
+                                                        phi_2547_ = ~(_e2445);
+                                                    }
+                                                    let _e2457 = phi_2547_;
+                                                    phi_2549_ = array<u32, 2>(_e2451, _e2457);
+                                                }
+                                                let _e2460 = phi_2549_;
+                                                let _e2461 = (_e2431 < 255u);
+                                                if _e2461 {
+                                                    phi_2555_ = _e2460;
+                                                } else {
+                                                    phi_2555_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e2464 = phi_2555_;
+                                                let _e2469 = (2u * ((select(16u, (_e2431 / 16u), _e2461) * _e2371) + (_e2372 + 1u)));
+                                                let _e2472 = atomicAdd((&global_8.member[_e2469]), _e2464[0]);
+                                                let _e2476 = (_e2464[1] + select(0u, 1u, ((_e2472 + _e2464[0]) < _e2464[0])));
+                                                if (_e2476 == 0u) {
+                                                } else {
+                                                    let _e2481 = atomicAdd((&global_8.member[(_e2469 + 1u)]), _e2476);
+                                                }
+                                            }
+                                            let _e2483 = bitcast<u32>(_e1684.member_2);
+                                            let _e2486 = ((_e2483 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2486 == 0u) {
+                                            } else {
+                                                let _e2489 = (_e2486 % 16u);
+                                                let _e2491 = ((_e2483 & 8388607u) | 8388608u);
+                                                let _e2494 = (_e2491 << bitcast<u32>((_e2489 & 31u)));
+                                                let _e2500 = ((_e2491 >> bitcast<u32>(((31u - _e2489) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2483 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2610_ = array<u32, 2>(_e2494, _e2500);
+                                                } else {
+                                                    let _e2506 = (~(_e2494) + 1u);
+                                                    if (_e2506 == 0u) {
+                                                        phi_2608_ = (~(_e2500) + 1u);
+                                                    } else {
+                                                        phi_2608_ = ~(_e2500);
+                                                    }
+                                                    let _e2512 = phi_2608_;
+                                                    phi_2610_ = array<u32, 2>(_e2506, _e2512);
+                                                }
+                                                let _e2515 = phi_2610_;
+                                                let _e2516 = (_e2486 < 255u);
+                                                if _e2516 {
+                                                    phi_2616_ = _e2515;
+                                                } else {
+                                                    phi_2616_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e2519 = phi_2616_;
+                                                let _e2524 = (2u * ((select(16u, (_e2486 / 16u), _e2516) * _e2371) + (_e2372 + 2u)));
+                                                let _e2527 = atomicAdd((&global_8.member[_e2524]), _e2519[0]);
+                                                let _e2531 = (_e2519[1] + select(0u, 1u, ((_e2527 + _e2519[0]) < _e2519[0])));
+                                                if (_e2531 == 0u) {
+                                                } else {
+                                                    let _e2536 = atomicAdd((&global_8.member[(_e2524 + 1u)]), _e2531);
+                                                }
+                                            }
+                                            let _e2538 = bitcast<u32>(_e1687.member_3);
+                                            let _e2541 = ((_e2538 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2541 == 0u) {
+                                            } else {
+                                                let _e2544 = (_e2541 % 16u);
+                                                let _e2546 = ((_e2538 & 8388607u) | 8388608u);
+                                                let _e2549 = (_e2546 << bitcast<u32>((_e2544 & 31u)));
+                                                let _e2555 = ((_e2546 >> bitcast<u32>(((31u - _e2544) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2538 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2671_ = array<u32, 2>(_e2549, _e2555);
+                                                } else {
+                                                    let _e2561 = (~(_e2549) + 1u);
+                                                    if (_e2561 == 0u) {
+                                                        phi_2669_ = (~(_e2555) + 1u);
+                                                    } else {
+                                                        phi_2669_ = ~(_e2555);
+                                                    }
+                                                    let _e2567 = phi_2669_;
+                                                    phi_2671_ = array<u32, 2>(_e2561, _e2567);
+                                                }
+                                                let _e2570 = phi_2671_;
+                                                let _e2571 = (_e2541 < 255u);
+                                                if _e2571 {
+                                                    phi_2677_ = _e2570;
+                                                } else {
+                                                    phi_2677_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e2574 = phi_2677_;
+                                                let _e2579 = (2u * ((select(16u, (_e2541 / 16u), _e2571) * _e2371) + (_e2372 + 3u)));
+                                                let _e2582 = atomicAdd((&global_8.member[_e2579]), _e2574[0]);
+                                                let _e2586 = (_e2574[1] + select(0u, 1u, ((_e2582 + _e2574[0]) < _e2574[0])));
+                                                if (_e2586 == 0u) {
+                                                } else {
+                                                    let _e2591 = atomicAdd((&global_8.member[(_e2579 + 1u)]), _e2586);
+                                                }
+                                            }
+                                        } else {
+                                            global_6.member[(_e185 + _e761)] = vec4<f32>(_e1678.member, _e1681.member_1, _e1684.member_2, _e1687.member_3);
                                         }
                                     }
                                 } else {
@@ -1284,16 +1348,16 @@ fn function_() {
                                             break;
                                         }
                                         continuing {
-                                            let _e2621 = local_28;
-                                            phi_255_ = _e2621;
-                                            let _e2624 = local_29;
-                                            phi_258_ = _e2624;
+                                            let _e2641 = local_28;
+                                            phi_255_ = _e2641;
+                                            let _e2644 = local_29;
+                                            phi_258_ = _e2644;
                                         }
                                     }
-                                    let _e2628 = local_30;
-                                    phi_362_ = _e2628;
-                                    let _e2633 = local_32;
-                                    phi_365_ = _e2633;
+                                    let _e2648 = local_30;
+                                    phi_362_ = _e2648;
+                                    let _e2653 = local_32;
+                                    phi_365_ = _e2653;
                                     loop {
                                         let _e322 = phi_362_;
                                         let _e324 = phi_365_;
@@ -1313,16 +1377,16 @@ fn function_() {
                                             break;
                                         }
                                         continuing {
-                                            let _e2630 = local_31;
-                                            phi_362_ = _e2630;
-                                            let _e2635 = local_33;
-                                            phi_365_ = _e2635;
+                                            let _e2650 = local_31;
+                                            phi_362_ = _e2650;
+                                            let _e2655 = local_33;
+                                            phi_365_ = _e2655;
                                         }
                                     }
-                                    let _e2638 = local_34;
-                                    phi_432_ = _e2638;
-                                    let _e2643 = local_36;
-                                    phi_435_ = _e2643;
+                                    let _e2658 = local_34;
+                                    phi_432_ = _e2658;
+                                    let _e2663 = local_36;
+                                    phi_435_ = _e2663;
                                     loop {
                                         let _e397 = phi_432_;
                                         let _e399 = phi_435_;
@@ -1356,10 +1420,10 @@ fn function_() {
                                             break;
                                         }
                                         continuing {
-                                            let _e2640 = local_35;
-                                            phi_432_ = _e2640;
-                                            let _e2645 = local_37;
-                                            phi_435_ = _e2645;
+                                            let _e2660 = local_35;
+                                            phi_432_ = _e2660;
+                                            let _e2665 = local_37;
+                                            phi_435_ = _e2665;
                                         }
                                     }
                                     let _e506 = local_2;
@@ -1399,103 +1463,119 @@ fn function_() {
                                             let _e559 = phi_590_;
                                             let _e564 = (2u * ((select(16u, (_e526 / 16u), _e556) * _e521) + _e522));
                                             let _e567 = atomicAdd((&global_8.member[_e564]), _e559[0]);
-                                            let _e575 = atomicAdd((&global_8.member[(_e564 + 1u)]), (_e559[1] + select(0u, 1u, ((_e567 + _e559[0]) < _e559[0]))));
+                                            let _e571 = (_e559[1] + select(0u, 1u, ((_e567 + _e559[0]) < _e559[0])));
+                                            if (_e571 == 0u) {
+                                            } else {
+                                                let _e576 = atomicAdd((&global_8.member[(_e564 + 1u)]), _e571);
+                                            }
                                         }
-                                        let _e577 = bitcast<u32>(_e509.member_1);
-                                        let _e580 = ((_e577 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e580 == 0u) {
+                                        let _e578 = bitcast<u32>(_e509.member_1);
+                                        let _e581 = ((_e578 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e581 == 0u) {
                                         } else {
-                                            let _e583 = (_e580 % 16u);
-                                            let _e585 = ((_e577 & 8388607u) | 8388608u);
-                                            let _e588 = (_e585 << bitcast<u32>((_e583 & 31u)));
-                                            let _e594 = ((_e585 >> bitcast<u32>(((31u - _e583) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e577 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_640_ = array<u32, 2>(_e588, _e594);
+                                            let _e584 = (_e581 % 16u);
+                                            let _e586 = ((_e578 & 8388607u) | 8388608u);
+                                            let _e589 = (_e586 << bitcast<u32>((_e584 & 31u)));
+                                            let _e595 = ((_e586 >> bitcast<u32>(((31u - _e584) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e578 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_645_ = array<u32, 2>(_e589, _e595);
                                             } else {
-                                                let _e600 = (~(_e588) + 1u);
-                                                if (_e600 == 0u) {
-                                                    phi_638_ = (~(_e594) + 1u);
+                                                let _e601 = (~(_e589) + 1u);
+                                                if (_e601 == 0u) {
+                                                    phi_643_ = (~(_e595) + 1u);
                                                 } else {
-                                                    phi_638_ = ~(_e594);
+                                                    phi_643_ = ~(_e595);
                                                 }
-                                                let _e606 = phi_638_;
-                                                phi_640_ = array<u32, 2>(_e600, _e606);
+                                                let _e607 = phi_643_;
+                                                phi_645_ = array<u32, 2>(_e601, _e607);
                                             }
-                                            let _e609 = phi_640_;
-                                            let _e610 = (_e580 < 255u);
-                                            if _e610 {
-                                                phi_646_ = _e609;
+                                            let _e610 = phi_645_;
+                                            let _e611 = (_e581 < 255u);
+                                            if _e611 {
+                                                phi_651_ = _e610;
                                             } else {
-                                                phi_646_ = array<u32, 2>(1u, 0u);
+                                                phi_651_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e613 = phi_646_;
-                                            let _e618 = (2u * ((select(16u, (_e580 / 16u), _e610) * _e521) + (_e522 + 1u)));
-                                            let _e621 = atomicAdd((&global_8.member[_e618]), _e613[0]);
-                                            let _e629 = atomicAdd((&global_8.member[(_e618 + 1u)]), (_e613[1] + select(0u, 1u, ((_e621 + _e613[0]) < _e613[0]))));
+                                            let _e614 = phi_651_;
+                                            let _e619 = (2u * ((select(16u, (_e581 / 16u), _e611) * _e521) + (_e522 + 1u)));
+                                            let _e622 = atomicAdd((&global_8.member[_e619]), _e614[0]);
+                                            let _e626 = (_e614[1] + select(0u, 1u, ((_e622 + _e614[0]) < _e614[0])));
+                                            if (_e626 == 0u) {
+                                            } else {
+                                                let _e631 = atomicAdd((&global_8.member[(_e619 + 1u)]), _e626);
+                                            }
                                         }
-                                        let _e631 = bitcast<u32>(_e512.member_2);
-                                        let _e634 = ((_e631 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e634 == 0u) {
+                                        let _e633 = bitcast<u32>(_e512.member_2);
+                                        let _e636 = ((_e633 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e636 == 0u) {
                                         } else {
-                                            let _e637 = (_e634 % 16u);
-                                            let _e639 = ((_e631 & 8388607u) | 8388608u);
-                                            let _e642 = (_e639 << bitcast<u32>((_e637 & 31u)));
-                                            let _e648 = ((_e639 >> bitcast<u32>(((31u - _e637) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e631 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_696_ = array<u32, 2>(_e642, _e648);
+                                            let _e639 = (_e636 % 16u);
+                                            let _e641 = ((_e633 & 8388607u) | 8388608u);
+                                            let _e644 = (_e641 << bitcast<u32>((_e639 & 31u)));
+                                            let _e650 = ((_e641 >> bitcast<u32>(((31u - _e639) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e633 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_706_ = array<u32, 2>(_e644, _e650);
                                             } else {
-                                                let _e654 = (~(_e642) + 1u);
-                                                if (_e654 == 0u) {
-                                                    phi_694_ = (~(_e648) + 1u);
+                                                let _e656 = (~(_e644) + 1u);
+                                                if (_e656 == 0u) {
+                                                    phi_704_ = (~(_e650) + 1u);
                                                 } else {
-                                                    phi_694_ = ~(_e648);
+                                                    phi_704_ = ~(_e650);
                                                 }
-                                                let _e660 = phi_694_;
-                                                phi_696_ = array<u32, 2>(_e654, _e660);
+                                                let _e662 = phi_704_;
+                                                phi_706_ = array<u32, 2>(_e656, _e662);
                                             }
-                                            let _e663 = phi_696_;
-                                            let _e664 = (_e634 < 255u);
-                                            if _e664 {
-                                                phi_702_ = _e663;
+                                            let _e665 = phi_706_;
+                                            let _e666 = (_e636 < 255u);
+                                            if _e666 {
+                                                phi_712_ = _e665;
                                             } else {
-                                                phi_702_ = array<u32, 2>(1u, 0u);
+                                                phi_712_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e667 = phi_702_;
-                                            let _e672 = (2u * ((select(16u, (_e634 / 16u), _e664) * _e521) + (_e522 + 2u)));
-                                            let _e675 = atomicAdd((&global_8.member[_e672]), _e667[0]);
-                                            let _e683 = atomicAdd((&global_8.member[(_e672 + 1u)]), (_e667[1] + select(0u, 1u, ((_e675 + _e667[0]) < _e667[0]))));
+                                            let _e669 = phi_712_;
+                                            let _e674 = (2u * ((select(16u, (_e636 / 16u), _e666) * _e521) + (_e522 + 2u)));
+                                            let _e677 = atomicAdd((&global_8.member[_e674]), _e669[0]);
+                                            let _e681 = (_e669[1] + select(0u, 1u, ((_e677 + _e669[0]) < _e669[0])));
+                                            if (_e681 == 0u) {
+                                            } else {
+                                                let _e686 = atomicAdd((&global_8.member[(_e674 + 1u)]), _e681);
+                                            }
                                         }
-                                        let _e685 = bitcast<u32>(_e515.member_3);
-                                        let _e688 = ((_e685 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e688 == 0u) {
+                                        let _e688 = bitcast<u32>(_e515.member_3);
+                                        let _e691 = ((_e688 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e691 == 0u) {
                                         } else {
-                                            let _e691 = (_e688 % 16u);
-                                            let _e693 = ((_e685 & 8388607u) | 8388608u);
-                                            let _e696 = (_e693 << bitcast<u32>((_e691 & 31u)));
-                                            let _e702 = ((_e693 >> bitcast<u32>(((31u - _e691) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e685 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_752_ = array<u32, 2>(_e696, _e702);
+                                            let _e694 = (_e691 % 16u);
+                                            let _e696 = ((_e688 & 8388607u) | 8388608u);
+                                            let _e699 = (_e696 << bitcast<u32>((_e694 & 31u)));
+                                            let _e705 = ((_e696 >> bitcast<u32>(((31u - _e694) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e688 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_767_ = array<u32, 2>(_e699, _e705);
                                             } else {
-                                                let _e708 = (~(_e696) + 1u);
-                                                if (_e708 == 0u) {
-                                                    phi_750_ = (~(_e702) + 1u);
+                                                let _e711 = (~(_e699) + 1u);
+                                                if (_e711 == 0u) {
+                                                    phi_765_ = (~(_e705) + 1u);
                                                 } else {
-                                                    phi_750_ = ~(_e702);
+                                                    phi_765_ = ~(_e705);
                                                 }
-                                                let _e714 = phi_750_;
-                                                phi_752_ = array<u32, 2>(_e708, _e714);
+                                                let _e717 = phi_765_;
+                                                phi_767_ = array<u32, 2>(_e711, _e717);
                                             }
-                                            let _e717 = phi_752_;
-                                            let _e718 = (_e688 < 255u);
-                                            if _e718 {
-                                                phi_758_ = _e717;
+                                            let _e720 = phi_767_;
+                                            let _e721 = (_e691 < 255u);
+                                            if _e721 {
+                                                phi_773_ = _e720;
                                             } else {
-                                                phi_758_ = array<u32, 2>(1u, 0u);
+                                                phi_773_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e721 = phi_758_;
-                                            let _e726 = (2u * ((select(16u, (_e688 / 16u), _e718) * _e521) + (_e522 + 3u)));
-                                            let _e729 = atomicAdd((&global_8.member[_e726]), _e721[0]);
-                                            let _e737 = atomicAdd((&global_8.member[(_e726 + 1u)]), (_e721[1] + select(0u, 1u, ((_e729 + _e721[0]) < _e721[0]))));
+                                            let _e724 = phi_773_;
+                                            let _e729 = (2u * ((select(16u, (_e691 / 16u), _e721) * _e521) + (_e522 + 3u)));
+                                            let _e732 = atomicAdd((&global_8.member[_e729]), _e724[0]);
+                                            let _e736 = (_e724[1] + select(0u, 1u, ((_e732 + _e724[0]) < _e724[0])));
+                                            if (_e736 == 0u) {
+                                            } else {
+                                                let _e741 = atomicAdd((&global_8.member[(_e729 + 1u)]), _e736);
+                                            }
                                         }
                                     } else {
                                         global_6.member[(_e185 + _e198)] = vec4<f32>(_e506.member, _e509.member_1, _e512.member_2, _e515.member_3);
@@ -1505,27 +1585,27 @@ fn function_() {
                                 phi_190_ = _e166;
                                 phi_192_ = _e161;
                             }
-                            let _e2584 = phi_187_;
-                            let _e2586 = phi_190_;
-                            let _e2588 = phi_192_;
-                            local_24 = _e2584;
-                            local_25 = _e2586;
-                            local_27 = _e2588;
+                            let _e2604 = phi_187_;
+                            let _e2606 = phi_190_;
+                            let _e2608 = phi_192_;
+                            local_24 = _e2604;
+                            local_25 = _e2606;
+                            local_27 = _e2608;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2608 = local_24;
-                            phi_186_ = _e2608;
-                            let _e2611 = local_25;
-                            phi_189_ = _e2611;
-                            let _e2616 = local_27;
-                            phi_191_ = _e2616;
+                            let _e2628 = local_24;
+                            phi_186_ = _e2628;
+                            let _e2631 = local_25;
+                            phi_189_ = _e2631;
+                            let _e2636 = local_27;
+                            phi_191_ = _e2636;
                         }
                     }
-                    let _e2590 = phi_2608_;
-                    if _e2590 {
+                    let _e2610 = phi_2708_;
+                    if _e2610 {
                         break;
                     }
                 }

@@ -225,17 +225,40 @@ fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
     }
 }
 
-/// Samples whose values are read together where [`Lane::READS_FOUR`]. Places are then counted in fours.
+/// Samples whose values are read together where [`Lane::READS_FOUR`]. Rows are then counted in fours.
 const FEW: u32 = 4;
+
+/// Where a few samples lie, in fours, and the range of those that count.
+#[derive(Clone, Copy)]
+struct Few {
+    at: u32,
+    begin: u32,
+    end: u32,
+}
+
+impl Few {
+    /// Whether a loop goes on here: over whole vectors while there are any, or over others to the next whole one.
+    #[inline(always)]
+    fn is_next<const WHOLE: bool>(self) -> bool {
+        let first = FEW * self.at;
+        let is_last = first + FEW > self.end;
+        if WHOLE { !is_last } else { first < self.end && (first < self.begin || is_last) }
+    }
+}
 
 /// [`read_column`] of a few samples.
 #[inline(always)]
-fn read_few<L: Lane>(rows: ReadFours<f32>, first: u32, stride: u32) -> [LaneVec4<L>; FEW as usize] {
+fn read_few<L: Lane, const WHOLE: bool>(
+    rows: ReadFours<f32>,
+    first: u32,
+    stride: u32,
+    few: Few,
+) -> [LaneVec4<L>; FEW as usize] {
     let few = [
-        few_of_row::<L>(rows, first),
-        few_of_row::<L>(rows, first + stride),
-        few_of_row::<L>(rows, first + 2 * stride),
-        few_of_row::<L>(rows, first + 3 * stride),
+        few_of_row::<L, WHOLE>(rows, first, few),
+        few_of_row::<L, WHOLE>(rows, first + stride, few),
+        few_of_row::<L, WHOLE>(rows, first + 2 * stride, few),
+        few_of_row::<L, WHOLE>(rows, first + 3 * stride, few),
     ];
     let [x, y, z, w] = few;
     [
@@ -246,10 +269,23 @@ fn read_few<L: Lane>(rows: ReadFours<f32>, first: u32, stride: u32) -> [LaneVec4
     ]
 }
 
-/// A few values of a row.
+/// A few values of a row, and zeros for those that do not count.
 #[inline(always)]
-fn few_of_row<L: Lane>(rows: ReadFours<f32>, first: u32) -> [L; FEW as usize] {
-    Four::read_vector(rows, first).each()
+fn few_of_row<L: Lane, const WHOLE: bool>(
+    rows: ReadFours<f32>,
+    row: u32,
+    few: Few,
+) -> [L; FEW as usize] {
+    let [x, y, z, w] = Four::read_vector(rows, row + few.at).each();
+    let kept = |value: L, place: u32| {
+        let sample = FEW * few.at + place;
+        if WHOLE || sample.wrapping_sub(few.begin) < few.end - few.begin {
+            value
+        } else {
+            L::splat(0.0)
+        }
+    };
+    [kept(x, 0), kept(y, 1), kept(z, 2), kept(w, 3)]
 }
 
 /// [`add_scaled`] of a few samples, one after another.
@@ -424,8 +460,11 @@ fn add_slice<L: Lane>(
         let sum3 = sum3.materialize();
         let rests = begin_sums::<L::One>(carry, from, of_rest);
         let range = [sample, end];
-        let (rests, _) = sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range);
-        let [rest0, rest1, rest2, rest3] = rests;
+        let [rest0, rest1, rest2, rest3] = if L::WIDTH > 1 {
+            sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range).0
+        } else {
+            rests
+        };
         add_sum(params, carry, sum, is_whole, after, to, total(sum0, rest0));
         if first + 1 < inputs {
             add_sum(params, carry, sum, is_whole, after, to1, total(sum1, rest1));
@@ -457,7 +496,11 @@ fn sum_column<L: Lane>(
 ) -> Vec4 {
     let (lanes, sample) = sum_lanes::<L>(lanes, rows, first, stride, [begin, end]);
     let lanes = lanes.materialize();
-    let (rest, _) = sum_each_lane::<L::One>(rest, rows, first, stride, [sample, end]);
+    let rest = if L::WIDTH > 1 {
+        sum_each_lane::<L::One>(rest, rows, first, stride, [sample, end]).0
+    } else {
+        rest
+    };
     total(lanes, rest)
 }
 
@@ -513,12 +556,11 @@ fn sum_products<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> ([LaneVec4<L>; 4], u32) {
     if L::READS_FOUR {
-        let first = begin.next_multiple_of(FEW);
-        let range = [begin, least(first, end)];
-        let (sums, _) = sum_each(before, input, rows, output_gradient, g, stride, range);
-        let range = [first, end];
-        let (sums, sample) = sum_few(sums, input, rows, output_gradient, g, stride, range);
-        sum_each(sums, input, rows, output_gradient, g, stride, [sample, end])
+        let few = Few { at: begin / FEW, begin, end };
+        let (sums, few) = sum_few::<L, false>(before, input, rows, output_gradient, g, stride, few);
+        let (sums, few) = sum_few::<L, true>(sums, input, rows, output_gradient, g, stride, few);
+        let (sums, _) = sum_few::<L, false>(sums, input, rows, output_gradient, g, stride, few);
+        (sums, end)
     } else {
         sum_each(before, input, rows, output_gradient, g, stride, [begin, end])
     }
@@ -550,36 +592,35 @@ fn sum_each<L: Lane>(
     ([sum0, sum1, sum2, sum3], sample)
 }
 
-/// As [`sum_products`], for a single lane, from a multiple of [`FEW`] on and a few samples at a time.
+/// As [`sum_products`], for a single lane and a few samples at a time: as [`Few::is_next`] says.
 #[loops]
 #[inline(always)]
-fn sum_few<L: Lane>(
+fn sum_few<L: Lane, const WHOLE: bool>(
     before: [LaneVec4<L>; 4],
     input: ReadFours<f32>,
     [row0, row1, row2, row3]: [u32; 4],
     output_gradient: ReadFours<f32>,
     g: u32,
     stride: u32,
-    [begin, end]: [u32; 2],
-) -> ([LaneVec4<L>; 4], u32) {
+    mut few: Few,
+) -> ([LaneVec4<L>; 4], Few) {
     let [mut sum0, mut sum1, mut sum2, mut sum3] = before;
     let [row0, row1, row2, row3] = [row0 / FEW, row1 / FEW, row2 / FEW, row3 / FEW];
     let g = g / FEW;
     let stride = stride / FEW;
-    let mut few = begin / FEW;
-    while FEW * few + FEW <= end {
-        let g = read_few::<L>(output_gradient, g + few, stride);
-        let x0 = few_of_row::<L>(input, row0 + few);
-        let x1 = few_of_row::<L>(input, row1 + few);
-        let x2 = few_of_row::<L>(input, row2 + few);
-        let x3 = few_of_row::<L>(input, row3 + few);
+    while few.is_next::<WHOLE>() {
+        let g = read_few::<L, WHOLE>(output_gradient, g, stride, few);
+        let x0 = few_of_row::<L, WHOLE>(input, row0, few);
+        let x1 = few_of_row::<L, WHOLE>(input, row1, few);
+        let x2 = few_of_row::<L, WHOLE>(input, row2, few);
+        let x3 = few_of_row::<L, WHOLE>(input, row3, few);
         sum0 = add_few(sum0, x0, g);
         sum1 = add_few(sum1, x1, g);
         sum2 = add_few(sum2, x2, g);
         sum3 = add_few(sum3, x3, g);
-        few += 1;
+        few.at += 1;
     }
-    ([sum0, sum1, sum2, sum3], FEW * few)
+    ([sum0, sum1, sum2, sum3], few)
 }
 
 /// Sums of a column's four rows, over as many whole lanes of samples as there are; and the first sample after those.
@@ -592,10 +633,11 @@ fn sum_lanes<L: Lane>(
     [begin, end]: [u32; 2],
 ) -> (LaneVec4<L>, u32) {
     if L::READS_FOUR {
-        let few = begin.next_multiple_of(FEW);
-        let (sum, _) = sum_each_lane(before, rows, first, stride, [begin, least(few, end)]);
-        let (sum, sample) = sum_few_lanes(sum, rows, first, stride, [few, end]);
-        sum_each_lane(sum, rows, first, stride, [sample, end])
+        let few = Few { at: begin / FEW, begin, end };
+        let (sum, few) = sum_few_lanes::<L, false>(before, rows, first, stride, few);
+        let (sum, few) = sum_few_lanes::<L, true>(sum, rows, first, stride, few);
+        let (sum, _) = sum_few_lanes::<L, false>(sum, rows, first, stride, few);
+        (sum, end)
     } else {
         sum_each_lane(before, rows, first, stride, [begin, end])
     }
@@ -620,24 +662,23 @@ fn sum_each_lane<L: Lane>(
     (sum, sample)
 }
 
-/// As [`sum_lanes`], for a single lane, from a multiple of [`FEW`] on and a few samples at a time.
+/// As [`sum_few`], of [`sum_lanes`].
 #[loops]
 #[inline(always)]
-fn sum_few_lanes<L: Lane>(
+fn sum_few_lanes<L: Lane, const WHOLE: bool>(
     before: LaneVec4<L>,
     rows: ReadFours<f32>,
     first: u32,
     stride: u32,
-    [begin, end]: [u32; 2],
-) -> (LaneVec4<L>, u32) {
+    mut few: Few,
+) -> (LaneVec4<L>, Few) {
     let mut sum = before;
-    let mut few = begin / FEW;
-    while FEW * few + FEW <= end {
-        let [g0, g1, g2, g3] = read_few::<L>(rows, first / FEW + few, stride / FEW);
+    while few.is_next::<WHOLE>() {
+        let [g0, g1, g2, g3] = read_few::<L, WHOLE>(rows, first / FEW, stride / FEW, few);
         sum = add(add(add(add(sum, g0), g1), g2), g3);
-        few += 1;
+        few.at += 1;
     }
-    (sum, FEW * few)
+    (sum, few)
 }
 
 /// Where the rows of a block's inputs begin; inputs past the last repeat it.

@@ -33,6 +33,12 @@ struct type_18 {
     member_3: f32,
 }
 
+struct type_19 {
+    member: u32,
+    member_1: u32,
+    member_2: u32,
+}
+
 struct type_24 {
     member: array<atomic<u32>>,
 }
@@ -56,127 +62,71 @@ var<storage, read_write> global_8: type_24;
 var<storage> global_9: type_16;
 
 fn function_() {
-    var phi_112_: u32;
-    var phi_115_: u32;
-    var phi_136_: u32;
+    var phi_111_: u32;
+    var phi_114_: u32;
+    var phi_135_: u32;
     var local: u32;
-    var phi_151_: u32;
+    var phi_150_: u32;
     var local_1: u32;
-    var phi_160_: u32;
+    var phi_159_: u32;
+    var phi_177_: u32;
     var phi_178_: u32;
-    var phi_179_: u32;
-    var phi_180_: bool;
-    var phi_185_: u32;
-    var phi_187_: u32;
-    var phi_190_: u32;
-    var phi_192_: u32;
-    var phi_216_: u32;
-    var phi_247_: vec4<f32>;
-    var phi_260_: u32;
-    var phi_264_: u32;
-    var phi_267_: type_18;
-    var phi_289_: array<f32, 2>;
-    var phi_297_: f32;
-    var phi_315_: array<f32, 2>;
-    var phi_323_: f32;
-    var phi_342_: array<f32, 2>;
-    var phi_350_: f32;
-    var phi_369_: array<f32, 2>;
-    var phi_377_: f32;
-    var phi_388_: u32;
-    var phi_391_: type_18;
-    var phi_451_: u32;
-    var phi_454_: type_18;
-    var phi_476_: array<f32, 2>;
-    var phi_484_: f32;
-    var phi_502_: array<f32, 2>;
-    var phi_510_: f32;
-    var phi_529_: array<f32, 2>;
-    var phi_537_: f32;
-    var phi_556_: array<f32, 2>;
-    var phi_564_: f32;
+    var phi_179_: bool;
+    var phi_184_: u32;
+    var phi_186_: u32;
+    var phi_189_: u32;
+    var phi_191_: u32;
+    var phi_215_: u32;
+    var phi_246_: vec4<f32>;
+    var phi_255_: type_19;
+    var phi_258_: type_18;
+    var phi_274_: bool;
+    var phi_362_: type_19;
+    var phi_365_: type_18;
+    var phi_432_: type_19;
+    var phi_435_: type_18;
+    var phi_451_: bool;
     var local_2: type_18;
     var local_3: type_18;
     var local_4: type_18;
     var local_5: type_18;
-    var phi_578_: u32;
-    var phi_581_: type_18;
-    var phi_603_: array<f32, 2>;
-    var phi_611_: f32;
-    var phi_629_: array<f32, 2>;
-    var phi_637_: f32;
-    var phi_656_: array<f32, 2>;
-    var phi_664_: f32;
-    var phi_683_: array<f32, 2>;
-    var phi_691_: f32;
+    var phi_582_: u32;
+    var phi_584_: array<u32, 2>;
+    var phi_590_: array<u32, 2>;
+    var phi_643_: u32;
+    var phi_645_: array<u32, 2>;
+    var phi_651_: array<u32, 2>;
+    var phi_704_: u32;
+    var phi_706_: array<u32, 2>;
+    var phi_712_: array<u32, 2>;
+    var phi_765_: u32;
+    var phi_767_: array<u32, 2>;
+    var phi_773_: array<u32, 2>;
+    var phi_834_: vec4<f32>;
+    var phi_845_: vec4<f32>;
+    var phi_856_: vec4<f32>;
+    var phi_867_: vec4<f32>;
+    var phi_882_: type_18;
+    var phi_885_: type_18;
+    var phi_887_: type_18;
+    var phi_889_: type_18;
+    var phi_891_: type_19;
+    var phi_907_: bool;
+    var phi_1161_: type_18;
+    var phi_1164_: type_18;
+    var phi_1166_: type_18;
+    var phi_1168_: type_18;
+    var phi_1170_: type_19;
+    var phi_1387_: type_18;
+    var phi_1390_: type_18;
+    var phi_1392_: type_18;
+    var phi_1394_: type_18;
+    var phi_1396_: type_19;
+    var phi_1412_: bool;
     var local_6: type_18;
     var local_7: type_18;
     var local_8: type_18;
     var local_9: type_18;
-    var phi_748_: u32;
-    var phi_750_: array<u32, 2>;
-    var phi_756_: array<u32, 2>;
-    var phi_804_: u32;
-    var phi_806_: array<u32, 2>;
-    var phi_812_: array<u32, 2>;
-    var phi_860_: u32;
-    var phi_862_: array<u32, 2>;
-    var phi_868_: array<u32, 2>;
-    var phi_916_: u32;
-    var phi_918_: array<u32, 2>;
-    var phi_924_: array<u32, 2>;
-    var phi_980_: vec4<f32>;
-    var phi_991_: vec4<f32>;
-    var phi_1002_: vec4<f32>;
-    var phi_1013_: vec4<f32>;
-    var phi_1026_: u32;
-    var phi_1030_: type_18;
-    var phi_1033_: type_18;
-    var phi_1035_: type_18;
-    var phi_1037_: type_18;
-    var phi_1039_: u32;
-    var phi_1061_: array<f32, 2>;
-    var phi_1069_: f32;
-    var phi_1087_: array<f32, 2>;
-    var phi_1095_: f32;
-    var phi_1114_: array<f32, 2>;
-    var phi_1122_: f32;
-    var phi_1141_: array<f32, 2>;
-    var phi_1149_: f32;
-    var phi_1167_: array<f32, 2>;
-    var phi_1175_: f32;
-    var phi_1205_: array<f32, 2>;
-    var phi_1213_: f32;
-    var phi_1243_: array<f32, 2>;
-    var phi_1251_: f32;
-    var phi_1281_: array<f32, 2>;
-    var phi_1289_: f32;
-    var phi_1310_: u32;
-    var phi_1313_: type_18;
-    var phi_1315_: type_18;
-    var phi_1317_: type_18;
-    var phi_1319_: type_18;
-    var phi_1529_: type_18;
-    var phi_1532_: type_18;
-    var phi_1534_: type_18;
-    var phi_1536_: type_18;
-    var phi_1538_: u32;
-    var phi_1560_: array<f32, 2>;
-    var phi_1568_: f32;
-    var phi_1586_: array<f32, 2>;
-    var phi_1594_: f32;
-    var phi_1613_: array<f32, 2>;
-    var phi_1621_: f32;
-    var phi_1640_: array<f32, 2>;
-    var phi_1648_: f32;
-    var phi_1666_: array<f32, 2>;
-    var phi_1674_: f32;
-    var phi_1704_: array<f32, 2>;
-    var phi_1712_: f32;
-    var phi_1742_: array<f32, 2>;
-    var phi_1750_: f32;
-    var phi_1780_: array<f32, 2>;
-    var phi_1788_: f32;
     var local_10: type_18;
     var local_11: type_18;
     var local_12: type_18;
@@ -189,1922 +139,1473 @@ fn function_() {
     var local_19: type_18;
     var local_20: type_18;
     var local_21: type_18;
-    var local_22: type_18;
-    var local_23: type_18;
-    var local_24: type_18;
-    var local_25: type_18;
-    var phi_1818_: type_18;
-    var phi_1821_: type_18;
-    var phi_1823_: type_18;
-    var phi_1825_: type_18;
-    var phi_1827_: u32;
-    var phi_1849_: array<f32, 2>;
-    var phi_1857_: f32;
-    var phi_1875_: array<f32, 2>;
-    var phi_1883_: f32;
-    var phi_1902_: array<f32, 2>;
-    var phi_1910_: f32;
-    var phi_1929_: array<f32, 2>;
-    var phi_1937_: f32;
-    var phi_1955_: array<f32, 2>;
-    var phi_1963_: f32;
-    var phi_1993_: array<f32, 2>;
-    var phi_2001_: f32;
-    var phi_2031_: array<f32, 2>;
-    var phi_2039_: f32;
-    var phi_2069_: array<f32, 2>;
-    var phi_2077_: f32;
-    var local_26: type_18;
-    var local_27: type_18;
-    var local_28: type_18;
+    var phi_1721_: u32;
+    var phi_1723_: array<u32, 2>;
+    var phi_1729_: array<u32, 2>;
+    var phi_1782_: u32;
+    var phi_1784_: array<u32, 2>;
+    var phi_1790_: array<u32, 2>;
+    var phi_1843_: u32;
+    var phi_1845_: array<u32, 2>;
+    var phi_1851_: array<u32, 2>;
+    var phi_1904_: u32;
+    var phi_1906_: array<u32, 2>;
+    var phi_1912_: array<u32, 2>;
+    var phi_1976_: u32;
+    var phi_1978_: array<u32, 2>;
+    var phi_1984_: array<u32, 2>;
+    var phi_2037_: u32;
+    var phi_2039_: array<u32, 2>;
+    var phi_2045_: array<u32, 2>;
+    var phi_2098_: u32;
+    var phi_2100_: array<u32, 2>;
+    var phi_2106_: array<u32, 2>;
+    var phi_2159_: u32;
+    var phi_2161_: array<u32, 2>;
+    var phi_2167_: array<u32, 2>;
+    var phi_2231_: u32;
+    var phi_2233_: array<u32, 2>;
+    var phi_2239_: array<u32, 2>;
+    var phi_2292_: u32;
+    var phi_2294_: array<u32, 2>;
+    var phi_2300_: array<u32, 2>;
+    var phi_2353_: u32;
+    var phi_2355_: array<u32, 2>;
+    var phi_2361_: array<u32, 2>;
+    var phi_2414_: u32;
+    var phi_2416_: array<u32, 2>;
+    var phi_2422_: array<u32, 2>;
+    var phi_2486_: u32;
+    var phi_2488_: array<u32, 2>;
+    var phi_2494_: array<u32, 2>;
+    var phi_2547_: u32;
+    var phi_2549_: array<u32, 2>;
+    var phi_2555_: array<u32, 2>;
+    var phi_2608_: u32;
+    var phi_2610_: array<u32, 2>;
+    var phi_2616_: array<u32, 2>;
+    var phi_2669_: u32;
+    var phi_2671_: array<u32, 2>;
+    var phi_2677_: array<u32, 2>;
+    var phi_2707_: u32;
+    var phi_187_: u32;
+    var phi_190_: u32;
+    var phi_192_: u32;
+    var phi_2708_: bool;
+    var local_22: u32;
+    var local_23: u32;
+    var local_24: u32;
+    var local_25: u32;
+    var local_26: u32;
+    var local_27: u32;
+    var local_28: type_19;
     var local_29: type_18;
-    var phi_2138_: u32;
-    var phi_2140_: array<u32, 2>;
-    var phi_2146_: array<u32, 2>;
-    var phi_2194_: u32;
-    var phi_2196_: array<u32, 2>;
-    var phi_2202_: array<u32, 2>;
-    var phi_2250_: u32;
-    var phi_2252_: array<u32, 2>;
-    var phi_2258_: array<u32, 2>;
-    var phi_2306_: u32;
-    var phi_2308_: array<u32, 2>;
-    var phi_2314_: array<u32, 2>;
-    var local_30: type_18;
-    var local_31: type_18;
+    var local_30: type_19;
+    var local_31: type_19;
     var local_32: type_18;
     var local_33: type_18;
-    var phi_2381_: u32;
-    var phi_2383_: array<u32, 2>;
-    var phi_2389_: array<u32, 2>;
-    var phi_2437_: u32;
-    var phi_2439_: array<u32, 2>;
-    var phi_2445_: array<u32, 2>;
-    var phi_2493_: u32;
-    var phi_2495_: array<u32, 2>;
-    var phi_2501_: array<u32, 2>;
-    var phi_2549_: u32;
-    var phi_2551_: array<u32, 2>;
-    var phi_2557_: array<u32, 2>;
-    var local_34: type_18;
-    var local_35: type_18;
+    var local_34: type_19;
+    var local_35: type_19;
     var local_36: type_18;
     var local_37: type_18;
-    var phi_2624_: u32;
-    var phi_2626_: array<u32, 2>;
-    var phi_2632_: array<u32, 2>;
-    var phi_2680_: u32;
-    var phi_2682_: array<u32, 2>;
-    var phi_2688_: array<u32, 2>;
-    var phi_2736_: u32;
-    var phi_2738_: array<u32, 2>;
-    var phi_2744_: array<u32, 2>;
-    var phi_2792_: u32;
-    var phi_2794_: array<u32, 2>;
-    var phi_2800_: array<u32, 2>;
     var local_38: type_18;
     var local_39: type_18;
     var local_40: type_18;
     var local_41: type_18;
-    var phi_2867_: u32;
-    var phi_2869_: array<u32, 2>;
-    var phi_2875_: array<u32, 2>;
-    var phi_2923_: u32;
-    var phi_2925_: array<u32, 2>;
-    var phi_2931_: array<u32, 2>;
-    var phi_2979_: u32;
-    var phi_2981_: array<u32, 2>;
-    var phi_2987_: array<u32, 2>;
-    var phi_3035_: u32;
-    var phi_3037_: array<u32, 2>;
-    var phi_3043_: array<u32, 2>;
-    var phi_3068_: u32;
-    var phi_188_: u32;
-    var phi_191_: u32;
-    var phi_193_: u32;
-    var phi_3069_: bool;
-    var local_42: u32;
-    var local_43: u32;
-    var local_44: u32;
-    var local_45: u32;
-    var local_46: u32;
-    var local_47: u32;
+    var local_42: type_19;
+    var local_43: type_18;
+    var local_44: type_18;
+    var local_45: type_18;
+    var local_46: type_18;
+    var local_47: type_18;
     var local_48: type_18;
-    var local_49: u32;
+    var local_49: type_18;
     var local_50: type_18;
-    var local_51: type_18;
-    var local_52: u32;
+    var local_51: type_19;
+    var local_52: type_19;
     var local_53: type_18;
     var local_54: type_18;
-    var local_55: u32;
+    var local_55: type_18;
     var local_56: type_18;
     var local_57: type_18;
     var local_58: type_18;
     var local_59: type_18;
     var local_60: type_18;
-    var local_61: u32;
-    var local_62: type_18;
-    var local_63: type_18;
-    var local_64: type_18;
-    var local_65: type_18;
-    var local_66: type_18;
-    var local_67: type_18;
-    var local_68: type_18;
-    var local_69: type_18;
-    var local_70: type_18;
-    var local_71: type_18;
-    var local_72: type_18;
-    var local_73: type_18;
-    var local_74: type_18;
-    var local_75: type_18;
-    var local_76: type_18;
-    var local_77: type_18;
-    var local_78: u32;
-    var local_79: type_18;
-    var local_80: type_18;
-    var local_81: type_18;
-    var local_82: type_18;
-    var local_83: u32;
+    var local_61: type_19;
+    var local_62: type_19;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e40 = global;
-            let _e41 = global_1;
-            let _e42 = global_2;
-            let _e50 = (((_e41.x + (_e41.y * _e42.x)) * 64u) + _e40.x);
-            let _e53 = global_3.member.member_4;
-            let _e56 = global_3.member.member_10;
-            let _e59 = global_3.member.member_3;
-            let _e60 = (_e59 - 1u);
-            let _e61 = (_e60 / 4u);
-            let _e65 = global_3.member.member_1;
-            let _e68 = global_3.member.member;
-            let _e69 = (_e65 + _e68);
-            let _e72 = (_e65 + (_e41.z * _e56));
-            if (_e50 < ((_e61 + 2u) * _e53)) {
-                if (_e72 < _e69) {
-                    let _e77 = (_e72 + _e56);
-                    let _e82 = global_3.member.member_7;
-                    phi_112_ = _e82;
-                    phi_115_ = 0u;
+            let _e39 = global;
+            let _e40 = global_1;
+            let _e41 = global_2;
+            let _e49 = (((_e40.x + (_e40.y * _e41.x)) * 64u) + _e39.x);
+            let _e52 = global_3.member.member_4;
+            let _e55 = global_3.member.member_10;
+            let _e58 = global_3.member.member_3;
+            let _e59 = (_e58 - 1u);
+            let _e60 = (_e59 / 4u);
+            let _e64 = global_3.member.member_1;
+            let _e67 = global_3.member.member;
+            let _e68 = (_e64 + _e67);
+            let _e71 = (_e64 + (_e40.z * _e55));
+            if (_e49 < ((_e60 + 2u) * _e52)) {
+                if (_e71 < _e68) {
+                    let _e76 = (_e71 + _e55);
+                    let _e81 = global_3.member.member_7;
+                    phi_111_ = _e81;
+                    phi_114_ = 0u;
                     loop {
-                        let _e84 = phi_112_;
-                        let _e86 = phi_115_;
-                        let _e87 = (_e86 + 1u);
-                        local = _e86;
-                        local_1 = _e87;
-                        local_46 = _e86;
-                        if (_e87 < _e84) {
-                            let _e90 = ((_e86 + _e84) / 2u);
-                            let _e93 = global_3.member.member_8;
-                            let _e97 = global_4.member[(_e90 * _e93)];
-                            let _e100 = global_3.member.member_9;
-                            if (_e100 == 0u) {
-                                phi_136_ = _e97;
+                        let _e83 = phi_111_;
+                        let _e85 = phi_114_;
+                        let _e86 = (_e85 + 1u);
+                        local = _e85;
+                        local_1 = _e86;
+                        local_26 = _e85;
+                        if (_e86 < _e83) {
+                            let _e89 = ((_e85 + _e83) / 2u);
+                            let _e92 = global_3.member.member_8;
+                            let _e96 = global_4.member[(_e89 * _e92)];
+                            let _e99 = global_3.member.member_9;
+                            if (_e99 == 0u) {
+                                phi_135_ = _e96;
                             } else {
-                                let _e104 = global_5.member[_e97];
-                                phi_136_ = _e104;
+                                let _e103 = global_5.member[_e96];
+                                phi_135_ = _e103;
                             }
-                            let _e106 = phi_136_;
-                            let _e107 = (_e106 <= _e72);
-                            local_42 = select(_e90, _e84, _e107);
-                            local_43 = select(_e86, _e90, _e107);
+                            let _e105 = phi_135_;
+                            let _e106 = (_e105 <= _e71);
+                            local_22 = select(_e89, _e83, _e106);
+                            local_23 = select(_e85, _e89, _e106);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2951 = local_42;
-                            phi_112_ = _e2951;
-                            let _e2954 = local_43;
-                            phi_115_ = _e2954;
+                            let _e2613 = local_22;
+                            phi_111_ = _e2613;
+                            let _e2616 = local_23;
+                            phi_114_ = _e2616;
                         }
                     }
-                    let _e112 = global_3.member.member_8;
-                    let _e114 = local;
-                    let _e118 = global_4.member[(_e114 * _e112)];
-                    let _e121 = global_3.member.member_9;
-                    let _e122 = (_e121 == 0u);
-                    if _e122 {
-                        phi_151_ = _e118;
+                    let _e111 = global_3.member.member_8;
+                    let _e113 = local;
+                    let _e117 = global_4.member[(_e113 * _e111)];
+                    let _e120 = global_3.member.member_9;
+                    let _e121 = (_e120 == 0u);
+                    if _e121 {
+                        phi_150_ = _e117;
                     } else {
-                        let _e125 = global_5.member[_e118];
-                        phi_151_ = _e125;
+                        let _e124 = global_5.member[_e117];
+                        phi_150_ = _e124;
                     }
-                    let _e127 = phi_151_;
-                    let _e129 = local_1;
-                    let _e133 = global_4.member[(_e129 * _e112)];
-                    if _e122 {
-                        phi_160_ = _e133;
+                    let _e126 = phi_150_;
+                    let _e128 = local_1;
+                    let _e132 = global_4.member[(_e128 * _e111)];
+                    if _e121 {
+                        phi_159_ = _e132;
                     } else {
-                        let _e136 = global_5.member[_e133];
-                        phi_160_ = _e136;
+                        let _e135 = global_5.member[_e132];
+                        phi_159_ = _e135;
                     }
-                    let _e138 = phi_160_;
-                    if (_e56 == 0u) {
+                    let _e137 = phi_159_;
+                    if (_e55 == 0u) {
                         break;
                     }
-                    let _e141 = ((_e72 - _e127) % _e56);
-                    if (_e41.z == 0u) {
-                        phi_179_ = u32();
-                        phi_180_ = true;
+                    let _e140 = ((_e71 - _e126) % _e55);
+                    if (_e40.z == 0u) {
+                        phi_178_ = u32();
+                        phi_179_ = true;
                     } else {
-                        let _e143 = (_e141 == 0u);
-                        if _e143 {
-                            phi_178_ = u32();
+                        let _e142 = (_e140 == 0u);
+                        if _e142 {
+                            phi_177_ = u32();
                         } else {
-                            let _e145 = ((_e72 - _e141) + _e56);
-                            phi_178_ = select(_e138, _e145, (_e145 < _e138));
+                            let _e144 = ((_e71 - _e140) + _e55);
+                            phi_177_ = select(_e137, _e144, (_e144 < _e137));
                         }
-                        let _e149 = phi_178_;
-                        phi_179_ = _e149;
-                        phi_180_ = _e143;
+                        let _e148 = phi_177_;
+                        phi_178_ = _e148;
+                        phi_179_ = _e142;
                     }
-                    let _e151 = phi_179_;
-                    let _e153 = phi_180_;
-                    if _e153 {
-                        phi_185_ = (_e72 - _e141);
+                    let _e150 = phi_178_;
+                    let _e152 = phi_179_;
+                    if _e152 {
+                        phi_184_ = (_e71 - _e140);
                     } else {
-                        phi_185_ = _e151;
+                        phi_184_ = _e150;
                     }
-                    let _e156 = phi_185_;
-                    phi_187_ = _e138;
-                    phi_190_ = _e156;
-                    let _e2972 = local_46;
-                    phi_192_ = _e2972;
+                    let _e155 = phi_184_;
+                    phi_186_ = _e137;
+                    phi_189_ = _e155;
+                    let _e2634 = local_26;
+                    phi_191_ = _e2634;
                     loop {
-                        let _e158 = phi_187_;
-                        let _e160 = phi_190_;
-                        let _e162 = phi_192_;
-                        phi_3069_ = false;
-                        if (_e160 < select(_e69, _e77, (_e77 < _e69))) {
-                            if (_e160 == _e158) {
-                                let _e2935 = global_4.member[((_e162 + 2u) * _e112)];
-                                if _e122 {
-                                    phi_3068_ = _e2935;
+                        let _e157 = phi_186_;
+                        let _e159 = phi_189_;
+                        let _e161 = phi_191_;
+                        phi_2708_ = false;
+                        if (_e159 < select(_e68, _e76, (_e76 < _e68))) {
+                            if (_e159 == _e157) {
+                                let _e2597 = global_4.member[((_e161 + 2u) * _e111)];
+                                if _e121 {
+                                    phi_2707_ = _e2597;
                                 } else {
-                                    let _e2938 = global_5.member[_e2935];
-                                    phi_3068_ = _e2938;
+                                    let _e2600 = global_5.member[_e2597];
+                                    phi_2707_ = _e2600;
                                 }
-                                let _e2940 = phi_3068_;
-                                phi_188_ = _e2940;
-                                phi_191_ = _e160;
-                                phi_193_ = (_e162 + 1u);
+                                let _e2602 = phi_2707_;
+                                phi_187_ = _e2602;
+                                phi_190_ = _e159;
+                                phi_192_ = (_e161 + 1u);
                             } else {
-                                let _e165 = (_e160 + _e56);
-                                let _e167 = select(_e158, _e165, (_e165 < _e158));
-                                let _e168 = (_e53 == 0u);
-                                if _e168 {
-                                    phi_3069_ = true;
+                                let _e164 = (_e159 + _e55);
+                                let _e166 = select(_e157, _e164, (_e164 < _e157));
+                                let _e167 = (_e52 == 0u);
+                                if _e167 {
+                                    phi_2708_ = true;
                                     break;
                                 }
-                                let _e169 = (_e50 / _e53);
-                                if _e168 {
-                                    phi_3069_ = true;
+                                let _e168 = (_e49 / _e52);
+                                if _e167 {
+                                    phi_2708_ = true;
                                     break;
                                 }
-                                let _e170 = (_e50 % _e53);
-                                if (_e160 > _e65) {
-                                    phi_216_ = (_e160 - _e65);
+                                let _e169 = (_e49 % _e52);
+                                if (_e159 > _e64) {
+                                    phi_215_ = (_e159 - _e64);
                                 } else {
-                                    phi_216_ = 0u;
+                                    phi_215_ = 0u;
                                 }
-                                let _e174 = phi_216_;
-                                let _e175 = (_e167 - _e65);
-                                let _e177 = select(_e68, _e175, (_e175 < _e68));
-                                let _e180 = global_3.member.member_12;
-                                let _e183 = global_3.member.member_11;
-                                let _e184 = (_e180 * _e183);
-                                let _e186 = ((1u - _e180) * _e183);
-                                let _e187 = (_e167 <= _e69);
-                                let _e189 = select(false, true, (_e160 < _e65));
-                                let _e192 = global_3.member.member_2;
-                                let _e194 = ((4u * _e170) * _e192);
-                                if (_e169 < (_e61 + 1u)) {
-                                    let _e861 = (_e169 * 4u);
-                                    let _e864 = global_3.member.member_5;
-                                    let _e867 = ((_e864 + (_e861 * _e53)) + _e170);
-                                    let _e868 = (_e60 - _e861);
-                                    let _e872 = (_e867 + (select(_e868, 1u, (1u < _e868)) * _e53));
-                                    let _e876 = (_e867 + (select(_e868, 2u, (2u < _e868)) * _e53));
-                                    let _e880 = (_e867 + (select(_e868, 3u, (3u < _e868)) * _e53));
-                                    let _e885 = (_e861 * _e192);
-                                    let _e886 = (_e861 + 1u);
-                                    let _e889 = (select(_e60, _e886, (_e886 < _e60)) * _e192);
-                                    let _e890 = (_e861 + 2u);
-                                    let _e893 = (select(_e60, _e890, (_e890 < _e60)) * _e192);
-                                    let _e894 = (_e861 + 3u);
-                                    let _e897 = (select(_e60, _e894, (_e894 < _e60)) * _e192);
-                                    if _e189 {
-                                        let _e900 = global_6.member[(_e184 + _e867)];
-                                        phi_980_ = _e900;
+                                let _e173 = phi_215_;
+                                let _e174 = (_e166 - _e64);
+                                let _e176 = select(_e67, _e174, (_e174 < _e67));
+                                let _e179 = global_3.member.member_12;
+                                let _e182 = global_3.member.member_11;
+                                let _e183 = (_e179 * _e182);
+                                let _e185 = ((1u - _e179) * _e182);
+                                let _e186 = (_e166 <= _e68);
+                                let _e188 = select(false, true, (_e159 < _e64));
+                                let _e191 = global_3.member.member_2;
+                                let _e193 = ((4u * _e169) * _e191);
+                                if (_e168 < (_e60 + 1u)) {
+                                    let _e742 = (_e168 * 4u);
+                                    let _e745 = global_3.member.member_5;
+                                    let _e748 = ((_e745 + (_e742 * _e52)) + _e169);
+                                    let _e749 = (_e59 - _e742);
+                                    let _e753 = (_e748 + (select(_e749, 1u, (1u < _e749)) * _e52));
+                                    let _e757 = (_e748 + (select(_e749, 2u, (2u < _e749)) * _e52));
+                                    let _e761 = (_e748 + (select(_e749, 3u, (3u < _e749)) * _e52));
+                                    let _e767 = (_e742 + 1u);
+                                    let _e771 = (_e742 + 2u);
+                                    let _e775 = (_e742 + 3u);
+                                    if _e188 {
+                                        let _e781 = global_6.member[(_e183 + _e748)];
+                                        phi_834_ = _e781;
                                     } else {
-                                        phi_980_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_834_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e902 = phi_980_;
-                                    if _e189 {
-                                        let _e910 = global_6.member[(_e184 + _e872)];
-                                        phi_991_ = _e910;
+                                    let _e783 = phi_834_;
+                                    if _e188 {
+                                        let _e791 = global_6.member[(_e183 + _e753)];
+                                        phi_845_ = _e791;
                                     } else {
-                                        phi_991_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_845_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e912 = phi_991_;
-                                    if _e189 {
-                                        let _e920 = global_6.member[(_e184 + _e876)];
-                                        phi_1002_ = _e920;
+                                    let _e793 = phi_845_;
+                                    if _e188 {
+                                        let _e801 = global_6.member[(_e183 + _e757)];
+                                        phi_856_ = _e801;
                                     } else {
-                                        phi_1002_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_856_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e922 = phi_1002_;
-                                    if _e189 {
-                                        let _e930 = global_6.member[(_e184 + _e880)];
-                                        phi_1013_ = _e930;
+                                    let _e803 = phi_856_;
+                                    if _e188 {
+                                        let _e811 = global_6.member[(_e183 + _e761)];
+                                        phi_867_ = _e811;
                                     } else {
-                                        phi_1013_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_867_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e932 = phi_1013_;
-                                    let _e938 = (_e174 % 4u);
-                                    if (_e938 == 0u) {
-                                        phi_1026_ = _e174;
-                                    } else {
-                                        phi_1026_ = (_e174 + (4u - _e938));
-                                    }
-                                    let _e943 = phi_1026_;
-                                    phi_1030_ = type_18(_e932.x, _e932.y, _e932.z, _e932.w);
-                                    phi_1033_ = type_18(_e922.x, _e922.y, _e922.z, _e922.w);
-                                    phi_1035_ = type_18(_e912.x, _e912.y, _e912.z, _e912.w);
-                                    phi_1037_ = type_18(_e902.x, _e902.y, _e902.z, _e902.w);
-                                    phi_1039_ = _e174;
+                                    let _e813 = phi_867_;
+                                    let _e821 = ((_e742 * _e191) / 4u);
+                                    let _e822 = ((select(_e59, _e767, (_e767 < _e59)) * _e191) / 4u);
+                                    let _e823 = ((select(_e59, _e771, (_e771 < _e59)) * _e191) / 4u);
+                                    let _e824 = ((select(_e59, _e775, (_e775 < _e59)) * _e191) / 4u);
+                                    let _e825 = (_e193 / 4u);
+                                    let _e826 = (_e191 / 4u);
+                                    phi_882_ = type_18(_e813.x, _e813.y, _e813.z, _e813.w);
+                                    phi_885_ = type_18(_e803.x, _e803.y, _e803.z, _e803.w);
+                                    phi_887_ = type_18(_e793.x, _e793.y, _e793.z, _e793.w);
+                                    phi_889_ = type_18(_e783.x, _e783.y, _e783.z, _e783.w);
+                                    phi_891_ = type_19((_e173 / 4u), _e173, _e176);
                                     loop {
-                                        let _e947 = phi_1030_;
-                                        let _e949 = phi_1033_;
-                                        let _e951 = phi_1035_;
-                                        let _e953 = phi_1037_;
-                                        let _e955 = phi_1039_;
-                                        let _e956 = (_e955 + 1u);
-                                        local_62 = _e947;
-                                        local_64 = _e949;
-                                        local_66 = _e951;
-                                        local_68 = _e953;
-                                        if (_e956 <= select(_e177, _e943, (_e943 < _e177))) {
-                                            let _e958 = (_e194 + _e955);
-                                            let _e964 = global_7.member[(((_e958 / 4u) * 4u) / 4u)];
-                                            if ((_e958 % 2u) == 0u) {
-                                                phi_1061_ = array<f32, 2>(_e964.x, _e964.z);
-                                            } else {
-                                                phi_1061_ = array<f32, 2>(_e964.y, _e964.w);
-                                            }
-                                            let _e974 = phi_1061_;
-                                            if ((_e958 % 4u) < 2u) {
-                                                phi_1069_ = _e974[0];
-                                            } else {
-                                                phi_1069_ = _e974[1];
-                                            }
-                                            let _e980 = phi_1069_;
-                                            let _e981 = (_e958 + _e192);
-                                            let _e987 = global_7.member[(((_e981 / 4u) * 4u) / 4u)];
-                                            if ((_e981 % 2u) == 0u) {
-                                                phi_1087_ = array<f32, 2>(_e987.x, _e987.z);
-                                            } else {
-                                                phi_1087_ = array<f32, 2>(_e987.y, _e987.w);
-                                            }
-                                            let _e997 = phi_1087_;
-                                            if ((_e981 % 4u) < 2u) {
-                                                phi_1095_ = _e997[0];
-                                            } else {
-                                                phi_1095_ = _e997[1];
-                                            }
-                                            let _e1003 = phi_1095_;
-                                            let _e1005 = (_e958 + (2u * _e192));
-                                            let _e1011 = global_7.member[(((_e1005 / 4u) * 4u) / 4u)];
-                                            if ((_e1005 % 2u) == 0u) {
-                                                phi_1114_ = array<f32, 2>(_e1011.x, _e1011.z);
-                                            } else {
-                                                phi_1114_ = array<f32, 2>(_e1011.y, _e1011.w);
-                                            }
-                                            let _e1021 = phi_1114_;
-                                            if ((_e1005 % 4u) < 2u) {
-                                                phi_1122_ = _e1021[0];
-                                            } else {
-                                                phi_1122_ = _e1021[1];
-                                            }
-                                            let _e1027 = phi_1122_;
-                                            let _e1029 = (_e958 + (3u * _e192));
-                                            let _e1035 = global_7.member[(((_e1029 / 4u) * 4u) / 4u)];
-                                            if ((_e1029 % 2u) == 0u) {
-                                                phi_1141_ = array<f32, 2>(_e1035.x, _e1035.z);
-                                            } else {
-                                                phi_1141_ = array<f32, 2>(_e1035.y, _e1035.w);
-                                            }
-                                            let _e1045 = phi_1141_;
-                                            if ((_e1029 % 4u) < 2u) {
-                                                phi_1149_ = _e1045[0];
-                                            } else {
-                                                phi_1149_ = _e1045[1];
-                                            }
-                                            let _e1051 = phi_1149_;
-                                            let _e1052 = (_e885 + _e955);
-                                            let _e1058 = global_9.member[(((_e1052 / 4u) * 4u) / 4u)];
-                                            if ((_e1052 % 2u) == 0u) {
-                                                phi_1167_ = array<f32, 2>(_e1058.x, _e1058.z);
-                                            } else {
-                                                phi_1167_ = array<f32, 2>(_e1058.y, _e1058.w);
-                                            }
-                                            let _e1068 = phi_1167_;
-                                            if ((_e1052 % 4u) < 2u) {
-                                                phi_1175_ = _e1068[0];
-                                            } else {
-                                                phi_1175_ = _e1068[1];
-                                            }
-                                            let _e1074 = phi_1175_;
-                                            let _e1088 = (_e889 + _e955);
-                                            let _e1094 = global_9.member[(((_e1088 / 4u) * 4u) / 4u)];
-                                            local_60 = type_18(((_e1074 * _e980) + _e953.member), ((_e1074 * _e1003) + _e953.member_1), ((_e1074 * _e1027) + _e953.member_2), ((_e1074 * _e1051) + _e953.member_3));
-                                            if ((_e1088 % 2u) == 0u) {
-                                                phi_1205_ = array<f32, 2>(_e1094.x, _e1094.z);
-                                            } else {
-                                                phi_1205_ = array<f32, 2>(_e1094.y, _e1094.w);
-                                            }
-                                            let _e1104 = phi_1205_;
-                                            if ((_e1088 % 4u) < 2u) {
-                                                phi_1213_ = _e1104[0];
-                                            } else {
-                                                phi_1213_ = _e1104[1];
-                                            }
-                                            let _e1110 = phi_1213_;
-                                            let _e1124 = (_e893 + _e955);
-                                            let _e1130 = global_9.member[(((_e1124 / 4u) * 4u) / 4u)];
-                                            local_59 = type_18(((_e1110 * _e980) + _e951.member), ((_e1110 * _e1003) + _e951.member_1), ((_e1110 * _e1027) + _e951.member_2), ((_e1110 * _e1051) + _e951.member_3));
-                                            if ((_e1124 % 2u) == 0u) {
-                                                phi_1243_ = array<f32, 2>(_e1130.x, _e1130.z);
-                                            } else {
-                                                phi_1243_ = array<f32, 2>(_e1130.y, _e1130.w);
-                                            }
-                                            let _e1140 = phi_1243_;
-                                            if ((_e1124 % 4u) < 2u) {
-                                                phi_1251_ = _e1140[0];
-                                            } else {
-                                                phi_1251_ = _e1140[1];
-                                            }
-                                            let _e1146 = phi_1251_;
-                                            let _e1160 = (_e897 + _e955);
-                                            let _e1166 = global_9.member[(((_e1160 / 4u) * 4u) / 4u)];
-                                            local_58 = type_18(((_e1146 * _e980) + _e949.member), ((_e1146 * _e1003) + _e949.member_1), ((_e1146 * _e1027) + _e949.member_2), ((_e1146 * _e1051) + _e949.member_3));
-                                            if ((_e1160 % 2u) == 0u) {
-                                                phi_1281_ = array<f32, 2>(_e1166.x, _e1166.z);
-                                            } else {
-                                                phi_1281_ = array<f32, 2>(_e1166.y, _e1166.w);
-                                            }
-                                            let _e1176 = phi_1281_;
-                                            if ((_e1160 % 4u) < 2u) {
-                                                phi_1289_ = _e1176[0];
-                                            } else {
-                                                phi_1289_ = _e1176[1];
-                                            }
-                                            let _e1182 = phi_1289_;
-                                            local_57 = type_18(((_e1182 * _e980) + _e947.member), ((_e1182 * _e1003) + _e947.member_1), ((_e1182 * _e1027) + _e947.member_2), ((_e1182 * _e1051) + _e947.member_3));
+                                        let _e828 = phi_882_;
+                                        let _e830 = phi_885_;
+                                        let _e832 = phi_887_;
+                                        let _e834 = phi_889_;
+                                        let _e836 = phi_891_;
+                                        local_43 = _e828;
+                                        local_45 = _e830;
+                                        local_47 = _e832;
+                                        local_49 = _e834;
+                                        local_51 = _e836;
+                                        let _e838 = (4u * _e836.member);
+                                        if (_e838 < _e836.member_2) {
+                                            phi_907_ = select(((_e838 + 4u) > _e836.member_2), true, (_e838 < _e836.member_1));
+                                        } else {
+                                            phi_907_ = false;
+                                        }
+                                        let _e847 = phi_907_;
+                                        if _e847 {
+                                            let _e851 = global_7.member[(_e825 + _e836.member)];
+                                            let _e858 = (_e836.member_2 - _e836.member_1);
+                                            let _e859 = ((_e838 - _e836.member_1) < _e858);
+                                            let _e860 = select(0f, _e851.x, _e859);
+                                            let _e863 = (((_e838 + 1u) - _e836.member_1) < _e858);
+                                            let _e864 = select(0f, _e851.y, _e863);
+                                            let _e867 = (((_e838 + 2u) - _e836.member_1) < _e858);
+                                            let _e868 = select(0f, _e851.z, _e867);
+                                            let _e871 = (((_e838 + 3u) - _e836.member_1) < _e858);
+                                            let _e872 = select(0f, _e851.w, _e871);
+                                            let _e877 = global_7.member[((_e825 + _e826) + _e836.member)];
+                                            let _e882 = select(0f, _e877.x, _e859);
+                                            let _e883 = select(0f, _e877.y, _e863);
+                                            let _e884 = select(0f, _e877.z, _e867);
+                                            let _e885 = select(0f, _e877.w, _e871);
+                                            let _e891 = global_7.member[((_e825 + (2u * _e826)) + _e836.member)];
+                                            let _e896 = select(0f, _e891.x, _e859);
+                                            let _e897 = select(0f, _e891.y, _e863);
+                                            let _e898 = select(0f, _e891.z, _e867);
+                                            let _e899 = select(0f, _e891.w, _e871);
+                                            let _e905 = global_7.member[((_e825 + (3u * _e826)) + _e836.member)];
+                                            let _e910 = select(0f, _e905.x, _e859);
+                                            let _e911 = select(0f, _e905.y, _e863);
+                                            let _e912 = select(0f, _e905.z, _e867);
+                                            let _e913 = select(0f, _e905.w, _e871);
+                                            let _e917 = global_9.member[(_e821 + _e836.member)];
+                                            let _e922 = select(0f, _e917.x, _e859);
+                                            let _e923 = select(0f, _e917.y, _e863);
+                                            let _e924 = select(0f, _e917.z, _e867);
+                                            let _e925 = select(0f, _e917.w, _e871);
+                                            let _e929 = global_9.member[(_e822 + _e836.member)];
+                                            let _e934 = select(0f, _e929.x, _e859);
+                                            let _e935 = select(0f, _e929.y, _e863);
+                                            let _e936 = select(0f, _e929.z, _e867);
+                                            let _e937 = select(0f, _e929.w, _e871);
+                                            let _e941 = global_9.member[(_e823 + _e836.member)];
+                                            let _e946 = select(0f, _e941.x, _e859);
+                                            let _e947 = select(0f, _e941.y, _e863);
+                                            let _e948 = select(0f, _e941.z, _e867);
+                                            let _e949 = select(0f, _e941.w, _e871);
+                                            let _e953 = global_9.member[(_e824 + _e836.member)];
+                                            let _e958 = select(0f, _e953.x, _e859);
+                                            let _e959 = select(0f, _e953.y, _e863);
+                                            let _e960 = select(0f, _e953.z, _e867);
+                                            let _e961 = select(0f, _e953.w, _e871);
+                                            local_38 = type_18(((_e961 * _e872) + ((_e960 * _e868) + ((_e959 * _e864) + ((_e958 * _e860) + _e828.member)))), ((_e961 * _e885) + ((_e960 * _e884) + ((_e959 * _e883) + ((_e958 * _e882) + _e828.member_1)))), ((_e961 * _e899) + ((_e960 * _e898) + ((_e959 * _e897) + ((_e958 * _e896) + _e828.member_2)))), ((_e961 * _e913) + ((_e960 * _e912) + ((_e959 * _e911) + ((_e958 * _e910) + _e828.member_3)))));
+                                            local_39 = type_18(((_e949 * _e872) + ((_e948 * _e868) + ((_e947 * _e864) + ((_e946 * _e860) + _e830.member)))), ((_e949 * _e885) + ((_e948 * _e884) + ((_e947 * _e883) + ((_e946 * _e882) + _e830.member_1)))), ((_e949 * _e899) + ((_e948 * _e898) + ((_e947 * _e897) + ((_e946 * _e896) + _e830.member_2)))), ((_e949 * _e913) + ((_e948 * _e912) + ((_e947 * _e911) + ((_e946 * _e910) + _e830.member_3)))));
+                                            local_40 = type_18(((_e937 * _e872) + ((_e936 * _e868) + ((_e935 * _e864) + ((_e934 * _e860) + _e832.member)))), ((_e937 * _e885) + ((_e936 * _e884) + ((_e935 * _e883) + ((_e934 * _e882) + _e832.member_1)))), ((_e937 * _e899) + ((_e936 * _e898) + ((_e935 * _e897) + ((_e934 * _e896) + _e832.member_2)))), ((_e937 * _e913) + ((_e936 * _e912) + ((_e935 * _e911) + ((_e934 * _e910) + _e832.member_3)))));
+                                            local_41 = type_18(((_e925 * _e872) + ((_e924 * _e868) + ((_e923 * _e864) + ((_e922 * _e860) + _e834.member)))), ((_e925 * _e885) + ((_e924 * _e884) + ((_e923 * _e883) + ((_e922 * _e882) + _e834.member_1)))), ((_e925 * _e899) + ((_e924 * _e898) + ((_e923 * _e897) + ((_e922 * _e896) + _e834.member_2)))), ((_e925 * _e913) + ((_e924 * _e912) + ((_e923 * _e911) + ((_e922 * _e910) + _e834.member_3)))));
+                                            local_42 = type_19((_e836.member + 1u), _e836.member_1, _e836.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e3055 = local_57;
-                                            phi_1030_ = _e3055;
-                                            let _e3058 = local_58;
-                                            phi_1033_ = _e3058;
-                                            let _e3061 = local_59;
-                                            phi_1035_ = _e3061;
-                                            let _e3064 = local_60;
-                                            phi_1037_ = _e3064;
-                                            phi_1039_ = _e956;
+                                            let _e2689 = local_38;
+                                            phi_882_ = _e2689;
+                                            let _e2692 = local_39;
+                                            phi_885_ = _e2692;
+                                            let _e2695 = local_40;
+                                            phi_887_ = _e2695;
+                                            let _e2698 = local_41;
+                                            phi_889_ = _e2698;
+                                            let _e2701 = local_42;
+                                            phi_891_ = _e2701;
                                         }
                                     }
-                                    let _e1201 = (_e192 / 4u);
-                                    phi_1310_ = (_e943 / 4u);
-                                    let _e3087 = local_62;
-                                    phi_1313_ = _e3087;
-                                    let _e3092 = local_64;
-                                    phi_1315_ = _e3092;
-                                    let _e3097 = local_66;
-                                    phi_1317_ = _e3097;
-                                    let _e3102 = local_68;
-                                    phi_1319_ = _e3102;
+                                    let _e2705 = local_43;
+                                    phi_1161_ = _e2705;
+                                    let _e2710 = local_45;
+                                    phi_1164_ = _e2710;
+                                    let _e2715 = local_47;
+                                    phi_1166_ = _e2715;
+                                    let _e2720 = local_49;
+                                    phi_1168_ = _e2720;
+                                    let _e2725 = local_51;
+                                    phi_1170_ = _e2725;
                                     loop {
-                                        let _e1204 = phi_1310_;
-                                        let _e1206 = phi_1313_;
-                                        let _e1208 = phi_1315_;
-                                        let _e1210 = phi_1317_;
-                                        let _e1212 = phi_1319_;
-                                        let _e1213 = (4u * _e1204);
-                                        local_70 = _e1206;
-                                        local_72 = _e1208;
-                                        local_74 = _e1210;
-                                        local_76 = _e1212;
-                                        local_78 = _e1213;
-                                        if ((_e1213 + 4u) <= _e177) {
-                                            let _e1216 = ((_e194 / 4u) + _e1204);
-                                            let _e1219 = global_7.member[_e1216];
-                                            let _e1227 = global_7.member[(_e1216 + _e1201)];
-                                            let _e1236 = global_7.member[(_e1216 + (2u * _e1201))];
-                                            let _e1245 = global_7.member[(_e1216 + (3u * _e1201))];
-                                            let _e1253 = global_9.member[((_e885 / 4u) + _e1204)];
-                                            let _e1261 = global_9.member[((_e889 / 4u) + _e1204)];
-                                            let _e1269 = global_9.member[((_e893 / 4u) + _e1204)];
-                                            let _e1277 = global_9.member[((_e897 / 4u) + _e1204)];
-                                            local_61 = (_e1204 + 1u);
-                                            local_63 = type_18(((_e1277.w * _e1219.w) + ((_e1277.z * _e1219.z) + ((_e1277.y * _e1219.y) + ((_e1277.x * _e1219.x) + _e1206.member)))), ((_e1277.w * _e1227.w) + ((_e1277.z * _e1227.z) + ((_e1277.y * _e1227.y) + ((_e1277.x * _e1227.x) + _e1206.member_1)))), ((_e1277.w * _e1236.w) + ((_e1277.z * _e1236.z) + ((_e1277.y * _e1236.y) + ((_e1277.x * _e1236.x) + _e1206.member_2)))), ((_e1277.w * _e1245.w) + ((_e1277.z * _e1245.z) + ((_e1277.y * _e1245.y) + ((_e1277.x * _e1245.x) + _e1206.member_3)))));
-                                            local_65 = type_18(((_e1269.w * _e1219.w) + ((_e1269.z * _e1219.z) + ((_e1269.y * _e1219.y) + ((_e1269.x * _e1219.x) + _e1208.member)))), ((_e1269.w * _e1227.w) + ((_e1269.z * _e1227.z) + ((_e1269.y * _e1227.y) + ((_e1269.x * _e1227.x) + _e1208.member_1)))), ((_e1269.w * _e1236.w) + ((_e1269.z * _e1236.z) + ((_e1269.y * _e1236.y) + ((_e1269.x * _e1236.x) + _e1208.member_2)))), ((_e1269.w * _e1245.w) + ((_e1269.z * _e1245.z) + ((_e1269.y * _e1245.y) + ((_e1269.x * _e1245.x) + _e1208.member_3)))));
-                                            local_67 = type_18(((_e1261.w * _e1219.w) + ((_e1261.z * _e1219.z) + ((_e1261.y * _e1219.y) + ((_e1261.x * _e1219.x) + _e1210.member)))), ((_e1261.w * _e1227.w) + ((_e1261.z * _e1227.z) + ((_e1261.y * _e1227.y) + ((_e1261.x * _e1227.x) + _e1210.member_1)))), ((_e1261.w * _e1236.w) + ((_e1261.z * _e1236.z) + ((_e1261.y * _e1236.y) + ((_e1261.x * _e1236.x) + _e1210.member_2)))), ((_e1261.w * _e1245.w) + ((_e1261.z * _e1245.z) + ((_e1261.y * _e1245.y) + ((_e1261.x * _e1245.x) + _e1210.member_3)))));
-                                            local_69 = type_18(((_e1253.w * _e1219.w) + ((_e1253.z * _e1219.z) + ((_e1253.y * _e1219.y) + ((_e1253.x * _e1219.x) + _e1212.member)))), ((_e1253.w * _e1227.w) + ((_e1253.z * _e1227.z) + ((_e1253.y * _e1227.y) + ((_e1253.x * _e1227.x) + _e1212.member_1)))), ((_e1253.w * _e1236.w) + ((_e1253.z * _e1236.z) + ((_e1253.y * _e1236.y) + ((_e1253.x * _e1236.x) + _e1212.member_2)))), ((_e1253.w * _e1245.w) + ((_e1253.z * _e1245.z) + ((_e1253.y * _e1245.y) + ((_e1253.x * _e1245.x) + _e1212.member_3)))));
+                                        let _e1116 = phi_1161_;
+                                        let _e1118 = phi_1164_;
+                                        let _e1120 = phi_1166_;
+                                        let _e1122 = phi_1168_;
+                                        let _e1124 = phi_1170_;
+                                        local_53 = _e1116;
+                                        local_55 = _e1118;
+                                        local_57 = _e1120;
+                                        local_59 = _e1122;
+                                        local_61 = _e1124;
+                                        if !((((4u * _e1124.member) + 4u) > _e1124.member_2)) {
+                                            let _e1134 = global_7.member[(_e825 + _e1124.member)];
+                                            let _e1143 = global_7.member[((_e825 + _e826) + _e1124.member)];
+                                            let _e1153 = global_7.member[((_e825 + (2u * _e826)) + _e1124.member)];
+                                            let _e1163 = global_7.member[((_e825 + (3u * _e826)) + _e1124.member)];
+                                            let _e1171 = global_9.member[(_e821 + _e1124.member)];
+                                            let _e1179 = global_9.member[(_e822 + _e1124.member)];
+                                            let _e1187 = global_9.member[(_e823 + _e1124.member)];
+                                            let _e1195 = global_9.member[(_e824 + _e1124.member)];
+                                            local_44 = type_18(((_e1195.w * _e1134.w) + ((_e1195.z * _e1134.z) + ((_e1195.y * _e1134.y) + ((_e1195.x * _e1134.x) + _e1116.member)))), ((_e1195.w * _e1143.w) + ((_e1195.z * _e1143.z) + ((_e1195.y * _e1143.y) + ((_e1195.x * _e1143.x) + _e1116.member_1)))), ((_e1195.w * _e1153.w) + ((_e1195.z * _e1153.z) + ((_e1195.y * _e1153.y) + ((_e1195.x * _e1153.x) + _e1116.member_2)))), ((_e1195.w * _e1163.w) + ((_e1195.z * _e1163.z) + ((_e1195.y * _e1163.y) + ((_e1195.x * _e1163.x) + _e1116.member_3)))));
+                                            local_46 = type_18(((_e1187.w * _e1134.w) + ((_e1187.z * _e1134.z) + ((_e1187.y * _e1134.y) + ((_e1187.x * _e1134.x) + _e1118.member)))), ((_e1187.w * _e1143.w) + ((_e1187.z * _e1143.z) + ((_e1187.y * _e1143.y) + ((_e1187.x * _e1143.x) + _e1118.member_1)))), ((_e1187.w * _e1153.w) + ((_e1187.z * _e1153.z) + ((_e1187.y * _e1153.y) + ((_e1187.x * _e1153.x) + _e1118.member_2)))), ((_e1187.w * _e1163.w) + ((_e1187.z * _e1163.z) + ((_e1187.y * _e1163.y) + ((_e1187.x * _e1163.x) + _e1118.member_3)))));
+                                            local_48 = type_18(((_e1179.w * _e1134.w) + ((_e1179.z * _e1134.z) + ((_e1179.y * _e1134.y) + ((_e1179.x * _e1134.x) + _e1120.member)))), ((_e1179.w * _e1143.w) + ((_e1179.z * _e1143.z) + ((_e1179.y * _e1143.y) + ((_e1179.x * _e1143.x) + _e1120.member_1)))), ((_e1179.w * _e1153.w) + ((_e1179.z * _e1153.z) + ((_e1179.y * _e1153.y) + ((_e1179.x * _e1153.x) + _e1120.member_2)))), ((_e1179.w * _e1163.w) + ((_e1179.z * _e1163.z) + ((_e1179.y * _e1163.y) + ((_e1179.x * _e1163.x) + _e1120.member_3)))));
+                                            local_50 = type_18(((_e1171.w * _e1134.w) + ((_e1171.z * _e1134.z) + ((_e1171.y * _e1134.y) + ((_e1171.x * _e1134.x) + _e1122.member)))), ((_e1171.w * _e1143.w) + ((_e1171.z * _e1143.z) + ((_e1171.y * _e1143.y) + ((_e1171.x * _e1143.x) + _e1122.member_1)))), ((_e1171.w * _e1153.w) + ((_e1171.z * _e1153.z) + ((_e1171.y * _e1153.y) + ((_e1171.x * _e1153.x) + _e1122.member_2)))), ((_e1171.w * _e1163.w) + ((_e1171.z * _e1163.z) + ((_e1171.y * _e1163.y) + ((_e1171.x * _e1163.x) + _e1122.member_3)))));
+                                            local_52 = type_19((_e1124.member + 1u), _e1124.member_1, _e1124.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e3084 = local_61;
-                                            phi_1310_ = _e3084;
-                                            let _e3089 = local_63;
-                                            phi_1313_ = _e3089;
-                                            let _e3094 = local_65;
-                                            phi_1315_ = _e3094;
-                                            let _e3099 = local_67;
-                                            phi_1317_ = _e3099;
-                                            let _e3104 = local_69;
-                                            phi_1319_ = _e3104;
+                                            let _e2707 = local_44;
+                                            phi_1161_ = _e2707;
+                                            let _e2712 = local_46;
+                                            phi_1164_ = _e2712;
+                                            let _e2717 = local_48;
+                                            phi_1166_ = _e2717;
+                                            let _e2722 = local_50;
+                                            phi_1168_ = _e2722;
+                                            let _e2727 = local_52;
+                                            phi_1170_ = _e2727;
                                         }
                                     }
-                                    let _e3107 = local_70;
-                                    phi_1529_ = _e3107;
-                                    let _e3112 = local_72;
-                                    phi_1532_ = _e3112;
-                                    let _e3117 = local_74;
-                                    phi_1534_ = _e3117;
-                                    let _e3122 = local_76;
-                                    phi_1536_ = _e3122;
-                                    let _e3127 = local_78;
-                                    phi_1538_ = _e3127;
+                                    let _e2730 = local_53;
+                                    phi_1387_ = _e2730;
+                                    let _e2735 = local_55;
+                                    phi_1390_ = _e2735;
+                                    let _e2740 = local_57;
+                                    phi_1392_ = _e2740;
+                                    let _e2745 = local_59;
+                                    phi_1394_ = _e2745;
+                                    let _e2750 = local_61;
+                                    phi_1396_ = _e2750;
                                     loop {
-                                        let _e1432 = phi_1529_;
-                                        let _e1434 = phi_1532_;
-                                        let _e1436 = phi_1534_;
-                                        let _e1438 = phi_1536_;
-                                        let _e1440 = phi_1538_;
-                                        let _e1441 = (_e1440 + 1u);
-                                        local_10 = _e1438;
-                                        local_11 = _e1438;
-                                        local_12 = _e1438;
-                                        local_13 = _e1438;
-                                        local_14 = _e1436;
-                                        local_15 = _e1436;
-                                        local_16 = _e1436;
-                                        local_17 = _e1436;
-                                        local_18 = _e1434;
-                                        local_19 = _e1434;
-                                        local_20 = _e1434;
-                                        local_21 = _e1434;
-                                        local_22 = _e1432;
-                                        local_23 = _e1432;
-                                        local_24 = _e1432;
-                                        local_25 = _e1432;
-                                        local_83 = _e1440;
-                                        if (_e1441 <= _e177) {
-                                            let _e1443 = (_e194 + _e1440);
-                                            let _e1449 = global_7.member[(((_e1443 / 4u) * 4u) / 4u)];
-                                            if ((_e1443 % 2u) == 0u) {
-                                                phi_1560_ = array<f32, 2>(_e1449.x, _e1449.z);
-                                            } else {
-                                                phi_1560_ = array<f32, 2>(_e1449.y, _e1449.w);
-                                            }
-                                            let _e1459 = phi_1560_;
-                                            if ((_e1443 % 4u) < 2u) {
-                                                phi_1568_ = _e1459[0];
-                                            } else {
-                                                phi_1568_ = _e1459[1];
-                                            }
-                                            let _e1465 = phi_1568_;
-                                            let _e1466 = (_e1443 + _e192);
-                                            let _e1472 = global_7.member[(((_e1466 / 4u) * 4u) / 4u)];
-                                            if ((_e1466 % 2u) == 0u) {
-                                                phi_1586_ = array<f32, 2>(_e1472.x, _e1472.z);
-                                            } else {
-                                                phi_1586_ = array<f32, 2>(_e1472.y, _e1472.w);
-                                            }
-                                            let _e1482 = phi_1586_;
-                                            if ((_e1466 % 4u) < 2u) {
-                                                phi_1594_ = _e1482[0];
-                                            } else {
-                                                phi_1594_ = _e1482[1];
-                                            }
-                                            let _e1488 = phi_1594_;
-                                            let _e1490 = (_e1443 + (2u * _e192));
-                                            let _e1496 = global_7.member[(((_e1490 / 4u) * 4u) / 4u)];
-                                            if ((_e1490 % 2u) == 0u) {
-                                                phi_1613_ = array<f32, 2>(_e1496.x, _e1496.z);
-                                            } else {
-                                                phi_1613_ = array<f32, 2>(_e1496.y, _e1496.w);
-                                            }
-                                            let _e1506 = phi_1613_;
-                                            if ((_e1490 % 4u) < 2u) {
-                                                phi_1621_ = _e1506[0];
-                                            } else {
-                                                phi_1621_ = _e1506[1];
-                                            }
-                                            let _e1512 = phi_1621_;
-                                            let _e1514 = (_e1443 + (3u * _e192));
-                                            let _e1520 = global_7.member[(((_e1514 / 4u) * 4u) / 4u)];
-                                            if ((_e1514 % 2u) == 0u) {
-                                                phi_1640_ = array<f32, 2>(_e1520.x, _e1520.z);
-                                            } else {
-                                                phi_1640_ = array<f32, 2>(_e1520.y, _e1520.w);
-                                            }
-                                            let _e1530 = phi_1640_;
-                                            if ((_e1514 % 4u) < 2u) {
-                                                phi_1648_ = _e1530[0];
-                                            } else {
-                                                phi_1648_ = _e1530[1];
-                                            }
-                                            let _e1536 = phi_1648_;
-                                            let _e1537 = (_e885 + _e1440);
-                                            let _e1543 = global_9.member[(((_e1537 / 4u) * 4u) / 4u)];
-                                            if ((_e1537 % 2u) == 0u) {
-                                                phi_1666_ = array<f32, 2>(_e1543.x, _e1543.z);
-                                            } else {
-                                                phi_1666_ = array<f32, 2>(_e1543.y, _e1543.w);
-                                            }
-                                            let _e1553 = phi_1666_;
-                                            if ((_e1537 % 4u) < 2u) {
-                                                phi_1674_ = _e1553[0];
-                                            } else {
-                                                phi_1674_ = _e1553[1];
-                                            }
-                                            let _e1559 = phi_1674_;
-                                            let _e1573 = (_e889 + _e1440);
-                                            let _e1579 = global_9.member[(((_e1573 / 4u) * 4u) / 4u)];
-                                            local_77 = type_18(((_e1559 * _e1465) + _e1438.member), ((_e1559 * _e1488) + _e1438.member_1), ((_e1559 * _e1512) + _e1438.member_2), ((_e1559 * _e1536) + _e1438.member_3));
-                                            if ((_e1573 % 2u) == 0u) {
-                                                phi_1704_ = array<f32, 2>(_e1579.x, _e1579.z);
-                                            } else {
-                                                phi_1704_ = array<f32, 2>(_e1579.y, _e1579.w);
-                                            }
-                                            let _e1589 = phi_1704_;
-                                            if ((_e1573 % 4u) < 2u) {
-                                                phi_1712_ = _e1589[0];
-                                            } else {
-                                                phi_1712_ = _e1589[1];
-                                            }
-                                            let _e1595 = phi_1712_;
-                                            let _e1609 = (_e893 + _e1440);
-                                            let _e1615 = global_9.member[(((_e1609 / 4u) * 4u) / 4u)];
-                                            local_75 = type_18(((_e1595 * _e1465) + _e1436.member), ((_e1595 * _e1488) + _e1436.member_1), ((_e1595 * _e1512) + _e1436.member_2), ((_e1595 * _e1536) + _e1436.member_3));
-                                            if ((_e1609 % 2u) == 0u) {
-                                                phi_1742_ = array<f32, 2>(_e1615.x, _e1615.z);
-                                            } else {
-                                                phi_1742_ = array<f32, 2>(_e1615.y, _e1615.w);
-                                            }
-                                            let _e1625 = phi_1742_;
-                                            if ((_e1609 % 4u) < 2u) {
-                                                phi_1750_ = _e1625[0];
-                                            } else {
-                                                phi_1750_ = _e1625[1];
-                                            }
-                                            let _e1631 = phi_1750_;
-                                            let _e1645 = (_e897 + _e1440);
-                                            let _e1651 = global_9.member[(((_e1645 / 4u) * 4u) / 4u)];
-                                            local_73 = type_18(((_e1631 * _e1465) + _e1434.member), ((_e1631 * _e1488) + _e1434.member_1), ((_e1631 * _e1512) + _e1434.member_2), ((_e1631 * _e1536) + _e1434.member_3));
-                                            if ((_e1645 % 2u) == 0u) {
-                                                phi_1780_ = array<f32, 2>(_e1651.x, _e1651.z);
-                                            } else {
-                                                phi_1780_ = array<f32, 2>(_e1651.y, _e1651.w);
-                                            }
-                                            let _e1661 = phi_1780_;
-                                            if ((_e1645 % 4u) < 2u) {
-                                                phi_1788_ = _e1661[0];
-                                            } else {
-                                                phi_1788_ = _e1661[1];
-                                            }
-                                            let _e1667 = phi_1788_;
-                                            local_71 = type_18(((_e1667 * _e1465) + _e1432.member), ((_e1667 * _e1488) + _e1432.member_1), ((_e1667 * _e1512) + _e1432.member_2), ((_e1667 * _e1536) + _e1432.member_3));
+                                        let _e1354 = phi_1387_;
+                                        let _e1356 = phi_1390_;
+                                        let _e1358 = phi_1392_;
+                                        let _e1360 = phi_1394_;
+                                        let _e1362 = phi_1396_;
+                                        local_6 = _e1360;
+                                        local_7 = _e1360;
+                                        local_8 = _e1360;
+                                        local_9 = _e1360;
+                                        local_10 = _e1358;
+                                        local_11 = _e1358;
+                                        local_12 = _e1358;
+                                        local_13 = _e1358;
+                                        local_14 = _e1356;
+                                        local_15 = _e1356;
+                                        local_16 = _e1356;
+                                        local_17 = _e1356;
+                                        local_18 = _e1354;
+                                        local_19 = _e1354;
+                                        local_20 = _e1354;
+                                        local_21 = _e1354;
+                                        let _e1364 = (4u * _e1362.member);
+                                        if (_e1364 < _e1362.member_2) {
+                                            phi_1412_ = select(((_e1364 + 4u) > _e1362.member_2), true, (_e1364 < _e1362.member_1));
+                                        } else {
+                                            phi_1412_ = false;
+                                        }
+                                        let _e1373 = phi_1412_;
+                                        if _e1373 {
+                                            let _e1377 = global_7.member[(_e825 + _e1362.member)];
+                                            let _e1384 = (_e1362.member_2 - _e1362.member_1);
+                                            let _e1385 = ((_e1364 - _e1362.member_1) < _e1384);
+                                            let _e1386 = select(0f, _e1377.x, _e1385);
+                                            let _e1389 = (((_e1364 + 1u) - _e1362.member_1) < _e1384);
+                                            let _e1390 = select(0f, _e1377.y, _e1389);
+                                            let _e1393 = (((_e1364 + 2u) - _e1362.member_1) < _e1384);
+                                            let _e1394 = select(0f, _e1377.z, _e1393);
+                                            let _e1397 = (((_e1364 + 3u) - _e1362.member_1) < _e1384);
+                                            let _e1398 = select(0f, _e1377.w, _e1397);
+                                            let _e1403 = global_7.member[((_e825 + _e826) + _e1362.member)];
+                                            let _e1408 = select(0f, _e1403.x, _e1385);
+                                            let _e1409 = select(0f, _e1403.y, _e1389);
+                                            let _e1410 = select(0f, _e1403.z, _e1393);
+                                            let _e1411 = select(0f, _e1403.w, _e1397);
+                                            let _e1417 = global_7.member[((_e825 + (2u * _e826)) + _e1362.member)];
+                                            let _e1422 = select(0f, _e1417.x, _e1385);
+                                            let _e1423 = select(0f, _e1417.y, _e1389);
+                                            let _e1424 = select(0f, _e1417.z, _e1393);
+                                            let _e1425 = select(0f, _e1417.w, _e1397);
+                                            let _e1431 = global_7.member[((_e825 + (3u * _e826)) + _e1362.member)];
+                                            let _e1436 = select(0f, _e1431.x, _e1385);
+                                            let _e1437 = select(0f, _e1431.y, _e1389);
+                                            let _e1438 = select(0f, _e1431.z, _e1393);
+                                            let _e1439 = select(0f, _e1431.w, _e1397);
+                                            let _e1443 = global_9.member[(_e821 + _e1362.member)];
+                                            let _e1448 = select(0f, _e1443.x, _e1385);
+                                            let _e1449 = select(0f, _e1443.y, _e1389);
+                                            let _e1450 = select(0f, _e1443.z, _e1393);
+                                            let _e1451 = select(0f, _e1443.w, _e1397);
+                                            let _e1455 = global_9.member[(_e822 + _e1362.member)];
+                                            let _e1460 = select(0f, _e1455.x, _e1385);
+                                            let _e1461 = select(0f, _e1455.y, _e1389);
+                                            let _e1462 = select(0f, _e1455.z, _e1393);
+                                            let _e1463 = select(0f, _e1455.w, _e1397);
+                                            let _e1467 = global_9.member[(_e823 + _e1362.member)];
+                                            let _e1472 = select(0f, _e1467.x, _e1385);
+                                            let _e1473 = select(0f, _e1467.y, _e1389);
+                                            let _e1474 = select(0f, _e1467.z, _e1393);
+                                            let _e1475 = select(0f, _e1467.w, _e1397);
+                                            let _e1479 = global_9.member[(_e824 + _e1362.member)];
+                                            let _e1484 = select(0f, _e1479.x, _e1385);
+                                            let _e1485 = select(0f, _e1479.y, _e1389);
+                                            let _e1486 = select(0f, _e1479.z, _e1393);
+                                            let _e1487 = select(0f, _e1479.w, _e1397);
+                                            local_54 = type_18(((_e1487 * _e1398) + ((_e1486 * _e1394) + ((_e1485 * _e1390) + ((_e1484 * _e1386) + _e1354.member)))), ((_e1487 * _e1411) + ((_e1486 * _e1410) + ((_e1485 * _e1409) + ((_e1484 * _e1408) + _e1354.member_1)))), ((_e1487 * _e1425) + ((_e1486 * _e1424) + ((_e1485 * _e1423) + ((_e1484 * _e1422) + _e1354.member_2)))), ((_e1487 * _e1439) + ((_e1486 * _e1438) + ((_e1485 * _e1437) + ((_e1484 * _e1436) + _e1354.member_3)))));
+                                            local_56 = type_18(((_e1475 * _e1398) + ((_e1474 * _e1394) + ((_e1473 * _e1390) + ((_e1472 * _e1386) + _e1356.member)))), ((_e1475 * _e1411) + ((_e1474 * _e1410) + ((_e1473 * _e1409) + ((_e1472 * _e1408) + _e1356.member_1)))), ((_e1475 * _e1425) + ((_e1474 * _e1424) + ((_e1473 * _e1423) + ((_e1472 * _e1422) + _e1356.member_2)))), ((_e1475 * _e1439) + ((_e1474 * _e1438) + ((_e1473 * _e1437) + ((_e1472 * _e1436) + _e1356.member_3)))));
+                                            local_58 = type_18(((_e1463 * _e1398) + ((_e1462 * _e1394) + ((_e1461 * _e1390) + ((_e1460 * _e1386) + _e1358.member)))), ((_e1463 * _e1411) + ((_e1462 * _e1410) + ((_e1461 * _e1409) + ((_e1460 * _e1408) + _e1358.member_1)))), ((_e1463 * _e1425) + ((_e1462 * _e1424) + ((_e1461 * _e1423) + ((_e1460 * _e1422) + _e1358.member_2)))), ((_e1463 * _e1439) + ((_e1462 * _e1438) + ((_e1461 * _e1437) + ((_e1460 * _e1436) + _e1358.member_3)))));
+                                            local_60 = type_18(((_e1451 * _e1398) + ((_e1450 * _e1394) + ((_e1449 * _e1390) + ((_e1448 * _e1386) + _e1360.member)))), ((_e1451 * _e1411) + ((_e1450 * _e1410) + ((_e1449 * _e1409) + ((_e1448 * _e1408) + _e1360.member_1)))), ((_e1451 * _e1425) + ((_e1450 * _e1424) + ((_e1449 * _e1423) + ((_e1448 * _e1422) + _e1360.member_2)))), ((_e1451 * _e1439) + ((_e1450 * _e1438) + ((_e1449 * _e1437) + ((_e1448 * _e1436) + _e1360.member_3)))));
+                                            local_62 = type_19((_e1362.member + 1u), _e1362.member_1, _e1362.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e3109 = local_71;
-                                            phi_1529_ = _e3109;
-                                            let _e3114 = local_73;
-                                            phi_1532_ = _e3114;
-                                            let _e3119 = local_75;
-                                            phi_1534_ = _e3119;
-                                            let _e3124 = local_77;
-                                            phi_1536_ = _e3124;
-                                            phi_1538_ = _e1441;
+                                            let _e2732 = local_54;
+                                            phi_1387_ = _e2732;
+                                            let _e2737 = local_56;
+                                            phi_1390_ = _e2737;
+                                            let _e2742 = local_58;
+                                            phi_1392_ = _e2742;
+                                            let _e2747 = local_60;
+                                            phi_1394_ = _e2747;
+                                            let _e2752 = local_62;
+                                            phi_1396_ = _e2752;
                                         }
                                     }
-                                    let _e1682 = local_10;
-                                    let _e1685 = local_11;
-                                    let _e1688 = local_12;
-                                    let _e1691 = local_13;
-                                    let _e1694 = local_14;
-                                    let _e1697 = local_15;
-                                    let _e1700 = local_16;
-                                    let _e1703 = local_17;
-                                    let _e1706 = local_18;
-                                    let _e1709 = local_19;
-                                    let _e1712 = local_20;
-                                    let _e1715 = local_21;
-                                    let _e1718 = local_22;
-                                    let _e1721 = local_23;
-                                    let _e1724 = local_24;
-                                    let _e1727 = local_25;
-                                    phi_1818_ = type_18(0f, 0f, 0f, 0f);
-                                    phi_1821_ = type_18(0f, 0f, 0f, 0f);
-                                    phi_1823_ = type_18(0f, 0f, 0f, 0f);
-                                    phi_1825_ = type_18(0f, 0f, 0f, 0f);
-                                    let _e3174 = local_83;
-                                    phi_1827_ = _e3174;
-                                    loop {
-                                        let _e1730 = phi_1818_;
-                                        let _e1732 = phi_1821_;
-                                        let _e1734 = phi_1823_;
-                                        let _e1736 = phi_1825_;
-                                        let _e1738 = phi_1827_;
-                                        let _e1739 = (_e1738 + 1u);
-                                        local_26 = _e1736;
-                                        local_27 = _e1736;
-                                        local_28 = _e1736;
-                                        local_29 = _e1736;
-                                        local_30 = _e1734;
-                                        local_31 = _e1734;
-                                        local_32 = _e1734;
-                                        local_33 = _e1734;
-                                        local_34 = _e1732;
-                                        local_35 = _e1732;
-                                        local_36 = _e1732;
-                                        local_37 = _e1732;
-                                        local_38 = _e1730;
-                                        local_39 = _e1730;
-                                        local_40 = _e1730;
-                                        local_41 = _e1730;
-                                        if (_e1739 <= _e177) {
-                                            let _e1741 = (_e194 + _e1738);
-                                            let _e1747 = global_7.member[(((_e1741 / 4u) * 4u) / 4u)];
-                                            if ((_e1741 % 2u) == 0u) {
-                                                phi_1849_ = array<f32, 2>(_e1747.x, _e1747.z);
-                                            } else {
-                                                phi_1849_ = array<f32, 2>(_e1747.y, _e1747.w);
-                                            }
-                                            let _e1757 = phi_1849_;
-                                            if ((_e1741 % 4u) < 2u) {
-                                                phi_1857_ = _e1757[0];
-                                            } else {
-                                                phi_1857_ = _e1757[1];
-                                            }
-                                            let _e1763 = phi_1857_;
-                                            let _e1764 = (_e1741 + _e192);
-                                            let _e1770 = global_7.member[(((_e1764 / 4u) * 4u) / 4u)];
-                                            if ((_e1764 % 2u) == 0u) {
-                                                phi_1875_ = array<f32, 2>(_e1770.x, _e1770.z);
-                                            } else {
-                                                phi_1875_ = array<f32, 2>(_e1770.y, _e1770.w);
-                                            }
-                                            let _e1780 = phi_1875_;
-                                            if ((_e1764 % 4u) < 2u) {
-                                                phi_1883_ = _e1780[0];
-                                            } else {
-                                                phi_1883_ = _e1780[1];
-                                            }
-                                            let _e1786 = phi_1883_;
-                                            let _e1788 = (_e1741 + (2u * _e192));
-                                            let _e1794 = global_7.member[(((_e1788 / 4u) * 4u) / 4u)];
-                                            if ((_e1788 % 2u) == 0u) {
-                                                phi_1902_ = array<f32, 2>(_e1794.x, _e1794.z);
-                                            } else {
-                                                phi_1902_ = array<f32, 2>(_e1794.y, _e1794.w);
-                                            }
-                                            let _e1804 = phi_1902_;
-                                            if ((_e1788 % 4u) < 2u) {
-                                                phi_1910_ = _e1804[0];
-                                            } else {
-                                                phi_1910_ = _e1804[1];
-                                            }
-                                            let _e1810 = phi_1910_;
-                                            let _e1812 = (_e1741 + (3u * _e192));
-                                            let _e1818 = global_7.member[(((_e1812 / 4u) * 4u) / 4u)];
-                                            if ((_e1812 % 2u) == 0u) {
-                                                phi_1929_ = array<f32, 2>(_e1818.x, _e1818.z);
-                                            } else {
-                                                phi_1929_ = array<f32, 2>(_e1818.y, _e1818.w);
-                                            }
-                                            let _e1828 = phi_1929_;
-                                            if ((_e1812 % 4u) < 2u) {
-                                                phi_1937_ = _e1828[0];
-                                            } else {
-                                                phi_1937_ = _e1828[1];
-                                            }
-                                            let _e1834 = phi_1937_;
-                                            let _e1835 = (_e885 + _e1738);
-                                            let _e1841 = global_9.member[(((_e1835 / 4u) * 4u) / 4u)];
-                                            if ((_e1835 % 2u) == 0u) {
-                                                phi_1955_ = array<f32, 2>(_e1841.x, _e1841.z);
-                                            } else {
-                                                phi_1955_ = array<f32, 2>(_e1841.y, _e1841.w);
-                                            }
-                                            let _e1851 = phi_1955_;
-                                            if ((_e1835 % 4u) < 2u) {
-                                                phi_1963_ = _e1851[0];
-                                            } else {
-                                                phi_1963_ = _e1851[1];
-                                            }
-                                            let _e1857 = phi_1963_;
-                                            let _e1871 = (_e889 + _e1738);
-                                            let _e1877 = global_9.member[(((_e1871 / 4u) * 4u) / 4u)];
-                                            local_82 = type_18(((_e1857 * _e1763) + _e1736.member), ((_e1857 * _e1786) + _e1736.member_1), ((_e1857 * _e1810) + _e1736.member_2), ((_e1857 * _e1834) + _e1736.member_3));
-                                            if ((_e1871 % 2u) == 0u) {
-                                                phi_1993_ = array<f32, 2>(_e1877.x, _e1877.z);
-                                            } else {
-                                                phi_1993_ = array<f32, 2>(_e1877.y, _e1877.w);
-                                            }
-                                            let _e1887 = phi_1993_;
-                                            if ((_e1871 % 4u) < 2u) {
-                                                phi_2001_ = _e1887[0];
-                                            } else {
-                                                phi_2001_ = _e1887[1];
-                                            }
-                                            let _e1893 = phi_2001_;
-                                            let _e1907 = (_e893 + _e1738);
-                                            let _e1913 = global_9.member[(((_e1907 / 4u) * 4u) / 4u)];
-                                            local_81 = type_18(((_e1893 * _e1763) + _e1734.member), ((_e1893 * _e1786) + _e1734.member_1), ((_e1893 * _e1810) + _e1734.member_2), ((_e1893 * _e1834) + _e1734.member_3));
-                                            if ((_e1907 % 2u) == 0u) {
-                                                phi_2031_ = array<f32, 2>(_e1913.x, _e1913.z);
-                                            } else {
-                                                phi_2031_ = array<f32, 2>(_e1913.y, _e1913.w);
-                                            }
-                                            let _e1923 = phi_2031_;
-                                            if ((_e1907 % 4u) < 2u) {
-                                                phi_2039_ = _e1923[0];
-                                            } else {
-                                                phi_2039_ = _e1923[1];
-                                            }
-                                            let _e1929 = phi_2039_;
-                                            let _e1943 = (_e897 + _e1738);
-                                            let _e1949 = global_9.member[(((_e1943 / 4u) * 4u) / 4u)];
-                                            local_80 = type_18(((_e1929 * _e1763) + _e1732.member), ((_e1929 * _e1786) + _e1732.member_1), ((_e1929 * _e1810) + _e1732.member_2), ((_e1929 * _e1834) + _e1732.member_3));
-                                            if ((_e1943 % 2u) == 0u) {
-                                                phi_2069_ = array<f32, 2>(_e1949.x, _e1949.z);
-                                            } else {
-                                                phi_2069_ = array<f32, 2>(_e1949.y, _e1949.w);
-                                            }
-                                            let _e1959 = phi_2069_;
-                                            if ((_e1943 % 4u) < 2u) {
-                                                phi_2077_ = _e1959[0];
-                                            } else {
-                                                phi_2077_ = _e1959[1];
-                                            }
-                                            let _e1965 = phi_2077_;
-                                            local_79 = type_18(((_e1965 * _e1763) + _e1730.member), ((_e1965 * _e1786) + _e1730.member_1), ((_e1965 * _e1810) + _e1730.member_2), ((_e1965 * _e1834) + _e1730.member_3));
-                                            continue;
+                                    let _e1642 = local_6;
+                                    let _e1645 = local_7;
+                                    let _e1648 = local_8;
+                                    let _e1651 = local_9;
+                                    let _e1654 = local_10;
+                                    let _e1657 = local_11;
+                                    let _e1660 = local_12;
+                                    let _e1663 = local_13;
+                                    let _e1666 = local_14;
+                                    let _e1669 = local_15;
+                                    let _e1672 = local_16;
+                                    let _e1675 = local_17;
+                                    let _e1678 = local_18;
+                                    let _e1681 = local_19;
+                                    let _e1684 = local_20;
+                                    let _e1687 = local_21;
+                                    if _e186 {
+                                        let _e1693 = (4u * _e182);
+                                        let _e1694 = (4u * _e748);
+                                        let _e1695 = bitcast<u32>(_e1642.member);
+                                        let _e1698 = ((_e1695 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1698 == 0u) {
                                         } else {
-                                            break;
+                                            let _e1701 = (_e1698 % 16u);
+                                            let _e1703 = ((_e1695 & 8388607u) | 8388608u);
+                                            let _e1706 = (_e1703 << bitcast<u32>((_e1701 & 31u)));
+                                            let _e1712 = ((_e1703 >> bitcast<u32>(((31u - _e1701) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1695 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1723_ = array<u32, 2>(_e1706, _e1712);
+                                            } else {
+                                                let _e1718 = (~(_e1706) + 1u);
+                                                if (_e1718 == 0u) {
+                                                    phi_1721_ = (~(_e1712) + 1u);
+                                                } else {
+                                                    phi_1721_ = ~(_e1712);
+                                                }
+                                                let _e1724 = phi_1721_;
+                                                phi_1723_ = array<u32, 2>(_e1718, _e1724);
+                                            }
+                                            let _e1727 = phi_1723_;
+                                            let _e1728 = (_e1698 < 255u);
+                                            if _e1728 {
+                                                phi_1729_ = _e1727;
+                                            } else {
+                                                phi_1729_ = array<u32, 2>(1u, 0u);
+                                            }
+                                            let _e1731 = phi_1729_;
+                                            let _e1736 = (2u * ((select(16u, (_e1698 / 16u), _e1728) * _e1693) + _e1694));
+                                            let _e1739 = atomicAdd((&global_8.member[_e1736]), _e1731[0]);
+                                            let _e1743 = (_e1731[1] + select(0u, 1u, ((_e1739 + _e1731[0]) < _e1731[0])));
+                                            if (_e1743 == 0u) {
+                                            } else {
+                                                let _e1748 = atomicAdd((&global_8.member[(_e1736 + 1u)]), _e1743);
+                                            }
                                         }
-                                        continuing {
-                                            let _e3162 = local_79;
-                                            phi_1818_ = _e3162;
-                                            let _e3165 = local_80;
-                                            phi_1821_ = _e3165;
-                                            let _e3168 = local_81;
-                                            phi_1823_ = _e3168;
-                                            let _e3171 = local_82;
-                                            phi_1825_ = _e3171;
-                                            phi_1827_ = _e1739;
+                                        let _e1750 = bitcast<u32>(_e1645.member_1);
+                                        let _e1753 = ((_e1750 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1753 == 0u) {
+                                        } else {
+                                            let _e1756 = (_e1753 % 16u);
+                                            let _e1758 = ((_e1750 & 8388607u) | 8388608u);
+                                            let _e1761 = (_e1758 << bitcast<u32>((_e1756 & 31u)));
+                                            let _e1767 = ((_e1758 >> bitcast<u32>(((31u - _e1756) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1750 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1784_ = array<u32, 2>(_e1761, _e1767);
+                                            } else {
+                                                let _e1773 = (~(_e1761) + 1u);
+                                                if (_e1773 == 0u) {
+                                                    phi_1782_ = (~(_e1767) + 1u);
+                                                } else {
+                                                    phi_1782_ = ~(_e1767);
+                                                }
+                                                let _e1779 = phi_1782_;
+                                                phi_1784_ = array<u32, 2>(_e1773, _e1779);
+                                            }
+                                            let _e1782 = phi_1784_;
+                                            let _e1783 = (_e1753 < 255u);
+                                            if _e1783 {
+                                                phi_1790_ = _e1782;
+                                            } else {
+                                                phi_1790_ = array<u32, 2>(1u, 0u);
+                                            }
+                                            let _e1786 = phi_1790_;
+                                            let _e1791 = (2u * ((select(16u, (_e1753 / 16u), _e1783) * _e1693) + (_e1694 + 1u)));
+                                            let _e1794 = atomicAdd((&global_8.member[_e1791]), _e1786[0]);
+                                            let _e1798 = (_e1786[1] + select(0u, 1u, ((_e1794 + _e1786[0]) < _e1786[0])));
+                                            if (_e1798 == 0u) {
+                                            } else {
+                                                let _e1803 = atomicAdd((&global_8.member[(_e1791 + 1u)]), _e1798);
+                                            }
                                         }
+                                        let _e1805 = bitcast<u32>(_e1648.member_2);
+                                        let _e1808 = ((_e1805 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1808 == 0u) {
+                                        } else {
+                                            let _e1811 = (_e1808 % 16u);
+                                            let _e1813 = ((_e1805 & 8388607u) | 8388608u);
+                                            let _e1816 = (_e1813 << bitcast<u32>((_e1811 & 31u)));
+                                            let _e1822 = ((_e1813 >> bitcast<u32>(((31u - _e1811) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1805 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1845_ = array<u32, 2>(_e1816, _e1822);
+                                            } else {
+                                                let _e1828 = (~(_e1816) + 1u);
+                                                if (_e1828 == 0u) {
+                                                    phi_1843_ = (~(_e1822) + 1u);
+                                                } else {
+                                                    phi_1843_ = ~(_e1822);
+                                                }
+                                                let _e1834 = phi_1843_;
+                                                phi_1845_ = array<u32, 2>(_e1828, _e1834);
+                                            }
+                                            let _e1837 = phi_1845_;
+                                            let _e1838 = (_e1808 < 255u);
+                                            if _e1838 {
+                                                phi_1851_ = _e1837;
+                                            } else {
+                                                phi_1851_ = array<u32, 2>(1u, 0u);
+                                            }
+                                            let _e1841 = phi_1851_;
+                                            let _e1846 = (2u * ((select(16u, (_e1808 / 16u), _e1838) * _e1693) + (_e1694 + 2u)));
+                                            let _e1849 = atomicAdd((&global_8.member[_e1846]), _e1841[0]);
+                                            let _e1853 = (_e1841[1] + select(0u, 1u, ((_e1849 + _e1841[0]) < _e1841[0])));
+                                            if (_e1853 == 0u) {
+                                            } else {
+                                                let _e1858 = atomicAdd((&global_8.member[(_e1846 + 1u)]), _e1853);
+                                            }
+                                        }
+                                        let _e1860 = bitcast<u32>(_e1651.member_3);
+                                        let _e1863 = ((_e1860 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1863 == 0u) {
+                                        } else {
+                                            let _e1866 = (_e1863 % 16u);
+                                            let _e1868 = ((_e1860 & 8388607u) | 8388608u);
+                                            let _e1871 = (_e1868 << bitcast<u32>((_e1866 & 31u)));
+                                            let _e1877 = ((_e1868 >> bitcast<u32>(((31u - _e1866) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1860 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1906_ = array<u32, 2>(_e1871, _e1877);
+                                            } else {
+                                                let _e1883 = (~(_e1871) + 1u);
+                                                if (_e1883 == 0u) {
+                                                    phi_1904_ = (~(_e1877) + 1u);
+                                                } else {
+                                                    phi_1904_ = ~(_e1877);
+                                                }
+                                                let _e1889 = phi_1904_;
+                                                phi_1906_ = array<u32, 2>(_e1883, _e1889);
+                                            }
+                                            let _e1892 = phi_1906_;
+                                            let _e1893 = (_e1863 < 255u);
+                                            if _e1893 {
+                                                phi_1912_ = _e1892;
+                                            } else {
+                                                phi_1912_ = array<u32, 2>(1u, 0u);
+                                            }
+                                            let _e1896 = phi_1912_;
+                                            let _e1901 = (2u * ((select(16u, (_e1863 / 16u), _e1893) * _e1693) + (_e1694 + 3u)));
+                                            let _e1904 = atomicAdd((&global_8.member[_e1901]), _e1896[0]);
+                                            let _e1908 = (_e1896[1] + select(0u, 1u, ((_e1904 + _e1896[0]) < _e1896[0])));
+                                            if (_e1908 == 0u) {
+                                            } else {
+                                                let _e1913 = atomicAdd((&global_8.member[(_e1901 + 1u)]), _e1908);
+                                            }
+                                        }
+                                    } else {
+                                        global_6.member[(_e185 + _e748)] = vec4<f32>(_e1642.member, _e1645.member_1, _e1648.member_2, _e1651.member_3);
                                     }
-                                    let _e1980 = local_26;
-                                    let _e1982 = (_e1682.member + _e1980.member);
-                                    let _e1984 = local_27;
-                                    let _e1986 = (_e1685.member_1 + _e1984.member_1);
-                                    let _e1988 = local_28;
-                                    let _e1990 = (_e1688.member_2 + _e1988.member_2);
-                                    let _e1992 = local_29;
-                                    let _e1994 = (_e1691.member_3 + _e1992.member_3);
-                                    if _e187 {
-                                        let _e1999 = (4u * _e183);
-                                        let _e2000 = (4u * _e867);
-                                        let _e2001 = bitcast<u32>(_e1982);
-                                        let _e2004 = ((_e2001 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e2004 == 0u) {
-                                        } else {
-                                            let _e2007 = (_e2004 % 16u);
-                                            let _e2009 = ((_e2001 & 8388607u) | 8388608u);
-                                            let _e2012 = (_e2009 << bitcast<u32>((_e2007 & 31u)));
-                                            let _e2018 = ((_e2009 >> bitcast<u32>(((31u - _e2007) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e2001 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_2140_ = array<u32, 2>(_e2012, _e2018);
+                                    if (_e767 < _e58) {
+                                        if _e186 {
+                                            let _e1919 = (4u * _e182);
+                                            let _e1920 = (4u * _e753);
+                                            let _e1921 = bitcast<u32>(_e1654.member);
+                                            let _e1924 = ((_e1921 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1924 == 0u) {
                                             } else {
-                                                let _e2024 = (~(_e2012) + 1u);
+                                                let _e1927 = (_e1924 % 16u);
+                                                let _e1929 = ((_e1921 & 8388607u) | 8388608u);
+                                                let _e1932 = (_e1929 << bitcast<u32>((_e1927 & 31u)));
+                                                let _e1938 = ((_e1929 >> bitcast<u32>(((31u - _e1927) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1921 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_1978_ = array<u32, 2>(_e1932, _e1938);
+                                                } else {
+                                                    let _e1944 = (~(_e1932) + 1u);
+                                                    if (_e1944 == 0u) {
+                                                        phi_1976_ = (~(_e1938) + 1u);
+                                                    } else {
+                                                        phi_1976_ = ~(_e1938);
+                                                    }
+                                                    let _e1950 = phi_1976_;
+                                                    phi_1978_ = array<u32, 2>(_e1944, _e1950);
+                                                }
+                                                let _e1953 = phi_1978_;
+                                                let _e1954 = (_e1924 < 255u);
+                                                if _e1954 {
+                                                    phi_1984_ = _e1953;
+                                                } else {
+                                                    phi_1984_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e1957 = phi_1984_;
+                                                let _e1962 = (2u * ((select(16u, (_e1924 / 16u), _e1954) * _e1919) + _e1920));
+                                                let _e1965 = atomicAdd((&global_8.member[_e1962]), _e1957[0]);
+                                                let _e1969 = (_e1957[1] + select(0u, 1u, ((_e1965 + _e1957[0]) < _e1957[0])));
+                                                if (_e1969 == 0u) {
+                                                } else {
+                                                    let _e1974 = atomicAdd((&global_8.member[(_e1962 + 1u)]), _e1969);
+                                                }
+                                            }
+                                            let _e1976 = bitcast<u32>(_e1657.member_1);
+                                            let _e1979 = ((_e1976 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1979 == 0u) {
+                                            } else {
+                                                let _e1982 = (_e1979 % 16u);
+                                                let _e1984 = ((_e1976 & 8388607u) | 8388608u);
+                                                let _e1987 = (_e1984 << bitcast<u32>((_e1982 & 31u)));
+                                                let _e1993 = ((_e1984 >> bitcast<u32>(((31u - _e1982) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1976 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2039_ = array<u32, 2>(_e1987, _e1993);
+                                                } else {
+                                                    let _e1999 = (~(_e1987) + 1u);
+                                                    if (_e1999 == 0u) {
+                                                        phi_2037_ = (~(_e1993) + 1u);
+                                                    } else {
+                                                        phi_2037_ = ~(_e1993);
+                                                    }
+                                                    let _e2005 = phi_2037_;
+                                                    phi_2039_ = array<u32, 2>(_e1999, _e2005);
+                                                }
+                                                let _e2008 = phi_2039_;
+                                                let _e2009 = (_e1979 < 255u);
+                                                if _e2009 {
+                                                    phi_2045_ = _e2008;
+                                                } else {
+                                                    phi_2045_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e2012 = phi_2045_;
+                                                let _e2017 = (2u * ((select(16u, (_e1979 / 16u), _e2009) * _e1919) + (_e1920 + 1u)));
+                                                let _e2020 = atomicAdd((&global_8.member[_e2017]), _e2012[0]);
+                                                let _e2024 = (_e2012[1] + select(0u, 1u, ((_e2020 + _e2012[0]) < _e2012[0])));
                                                 if (_e2024 == 0u) {
-                                                    phi_2138_ = (~(_e2018) + 1u);
                                                 } else {
-                                                    phi_2138_ = ~(_e2018);
+                                                    let _e2029 = atomicAdd((&global_8.member[(_e2017 + 1u)]), _e2024);
                                                 }
-                                                let _e2030 = phi_2138_;
-                                                phi_2140_ = array<u32, 2>(_e2024, _e2030);
                                             }
-                                            let _e2033 = phi_2140_;
-                                            let _e2034 = (_e2004 < 255u);
-                                            if _e2034 {
-                                                phi_2146_ = _e2033;
+                                            let _e2031 = bitcast<u32>(_e1660.member_2);
+                                            let _e2034 = ((_e2031 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2034 == 0u) {
                                             } else {
-                                                phi_2146_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e2037 = phi_2146_;
-                                            let _e2042 = (2u * ((select(16u, (_e2004 / 16u), _e2034) * _e1999) + _e2000));
-                                            let _e2045 = atomicAdd((&global_8.member[_e2042]), _e2037[0]);
-                                            let _e2053 = atomicAdd((&global_8.member[(_e2042 + 1u)]), (_e2037[1] + select(0u, 1u, ((_e2045 + _e2037[0]) < _e2037[0]))));
-                                        }
-                                        let _e2055 = bitcast<u32>(_e1986);
-                                        let _e2058 = ((_e2055 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e2058 == 0u) {
-                                        } else {
-                                            let _e2061 = (_e2058 % 16u);
-                                            let _e2063 = ((_e2055 & 8388607u) | 8388608u);
-                                            let _e2066 = (_e2063 << bitcast<u32>((_e2061 & 31u)));
-                                            let _e2072 = ((_e2063 >> bitcast<u32>(((31u - _e2061) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e2055 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_2196_ = array<u32, 2>(_e2066, _e2072);
-                                            } else {
-                                                let _e2078 = (~(_e2066) + 1u);
-                                                if (_e2078 == 0u) {
-                                                    phi_2194_ = (~(_e2072) + 1u);
+                                                let _e2037 = (_e2034 % 16u);
+                                                let _e2039 = ((_e2031 & 8388607u) | 8388608u);
+                                                let _e2042 = (_e2039 << bitcast<u32>((_e2037 & 31u)));
+                                                let _e2048 = ((_e2039 >> bitcast<u32>(((31u - _e2037) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2031 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2100_ = array<u32, 2>(_e2042, _e2048);
                                                 } else {
-                                                    phi_2194_ = ~(_e2072);
-                                                }
-                                                let _e2084 = phi_2194_;
-                                                phi_2196_ = array<u32, 2>(_e2078, _e2084);
-                                            }
-                                            let _e2087 = phi_2196_;
-                                            let _e2088 = (_e2058 < 255u);
-                                            if _e2088 {
-                                                phi_2202_ = _e2087;
-                                            } else {
-                                                phi_2202_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e2091 = phi_2202_;
-                                            let _e2096 = (2u * ((select(16u, (_e2058 / 16u), _e2088) * _e1999) + (_e2000 + 1u)));
-                                            let _e2099 = atomicAdd((&global_8.member[_e2096]), _e2091[0]);
-                                            let _e2107 = atomicAdd((&global_8.member[(_e2096 + 1u)]), (_e2091[1] + select(0u, 1u, ((_e2099 + _e2091[0]) < _e2091[0]))));
-                                        }
-                                        let _e2109 = bitcast<u32>(_e1990);
-                                        let _e2112 = ((_e2109 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e2112 == 0u) {
-                                        } else {
-                                            let _e2115 = (_e2112 % 16u);
-                                            let _e2117 = ((_e2109 & 8388607u) | 8388608u);
-                                            let _e2120 = (_e2117 << bitcast<u32>((_e2115 & 31u)));
-                                            let _e2126 = ((_e2117 >> bitcast<u32>(((31u - _e2115) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e2109 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_2252_ = array<u32, 2>(_e2120, _e2126);
-                                            } else {
-                                                let _e2132 = (~(_e2120) + 1u);
-                                                if (_e2132 == 0u) {
-                                                    phi_2250_ = (~(_e2126) + 1u);
-                                                } else {
-                                                    phi_2250_ = ~(_e2126);
-                                                }
-                                                let _e2138 = phi_2250_;
-                                                phi_2252_ = array<u32, 2>(_e2132, _e2138);
-                                            }
-                                            let _e2141 = phi_2252_;
-                                            let _e2142 = (_e2112 < 255u);
-                                            if _e2142 {
-                                                phi_2258_ = _e2141;
-                                            } else {
-                                                phi_2258_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e2145 = phi_2258_;
-                                            let _e2150 = (2u * ((select(16u, (_e2112 / 16u), _e2142) * _e1999) + (_e2000 + 2u)));
-                                            let _e2153 = atomicAdd((&global_8.member[_e2150]), _e2145[0]);
-                                            let _e2161 = atomicAdd((&global_8.member[(_e2150 + 1u)]), (_e2145[1] + select(0u, 1u, ((_e2153 + _e2145[0]) < _e2145[0]))));
-                                        }
-                                        let _e2163 = bitcast<u32>(_e1994);
-                                        let _e2166 = ((_e2163 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e2166 == 0u) {
-                                        } else {
-                                            let _e2169 = (_e2166 % 16u);
-                                            let _e2171 = ((_e2163 & 8388607u) | 8388608u);
-                                            let _e2174 = (_e2171 << bitcast<u32>((_e2169 & 31u)));
-                                            let _e2180 = ((_e2171 >> bitcast<u32>(((31u - _e2169) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e2163 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_2308_ = array<u32, 2>(_e2174, _e2180);
-                                            } else {
-                                                let _e2186 = (~(_e2174) + 1u);
-                                                if (_e2186 == 0u) {
-                                                    phi_2306_ = (~(_e2180) + 1u);
-                                                } else {
-                                                    phi_2306_ = ~(_e2180);
-                                                }
-                                                let _e2192 = phi_2306_;
-                                                phi_2308_ = array<u32, 2>(_e2186, _e2192);
-                                            }
-                                            let _e2195 = phi_2308_;
-                                            let _e2196 = (_e2166 < 255u);
-                                            if _e2196 {
-                                                phi_2314_ = _e2195;
-                                            } else {
-                                                phi_2314_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e2199 = phi_2314_;
-                                            let _e2204 = (2u * ((select(16u, (_e2166 / 16u), _e2196) * _e1999) + (_e2000 + 3u)));
-                                            let _e2207 = atomicAdd((&global_8.member[_e2204]), _e2199[0]);
-                                            let _e2215 = atomicAdd((&global_8.member[(_e2204 + 1u)]), (_e2199[1] + select(0u, 1u, ((_e2207 + _e2199[0]) < _e2199[0]))));
-                                        }
-                                    } else {
-                                        global_6.member[(_e186 + _e867)] = vec4<f32>(_e1982, _e1986, _e1990, _e1994);
-                                    }
-                                    if (_e886 < _e59) {
-                                        let _e2218 = local_30;
-                                        let _e2220 = (_e1694.member + _e2218.member);
-                                        let _e2222 = local_31;
-                                        let _e2224 = (_e1697.member_1 + _e2222.member_1);
-                                        let _e2226 = local_32;
-                                        let _e2228 = (_e1700.member_2 + _e2226.member_2);
-                                        let _e2230 = local_33;
-                                        let _e2232 = (_e1703.member_3 + _e2230.member_3);
-                                        if _e187 {
-                                            let _e2237 = (4u * _e183);
-                                            let _e2238 = (4u * _e872);
-                                            let _e2239 = bitcast<u32>(_e2220);
-                                            let _e2242 = ((_e2239 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2242 == 0u) {
-                                            } else {
-                                                let _e2245 = (_e2242 % 16u);
-                                                let _e2247 = ((_e2239 & 8388607u) | 8388608u);
-                                                let _e2250 = (_e2247 << bitcast<u32>((_e2245 & 31u)));
-                                                let _e2256 = ((_e2247 >> bitcast<u32>(((31u - _e2245) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2239 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2383_ = array<u32, 2>(_e2250, _e2256);
-                                                } else {
-                                                    let _e2262 = (~(_e2250) + 1u);
-                                                    if (_e2262 == 0u) {
-                                                        phi_2381_ = (~(_e2256) + 1u);
+                                                    let _e2054 = (~(_e2042) + 1u);
+                                                    if (_e2054 == 0u) {
+                                                        phi_2098_ = (~(_e2048) + 1u);
                                                     } else {
-                                                        phi_2381_ = ~(_e2256);
+                                                        phi_2098_ = ~(_e2048);
                                                     }
-                                                    let _e2268 = phi_2381_;
-                                                    phi_2383_ = array<u32, 2>(_e2262, _e2268);
+                                                    let _e2060 = phi_2098_;
+                                                    phi_2100_ = array<u32, 2>(_e2054, _e2060);
                                                 }
-                                                let _e2271 = phi_2383_;
-                                                let _e2272 = (_e2242 < 255u);
-                                                if _e2272 {
-                                                    phi_2389_ = _e2271;
+                                                let _e2063 = phi_2100_;
+                                                let _e2064 = (_e2034 < 255u);
+                                                if _e2064 {
+                                                    phi_2106_ = _e2063;
                                                 } else {
-                                                    phi_2389_ = array<u32, 2>(1u, 0u);
+                                                    phi_2106_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2275 = phi_2389_;
-                                                let _e2280 = (2u * ((select(16u, (_e2242 / 16u), _e2272) * _e2237) + _e2238));
-                                                let _e2283 = atomicAdd((&global_8.member[_e2280]), _e2275[0]);
-                                                let _e2291 = atomicAdd((&global_8.member[(_e2280 + 1u)]), (_e2275[1] + select(0u, 1u, ((_e2283 + _e2275[0]) < _e2275[0]))));
+                                                let _e2067 = phi_2106_;
+                                                let _e2072 = (2u * ((select(16u, (_e2034 / 16u), _e2064) * _e1919) + (_e1920 + 2u)));
+                                                let _e2075 = atomicAdd((&global_8.member[_e2072]), _e2067[0]);
+                                                let _e2079 = (_e2067[1] + select(0u, 1u, ((_e2075 + _e2067[0]) < _e2067[0])));
+                                                if (_e2079 == 0u) {
+                                                } else {
+                                                    let _e2084 = atomicAdd((&global_8.member[(_e2072 + 1u)]), _e2079);
+                                                }
                                             }
-                                            let _e2293 = bitcast<u32>(_e2224);
-                                            let _e2296 = ((_e2293 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2296 == 0u) {
+                                            let _e2086 = bitcast<u32>(_e1663.member_3);
+                                            let _e2089 = ((_e2086 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2089 == 0u) {
                                             } else {
-                                                let _e2299 = (_e2296 % 16u);
-                                                let _e2301 = ((_e2293 & 8388607u) | 8388608u);
-                                                let _e2304 = (_e2301 << bitcast<u32>((_e2299 & 31u)));
-                                                let _e2310 = ((_e2301 >> bitcast<u32>(((31u - _e2299) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2293 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2439_ = array<u32, 2>(_e2304, _e2310);
+                                                let _e2092 = (_e2089 % 16u);
+                                                let _e2094 = ((_e2086 & 8388607u) | 8388608u);
+                                                let _e2097 = (_e2094 << bitcast<u32>((_e2092 & 31u)));
+                                                let _e2103 = ((_e2094 >> bitcast<u32>(((31u - _e2092) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2086 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2161_ = array<u32, 2>(_e2097, _e2103);
                                                 } else {
-                                                    let _e2316 = (~(_e2304) + 1u);
-                                                    if (_e2316 == 0u) {
-                                                        phi_2437_ = (~(_e2310) + 1u);
+                                                    let _e2109 = (~(_e2097) + 1u);
+                                                    if (_e2109 == 0u) {
+                                                        phi_2159_ = (~(_e2103) + 1u);
                                                     } else {
-                                                        phi_2437_ = ~(_e2310);
+                                                        phi_2159_ = ~(_e2103);
                                                     }
-                                                    let _e2322 = phi_2437_;
-                                                    phi_2439_ = array<u32, 2>(_e2316, _e2322);
+                                                    let _e2115 = phi_2159_;
+                                                    phi_2161_ = array<u32, 2>(_e2109, _e2115);
                                                 }
-                                                let _e2325 = phi_2439_;
-                                                let _e2326 = (_e2296 < 255u);
-                                                if _e2326 {
-                                                    phi_2445_ = _e2325;
+                                                let _e2118 = phi_2161_;
+                                                let _e2119 = (_e2089 < 255u);
+                                                if _e2119 {
+                                                    phi_2167_ = _e2118;
                                                 } else {
-                                                    phi_2445_ = array<u32, 2>(1u, 0u);
+                                                    phi_2167_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2329 = phi_2445_;
-                                                let _e2334 = (2u * ((select(16u, (_e2296 / 16u), _e2326) * _e2237) + (_e2238 + 1u)));
-                                                let _e2337 = atomicAdd((&global_8.member[_e2334]), _e2329[0]);
-                                                let _e2345 = atomicAdd((&global_8.member[(_e2334 + 1u)]), (_e2329[1] + select(0u, 1u, ((_e2337 + _e2329[0]) < _e2329[0]))));
-                                            }
-                                            let _e2347 = bitcast<u32>(_e2228);
-                                            let _e2350 = ((_e2347 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2350 == 0u) {
-                                            } else {
-                                                let _e2353 = (_e2350 % 16u);
-                                                let _e2355 = ((_e2347 & 8388607u) | 8388608u);
-                                                let _e2358 = (_e2355 << bitcast<u32>((_e2353 & 31u)));
-                                                let _e2364 = ((_e2355 >> bitcast<u32>(((31u - _e2353) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2347 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2495_ = array<u32, 2>(_e2358, _e2364);
+                                                let _e2122 = phi_2167_;
+                                                let _e2127 = (2u * ((select(16u, (_e2089 / 16u), _e2119) * _e1919) + (_e1920 + 3u)));
+                                                let _e2130 = atomicAdd((&global_8.member[_e2127]), _e2122[0]);
+                                                let _e2134 = (_e2122[1] + select(0u, 1u, ((_e2130 + _e2122[0]) < _e2122[0])));
+                                                if (_e2134 == 0u) {
                                                 } else {
-                                                    let _e2370 = (~(_e2358) + 1u);
-                                                    if (_e2370 == 0u) {
-                                                        phi_2493_ = (~(_e2364) + 1u);
-                                                    } else {
-                                                        phi_2493_ = ~(_e2364);
-                                                    }
-                                                    let _e2376 = phi_2493_;
-                                                    phi_2495_ = array<u32, 2>(_e2370, _e2376);
+                                                    let _e2139 = atomicAdd((&global_8.member[(_e2127 + 1u)]), _e2134);
                                                 }
-                                                let _e2379 = phi_2495_;
-                                                let _e2380 = (_e2350 < 255u);
-                                                if _e2380 {
-                                                    phi_2501_ = _e2379;
-                                                } else {
-                                                    phi_2501_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2383 = phi_2501_;
-                                                let _e2388 = (2u * ((select(16u, (_e2350 / 16u), _e2380) * _e2237) + (_e2238 + 2u)));
-                                                let _e2391 = atomicAdd((&global_8.member[_e2388]), _e2383[0]);
-                                                let _e2399 = atomicAdd((&global_8.member[(_e2388 + 1u)]), (_e2383[1] + select(0u, 1u, ((_e2391 + _e2383[0]) < _e2383[0]))));
-                                            }
-                                            let _e2401 = bitcast<u32>(_e2232);
-                                            let _e2404 = ((_e2401 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2404 == 0u) {
-                                            } else {
-                                                let _e2407 = (_e2404 % 16u);
-                                                let _e2409 = ((_e2401 & 8388607u) | 8388608u);
-                                                let _e2412 = (_e2409 << bitcast<u32>((_e2407 & 31u)));
-                                                let _e2418 = ((_e2409 >> bitcast<u32>(((31u - _e2407) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2401 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2551_ = array<u32, 2>(_e2412, _e2418);
-                                                } else {
-                                                    let _e2424 = (~(_e2412) + 1u);
-                                                    if (_e2424 == 0u) {
-                                                        phi_2549_ = (~(_e2418) + 1u);
-                                                    } else {
-                                                        phi_2549_ = ~(_e2418);
-                                                    }
-                                                    let _e2430 = phi_2549_;
-                                                    phi_2551_ = array<u32, 2>(_e2424, _e2430);
-                                                }
-                                                let _e2433 = phi_2551_;
-                                                let _e2434 = (_e2404 < 255u);
-                                                if _e2434 {
-                                                    phi_2557_ = _e2433;
-                                                } else {
-                                                    phi_2557_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2437 = phi_2557_;
-                                                let _e2442 = (2u * ((select(16u, (_e2404 / 16u), _e2434) * _e2237) + (_e2238 + 3u)));
-                                                let _e2445 = atomicAdd((&global_8.member[_e2442]), _e2437[0]);
-                                                let _e2453 = atomicAdd((&global_8.member[(_e2442 + 1u)]), (_e2437[1] + select(0u, 1u, ((_e2445 + _e2437[0]) < _e2437[0]))));
                                             }
                                         } else {
-                                            global_6.member[(_e186 + _e872)] = vec4<f32>(_e2220, _e2224, _e2228, _e2232);
+                                            global_6.member[(_e185 + _e753)] = vec4<f32>(_e1654.member, _e1657.member_1, _e1660.member_2, _e1663.member_3);
                                         }
                                     }
-                                    if (_e890 < _e59) {
-                                        let _e2456 = local_34;
-                                        let _e2458 = (_e1706.member + _e2456.member);
-                                        let _e2460 = local_35;
-                                        let _e2462 = (_e1709.member_1 + _e2460.member_1);
-                                        let _e2464 = local_36;
-                                        let _e2466 = (_e1712.member_2 + _e2464.member_2);
-                                        let _e2468 = local_37;
-                                        let _e2470 = (_e1715.member_3 + _e2468.member_3);
-                                        if _e187 {
-                                            let _e2475 = (4u * _e183);
-                                            let _e2476 = (4u * _e876);
-                                            let _e2477 = bitcast<u32>(_e2458);
-                                            let _e2480 = ((_e2477 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2480 == 0u) {
+                                    if (_e771 < _e58) {
+                                        if _e186 {
+                                            let _e2145 = (4u * _e182);
+                                            let _e2146 = (4u * _e757);
+                                            let _e2147 = bitcast<u32>(_e1666.member);
+                                            let _e2150 = ((_e2147 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2150 == 0u) {
                                             } else {
-                                                let _e2483 = (_e2480 % 16u);
-                                                let _e2485 = ((_e2477 & 8388607u) | 8388608u);
-                                                let _e2488 = (_e2485 << bitcast<u32>((_e2483 & 31u)));
-                                                let _e2494 = ((_e2485 >> bitcast<u32>(((31u - _e2483) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2477 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2626_ = array<u32, 2>(_e2488, _e2494);
+                                                let _e2153 = (_e2150 % 16u);
+                                                let _e2155 = ((_e2147 & 8388607u) | 8388608u);
+                                                let _e2158 = (_e2155 << bitcast<u32>((_e2153 & 31u)));
+                                                let _e2164 = ((_e2155 >> bitcast<u32>(((31u - _e2153) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2147 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2233_ = array<u32, 2>(_e2158, _e2164);
                                                 } else {
-                                                    let _e2500 = (~(_e2488) + 1u);
-                                                    if (_e2500 == 0u) {
-                                                        phi_2624_ = (~(_e2494) + 1u);
+                                                    let _e2170 = (~(_e2158) + 1u);
+                                                    if (_e2170 == 0u) {
+                                                        phi_2231_ = (~(_e2164) + 1u);
                                                     } else {
-                                                        phi_2624_ = ~(_e2494);
+                                                        phi_2231_ = ~(_e2164);
                                                     }
-                                                    let _e2506 = phi_2624_;
-                                                    phi_2626_ = array<u32, 2>(_e2500, _e2506);
+                                                    let _e2176 = phi_2231_;
+                                                    phi_2233_ = array<u32, 2>(_e2170, _e2176);
                                                 }
-                                                let _e2509 = phi_2626_;
-                                                let _e2510 = (_e2480 < 255u);
-                                                if _e2510 {
-                                                    phi_2632_ = _e2509;
+                                                let _e2179 = phi_2233_;
+                                                let _e2180 = (_e2150 < 255u);
+                                                if _e2180 {
+                                                    phi_2239_ = _e2179;
                                                 } else {
-                                                    phi_2632_ = array<u32, 2>(1u, 0u);
+                                                    phi_2239_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2513 = phi_2632_;
-                                                let _e2518 = (2u * ((select(16u, (_e2480 / 16u), _e2510) * _e2475) + _e2476));
-                                                let _e2521 = atomicAdd((&global_8.member[_e2518]), _e2513[0]);
-                                                let _e2529 = atomicAdd((&global_8.member[(_e2518 + 1u)]), (_e2513[1] + select(0u, 1u, ((_e2521 + _e2513[0]) < _e2513[0]))));
+                                                let _e2183 = phi_2239_;
+                                                let _e2188 = (2u * ((select(16u, (_e2150 / 16u), _e2180) * _e2145) + _e2146));
+                                                let _e2191 = atomicAdd((&global_8.member[_e2188]), _e2183[0]);
+                                                let _e2195 = (_e2183[1] + select(0u, 1u, ((_e2191 + _e2183[0]) < _e2183[0])));
+                                                if (_e2195 == 0u) {
+                                                } else {
+                                                    let _e2200 = atomicAdd((&global_8.member[(_e2188 + 1u)]), _e2195);
+                                                }
                                             }
-                                            let _e2531 = bitcast<u32>(_e2462);
-                                            let _e2534 = ((_e2531 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2534 == 0u) {
+                                            let _e2202 = bitcast<u32>(_e1669.member_1);
+                                            let _e2205 = ((_e2202 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2205 == 0u) {
                                             } else {
-                                                let _e2537 = (_e2534 % 16u);
-                                                let _e2539 = ((_e2531 & 8388607u) | 8388608u);
-                                                let _e2542 = (_e2539 << bitcast<u32>((_e2537 & 31u)));
-                                                let _e2548 = ((_e2539 >> bitcast<u32>(((31u - _e2537) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2531 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2682_ = array<u32, 2>(_e2542, _e2548);
+                                                let _e2208 = (_e2205 % 16u);
+                                                let _e2210 = ((_e2202 & 8388607u) | 8388608u);
+                                                let _e2213 = (_e2210 << bitcast<u32>((_e2208 & 31u)));
+                                                let _e2219 = ((_e2210 >> bitcast<u32>(((31u - _e2208) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2202 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2294_ = array<u32, 2>(_e2213, _e2219);
                                                 } else {
-                                                    let _e2554 = (~(_e2542) + 1u);
-                                                    if (_e2554 == 0u) {
-                                                        phi_2680_ = (~(_e2548) + 1u);
+                                                    let _e2225 = (~(_e2213) + 1u);
+                                                    if (_e2225 == 0u) {
+                                                        phi_2292_ = (~(_e2219) + 1u);
                                                     } else {
-                                                        phi_2680_ = ~(_e2548);
+                                                        phi_2292_ = ~(_e2219);
                                                     }
-                                                    let _e2560 = phi_2680_;
-                                                    phi_2682_ = array<u32, 2>(_e2554, _e2560);
+                                                    let _e2231 = phi_2292_;
+                                                    phi_2294_ = array<u32, 2>(_e2225, _e2231);
                                                 }
-                                                let _e2563 = phi_2682_;
-                                                let _e2564 = (_e2534 < 255u);
-                                                if _e2564 {
-                                                    phi_2688_ = _e2563;
+                                                let _e2234 = phi_2294_;
+                                                let _e2235 = (_e2205 < 255u);
+                                                if _e2235 {
+                                                    phi_2300_ = _e2234;
                                                 } else {
-                                                    phi_2688_ = array<u32, 2>(1u, 0u);
+                                                    phi_2300_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2567 = phi_2688_;
-                                                let _e2572 = (2u * ((select(16u, (_e2534 / 16u), _e2564) * _e2475) + (_e2476 + 1u)));
-                                                let _e2575 = atomicAdd((&global_8.member[_e2572]), _e2567[0]);
-                                                let _e2583 = atomicAdd((&global_8.member[(_e2572 + 1u)]), (_e2567[1] + select(0u, 1u, ((_e2575 + _e2567[0]) < _e2567[0]))));
+                                                let _e2238 = phi_2300_;
+                                                let _e2243 = (2u * ((select(16u, (_e2205 / 16u), _e2235) * _e2145) + (_e2146 + 1u)));
+                                                let _e2246 = atomicAdd((&global_8.member[_e2243]), _e2238[0]);
+                                                let _e2250 = (_e2238[1] + select(0u, 1u, ((_e2246 + _e2238[0]) < _e2238[0])));
+                                                if (_e2250 == 0u) {
+                                                } else {
+                                                    let _e2255 = atomicAdd((&global_8.member[(_e2243 + 1u)]), _e2250);
+                                                }
                                             }
-                                            let _e2585 = bitcast<u32>(_e2466);
-                                            let _e2588 = ((_e2585 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2588 == 0u) {
+                                            let _e2257 = bitcast<u32>(_e1672.member_2);
+                                            let _e2260 = ((_e2257 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2260 == 0u) {
                                             } else {
-                                                let _e2591 = (_e2588 % 16u);
-                                                let _e2593 = ((_e2585 & 8388607u) | 8388608u);
-                                                let _e2596 = (_e2593 << bitcast<u32>((_e2591 & 31u)));
-                                                let _e2602 = ((_e2593 >> bitcast<u32>(((31u - _e2591) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2585 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2738_ = array<u32, 2>(_e2596, _e2602);
+                                                let _e2263 = (_e2260 % 16u);
+                                                let _e2265 = ((_e2257 & 8388607u) | 8388608u);
+                                                let _e2268 = (_e2265 << bitcast<u32>((_e2263 & 31u)));
+                                                let _e2274 = ((_e2265 >> bitcast<u32>(((31u - _e2263) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2257 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2355_ = array<u32, 2>(_e2268, _e2274);
                                                 } else {
-                                                    let _e2608 = (~(_e2596) + 1u);
-                                                    if (_e2608 == 0u) {
-                                                        phi_2736_ = (~(_e2602) + 1u);
+                                                    let _e2280 = (~(_e2268) + 1u);
+                                                    if (_e2280 == 0u) {
+                                                        phi_2353_ = (~(_e2274) + 1u);
                                                     } else {
-                                                        phi_2736_ = ~(_e2602);
+                                                        phi_2353_ = ~(_e2274);
                                                     }
-                                                    let _e2614 = phi_2736_;
-                                                    phi_2738_ = array<u32, 2>(_e2608, _e2614);
+                                                    let _e2286 = phi_2353_;
+                                                    phi_2355_ = array<u32, 2>(_e2280, _e2286);
                                                 }
-                                                let _e2617 = phi_2738_;
-                                                let _e2618 = (_e2588 < 255u);
-                                                if _e2618 {
-                                                    phi_2744_ = _e2617;
+                                                let _e2289 = phi_2355_;
+                                                let _e2290 = (_e2260 < 255u);
+                                                if _e2290 {
+                                                    phi_2361_ = _e2289;
                                                 } else {
-                                                    phi_2744_ = array<u32, 2>(1u, 0u);
+                                                    phi_2361_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2621 = phi_2744_;
-                                                let _e2626 = (2u * ((select(16u, (_e2588 / 16u), _e2618) * _e2475) + (_e2476 + 2u)));
-                                                let _e2629 = atomicAdd((&global_8.member[_e2626]), _e2621[0]);
-                                                let _e2637 = atomicAdd((&global_8.member[(_e2626 + 1u)]), (_e2621[1] + select(0u, 1u, ((_e2629 + _e2621[0]) < _e2621[0]))));
+                                                let _e2293 = phi_2361_;
+                                                let _e2298 = (2u * ((select(16u, (_e2260 / 16u), _e2290) * _e2145) + (_e2146 + 2u)));
+                                                let _e2301 = atomicAdd((&global_8.member[_e2298]), _e2293[0]);
+                                                let _e2305 = (_e2293[1] + select(0u, 1u, ((_e2301 + _e2293[0]) < _e2293[0])));
+                                                if (_e2305 == 0u) {
+                                                } else {
+                                                    let _e2310 = atomicAdd((&global_8.member[(_e2298 + 1u)]), _e2305);
+                                                }
                                             }
-                                            let _e2639 = bitcast<u32>(_e2470);
-                                            let _e2642 = ((_e2639 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2642 == 0u) {
+                                            let _e2312 = bitcast<u32>(_e1675.member_3);
+                                            let _e2315 = ((_e2312 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2315 == 0u) {
                                             } else {
-                                                let _e2645 = (_e2642 % 16u);
-                                                let _e2647 = ((_e2639 & 8388607u) | 8388608u);
-                                                let _e2650 = (_e2647 << bitcast<u32>((_e2645 & 31u)));
-                                                let _e2656 = ((_e2647 >> bitcast<u32>(((31u - _e2645) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2639 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2794_ = array<u32, 2>(_e2650, _e2656);
+                                                let _e2318 = (_e2315 % 16u);
+                                                let _e2320 = ((_e2312 & 8388607u) | 8388608u);
+                                                let _e2323 = (_e2320 << bitcast<u32>((_e2318 & 31u)));
+                                                let _e2329 = ((_e2320 >> bitcast<u32>(((31u - _e2318) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2312 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2416_ = array<u32, 2>(_e2323, _e2329);
                                                 } else {
-                                                    let _e2662 = (~(_e2650) + 1u);
-                                                    if (_e2662 == 0u) {
-                                                        phi_2792_ = (~(_e2656) + 1u);
+                                                    let _e2335 = (~(_e2323) + 1u);
+                                                    if (_e2335 == 0u) {
+                                                        phi_2414_ = (~(_e2329) + 1u);
                                                     } else {
-                                                        phi_2792_ = ~(_e2656);
+                                                        phi_2414_ = ~(_e2329);
                                                     }
-                                                    let _e2668 = phi_2792_;
-                                                    phi_2794_ = array<u32, 2>(_e2662, _e2668);
+                                                    let _e2341 = phi_2414_;
+                                                    phi_2416_ = array<u32, 2>(_e2335, _e2341);
                                                 }
-                                                let _e2671 = phi_2794_;
-                                                let _e2672 = (_e2642 < 255u);
-                                                if _e2672 {
-                                                    phi_2800_ = _e2671;
+                                                let _e2344 = phi_2416_;
+                                                let _e2345 = (_e2315 < 255u);
+                                                if _e2345 {
+                                                    phi_2422_ = _e2344;
                                                 } else {
-                                                    phi_2800_ = array<u32, 2>(1u, 0u);
+                                                    phi_2422_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2675 = phi_2800_;
-                                                let _e2680 = (2u * ((select(16u, (_e2642 / 16u), _e2672) * _e2475) + (_e2476 + 3u)));
-                                                let _e2683 = atomicAdd((&global_8.member[_e2680]), _e2675[0]);
-                                                let _e2691 = atomicAdd((&global_8.member[(_e2680 + 1u)]), (_e2675[1] + select(0u, 1u, ((_e2683 + _e2675[0]) < _e2675[0]))));
+                                                let _e2348 = phi_2422_;
+                                                let _e2353 = (2u * ((select(16u, (_e2315 / 16u), _e2345) * _e2145) + (_e2146 + 3u)));
+                                                let _e2356 = atomicAdd((&global_8.member[_e2353]), _e2348[0]);
+                                                let _e2360 = (_e2348[1] + select(0u, 1u, ((_e2356 + _e2348[0]) < _e2348[0])));
+                                                if (_e2360 == 0u) {
+                                                } else {
+                                                    let _e2365 = atomicAdd((&global_8.member[(_e2353 + 1u)]), _e2360);
+                                                }
                                             }
                                         } else {
-                                            global_6.member[(_e186 + _e876)] = vec4<f32>(_e2458, _e2462, _e2466, _e2470);
+                                            global_6.member[(_e185 + _e757)] = vec4<f32>(_e1666.member, _e1669.member_1, _e1672.member_2, _e1675.member_3);
                                         }
                                     }
-                                    if (_e894 < _e59) {
-                                        let _e2694 = local_38;
-                                        let _e2696 = (_e1718.member + _e2694.member);
-                                        let _e2698 = local_39;
-                                        let _e2700 = (_e1721.member_1 + _e2698.member_1);
-                                        let _e2702 = local_40;
-                                        let _e2704 = (_e1724.member_2 + _e2702.member_2);
-                                        let _e2706 = local_41;
-                                        let _e2708 = (_e1727.member_3 + _e2706.member_3);
-                                        if _e187 {
-                                            let _e2713 = (4u * _e183);
-                                            let _e2714 = (4u * _e880);
-                                            let _e2715 = bitcast<u32>(_e2696);
-                                            let _e2718 = ((_e2715 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2718 == 0u) {
+                                    if (_e775 < _e58) {
+                                        if _e186 {
+                                            let _e2371 = (4u * _e182);
+                                            let _e2372 = (4u * _e761);
+                                            let _e2373 = bitcast<u32>(_e1678.member);
+                                            let _e2376 = ((_e2373 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2376 == 0u) {
                                             } else {
-                                                let _e2721 = (_e2718 % 16u);
-                                                let _e2723 = ((_e2715 & 8388607u) | 8388608u);
-                                                let _e2726 = (_e2723 << bitcast<u32>((_e2721 & 31u)));
-                                                let _e2732 = ((_e2723 >> bitcast<u32>(((31u - _e2721) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2715 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2869_ = array<u32, 2>(_e2726, _e2732);
+                                                let _e2379 = (_e2376 % 16u);
+                                                let _e2381 = ((_e2373 & 8388607u) | 8388608u);
+                                                let _e2384 = (_e2381 << bitcast<u32>((_e2379 & 31u)));
+                                                let _e2390 = ((_e2381 >> bitcast<u32>(((31u - _e2379) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2373 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2488_ = array<u32, 2>(_e2384, _e2390);
                                                 } else {
-                                                    let _e2738 = (~(_e2726) + 1u);
-                                                    if (_e2738 == 0u) {
-                                                        phi_2867_ = (~(_e2732) + 1u);
+                                                    let _e2396 = (~(_e2384) + 1u);
+                                                    if (_e2396 == 0u) {
+                                                        phi_2486_ = (~(_e2390) + 1u);
                                                     } else {
-                                                        phi_2867_ = ~(_e2732);
+                                                        phi_2486_ = ~(_e2390);
                                                     }
-                                                    let _e2744 = phi_2867_;
-                                                    phi_2869_ = array<u32, 2>(_e2738, _e2744);
+                                                    let _e2402 = phi_2486_;
+                                                    phi_2488_ = array<u32, 2>(_e2396, _e2402);
                                                 }
-                                                let _e2747 = phi_2869_;
-                                                let _e2748 = (_e2718 < 255u);
-                                                if _e2748 {
-                                                    phi_2875_ = _e2747;
+                                                let _e2405 = phi_2488_;
+                                                let _e2406 = (_e2376 < 255u);
+                                                if _e2406 {
+                                                    phi_2494_ = _e2405;
                                                 } else {
-                                                    phi_2875_ = array<u32, 2>(1u, 0u);
+                                                    phi_2494_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2751 = phi_2875_;
-                                                let _e2756 = (2u * ((select(16u, (_e2718 / 16u), _e2748) * _e2713) + _e2714));
-                                                let _e2759 = atomicAdd((&global_8.member[_e2756]), _e2751[0]);
-                                                let _e2767 = atomicAdd((&global_8.member[(_e2756 + 1u)]), (_e2751[1] + select(0u, 1u, ((_e2759 + _e2751[0]) < _e2751[0]))));
+                                                let _e2409 = phi_2494_;
+                                                let _e2414 = (2u * ((select(16u, (_e2376 / 16u), _e2406) * _e2371) + _e2372));
+                                                let _e2417 = atomicAdd((&global_8.member[_e2414]), _e2409[0]);
+                                                let _e2421 = (_e2409[1] + select(0u, 1u, ((_e2417 + _e2409[0]) < _e2409[0])));
+                                                if (_e2421 == 0u) {
+                                                } else {
+                                                    let _e2426 = atomicAdd((&global_8.member[(_e2414 + 1u)]), _e2421);
+                                                }
                                             }
-                                            let _e2769 = bitcast<u32>(_e2700);
-                                            let _e2772 = ((_e2769 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2772 == 0u) {
+                                            let _e2428 = bitcast<u32>(_e1681.member_1);
+                                            let _e2431 = ((_e2428 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2431 == 0u) {
                                             } else {
-                                                let _e2775 = (_e2772 % 16u);
-                                                let _e2777 = ((_e2769 & 8388607u) | 8388608u);
-                                                let _e2780 = (_e2777 << bitcast<u32>((_e2775 & 31u)));
-                                                let _e2786 = ((_e2777 >> bitcast<u32>(((31u - _e2775) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2769 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2925_ = array<u32, 2>(_e2780, _e2786);
+                                                let _e2434 = (_e2431 % 16u);
+                                                let _e2436 = ((_e2428 & 8388607u) | 8388608u);
+                                                let _e2439 = (_e2436 << bitcast<u32>((_e2434 & 31u)));
+                                                let _e2445 = ((_e2436 >> bitcast<u32>(((31u - _e2434) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2428 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2549_ = array<u32, 2>(_e2439, _e2445);
                                                 } else {
-                                                    let _e2792 = (~(_e2780) + 1u);
-                                                    if (_e2792 == 0u) {
-                                                        phi_2923_ = (~(_e2786) + 1u);
+                                                    let _e2451 = (~(_e2439) + 1u);
+                                                    if (_e2451 == 0u) {
+                                                        phi_2547_ = (~(_e2445) + 1u);
                                                     } else {
-                                                        phi_2923_ = ~(_e2786);
+                                                        phi_2547_ = ~(_e2445);
                                                     }
-                                                    let _e2798 = phi_2923_;
-                                                    phi_2925_ = array<u32, 2>(_e2792, _e2798);
+                                                    let _e2457 = phi_2547_;
+                                                    phi_2549_ = array<u32, 2>(_e2451, _e2457);
                                                 }
-                                                let _e2801 = phi_2925_;
-                                                let _e2802 = (_e2772 < 255u);
-                                                if _e2802 {
-                                                    phi_2931_ = _e2801;
+                                                let _e2460 = phi_2549_;
+                                                let _e2461 = (_e2431 < 255u);
+                                                if _e2461 {
+                                                    phi_2555_ = _e2460;
                                                 } else {
-                                                    phi_2931_ = array<u32, 2>(1u, 0u);
+                                                    phi_2555_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2805 = phi_2931_;
-                                                let _e2810 = (2u * ((select(16u, (_e2772 / 16u), _e2802) * _e2713) + (_e2714 + 1u)));
-                                                let _e2813 = atomicAdd((&global_8.member[_e2810]), _e2805[0]);
-                                                let _e2821 = atomicAdd((&global_8.member[(_e2810 + 1u)]), (_e2805[1] + select(0u, 1u, ((_e2813 + _e2805[0]) < _e2805[0]))));
+                                                let _e2464 = phi_2555_;
+                                                let _e2469 = (2u * ((select(16u, (_e2431 / 16u), _e2461) * _e2371) + (_e2372 + 1u)));
+                                                let _e2472 = atomicAdd((&global_8.member[_e2469]), _e2464[0]);
+                                                let _e2476 = (_e2464[1] + select(0u, 1u, ((_e2472 + _e2464[0]) < _e2464[0])));
+                                                if (_e2476 == 0u) {
+                                                } else {
+                                                    let _e2481 = atomicAdd((&global_8.member[(_e2469 + 1u)]), _e2476);
+                                                }
                                             }
-                                            let _e2823 = bitcast<u32>(_e2704);
-                                            let _e2826 = ((_e2823 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2826 == 0u) {
+                                            let _e2483 = bitcast<u32>(_e1684.member_2);
+                                            let _e2486 = ((_e2483 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2486 == 0u) {
                                             } else {
-                                                let _e2829 = (_e2826 % 16u);
-                                                let _e2831 = ((_e2823 & 8388607u) | 8388608u);
-                                                let _e2834 = (_e2831 << bitcast<u32>((_e2829 & 31u)));
-                                                let _e2840 = ((_e2831 >> bitcast<u32>(((31u - _e2829) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2823 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2981_ = array<u32, 2>(_e2834, _e2840);
+                                                let _e2489 = (_e2486 % 16u);
+                                                let _e2491 = ((_e2483 & 8388607u) | 8388608u);
+                                                let _e2494 = (_e2491 << bitcast<u32>((_e2489 & 31u)));
+                                                let _e2500 = ((_e2491 >> bitcast<u32>(((31u - _e2489) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2483 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2610_ = array<u32, 2>(_e2494, _e2500);
                                                 } else {
-                                                    let _e2846 = (~(_e2834) + 1u);
-                                                    if (_e2846 == 0u) {
-                                                        phi_2979_ = (~(_e2840) + 1u);
+                                                    let _e2506 = (~(_e2494) + 1u);
+                                                    if (_e2506 == 0u) {
+                                                        phi_2608_ = (~(_e2500) + 1u);
                                                     } else {
-                                                        phi_2979_ = ~(_e2840);
+                                                        phi_2608_ = ~(_e2500);
                                                     }
-                                                    let _e2852 = phi_2979_;
-                                                    phi_2981_ = array<u32, 2>(_e2846, _e2852);
+                                                    let _e2512 = phi_2608_;
+                                                    phi_2610_ = array<u32, 2>(_e2506, _e2512);
                                                 }
-                                                let _e2855 = phi_2981_;
-                                                let _e2856 = (_e2826 < 255u);
-                                                if _e2856 {
-                                                    phi_2987_ = _e2855;
+                                                let _e2515 = phi_2610_;
+                                                let _e2516 = (_e2486 < 255u);
+                                                if _e2516 {
+                                                    phi_2616_ = _e2515;
                                                 } else {
-                                                    phi_2987_ = array<u32, 2>(1u, 0u);
+                                                    phi_2616_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2859 = phi_2987_;
-                                                let _e2864 = (2u * ((select(16u, (_e2826 / 16u), _e2856) * _e2713) + (_e2714 + 2u)));
-                                                let _e2867 = atomicAdd((&global_8.member[_e2864]), _e2859[0]);
-                                                let _e2875 = atomicAdd((&global_8.member[(_e2864 + 1u)]), (_e2859[1] + select(0u, 1u, ((_e2867 + _e2859[0]) < _e2859[0]))));
+                                                let _e2519 = phi_2616_;
+                                                let _e2524 = (2u * ((select(16u, (_e2486 / 16u), _e2516) * _e2371) + (_e2372 + 2u)));
+                                                let _e2527 = atomicAdd((&global_8.member[_e2524]), _e2519[0]);
+                                                let _e2531 = (_e2519[1] + select(0u, 1u, ((_e2527 + _e2519[0]) < _e2519[0])));
+                                                if (_e2531 == 0u) {
+                                                } else {
+                                                    let _e2536 = atomicAdd((&global_8.member[(_e2524 + 1u)]), _e2531);
+                                                }
                                             }
-                                            let _e2877 = bitcast<u32>(_e2708);
-                                            let _e2880 = ((_e2877 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2880 == 0u) {
+                                            let _e2538 = bitcast<u32>(_e1687.member_3);
+                                            let _e2541 = ((_e2538 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2541 == 0u) {
                                             } else {
-                                                let _e2883 = (_e2880 % 16u);
-                                                let _e2885 = ((_e2877 & 8388607u) | 8388608u);
-                                                let _e2888 = (_e2885 << bitcast<u32>((_e2883 & 31u)));
-                                                let _e2894 = ((_e2885 >> bitcast<u32>(((31u - _e2883) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2877 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_3037_ = array<u32, 2>(_e2888, _e2894);
+                                                let _e2544 = (_e2541 % 16u);
+                                                let _e2546 = ((_e2538 & 8388607u) | 8388608u);
+                                                let _e2549 = (_e2546 << bitcast<u32>((_e2544 & 31u)));
+                                                let _e2555 = ((_e2546 >> bitcast<u32>(((31u - _e2544) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2538 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2671_ = array<u32, 2>(_e2549, _e2555);
                                                 } else {
-                                                    let _e2900 = (~(_e2888) + 1u);
-                                                    if (_e2900 == 0u) {
-                                                        phi_3035_ = (~(_e2894) + 1u);
+                                                    let _e2561 = (~(_e2549) + 1u);
+                                                    if (_e2561 == 0u) {
+                                                        phi_2669_ = (~(_e2555) + 1u);
                                                     } else {
-                                                        phi_3035_ = ~(_e2894);
+                                                        phi_2669_ = ~(_e2555);
                                                     }
-                                                    let _e2906 = phi_3035_;
-                                                    phi_3037_ = array<u32, 2>(_e2900, _e2906);
+                                                    let _e2567 = phi_2669_;
+                                                    phi_2671_ = array<u32, 2>(_e2561, _e2567);
                                                 }
-                                                let _e2909 = phi_3037_;
-                                                let _e2910 = (_e2880 < 255u);
-                                                if _e2910 {
-                                                    phi_3043_ = _e2909;
+                                                let _e2570 = phi_2671_;
+                                                let _e2571 = (_e2541 < 255u);
+                                                if _e2571 {
+                                                    phi_2677_ = _e2570;
                                                 } else {
-                                                    phi_3043_ = array<u32, 2>(1u, 0u);
+                                                    phi_2677_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2913 = phi_3043_;
-                                                let _e2918 = (2u * ((select(16u, (_e2880 / 16u), _e2910) * _e2713) + (_e2714 + 3u)));
-                                                let _e2921 = atomicAdd((&global_8.member[_e2918]), _e2913[0]);
-                                                let _e2929 = atomicAdd((&global_8.member[(_e2918 + 1u)]), (_e2913[1] + select(0u, 1u, ((_e2921 + _e2913[0]) < _e2913[0]))));
+                                                let _e2574 = phi_2677_;
+                                                let _e2579 = (2u * ((select(16u, (_e2541 / 16u), _e2571) * _e2371) + (_e2372 + 3u)));
+                                                let _e2582 = atomicAdd((&global_8.member[_e2579]), _e2574[0]);
+                                                let _e2586 = (_e2574[1] + select(0u, 1u, ((_e2582 + _e2574[0]) < _e2574[0])));
+                                                if (_e2586 == 0u) {
+                                                } else {
+                                                    let _e2591 = atomicAdd((&global_8.member[(_e2579 + 1u)]), _e2586);
+                                                }
                                             }
                                         } else {
-                                            global_6.member[(_e186 + _e880)] = vec4<f32>(_e2696, _e2700, _e2704, _e2708);
+                                            global_6.member[(_e185 + _e761)] = vec4<f32>(_e1678.member, _e1681.member_1, _e1684.member_2, _e1687.member_3);
                                         }
                                     }
                                 } else {
-                                    let _e198 = global_3.member.member_6;
-                                    let _e199 = (_e198 + _e170);
-                                    if _e189 {
-                                        let _e203 = global_6.member[(_e184 + _e199)];
-                                        phi_247_ = _e203;
+                                    let _e197 = global_3.member.member_6;
+                                    let _e198 = (_e197 + _e169);
+                                    if _e188 {
+                                        let _e202 = global_6.member[(_e183 + _e198)];
+                                        phi_246_ = _e202;
                                     } else {
-                                        phi_247_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_246_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e205 = phi_247_;
-                                    let _e211 = (_e174 % 4u);
-                                    if (_e211 == 0u) {
-                                        phi_260_ = _e174;
-                                    } else {
-                                        phi_260_ = (_e174 + (4u - _e211));
-                                    }
-                                    let _e216 = phi_260_;
-                                    phi_264_ = _e174;
-                                    phi_267_ = type_18(_e205.x, _e205.y, _e205.z, _e205.w);
+                                    let _e204 = phi_246_;
+                                    phi_255_ = type_19((_e173 / 4u), _e173, _e176);
+                                    phi_258_ = type_18(_e204.x, _e204.y, _e204.z, _e204.w);
                                     loop {
-                                        let _e220 = phi_264_;
-                                        let _e222 = phi_267_;
-                                        let _e223 = (_e220 + 1u);
-                                        local_50 = _e222;
-                                        if (_e223 <= select(_e177, _e216, (_e216 < _e177))) {
-                                            let _e225 = (_e194 + _e220);
-                                            let _e231 = global_7.member[(((_e225 / 4u) * 4u) / 4u)];
-                                            if ((_e225 % 2u) == 0u) {
-                                                phi_289_ = array<f32, 2>(_e231.x, _e231.z);
-                                            } else {
-                                                phi_289_ = array<f32, 2>(_e231.y, _e231.w);
-                                            }
-                                            let _e241 = phi_289_;
-                                            if ((_e225 % 4u) < 2u) {
-                                                phi_297_ = _e241[0];
-                                            } else {
-                                                phi_297_ = _e241[1];
-                                            }
-                                            let _e247 = phi_297_;
-                                            let _e248 = (_e225 + _e192);
-                                            let _e254 = global_7.member[(((_e248 / 4u) * 4u) / 4u)];
-                                            if ((_e248 % 2u) == 0u) {
-                                                phi_315_ = array<f32, 2>(_e254.x, _e254.z);
-                                            } else {
-                                                phi_315_ = array<f32, 2>(_e254.y, _e254.w);
-                                            }
-                                            let _e264 = phi_315_;
-                                            if ((_e248 % 4u) < 2u) {
-                                                phi_323_ = _e264[0];
-                                            } else {
-                                                phi_323_ = _e264[1];
-                                            }
-                                            let _e270 = phi_323_;
-                                            let _e272 = (_e225 + (2u * _e192));
-                                            let _e278 = global_7.member[(((_e272 / 4u) * 4u) / 4u)];
-                                            if ((_e272 % 2u) == 0u) {
-                                                phi_342_ = array<f32, 2>(_e278.x, _e278.z);
-                                            } else {
-                                                phi_342_ = array<f32, 2>(_e278.y, _e278.w);
-                                            }
-                                            let _e288 = phi_342_;
-                                            if ((_e272 % 4u) < 2u) {
-                                                phi_350_ = _e288[0];
-                                            } else {
-                                                phi_350_ = _e288[1];
-                                            }
-                                            let _e294 = phi_350_;
-                                            let _e296 = (_e225 + (3u * _e192));
-                                            let _e302 = global_7.member[(((_e296 / 4u) * 4u) / 4u)];
-                                            if ((_e296 % 2u) == 0u) {
-                                                phi_369_ = array<f32, 2>(_e302.x, _e302.z);
-                                            } else {
-                                                phi_369_ = array<f32, 2>(_e302.y, _e302.w);
-                                            }
-                                            let _e312 = phi_369_;
-                                            if ((_e296 % 4u) < 2u) {
-                                                phi_377_ = _e312[0];
-                                            } else {
-                                                phi_377_ = _e312[1];
-                                            }
-                                            let _e318 = phi_377_;
-                                            local_48 = type_18((_e222.member + _e247), (_e222.member_1 + _e270), (_e222.member_2 + _e294), (_e222.member_3 + _e318));
+                                        let _e213 = phi_255_;
+                                        let _e215 = phi_258_;
+                                        local_30 = _e213;
+                                        local_32 = _e215;
+                                        let _e217 = (4u * _e213.member);
+                                        if (_e217 < _e213.member_2) {
+                                            phi_274_ = select(((_e217 + 4u) > _e213.member_2), true, (_e217 < _e213.member_1));
+                                        } else {
+                                            phi_274_ = false;
+                                        }
+                                        let _e226 = phi_274_;
+                                        if _e226 {
+                                            let _e227 = (_e193 / 4u);
+                                            let _e228 = (_e191 / 4u);
+                                            let _e232 = global_7.member[(_e227 + _e213.member)];
+                                            let _e239 = (_e213.member_2 - _e213.member_1);
+                                            let _e240 = ((_e217 - _e213.member_1) < _e239);
+                                            let _e244 = (((_e217 + 1u) - _e213.member_1) < _e239);
+                                            let _e248 = (((_e217 + 2u) - _e213.member_1) < _e239);
+                                            let _e252 = (((_e217 + 3u) - _e213.member_1) < _e239);
+                                            let _e258 = global_7.member[((_e227 + _e228) + _e213.member)];
+                                            let _e272 = global_7.member[((_e227 + (2u * _e228)) + _e213.member)];
+                                            let _e286 = global_7.member[((_e227 + (3u * _e228)) + _e213.member)];
+                                            local_28 = type_19((_e213.member + 1u), _e213.member_1, _e213.member_2);
+                                            local_29 = type_18(((((_e215.member + select(0f, _e232.x, _e240)) + select(0f, _e232.y, _e244)) + select(0f, _e232.z, _e248)) + select(0f, _e232.w, _e252)), ((((_e215.member_1 + select(0f, _e258.x, _e240)) + select(0f, _e258.y, _e244)) + select(0f, _e258.z, _e248)) + select(0f, _e258.w, _e252)), ((((_e215.member_2 + select(0f, _e272.x, _e240)) + select(0f, _e272.y, _e244)) + select(0f, _e272.z, _e248)) + select(0f, _e272.w, _e252)), ((((_e215.member_3 + select(0f, _e286.x, _e240)) + select(0f, _e286.y, _e244)) + select(0f, _e286.z, _e248)) + select(0f, _e286.w, _e252)));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            phi_264_ = _e223;
-                                            let _e2981 = local_48;
-                                            phi_267_ = _e2981;
+                                            let _e2641 = local_28;
+                                            phi_255_ = _e2641;
+                                            let _e2644 = local_29;
+                                            phi_258_ = _e2644;
                                         }
                                     }
-                                    phi_388_ = (_e216 / 4u);
-                                    let _e2995 = local_50;
-                                    phi_391_ = _e2995;
+                                    let _e2648 = local_30;
+                                    phi_362_ = _e2648;
+                                    let _e2653 = local_32;
+                                    phi_365_ = _e2653;
                                     loop {
-                                        let _e330 = phi_388_;
-                                        let _e332 = phi_391_;
-                                        let _e333 = (4u * _e330);
-                                        local_52 = _e333;
-                                        local_53 = _e332;
-                                        if ((_e333 + 4u) <= _e177) {
-                                            let _e337 = ((_e194 / 4u) + _e330);
-                                            let _e338 = (_e192 / 4u);
-                                            let _e341 = global_7.member[_e337];
-                                            let _e349 = global_7.member[(_e337 + _e338)];
-                                            let _e358 = global_7.member[(_e337 + (2u * _e338))];
-                                            let _e367 = global_7.member[(_e337 + (3u * _e338))];
-                                            local_49 = (_e330 + 1u);
-                                            local_51 = type_18(((((_e332.member + _e341.x) + _e341.y) + _e341.z) + _e341.w), ((((_e332.member_1 + _e349.x) + _e349.y) + _e349.z) + _e349.w), ((((_e332.member_2 + _e358.x) + _e358.y) + _e358.z) + _e358.w), ((((_e332.member_3 + _e367.x) + _e367.y) + _e367.z) + _e367.w));
+                                        let _e322 = phi_362_;
+                                        let _e324 = phi_365_;
+                                        local_34 = _e322;
+                                        local_36 = _e324;
+                                        if !((((4u * _e322.member) + 4u) > _e322.member_2)) {
+                                            let _e331 = (_e193 / 4u);
+                                            let _e332 = (_e191 / 4u);
+                                            let _e336 = global_7.member[(_e331 + _e322.member)];
+                                            let _e345 = global_7.member[((_e331 + _e332) + _e322.member)];
+                                            let _e355 = global_7.member[((_e331 + (2u * _e332)) + _e322.member)];
+                                            let _e365 = global_7.member[((_e331 + (3u * _e332)) + _e322.member)];
+                                            local_31 = type_19((_e322.member + 1u), _e322.member_1, _e322.member_2);
+                                            local_33 = type_18(((((_e324.member + _e336.x) + _e336.y) + _e336.z) + _e336.w), ((((_e324.member_1 + _e345.x) + _e345.y) + _e345.z) + _e345.w), ((((_e324.member_2 + _e355.x) + _e355.y) + _e355.z) + _e355.w), ((((_e324.member_3 + _e365.x) + _e365.y) + _e365.z) + _e365.w));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2992 = local_49;
-                                            phi_388_ = _e2992;
-                                            let _e2997 = local_51;
-                                            phi_391_ = _e2997;
+                                            let _e2650 = local_31;
+                                            phi_362_ = _e2650;
+                                            let _e2655 = local_33;
+                                            phi_365_ = _e2655;
                                         }
                                     }
-                                    let _e3000 = local_52;
-                                    phi_451_ = _e3000;
-                                    let _e3003 = local_53;
-                                    phi_454_ = _e3003;
+                                    let _e2658 = local_34;
+                                    phi_432_ = _e2658;
+                                    let _e2663 = local_36;
+                                    phi_435_ = _e2663;
                                     loop {
-                                        let _e395 = phi_451_;
-                                        let _e397 = phi_454_;
-                                        let _e398 = (_e395 + 1u);
-                                        local_2 = _e397;
-                                        local_3 = _e397;
-                                        local_4 = _e397;
-                                        local_5 = _e397;
-                                        local_55 = _e395;
-                                        if (_e398 <= _e177) {
-                                            let _e400 = (_e194 + _e395);
-                                            let _e406 = global_7.member[(((_e400 / 4u) * 4u) / 4u)];
-                                            if ((_e400 % 2u) == 0u) {
-                                                phi_476_ = array<f32, 2>(_e406.x, _e406.z);
-                                            } else {
-                                                phi_476_ = array<f32, 2>(_e406.y, _e406.w);
-                                            }
-                                            let _e416 = phi_476_;
-                                            if ((_e400 % 4u) < 2u) {
-                                                phi_484_ = _e416[0];
-                                            } else {
-                                                phi_484_ = _e416[1];
-                                            }
-                                            let _e422 = phi_484_;
-                                            let _e423 = (_e400 + _e192);
-                                            let _e429 = global_7.member[(((_e423 / 4u) * 4u) / 4u)];
-                                            if ((_e423 % 2u) == 0u) {
-                                                phi_502_ = array<f32, 2>(_e429.x, _e429.z);
-                                            } else {
-                                                phi_502_ = array<f32, 2>(_e429.y, _e429.w);
-                                            }
-                                            let _e439 = phi_502_;
-                                            if ((_e423 % 4u) < 2u) {
-                                                phi_510_ = _e439[0];
-                                            } else {
-                                                phi_510_ = _e439[1];
-                                            }
-                                            let _e445 = phi_510_;
-                                            let _e447 = (_e400 + (2u * _e192));
-                                            let _e453 = global_7.member[(((_e447 / 4u) * 4u) / 4u)];
-                                            if ((_e447 % 2u) == 0u) {
-                                                phi_529_ = array<f32, 2>(_e453.x, _e453.z);
-                                            } else {
-                                                phi_529_ = array<f32, 2>(_e453.y, _e453.w);
-                                            }
-                                            let _e463 = phi_529_;
-                                            if ((_e447 % 4u) < 2u) {
-                                                phi_537_ = _e463[0];
-                                            } else {
-                                                phi_537_ = _e463[1];
-                                            }
-                                            let _e469 = phi_537_;
-                                            let _e471 = (_e400 + (3u * _e192));
-                                            let _e477 = global_7.member[(((_e471 / 4u) * 4u) / 4u)];
-                                            if ((_e471 % 2u) == 0u) {
-                                                phi_556_ = array<f32, 2>(_e477.x, _e477.z);
-                                            } else {
-                                                phi_556_ = array<f32, 2>(_e477.y, _e477.w);
-                                            }
-                                            let _e487 = phi_556_;
-                                            if ((_e471 % 4u) < 2u) {
-                                                phi_564_ = _e487[0];
-                                            } else {
-                                                phi_564_ = _e487[1];
-                                            }
-                                            let _e493 = phi_564_;
-                                            local_54 = type_18((_e397.member + _e422), (_e397.member_1 + _e445), (_e397.member_2 + _e469), (_e397.member_3 + _e493));
+                                        let _e397 = phi_432_;
+                                        let _e399 = phi_435_;
+                                        local_2 = _e399;
+                                        local_3 = _e399;
+                                        local_4 = _e399;
+                                        local_5 = _e399;
+                                        let _e401 = (4u * _e397.member);
+                                        if (_e401 < _e397.member_2) {
+                                            phi_451_ = select(((_e401 + 4u) > _e397.member_2), true, (_e401 < _e397.member_1));
+                                        } else {
+                                            phi_451_ = false;
+                                        }
+                                        let _e410 = phi_451_;
+                                        if _e410 {
+                                            let _e411 = (_e193 / 4u);
+                                            let _e412 = (_e191 / 4u);
+                                            let _e416 = global_7.member[(_e411 + _e397.member)];
+                                            let _e423 = (_e397.member_2 - _e397.member_1);
+                                            let _e424 = ((_e401 - _e397.member_1) < _e423);
+                                            let _e428 = (((_e401 + 1u) - _e397.member_1) < _e423);
+                                            let _e432 = (((_e401 + 2u) - _e397.member_1) < _e423);
+                                            let _e436 = (((_e401 + 3u) - _e397.member_1) < _e423);
+                                            let _e442 = global_7.member[((_e411 + _e412) + _e397.member)];
+                                            let _e456 = global_7.member[((_e411 + (2u * _e412)) + _e397.member)];
+                                            let _e470 = global_7.member[((_e411 + (3u * _e412)) + _e397.member)];
+                                            local_35 = type_19((_e397.member + 1u), _e397.member_1, _e397.member_2);
+                                            local_37 = type_18(((((_e399.member + select(0f, _e416.x, _e424)) + select(0f, _e416.y, _e428)) + select(0f, _e416.z, _e432)) + select(0f, _e416.w, _e436)), ((((_e399.member_1 + select(0f, _e442.x, _e424)) + select(0f, _e442.y, _e428)) + select(0f, _e442.z, _e432)) + select(0f, _e442.w, _e436)), ((((_e399.member_2 + select(0f, _e456.x, _e424)) + select(0f, _e456.y, _e428)) + select(0f, _e456.z, _e432)) + select(0f, _e456.w, _e436)), ((((_e399.member_3 + select(0f, _e470.x, _e424)) + select(0f, _e470.y, _e428)) + select(0f, _e470.z, _e432)) + select(0f, _e470.w, _e436)));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            phi_451_ = _e398;
-                                            let _e3005 = local_54;
-                                            phi_454_ = _e3005;
+                                            let _e2660 = local_35;
+                                            phi_432_ = _e2660;
+                                            let _e2665 = local_37;
+                                            phi_435_ = _e2665;
                                         }
                                     }
-                                    let _e504 = local_2;
-                                    let _e507 = local_3;
-                                    let _e510 = local_4;
-                                    let _e513 = local_5;
-                                    let _e3020 = local_55;
-                                    phi_578_ = _e3020;
-                                    phi_581_ = type_18(0f, 0f, 0f, 0f);
-                                    loop {
-                                        let _e516 = phi_578_;
-                                        let _e518 = phi_581_;
-                                        let _e519 = (_e516 + 1u);
-                                        local_6 = _e518;
-                                        local_7 = _e518;
-                                        local_8 = _e518;
-                                        local_9 = _e518;
-                                        if (_e519 <= _e177) {
-                                            let _e521 = (_e194 + _e516);
-                                            let _e527 = global_7.member[(((_e521 / 4u) * 4u) / 4u)];
-                                            if ((_e521 % 2u) == 0u) {
-                                                phi_603_ = array<f32, 2>(_e527.x, _e527.z);
-                                            } else {
-                                                phi_603_ = array<f32, 2>(_e527.y, _e527.w);
-                                            }
-                                            let _e537 = phi_603_;
-                                            if ((_e521 % 4u) < 2u) {
-                                                phi_611_ = _e537[0];
-                                            } else {
-                                                phi_611_ = _e537[1];
-                                            }
-                                            let _e543 = phi_611_;
-                                            let _e544 = (_e521 + _e192);
-                                            let _e550 = global_7.member[(((_e544 / 4u) * 4u) / 4u)];
-                                            if ((_e544 % 2u) == 0u) {
-                                                phi_629_ = array<f32, 2>(_e550.x, _e550.z);
-                                            } else {
-                                                phi_629_ = array<f32, 2>(_e550.y, _e550.w);
-                                            }
-                                            let _e560 = phi_629_;
-                                            if ((_e544 % 4u) < 2u) {
-                                                phi_637_ = _e560[0];
-                                            } else {
-                                                phi_637_ = _e560[1];
-                                            }
-                                            let _e566 = phi_637_;
-                                            let _e568 = (_e521 + (2u * _e192));
-                                            let _e574 = global_7.member[(((_e568 / 4u) * 4u) / 4u)];
-                                            if ((_e568 % 2u) == 0u) {
-                                                phi_656_ = array<f32, 2>(_e574.x, _e574.z);
-                                            } else {
-                                                phi_656_ = array<f32, 2>(_e574.y, _e574.w);
-                                            }
-                                            let _e584 = phi_656_;
-                                            if ((_e568 % 4u) < 2u) {
-                                                phi_664_ = _e584[0];
-                                            } else {
-                                                phi_664_ = _e584[1];
-                                            }
-                                            let _e590 = phi_664_;
-                                            let _e592 = (_e521 + (3u * _e192));
-                                            let _e598 = global_7.member[(((_e592 / 4u) * 4u) / 4u)];
-                                            if ((_e592 % 2u) == 0u) {
-                                                phi_683_ = array<f32, 2>(_e598.x, _e598.z);
-                                            } else {
-                                                phi_683_ = array<f32, 2>(_e598.y, _e598.w);
-                                            }
-                                            let _e608 = phi_683_;
-                                            if ((_e592 % 4u) < 2u) {
-                                                phi_691_ = _e608[0];
-                                            } else {
-                                                phi_691_ = _e608[1];
-                                            }
-                                            let _e614 = phi_691_;
-                                            local_56 = type_18((_e518.member + _e543), (_e518.member_1 + _e566), (_e518.member_2 + _e590), (_e518.member_3 + _e614));
-                                            continue;
+                                    let _e506 = local_2;
+                                    let _e509 = local_3;
+                                    let _e512 = local_4;
+                                    let _e515 = local_5;
+                                    if _e186 {
+                                        let _e521 = (4u * _e182);
+                                        let _e522 = (4u * _e198);
+                                        let _e523 = bitcast<u32>(_e506.member);
+                                        let _e526 = ((_e523 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e526 == 0u) {
                                         } else {
-                                            break;
-                                        }
-                                        continuing {
-                                            phi_578_ = _e519;
-                                            let _e3023 = local_56;
-                                            phi_581_ = _e3023;
-                                        }
-                                    }
-                                    let _e625 = local_6;
-                                    let _e627 = (_e504.member + _e625.member);
-                                    let _e629 = local_7;
-                                    let _e631 = (_e507.member_1 + _e629.member_1);
-                                    let _e633 = local_8;
-                                    let _e635 = (_e510.member_2 + _e633.member_2);
-                                    let _e637 = local_9;
-                                    let _e639 = (_e513.member_3 + _e637.member_3);
-                                    if _e187 {
-                                        let _e644 = (4u * _e183);
-                                        let _e645 = (4u * _e199);
-                                        let _e646 = bitcast<u32>(_e627);
-                                        let _e649 = ((_e646 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e649 == 0u) {
-                                        } else {
-                                            let _e652 = (_e649 % 16u);
-                                            let _e654 = ((_e646 & 8388607u) | 8388608u);
-                                            let _e657 = (_e654 << bitcast<u32>((_e652 & 31u)));
-                                            let _e663 = ((_e654 >> bitcast<u32>(((31u - _e652) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e646 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_750_ = array<u32, 2>(_e657, _e663);
+                                            let _e529 = (_e526 % 16u);
+                                            let _e531 = ((_e523 & 8388607u) | 8388608u);
+                                            let _e534 = (_e531 << bitcast<u32>((_e529 & 31u)));
+                                            let _e540 = ((_e531 >> bitcast<u32>(((31u - _e529) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e523 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_584_ = array<u32, 2>(_e534, _e540);
                                             } else {
-                                                let _e669 = (~(_e657) + 1u);
-                                                if (_e669 == 0u) {
-                                                    phi_748_ = (~(_e663) + 1u);
+                                                let _e546 = (~(_e534) + 1u);
+                                                if (_e546 == 0u) {
+                                                    phi_582_ = (~(_e540) + 1u);
                                                 } else {
-                                                    phi_748_ = ~(_e663);
+                                                    phi_582_ = ~(_e540);
                                                 }
-                                                let _e675 = phi_748_;
-                                                phi_750_ = array<u32, 2>(_e669, _e675);
+                                                let _e552 = phi_582_;
+                                                phi_584_ = array<u32, 2>(_e546, _e552);
                                             }
-                                            let _e678 = phi_750_;
-                                            let _e679 = (_e649 < 255u);
-                                            if _e679 {
-                                                phi_756_ = _e678;
+                                            let _e555 = phi_584_;
+                                            let _e556 = (_e526 < 255u);
+                                            if _e556 {
+                                                phi_590_ = _e555;
                                             } else {
-                                                phi_756_ = array<u32, 2>(1u, 0u);
+                                                phi_590_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e682 = phi_756_;
-                                            let _e687 = (2u * ((select(16u, (_e649 / 16u), _e679) * _e644) + _e645));
-                                            let _e690 = atomicAdd((&global_8.member[_e687]), _e682[0]);
-                                            let _e698 = atomicAdd((&global_8.member[(_e687 + 1u)]), (_e682[1] + select(0u, 1u, ((_e690 + _e682[0]) < _e682[0]))));
+                                            let _e559 = phi_590_;
+                                            let _e564 = (2u * ((select(16u, (_e526 / 16u), _e556) * _e521) + _e522));
+                                            let _e567 = atomicAdd((&global_8.member[_e564]), _e559[0]);
+                                            let _e571 = (_e559[1] + select(0u, 1u, ((_e567 + _e559[0]) < _e559[0])));
+                                            if (_e571 == 0u) {
+                                            } else {
+                                                let _e576 = atomicAdd((&global_8.member[(_e564 + 1u)]), _e571);
+                                            }
                                         }
-                                        let _e700 = bitcast<u32>(_e631);
-                                        let _e703 = ((_e700 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e703 == 0u) {
+                                        let _e578 = bitcast<u32>(_e509.member_1);
+                                        let _e581 = ((_e578 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e581 == 0u) {
                                         } else {
-                                            let _e706 = (_e703 % 16u);
-                                            let _e708 = ((_e700 & 8388607u) | 8388608u);
-                                            let _e711 = (_e708 << bitcast<u32>((_e706 & 31u)));
-                                            let _e717 = ((_e708 >> bitcast<u32>(((31u - _e706) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e700 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_806_ = array<u32, 2>(_e711, _e717);
+                                            let _e584 = (_e581 % 16u);
+                                            let _e586 = ((_e578 & 8388607u) | 8388608u);
+                                            let _e589 = (_e586 << bitcast<u32>((_e584 & 31u)));
+                                            let _e595 = ((_e586 >> bitcast<u32>(((31u - _e584) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e578 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_645_ = array<u32, 2>(_e589, _e595);
                                             } else {
-                                                let _e723 = (~(_e711) + 1u);
-                                                if (_e723 == 0u) {
-                                                    phi_804_ = (~(_e717) + 1u);
+                                                let _e601 = (~(_e589) + 1u);
+                                                if (_e601 == 0u) {
+                                                    phi_643_ = (~(_e595) + 1u);
                                                 } else {
-                                                    phi_804_ = ~(_e717);
+                                                    phi_643_ = ~(_e595);
                                                 }
-                                                let _e729 = phi_804_;
-                                                phi_806_ = array<u32, 2>(_e723, _e729);
+                                                let _e607 = phi_643_;
+                                                phi_645_ = array<u32, 2>(_e601, _e607);
                                             }
-                                            let _e732 = phi_806_;
-                                            let _e733 = (_e703 < 255u);
-                                            if _e733 {
-                                                phi_812_ = _e732;
+                                            let _e610 = phi_645_;
+                                            let _e611 = (_e581 < 255u);
+                                            if _e611 {
+                                                phi_651_ = _e610;
                                             } else {
-                                                phi_812_ = array<u32, 2>(1u, 0u);
+                                                phi_651_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e736 = phi_812_;
-                                            let _e741 = (2u * ((select(16u, (_e703 / 16u), _e733) * _e644) + (_e645 + 1u)));
-                                            let _e744 = atomicAdd((&global_8.member[_e741]), _e736[0]);
-                                            let _e752 = atomicAdd((&global_8.member[(_e741 + 1u)]), (_e736[1] + select(0u, 1u, ((_e744 + _e736[0]) < _e736[0]))));
+                                            let _e614 = phi_651_;
+                                            let _e619 = (2u * ((select(16u, (_e581 / 16u), _e611) * _e521) + (_e522 + 1u)));
+                                            let _e622 = atomicAdd((&global_8.member[_e619]), _e614[0]);
+                                            let _e626 = (_e614[1] + select(0u, 1u, ((_e622 + _e614[0]) < _e614[0])));
+                                            if (_e626 == 0u) {
+                                            } else {
+                                                let _e631 = atomicAdd((&global_8.member[(_e619 + 1u)]), _e626);
+                                            }
                                         }
-                                        let _e754 = bitcast<u32>(_e635);
-                                        let _e757 = ((_e754 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e757 == 0u) {
+                                        let _e633 = bitcast<u32>(_e512.member_2);
+                                        let _e636 = ((_e633 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e636 == 0u) {
                                         } else {
-                                            let _e760 = (_e757 % 16u);
-                                            let _e762 = ((_e754 & 8388607u) | 8388608u);
-                                            let _e765 = (_e762 << bitcast<u32>((_e760 & 31u)));
-                                            let _e771 = ((_e762 >> bitcast<u32>(((31u - _e760) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e754 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_862_ = array<u32, 2>(_e765, _e771);
+                                            let _e639 = (_e636 % 16u);
+                                            let _e641 = ((_e633 & 8388607u) | 8388608u);
+                                            let _e644 = (_e641 << bitcast<u32>((_e639 & 31u)));
+                                            let _e650 = ((_e641 >> bitcast<u32>(((31u - _e639) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e633 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_706_ = array<u32, 2>(_e644, _e650);
                                             } else {
-                                                let _e777 = (~(_e765) + 1u);
-                                                if (_e777 == 0u) {
-                                                    phi_860_ = (~(_e771) + 1u);
+                                                let _e656 = (~(_e644) + 1u);
+                                                if (_e656 == 0u) {
+                                                    phi_704_ = (~(_e650) + 1u);
                                                 } else {
-                                                    phi_860_ = ~(_e771);
+                                                    phi_704_ = ~(_e650);
                                                 }
-                                                let _e783 = phi_860_;
-                                                phi_862_ = array<u32, 2>(_e777, _e783);
+                                                let _e662 = phi_704_;
+                                                phi_706_ = array<u32, 2>(_e656, _e662);
                                             }
-                                            let _e786 = phi_862_;
-                                            let _e787 = (_e757 < 255u);
-                                            if _e787 {
-                                                phi_868_ = _e786;
+                                            let _e665 = phi_706_;
+                                            let _e666 = (_e636 < 255u);
+                                            if _e666 {
+                                                phi_712_ = _e665;
                                             } else {
-                                                phi_868_ = array<u32, 2>(1u, 0u);
+                                                phi_712_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e790 = phi_868_;
-                                            let _e795 = (2u * ((select(16u, (_e757 / 16u), _e787) * _e644) + (_e645 + 2u)));
-                                            let _e798 = atomicAdd((&global_8.member[_e795]), _e790[0]);
-                                            let _e806 = atomicAdd((&global_8.member[(_e795 + 1u)]), (_e790[1] + select(0u, 1u, ((_e798 + _e790[0]) < _e790[0]))));
+                                            let _e669 = phi_712_;
+                                            let _e674 = (2u * ((select(16u, (_e636 / 16u), _e666) * _e521) + (_e522 + 2u)));
+                                            let _e677 = atomicAdd((&global_8.member[_e674]), _e669[0]);
+                                            let _e681 = (_e669[1] + select(0u, 1u, ((_e677 + _e669[0]) < _e669[0])));
+                                            if (_e681 == 0u) {
+                                            } else {
+                                                let _e686 = atomicAdd((&global_8.member[(_e674 + 1u)]), _e681);
+                                            }
                                         }
-                                        let _e808 = bitcast<u32>(_e639);
-                                        let _e811 = ((_e808 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e811 == 0u) {
+                                        let _e688 = bitcast<u32>(_e515.member_3);
+                                        let _e691 = ((_e688 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e691 == 0u) {
                                         } else {
-                                            let _e814 = (_e811 % 16u);
-                                            let _e816 = ((_e808 & 8388607u) | 8388608u);
-                                            let _e819 = (_e816 << bitcast<u32>((_e814 & 31u)));
-                                            let _e825 = ((_e816 >> bitcast<u32>(((31u - _e814) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e808 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_918_ = array<u32, 2>(_e819, _e825);
+                                            let _e694 = (_e691 % 16u);
+                                            let _e696 = ((_e688 & 8388607u) | 8388608u);
+                                            let _e699 = (_e696 << bitcast<u32>((_e694 & 31u)));
+                                            let _e705 = ((_e696 >> bitcast<u32>(((31u - _e694) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e688 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_767_ = array<u32, 2>(_e699, _e705);
                                             } else {
-                                                let _e831 = (~(_e819) + 1u);
-                                                if (_e831 == 0u) {
-                                                    phi_916_ = (~(_e825) + 1u);
+                                                let _e711 = (~(_e699) + 1u);
+                                                if (_e711 == 0u) {
+                                                    phi_765_ = (~(_e705) + 1u);
                                                 } else {
-                                                    phi_916_ = ~(_e825);
+                                                    phi_765_ = ~(_e705);
                                                 }
-                                                let _e837 = phi_916_;
-                                                phi_918_ = array<u32, 2>(_e831, _e837);
+                                                let _e717 = phi_765_;
+                                                phi_767_ = array<u32, 2>(_e711, _e717);
                                             }
-                                            let _e840 = phi_918_;
-                                            let _e841 = (_e811 < 255u);
-                                            if _e841 {
-                                                phi_924_ = _e840;
+                                            let _e720 = phi_767_;
+                                            let _e721 = (_e691 < 255u);
+                                            if _e721 {
+                                                phi_773_ = _e720;
                                             } else {
-                                                phi_924_ = array<u32, 2>(1u, 0u);
+                                                phi_773_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e844 = phi_924_;
-                                            let _e849 = (2u * ((select(16u, (_e811 / 16u), _e841) * _e644) + (_e645 + 3u)));
-                                            let _e852 = atomicAdd((&global_8.member[_e849]), _e844[0]);
-                                            let _e860 = atomicAdd((&global_8.member[(_e849 + 1u)]), (_e844[1] + select(0u, 1u, ((_e852 + _e844[0]) < _e844[0]))));
+                                            let _e724 = phi_773_;
+                                            let _e729 = (2u * ((select(16u, (_e691 / 16u), _e721) * _e521) + (_e522 + 3u)));
+                                            let _e732 = atomicAdd((&global_8.member[_e729]), _e724[0]);
+                                            let _e736 = (_e724[1] + select(0u, 1u, ((_e732 + _e724[0]) < _e724[0])));
+                                            if (_e736 == 0u) {
+                                            } else {
+                                                let _e741 = atomicAdd((&global_8.member[(_e729 + 1u)]), _e736);
+                                            }
                                         }
                                     } else {
-                                        global_6.member[(_e186 + _e199)] = vec4<f32>(_e627, _e631, _e635, _e639);
+                                        global_6.member[(_e185 + _e198)] = vec4<f32>(_e506.member, _e509.member_1, _e512.member_2, _e515.member_3);
                                     }
                                 }
-                                phi_188_ = _e158;
-                                phi_191_ = _e167;
-                                phi_193_ = _e162;
+                                phi_187_ = _e157;
+                                phi_190_ = _e166;
+                                phi_192_ = _e161;
                             }
-                            let _e2942 = phi_188_;
-                            let _e2944 = phi_191_;
-                            let _e2946 = phi_193_;
-                            local_44 = _e2942;
-                            local_45 = _e2944;
-                            local_47 = _e2946;
+                            let _e2604 = phi_187_;
+                            let _e2606 = phi_190_;
+                            let _e2608 = phi_192_;
+                            local_24 = _e2604;
+                            local_25 = _e2606;
+                            local_27 = _e2608;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2966 = local_44;
-                            phi_187_ = _e2966;
-                            let _e2969 = local_45;
-                            phi_190_ = _e2969;
-                            let _e2974 = local_47;
-                            phi_192_ = _e2974;
+                            let _e2628 = local_24;
+                            phi_186_ = _e2628;
+                            let _e2631 = local_25;
+                            phi_189_ = _e2631;
+                            let _e2636 = local_27;
+                            phi_191_ = _e2636;
                         }
                     }
-                    let _e2948 = phi_3069_;
-                    if _e2948 {
+                    let _e2610 = phi_2708_;
+                    if _e2610 {
                         break;
                     }
                 }

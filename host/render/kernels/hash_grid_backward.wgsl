@@ -72,34 +72,34 @@ fn function_() {
     var phi_495_: u32;
     var phi_509_: u32;
     var phi_511_: array<u32, 2>;
-    var phi_532_: f32;
-    var phi_542_: u32;
-    var phi_556_: u32;
-    var phi_558_: array<u32, 2>;
-    var phi_579_: f32;
-    var phi_589_: u32;
-    var phi_603_: u32;
-    var phi_605_: array<u32, 2>;
-    var phi_626_: f32;
-    var phi_636_: u32;
-    var phi_650_: u32;
-    var phi_652_: array<u32, 2>;
-    var phi_673_: f32;
-    var phi_683_: u32;
-    var phi_697_: u32;
-    var phi_699_: array<u32, 2>;
-    var phi_720_: f32;
-    var phi_730_: u32;
-    var phi_744_: u32;
-    var phi_746_: array<u32, 2>;
-    var phi_767_: f32;
-    var phi_777_: u32;
-    var phi_791_: u32;
-    var phi_793_: array<u32, 2>;
-    var phi_814_: f32;
-    var phi_824_: u32;
-    var phi_838_: u32;
-    var phi_840_: array<u32, 2>;
+    var phi_537_: f32;
+    var phi_547_: u32;
+    var phi_561_: u32;
+    var phi_563_: array<u32, 2>;
+    var phi_589_: f32;
+    var phi_599_: u32;
+    var phi_613_: u32;
+    var phi_615_: array<u32, 2>;
+    var phi_641_: f32;
+    var phi_651_: u32;
+    var phi_665_: u32;
+    var phi_667_: array<u32, 2>;
+    var phi_693_: f32;
+    var phi_703_: u32;
+    var phi_717_: u32;
+    var phi_719_: array<u32, 2>;
+    var phi_745_: f32;
+    var phi_755_: u32;
+    var phi_769_: u32;
+    var phi_771_: array<u32, 2>;
+    var phi_797_: f32;
+    var phi_807_: u32;
+    var phi_821_: u32;
+    var phi_823_: array<u32, 2>;
+    var phi_849_: f32;
+    var phi_859_: u32;
+    var phi_873_: u32;
+    var phi_875_: array<u32, 2>;
     var local_3: u32;
     var local_4: u32;
     var local_5: f32;
@@ -153,14 +153,14 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e744 = local_3;
-                        phi_203_ = _e744;
-                        let _e747 = local_4;
-                        phi_206_ = _e747;
-                        let _e750 = local_5;
-                        phi_208_ = _e750;
-                        let _e753 = local_6;
-                        phi_210_ = _e753;
+                        let _e752 = local_3;
+                        phi_203_ = _e752;
+                        let _e755 = local_4;
+                        phi_206_ = _e755;
+                        let _e758 = local_5;
+                        phi_208_ = _e758;
+                        let _e761 = local_6;
+                        phi_210_ = _e761;
                     }
                 }
                 let _e98 = local;
@@ -333,252 +333,284 @@ fn function_() {
                                 let _e417 = phi_511_;
                                 let _e420 = (2u * (_e331 + _e375));
                                 let _e423 = atomicAdd((&global_10.member[_e420]), _e417[0]);
-                                let _e431 = atomicAdd((&global_10.member[(_e420 + 1u)]), (_e417[1] + select(0u, 1u, ((_e423 + _e417[0]) < _e417[0]))));
+                                let _e427 = (_e417[1] + select(0u, 1u, ((_e423 + _e417[0]) < _e417[0])));
+                                if (_e427 == 0u) {
+                                } else {
+                                    let _e432 = atomicAdd((&global_10.member[(_e420 + 1u)]), _e427);
+                                }
                             }
-                            let _e432 = (_e387 * (_e218 * _e216));
+                            let _e433 = (_e387 * (_e218 * _e216));
                             if _e109 {
-                                let _e434 = (_e432 < 0f);
-                                if _e434 {
-                                    phi_532_ = -(_e432);
+                                let _e435 = (_e433 < 0f);
+                                if _e435 {
+                                    phi_537_ = -(_e433);
                                 } else {
-                                    phi_532_ = _e432;
+                                    phi_537_ = _e433;
                                 }
-                                let _e437 = phi_532_;
-                                let _e439 = u32((_e437 * 0.00000000023283064f));
-                                let _e442 = (_e437 - (f32(_e439) * 4294967300f));
-                                let _e443 = u32(_e442);
-                                if ((_e442 - f32(_e443)) >= 0.5f) {
-                                    phi_542_ = (_e443 + 1u);
+                                let _e438 = phi_537_;
+                                let _e440 = u32((_e438 * 0.00000000023283064f));
+                                let _e443 = (_e438 - (f32(_e440) * 4294967300f));
+                                let _e444 = u32(_e443);
+                                if ((_e443 - f32(_e444)) >= 0.5f) {
+                                    phi_547_ = (_e444 + 1u);
                                 } else {
-                                    phi_542_ = _e443;
+                                    phi_547_ = _e444;
                                 }
-                                let _e449 = phi_542_;
-                                if _e434 {
-                                    let _e452 = (~(_e449) + 1u);
-                                    if (_e452 == 0u) {
-                                        phi_556_ = (~(_e439) + 1u);
+                                let _e450 = phi_547_;
+                                if _e435 {
+                                    let _e453 = (~(_e450) + 1u);
+                                    if (_e453 == 0u) {
+                                        phi_561_ = (~(_e440) + 1u);
                                     } else {
-                                        phi_556_ = ~(_e439);
+                                        phi_561_ = ~(_e440);
                                     }
-                                    let _e458 = phi_556_;
-                                    phi_558_ = array<u32, 2>(_e452, _e458);
+                                    let _e459 = phi_561_;
+                                    phi_563_ = array<u32, 2>(_e453, _e459);
                                 } else {
-                                    phi_558_ = array<u32, 2>(_e449, _e439);
+                                    phi_563_ = array<u32, 2>(_e450, _e440);
                                 }
-                                let _e461 = phi_558_;
-                                let _e464 = (2u * (_e332 + _e375));
-                                let _e467 = atomicAdd((&global_10.member[_e464]), _e461[0]);
-                                let _e475 = atomicAdd((&global_10.member[(_e464 + 1u)]), (_e461[1] + select(0u, 1u, ((_e467 + _e461[0]) < _e461[0]))));
+                                let _e462 = phi_563_;
+                                let _e465 = (2u * (_e332 + _e375));
+                                let _e468 = atomicAdd((&global_10.member[_e465]), _e462[0]);
+                                let _e472 = (_e462[1] + select(0u, 1u, ((_e468 + _e462[0]) < _e462[0])));
+                                if (_e472 == 0u) {
+                                } else {
+                                    let _e477 = atomicAdd((&global_10.member[(_e465 + 1u)]), _e472);
+                                }
                             }
-                            let _e476 = (_e387 * (_e219 * _e216));
+                            let _e478 = (_e387 * (_e219 * _e216));
                             if _e109 {
-                                let _e478 = (_e476 < 0f);
-                                if _e478 {
-                                    phi_579_ = -(_e476);
+                                let _e480 = (_e478 < 0f);
+                                if _e480 {
+                                    phi_589_ = -(_e478);
                                 } else {
-                                    phi_579_ = _e476;
+                                    phi_589_ = _e478;
                                 }
-                                let _e481 = phi_579_;
-                                let _e483 = u32((_e481 * 0.00000000023283064f));
-                                let _e486 = (_e481 - (f32(_e483) * 4294967300f));
-                                let _e487 = u32(_e486);
-                                if ((_e486 - f32(_e487)) >= 0.5f) {
-                                    phi_589_ = (_e487 + 1u);
+                                let _e483 = phi_589_;
+                                let _e485 = u32((_e483 * 0.00000000023283064f));
+                                let _e488 = (_e483 - (f32(_e485) * 4294967300f));
+                                let _e489 = u32(_e488);
+                                if ((_e488 - f32(_e489)) >= 0.5f) {
+                                    phi_599_ = (_e489 + 1u);
                                 } else {
-                                    phi_589_ = _e487;
+                                    phi_599_ = _e489;
                                 }
-                                let _e493 = phi_589_;
-                                if _e478 {
-                                    let _e496 = (~(_e493) + 1u);
-                                    if (_e496 == 0u) {
-                                        phi_603_ = (~(_e483) + 1u);
+                                let _e495 = phi_599_;
+                                if _e480 {
+                                    let _e498 = (~(_e495) + 1u);
+                                    if (_e498 == 0u) {
+                                        phi_613_ = (~(_e485) + 1u);
                                     } else {
-                                        phi_603_ = ~(_e483);
+                                        phi_613_ = ~(_e485);
                                     }
-                                    let _e502 = phi_603_;
-                                    phi_605_ = array<u32, 2>(_e496, _e502);
+                                    let _e504 = phi_613_;
+                                    phi_615_ = array<u32, 2>(_e498, _e504);
                                 } else {
-                                    phi_605_ = array<u32, 2>(_e493, _e483);
+                                    phi_615_ = array<u32, 2>(_e495, _e485);
                                 }
-                                let _e505 = phi_605_;
-                                let _e508 = (2u * (_e333 + _e375));
-                                let _e511 = atomicAdd((&global_10.member[_e508]), _e505[0]);
-                                let _e519 = atomicAdd((&global_10.member[(_e508 + 1u)]), (_e505[1] + select(0u, 1u, ((_e511 + _e505[0]) < _e505[0]))));
+                                let _e507 = phi_615_;
+                                let _e510 = (2u * (_e333 + _e375));
+                                let _e513 = atomicAdd((&global_10.member[_e510]), _e507[0]);
+                                let _e517 = (_e507[1] + select(0u, 1u, ((_e513 + _e507[0]) < _e507[0])));
+                                if (_e517 == 0u) {
+                                } else {
+                                    let _e522 = atomicAdd((&global_10.member[(_e510 + 1u)]), _e517);
+                                }
                             }
-                            let _e520 = (_e387 * (_e220 * _e216));
+                            let _e523 = (_e387 * (_e220 * _e216));
                             if _e109 {
-                                let _e522 = (_e520 < 0f);
-                                if _e522 {
-                                    phi_626_ = -(_e520);
+                                let _e525 = (_e523 < 0f);
+                                if _e525 {
+                                    phi_641_ = -(_e523);
                                 } else {
-                                    phi_626_ = _e520;
+                                    phi_641_ = _e523;
                                 }
-                                let _e525 = phi_626_;
-                                let _e527 = u32((_e525 * 0.00000000023283064f));
-                                let _e530 = (_e525 - (f32(_e527) * 4294967300f));
-                                let _e531 = u32(_e530);
-                                if ((_e530 - f32(_e531)) >= 0.5f) {
-                                    phi_636_ = (_e531 + 1u);
+                                let _e528 = phi_641_;
+                                let _e530 = u32((_e528 * 0.00000000023283064f));
+                                let _e533 = (_e528 - (f32(_e530) * 4294967300f));
+                                let _e534 = u32(_e533);
+                                if ((_e533 - f32(_e534)) >= 0.5f) {
+                                    phi_651_ = (_e534 + 1u);
                                 } else {
-                                    phi_636_ = _e531;
+                                    phi_651_ = _e534;
                                 }
-                                let _e537 = phi_636_;
-                                if _e522 {
-                                    let _e540 = (~(_e537) + 1u);
-                                    if (_e540 == 0u) {
-                                        phi_650_ = (~(_e527) + 1u);
+                                let _e540 = phi_651_;
+                                if _e525 {
+                                    let _e543 = (~(_e540) + 1u);
+                                    if (_e543 == 0u) {
+                                        phi_665_ = (~(_e530) + 1u);
                                     } else {
-                                        phi_650_ = ~(_e527);
+                                        phi_665_ = ~(_e530);
                                     }
-                                    let _e546 = phi_650_;
-                                    phi_652_ = array<u32, 2>(_e540, _e546);
+                                    let _e549 = phi_665_;
+                                    phi_667_ = array<u32, 2>(_e543, _e549);
                                 } else {
-                                    phi_652_ = array<u32, 2>(_e537, _e527);
+                                    phi_667_ = array<u32, 2>(_e540, _e530);
                                 }
-                                let _e549 = phi_652_;
-                                let _e552 = (2u * (_e334 + _e375));
-                                let _e555 = atomicAdd((&global_10.member[_e552]), _e549[0]);
-                                let _e563 = atomicAdd((&global_10.member[(_e552 + 1u)]), (_e549[1] + select(0u, 1u, ((_e555 + _e549[0]) < _e549[0]))));
+                                let _e552 = phi_667_;
+                                let _e555 = (2u * (_e334 + _e375));
+                                let _e558 = atomicAdd((&global_10.member[_e555]), _e552[0]);
+                                let _e562 = (_e552[1] + select(0u, 1u, ((_e558 + _e552[0]) < _e552[0])));
+                                if (_e562 == 0u) {
+                                } else {
+                                    let _e567 = atomicAdd((&global_10.member[(_e555 + 1u)]), _e562);
+                                }
                             }
-                            let _e564 = (_e387 * (_e217 * _e211));
+                            let _e568 = (_e387 * (_e217 * _e211));
                             if _e109 {
-                                let _e566 = (_e564 < 0f);
-                                if _e566 {
-                                    phi_673_ = -(_e564);
+                                let _e570 = (_e568 < 0f);
+                                if _e570 {
+                                    phi_693_ = -(_e568);
                                 } else {
-                                    phi_673_ = _e564;
+                                    phi_693_ = _e568;
                                 }
-                                let _e569 = phi_673_;
-                                let _e571 = u32((_e569 * 0.00000000023283064f));
-                                let _e574 = (_e569 - (f32(_e571) * 4294967300f));
-                                let _e575 = u32(_e574);
-                                if ((_e574 - f32(_e575)) >= 0.5f) {
-                                    phi_683_ = (_e575 + 1u);
+                                let _e573 = phi_693_;
+                                let _e575 = u32((_e573 * 0.00000000023283064f));
+                                let _e578 = (_e573 - (f32(_e575) * 4294967300f));
+                                let _e579 = u32(_e578);
+                                if ((_e578 - f32(_e579)) >= 0.5f) {
+                                    phi_703_ = (_e579 + 1u);
                                 } else {
-                                    phi_683_ = _e575;
+                                    phi_703_ = _e579;
                                 }
-                                let _e581 = phi_683_;
-                                if _e566 {
-                                    let _e584 = (~(_e581) + 1u);
-                                    if (_e584 == 0u) {
-                                        phi_697_ = (~(_e571) + 1u);
+                                let _e585 = phi_703_;
+                                if _e570 {
+                                    let _e588 = (~(_e585) + 1u);
+                                    if (_e588 == 0u) {
+                                        phi_717_ = (~(_e575) + 1u);
                                     } else {
-                                        phi_697_ = ~(_e571);
+                                        phi_717_ = ~(_e575);
                                     }
-                                    let _e590 = phi_697_;
-                                    phi_699_ = array<u32, 2>(_e584, _e590);
+                                    let _e594 = phi_717_;
+                                    phi_719_ = array<u32, 2>(_e588, _e594);
                                 } else {
-                                    phi_699_ = array<u32, 2>(_e581, _e571);
+                                    phi_719_ = array<u32, 2>(_e585, _e575);
                                 }
-                                let _e593 = phi_699_;
-                                let _e596 = (2u * (_e335 + _e375));
-                                let _e599 = atomicAdd((&global_10.member[_e596]), _e593[0]);
-                                let _e607 = atomicAdd((&global_10.member[(_e596 + 1u)]), (_e593[1] + select(0u, 1u, ((_e599 + _e593[0]) < _e593[0]))));
+                                let _e597 = phi_719_;
+                                let _e600 = (2u * (_e335 + _e375));
+                                let _e603 = atomicAdd((&global_10.member[_e600]), _e597[0]);
+                                let _e607 = (_e597[1] + select(0u, 1u, ((_e603 + _e597[0]) < _e597[0])));
+                                if (_e607 == 0u) {
+                                } else {
+                                    let _e612 = atomicAdd((&global_10.member[(_e600 + 1u)]), _e607);
+                                }
                             }
-                            let _e608 = (_e387 * (_e218 * _e211));
+                            let _e613 = (_e387 * (_e218 * _e211));
                             if _e109 {
-                                let _e610 = (_e608 < 0f);
-                                if _e610 {
-                                    phi_720_ = -(_e608);
+                                let _e615 = (_e613 < 0f);
+                                if _e615 {
+                                    phi_745_ = -(_e613);
                                 } else {
-                                    phi_720_ = _e608;
+                                    phi_745_ = _e613;
                                 }
-                                let _e613 = phi_720_;
-                                let _e615 = u32((_e613 * 0.00000000023283064f));
-                                let _e618 = (_e613 - (f32(_e615) * 4294967300f));
-                                let _e619 = u32(_e618);
-                                if ((_e618 - f32(_e619)) >= 0.5f) {
-                                    phi_730_ = (_e619 + 1u);
+                                let _e618 = phi_745_;
+                                let _e620 = u32((_e618 * 0.00000000023283064f));
+                                let _e623 = (_e618 - (f32(_e620) * 4294967300f));
+                                let _e624 = u32(_e623);
+                                if ((_e623 - f32(_e624)) >= 0.5f) {
+                                    phi_755_ = (_e624 + 1u);
                                 } else {
-                                    phi_730_ = _e619;
+                                    phi_755_ = _e624;
                                 }
-                                let _e625 = phi_730_;
-                                if _e610 {
-                                    let _e628 = (~(_e625) + 1u);
-                                    if (_e628 == 0u) {
-                                        phi_744_ = (~(_e615) + 1u);
+                                let _e630 = phi_755_;
+                                if _e615 {
+                                    let _e633 = (~(_e630) + 1u);
+                                    if (_e633 == 0u) {
+                                        phi_769_ = (~(_e620) + 1u);
                                     } else {
-                                        phi_744_ = ~(_e615);
+                                        phi_769_ = ~(_e620);
                                     }
-                                    let _e634 = phi_744_;
-                                    phi_746_ = array<u32, 2>(_e628, _e634);
+                                    let _e639 = phi_769_;
+                                    phi_771_ = array<u32, 2>(_e633, _e639);
                                 } else {
-                                    phi_746_ = array<u32, 2>(_e625, _e615);
+                                    phi_771_ = array<u32, 2>(_e630, _e620);
                                 }
-                                let _e637 = phi_746_;
-                                let _e640 = (2u * (_e336 + _e375));
-                                let _e643 = atomicAdd((&global_10.member[_e640]), _e637[0]);
-                                let _e651 = atomicAdd((&global_10.member[(_e640 + 1u)]), (_e637[1] + select(0u, 1u, ((_e643 + _e637[0]) < _e637[0]))));
+                                let _e642 = phi_771_;
+                                let _e645 = (2u * (_e336 + _e375));
+                                let _e648 = atomicAdd((&global_10.member[_e645]), _e642[0]);
+                                let _e652 = (_e642[1] + select(0u, 1u, ((_e648 + _e642[0]) < _e642[0])));
+                                if (_e652 == 0u) {
+                                } else {
+                                    let _e657 = atomicAdd((&global_10.member[(_e645 + 1u)]), _e652);
+                                }
                             }
-                            let _e652 = (_e387 * (_e219 * _e211));
+                            let _e658 = (_e387 * (_e219 * _e211));
                             if _e109 {
-                                let _e654 = (_e652 < 0f);
-                                if _e654 {
-                                    phi_767_ = -(_e652);
+                                let _e660 = (_e658 < 0f);
+                                if _e660 {
+                                    phi_797_ = -(_e658);
                                 } else {
-                                    phi_767_ = _e652;
+                                    phi_797_ = _e658;
                                 }
-                                let _e657 = phi_767_;
-                                let _e659 = u32((_e657 * 0.00000000023283064f));
-                                let _e662 = (_e657 - (f32(_e659) * 4294967300f));
-                                let _e663 = u32(_e662);
-                                if ((_e662 - f32(_e663)) >= 0.5f) {
-                                    phi_777_ = (_e663 + 1u);
+                                let _e663 = phi_797_;
+                                let _e665 = u32((_e663 * 0.00000000023283064f));
+                                let _e668 = (_e663 - (f32(_e665) * 4294967300f));
+                                let _e669 = u32(_e668);
+                                if ((_e668 - f32(_e669)) >= 0.5f) {
+                                    phi_807_ = (_e669 + 1u);
                                 } else {
-                                    phi_777_ = _e663;
+                                    phi_807_ = _e669;
                                 }
-                                let _e669 = phi_777_;
-                                if _e654 {
-                                    let _e672 = (~(_e669) + 1u);
-                                    if (_e672 == 0u) {
-                                        phi_791_ = (~(_e659) + 1u);
+                                let _e675 = phi_807_;
+                                if _e660 {
+                                    let _e678 = (~(_e675) + 1u);
+                                    if (_e678 == 0u) {
+                                        phi_821_ = (~(_e665) + 1u);
                                     } else {
-                                        phi_791_ = ~(_e659);
+                                        phi_821_ = ~(_e665);
                                     }
-                                    let _e678 = phi_791_;
-                                    phi_793_ = array<u32, 2>(_e672, _e678);
+                                    let _e684 = phi_821_;
+                                    phi_823_ = array<u32, 2>(_e678, _e684);
                                 } else {
-                                    phi_793_ = array<u32, 2>(_e669, _e659);
+                                    phi_823_ = array<u32, 2>(_e675, _e665);
                                 }
-                                let _e681 = phi_793_;
-                                let _e684 = (2u * (_e337 + _e375));
-                                let _e687 = atomicAdd((&global_10.member[_e684]), _e681[0]);
-                                let _e695 = atomicAdd((&global_10.member[(_e684 + 1u)]), (_e681[1] + select(0u, 1u, ((_e687 + _e681[0]) < _e681[0]))));
+                                let _e687 = phi_823_;
+                                let _e690 = (2u * (_e337 + _e375));
+                                let _e693 = atomicAdd((&global_10.member[_e690]), _e687[0]);
+                                let _e697 = (_e687[1] + select(0u, 1u, ((_e693 + _e687[0]) < _e687[0])));
+                                if (_e697 == 0u) {
+                                } else {
+                                    let _e702 = atomicAdd((&global_10.member[(_e690 + 1u)]), _e697);
+                                }
                             }
-                            let _e696 = (_e387 * (_e220 * _e211));
+                            let _e703 = (_e387 * (_e220 * _e211));
                             if _e109 {
-                                let _e698 = (_e696 < 0f);
-                                if _e698 {
-                                    phi_814_ = -(_e696);
+                                let _e705 = (_e703 < 0f);
+                                if _e705 {
+                                    phi_849_ = -(_e703);
                                 } else {
-                                    phi_814_ = _e696;
+                                    phi_849_ = _e703;
                                 }
-                                let _e701 = phi_814_;
-                                let _e703 = u32((_e701 * 0.00000000023283064f));
-                                let _e706 = (_e701 - (f32(_e703) * 4294967300f));
-                                let _e707 = u32(_e706);
-                                if ((_e706 - f32(_e707)) >= 0.5f) {
-                                    phi_824_ = (_e707 + 1u);
+                                let _e708 = phi_849_;
+                                let _e710 = u32((_e708 * 0.00000000023283064f));
+                                let _e713 = (_e708 - (f32(_e710) * 4294967300f));
+                                let _e714 = u32(_e713);
+                                if ((_e713 - f32(_e714)) >= 0.5f) {
+                                    phi_859_ = (_e714 + 1u);
                                 } else {
-                                    phi_824_ = _e707;
+                                    phi_859_ = _e714;
                                 }
-                                let _e713 = phi_824_;
-                                if _e698 {
-                                    let _e716 = (~(_e713) + 1u);
-                                    if (_e716 == 0u) {
-                                        phi_838_ = (~(_e703) + 1u);
+                                let _e720 = phi_859_;
+                                if _e705 {
+                                    let _e723 = (~(_e720) + 1u);
+                                    if (_e723 == 0u) {
+                                        phi_873_ = (~(_e710) + 1u);
                                     } else {
-                                        phi_838_ = ~(_e703);
+                                        phi_873_ = ~(_e710);
                                     }
-                                    let _e722 = phi_838_;
-                                    phi_840_ = array<u32, 2>(_e716, _e722);
+                                    let _e729 = phi_873_;
+                                    phi_875_ = array<u32, 2>(_e723, _e729);
                                 } else {
-                                    phi_840_ = array<u32, 2>(_e713, _e703);
+                                    phi_875_ = array<u32, 2>(_e720, _e710);
                                 }
-                                let _e725 = phi_840_;
-                                let _e728 = (2u * (_e338 + _e375));
-                                let _e731 = atomicAdd((&global_10.member[_e728]), _e725[0]);
-                                let _e739 = atomicAdd((&global_10.member[(_e728 + 1u)]), (_e725[1] + select(0u, 1u, ((_e731 + _e725[0]) < _e725[0]))));
+                                let _e732 = phi_875_;
+                                let _e735 = (2u * (_e338 + _e375));
+                                let _e738 = atomicAdd((&global_10.member[_e735]), _e732[0]);
+                                let _e742 = (_e732[1] + select(0u, 1u, ((_e738 + _e732[0]) < _e732[0])));
+                                if (_e742 == 0u) {
+                                } else {
+                                    let _e747 = atomicAdd((&global_10.member[(_e735 + 1u)]), _e742);
+                                }
                             }
                             local_7 = (_e375 + 1u);
                             local_8 = (_e377 + _e64);
@@ -587,10 +619,10 @@ fn function_() {
                             break;
                         }
                         continuing {
-                            let _e760 = local_7;
-                            phi_463_ = _e760;
-                            let _e763 = local_8;
-                            phi_466_ = _e763;
+                            let _e768 = local_7;
+                            phi_463_ = _e768;
+                            let _e771 = local_8;
+                            phi_466_ = _e771;
                         }
                     }
                 }

@@ -60,25 +60,25 @@ fn function_() {
     var phi_678_: array<u32, 2>;
     var phi_684_: array<u32, 2>;
     var local_1: vec3<f32>;
-    var phi_733_: u32;
-    var phi_735_: array<u32, 2>;
-    var phi_741_: array<u32, 2>;
+    var phi_738_: u32;
+    var phi_740_: array<u32, 2>;
+    var phi_746_: array<u32, 2>;
     var local_2: vec3<f32>;
-    var phi_790_: u32;
-    var phi_792_: array<u32, 2>;
-    var phi_798_: array<u32, 2>;
+    var phi_800_: u32;
+    var phi_802_: array<u32, 2>;
+    var phi_808_: array<u32, 2>;
     var local_3: vec3<f32>;
-    var phi_847_: u32;
-    var phi_849_: array<u32, 2>;
-    var phi_855_: array<u32, 2>;
+    var phi_862_: u32;
+    var phi_864_: array<u32, 2>;
+    var phi_870_: array<u32, 2>;
     var local_4: vec3<f32>;
-    var phi_904_: u32;
-    var phi_906_: array<u32, 2>;
-    var phi_912_: array<u32, 2>;
+    var phi_924_: u32;
+    var phi_926_: array<u32, 2>;
+    var phi_932_: array<u32, 2>;
     var local_5: vec3<f32>;
-    var phi_961_: u32;
-    var phi_963_: array<u32, 2>;
-    var phi_969_: array<u32, 2>;
+    var phi_986_: u32;
+    var phi_988_: array<u32, 2>;
+    var phi_994_: array<u32, 2>;
     var local_6: vec3<f32>;
     var local_7: vec3<f32>;
     var local_8: u32;
@@ -264,14 +264,14 @@ fn function_() {
                 break;
             }
             continuing {
-                let _e991 = local_6;
-                phi_557_ = _e991;
-                let _e994 = local_7;
-                phi_560_ = _e994;
-                let _e997 = local_8;
-                phi_562_ = _e997;
-                let _e1000 = local_9;
-                phi_564_ = _e1000;
+                let _e997 = local_6;
+                phi_557_ = _e997;
+                let _e1000 = local_7;
+                phi_560_ = _e1000;
+                let _e1003 = local_8;
+                phi_562_ = _e1003;
+                let _e1006 = local_9;
+                phi_564_ = _e1006;
             }
         }
         let _e643 = global_3.member.member_5;
@@ -308,172 +308,196 @@ fn function_() {
             let _e687 = phi_684_;
             let _e692 = (2u * ((select(16u, (_e654 / 16u), _e684) * _e643) + _e647));
             let _e695 = atomicAdd((&global_11.member[_e692]), _e687[0]);
-            let _e703 = atomicAdd((&global_11.member[(_e692 + 1u)]), (_e687[1] + select(0u, 1u, ((_e695 + _e687[0]) < _e687[0]))));
+            let _e699 = (_e687[1] + select(0u, 1u, ((_e695 + _e687[0]) < _e687[0])));
+            if (_e699 == 0u) {
+            } else {
+                let _e704 = atomicAdd((&global_11.member[(_e692 + 1u)]), _e699);
+            }
         }
-        let _e706 = local_1;
-        let _e708 = bitcast<u32>(_e706.y);
-        let _e711 = ((_e708 >> bitcast<u32>(23i)) & 255u);
-        if (_e711 == 0u) {
+        let _e707 = local_1;
+        let _e709 = bitcast<u32>(_e707.y);
+        let _e712 = ((_e709 >> bitcast<u32>(23i)) & 255u);
+        if (_e712 == 0u) {
         } else {
-            let _e714 = (_e711 % 16u);
-            let _e716 = ((_e708 & 8388607u) | 8388608u);
-            let _e719 = (_e716 << bitcast<u32>((_e714 & 31u)));
-            let _e725 = ((_e716 >> bitcast<u32>(((31u - _e714) & 31u))) >> bitcast<u32>(1i));
-            if ((_e708 >> bitcast<u32>(31i)) == 0u) {
-                phi_735_ = array<u32, 2>(_e719, _e725);
+            let _e715 = (_e712 % 16u);
+            let _e717 = ((_e709 & 8388607u) | 8388608u);
+            let _e720 = (_e717 << bitcast<u32>((_e715 & 31u)));
+            let _e726 = ((_e717 >> bitcast<u32>(((31u - _e715) & 31u))) >> bitcast<u32>(1i));
+            if ((_e709 >> bitcast<u32>(31i)) == 0u) {
+                phi_740_ = array<u32, 2>(_e720, _e726);
             } else {
-                let _e731 = (~(_e719) + 1u);
-                if (_e731 == 0u) {
-                    phi_733_ = (~(_e725) + 1u);
+                let _e732 = (~(_e720) + 1u);
+                if (_e732 == 0u) {
+                    phi_738_ = (~(_e726) + 1u);
                 } else {
-                    phi_733_ = ~(_e725);
+                    phi_738_ = ~(_e726);
                 }
-                let _e737 = phi_733_;
-                phi_735_ = array<u32, 2>(_e731, _e737);
+                let _e738 = phi_738_;
+                phi_740_ = array<u32, 2>(_e732, _e738);
             }
-            let _e740 = phi_735_;
-            let _e741 = (_e711 < 255u);
-            if _e741 {
-                phi_741_ = _e740;
+            let _e741 = phi_740_;
+            let _e742 = (_e712 < 255u);
+            if _e742 {
+                phi_746_ = _e741;
             } else {
-                phi_741_ = array<u32, 2>(1u, 0u);
+                phi_746_ = array<u32, 2>(1u, 0u);
             }
-            let _e744 = phi_741_;
-            let _e749 = (2u * ((select(16u, (_e711 / 16u), _e741) * _e643) + (_e647 + 1u)));
-            let _e752 = atomicAdd((&global_11.member[_e749]), _e744[0]);
-            let _e760 = atomicAdd((&global_11.member[(_e749 + 1u)]), (_e744[1] + select(0u, 1u, ((_e752 + _e744[0]) < _e744[0]))));
+            let _e745 = phi_746_;
+            let _e750 = (2u * ((select(16u, (_e712 / 16u), _e742) * _e643) + (_e647 + 1u)));
+            let _e753 = atomicAdd((&global_11.member[_e750]), _e745[0]);
+            let _e757 = (_e745[1] + select(0u, 1u, ((_e753 + _e745[0]) < _e745[0])));
+            if (_e757 == 0u) {
+            } else {
+                let _e762 = atomicAdd((&global_11.member[(_e750 + 1u)]), _e757);
+            }
         }
-        let _e763 = local_2;
-        let _e765 = bitcast<u32>(_e763.z);
-        let _e768 = ((_e765 >> bitcast<u32>(23i)) & 255u);
-        if (_e768 == 0u) {
+        let _e765 = local_2;
+        let _e767 = bitcast<u32>(_e765.z);
+        let _e770 = ((_e767 >> bitcast<u32>(23i)) & 255u);
+        if (_e770 == 0u) {
         } else {
-            let _e771 = (_e768 % 16u);
-            let _e773 = ((_e765 & 8388607u) | 8388608u);
-            let _e776 = (_e773 << bitcast<u32>((_e771 & 31u)));
-            let _e782 = ((_e773 >> bitcast<u32>(((31u - _e771) & 31u))) >> bitcast<u32>(1i));
-            if ((_e765 >> bitcast<u32>(31i)) == 0u) {
-                phi_792_ = array<u32, 2>(_e776, _e782);
+            let _e773 = (_e770 % 16u);
+            let _e775 = ((_e767 & 8388607u) | 8388608u);
+            let _e778 = (_e775 << bitcast<u32>((_e773 & 31u)));
+            let _e784 = ((_e775 >> bitcast<u32>(((31u - _e773) & 31u))) >> bitcast<u32>(1i));
+            if ((_e767 >> bitcast<u32>(31i)) == 0u) {
+                phi_802_ = array<u32, 2>(_e778, _e784);
             } else {
-                let _e788 = (~(_e776) + 1u);
-                if (_e788 == 0u) {
-                    phi_790_ = (~(_e782) + 1u);
+                let _e790 = (~(_e778) + 1u);
+                if (_e790 == 0u) {
+                    phi_800_ = (~(_e784) + 1u);
                 } else {
-                    phi_790_ = ~(_e782);
+                    phi_800_ = ~(_e784);
                 }
-                let _e794 = phi_790_;
-                phi_792_ = array<u32, 2>(_e788, _e794);
+                let _e796 = phi_800_;
+                phi_802_ = array<u32, 2>(_e790, _e796);
             }
-            let _e797 = phi_792_;
-            let _e798 = (_e768 < 255u);
-            if _e798 {
-                phi_798_ = _e797;
+            let _e799 = phi_802_;
+            let _e800 = (_e770 < 255u);
+            if _e800 {
+                phi_808_ = _e799;
             } else {
-                phi_798_ = array<u32, 2>(1u, 0u);
+                phi_808_ = array<u32, 2>(1u, 0u);
             }
-            let _e801 = phi_798_;
-            let _e806 = (2u * ((select(16u, (_e768 / 16u), _e798) * _e643) + (_e647 + 2u)));
-            let _e809 = atomicAdd((&global_11.member[_e806]), _e801[0]);
-            let _e817 = atomicAdd((&global_11.member[(_e806 + 1u)]), (_e801[1] + select(0u, 1u, ((_e809 + _e801[0]) < _e801[0]))));
+            let _e803 = phi_808_;
+            let _e808 = (2u * ((select(16u, (_e770 / 16u), _e800) * _e643) + (_e647 + 2u)));
+            let _e811 = atomicAdd((&global_11.member[_e808]), _e803[0]);
+            let _e815 = (_e803[1] + select(0u, 1u, ((_e811 + _e803[0]) < _e803[0])));
+            if (_e815 == 0u) {
+            } else {
+                let _e820 = atomicAdd((&global_11.member[(_e808 + 1u)]), _e815);
+            }
         }
-        let _e820 = local_3;
-        let _e822 = bitcast<u32>(_e820.x);
-        let _e825 = ((_e822 >> bitcast<u32>(23i)) & 255u);
-        if (_e825 == 0u) {
+        let _e823 = local_3;
+        let _e825 = bitcast<u32>(_e823.x);
+        let _e828 = ((_e825 >> bitcast<u32>(23i)) & 255u);
+        if (_e828 == 0u) {
         } else {
-            let _e828 = (_e825 % 16u);
-            let _e830 = ((_e822 & 8388607u) | 8388608u);
-            let _e833 = (_e830 << bitcast<u32>((_e828 & 31u)));
-            let _e839 = ((_e830 >> bitcast<u32>(((31u - _e828) & 31u))) >> bitcast<u32>(1i));
-            if ((_e822 >> bitcast<u32>(31i)) == 0u) {
-                phi_849_ = array<u32, 2>(_e833, _e839);
+            let _e831 = (_e828 % 16u);
+            let _e833 = ((_e825 & 8388607u) | 8388608u);
+            let _e836 = (_e833 << bitcast<u32>((_e831 & 31u)));
+            let _e842 = ((_e833 >> bitcast<u32>(((31u - _e831) & 31u))) >> bitcast<u32>(1i));
+            if ((_e825 >> bitcast<u32>(31i)) == 0u) {
+                phi_864_ = array<u32, 2>(_e836, _e842);
             } else {
-                let _e845 = (~(_e833) + 1u);
-                if (_e845 == 0u) {
-                    phi_847_ = (~(_e839) + 1u);
+                let _e848 = (~(_e836) + 1u);
+                if (_e848 == 0u) {
+                    phi_862_ = (~(_e842) + 1u);
                 } else {
-                    phi_847_ = ~(_e839);
+                    phi_862_ = ~(_e842);
                 }
-                let _e851 = phi_847_;
-                phi_849_ = array<u32, 2>(_e845, _e851);
+                let _e854 = phi_862_;
+                phi_864_ = array<u32, 2>(_e848, _e854);
             }
-            let _e854 = phi_849_;
-            let _e855 = (_e825 < 255u);
-            if _e855 {
-                phi_855_ = _e854;
+            let _e857 = phi_864_;
+            let _e858 = (_e828 < 255u);
+            if _e858 {
+                phi_870_ = _e857;
             } else {
-                phi_855_ = array<u32, 2>(1u, 0u);
+                phi_870_ = array<u32, 2>(1u, 0u);
             }
-            let _e858 = phi_855_;
-            let _e863 = (2u * ((select(16u, (_e825 / 16u), _e855) * _e643) + (_e647 + 3u)));
-            let _e866 = atomicAdd((&global_11.member[_e863]), _e858[0]);
-            let _e874 = atomicAdd((&global_11.member[(_e863 + 1u)]), (_e858[1] + select(0u, 1u, ((_e866 + _e858[0]) < _e858[0]))));
+            let _e861 = phi_870_;
+            let _e866 = (2u * ((select(16u, (_e828 / 16u), _e858) * _e643) + (_e647 + 3u)));
+            let _e869 = atomicAdd((&global_11.member[_e866]), _e861[0]);
+            let _e873 = (_e861[1] + select(0u, 1u, ((_e869 + _e861[0]) < _e861[0])));
+            if (_e873 == 0u) {
+            } else {
+                let _e878 = atomicAdd((&global_11.member[(_e866 + 1u)]), _e873);
+            }
         }
-        let _e877 = local_4;
-        let _e879 = bitcast<u32>(_e877.y);
-        let _e882 = ((_e879 >> bitcast<u32>(23i)) & 255u);
-        if (_e882 == 0u) {
+        let _e881 = local_4;
+        let _e883 = bitcast<u32>(_e881.y);
+        let _e886 = ((_e883 >> bitcast<u32>(23i)) & 255u);
+        if (_e886 == 0u) {
         } else {
-            let _e885 = (_e882 % 16u);
-            let _e887 = ((_e879 & 8388607u) | 8388608u);
-            let _e890 = (_e887 << bitcast<u32>((_e885 & 31u)));
-            let _e896 = ((_e887 >> bitcast<u32>(((31u - _e885) & 31u))) >> bitcast<u32>(1i));
-            if ((_e879 >> bitcast<u32>(31i)) == 0u) {
-                phi_906_ = array<u32, 2>(_e890, _e896);
+            let _e889 = (_e886 % 16u);
+            let _e891 = ((_e883 & 8388607u) | 8388608u);
+            let _e894 = (_e891 << bitcast<u32>((_e889 & 31u)));
+            let _e900 = ((_e891 >> bitcast<u32>(((31u - _e889) & 31u))) >> bitcast<u32>(1i));
+            if ((_e883 >> bitcast<u32>(31i)) == 0u) {
+                phi_926_ = array<u32, 2>(_e894, _e900);
             } else {
-                let _e902 = (~(_e890) + 1u);
-                if (_e902 == 0u) {
-                    phi_904_ = (~(_e896) + 1u);
+                let _e906 = (~(_e894) + 1u);
+                if (_e906 == 0u) {
+                    phi_924_ = (~(_e900) + 1u);
                 } else {
-                    phi_904_ = ~(_e896);
+                    phi_924_ = ~(_e900);
                 }
-                let _e908 = phi_904_;
-                phi_906_ = array<u32, 2>(_e902, _e908);
+                let _e912 = phi_924_;
+                phi_926_ = array<u32, 2>(_e906, _e912);
             }
-            let _e911 = phi_906_;
-            let _e912 = (_e882 < 255u);
-            if _e912 {
-                phi_912_ = _e911;
+            let _e915 = phi_926_;
+            let _e916 = (_e886 < 255u);
+            if _e916 {
+                phi_932_ = _e915;
             } else {
-                phi_912_ = array<u32, 2>(1u, 0u);
+                phi_932_ = array<u32, 2>(1u, 0u);
             }
-            let _e915 = phi_912_;
-            let _e920 = (2u * ((select(16u, (_e882 / 16u), _e912) * _e643) + (_e647 + 4u)));
-            let _e923 = atomicAdd((&global_11.member[_e920]), _e915[0]);
-            let _e931 = atomicAdd((&global_11.member[(_e920 + 1u)]), (_e915[1] + select(0u, 1u, ((_e923 + _e915[0]) < _e915[0]))));
+            let _e919 = phi_932_;
+            let _e924 = (2u * ((select(16u, (_e886 / 16u), _e916) * _e643) + (_e647 + 4u)));
+            let _e927 = atomicAdd((&global_11.member[_e924]), _e919[0]);
+            let _e931 = (_e919[1] + select(0u, 1u, ((_e927 + _e919[0]) < _e919[0])));
+            if (_e931 == 0u) {
+            } else {
+                let _e936 = atomicAdd((&global_11.member[(_e924 + 1u)]), _e931);
+            }
         }
-        let _e934 = local_5;
-        let _e936 = bitcast<u32>(_e934.z);
-        let _e939 = ((_e936 >> bitcast<u32>(23i)) & 255u);
-        if (_e939 == 0u) {
+        let _e939 = local_5;
+        let _e941 = bitcast<u32>(_e939.z);
+        let _e944 = ((_e941 >> bitcast<u32>(23i)) & 255u);
+        if (_e944 == 0u) {
         } else {
-            let _e942 = (_e939 % 16u);
-            let _e944 = ((_e936 & 8388607u) | 8388608u);
-            let _e947 = (_e944 << bitcast<u32>((_e942 & 31u)));
-            let _e953 = ((_e944 >> bitcast<u32>(((31u - _e942) & 31u))) >> bitcast<u32>(1i));
-            if ((_e936 >> bitcast<u32>(31i)) == 0u) {
-                phi_963_ = array<u32, 2>(_e947, _e953);
+            let _e947 = (_e944 % 16u);
+            let _e949 = ((_e941 & 8388607u) | 8388608u);
+            let _e952 = (_e949 << bitcast<u32>((_e947 & 31u)));
+            let _e958 = ((_e949 >> bitcast<u32>(((31u - _e947) & 31u))) >> bitcast<u32>(1i));
+            if ((_e941 >> bitcast<u32>(31i)) == 0u) {
+                phi_988_ = array<u32, 2>(_e952, _e958);
             } else {
-                let _e959 = (~(_e947) + 1u);
-                if (_e959 == 0u) {
-                    phi_961_ = (~(_e953) + 1u);
+                let _e964 = (~(_e952) + 1u);
+                if (_e964 == 0u) {
+                    phi_986_ = (~(_e958) + 1u);
                 } else {
-                    phi_961_ = ~(_e953);
+                    phi_986_ = ~(_e958);
                 }
-                let _e965 = phi_961_;
-                phi_963_ = array<u32, 2>(_e959, _e965);
+                let _e970 = phi_986_;
+                phi_988_ = array<u32, 2>(_e964, _e970);
             }
-            let _e968 = phi_963_;
-            let _e969 = (_e939 < 255u);
-            if _e969 {
-                phi_969_ = _e968;
+            let _e973 = phi_988_;
+            let _e974 = (_e944 < 255u);
+            if _e974 {
+                phi_994_ = _e973;
             } else {
-                phi_969_ = array<u32, 2>(1u, 0u);
+                phi_994_ = array<u32, 2>(1u, 0u);
             }
-            let _e972 = phi_969_;
-            let _e977 = (2u * ((select(16u, (_e939 / 16u), _e969) * _e643) + (_e647 + 5u)));
-            let _e980 = atomicAdd((&global_11.member[_e977]), _e972[0]);
-            let _e988 = atomicAdd((&global_11.member[(_e977 + 1u)]), (_e972[1] + select(0u, 1u, ((_e980 + _e972[0]) < _e972[0]))));
+            let _e977 = phi_994_;
+            let _e982 = (2u * ((select(16u, (_e944 / 16u), _e974) * _e643) + (_e647 + 5u)));
+            let _e985 = atomicAdd((&global_11.member[_e982]), _e977[0]);
+            let _e989 = (_e977[1] + select(0u, 1u, ((_e985 + _e977[0]) < _e977[0])));
+            if (_e989 == 0u) {
+            } else {
+                let _e994 = atomicAdd((&global_11.member[(_e982 + 1u)]), _e989);
+            }
         }
     }
     return;

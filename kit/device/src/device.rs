@@ -11,7 +11,7 @@ use muslin::work::Work;
 
 use crate::buffer::RawBuffer;
 use crate::count::Count;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::host::Host;
 use crate::timings::{KernelTime, Timings};
 use crate::workgroups::{Workgroups, workgroups_for};
@@ -131,8 +131,8 @@ impl Device {
     /// Runs a kernel over `workgroups`; on a GPU it is queued. No size may exceed 65,535.
     ///
     /// # Errors
-    /// [`Error::Kernel`](crate::Error::Kernel) if the kernel fails;
-    /// [`Error::StaleKernels`](crate::Error::StaleKernels) if its SPIR-V is missing.
+    /// [`Error::Kernel`] if the kernel fails;
+    /// [`Error::StaleKernels`] if its SPIR-V is missing.
     pub fn dispatch<'a>(
         &self,
         kernel: &impl Dispatch<'a, Host>,
@@ -154,6 +154,7 @@ impl Device {
         let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
         kernel.bind(&mut |buffer| buffers.push(buffer));
         let info = kernel.info();
+        refuse_partial(info, &buffers)?;
         let counts = kernel.counts();
         let uniform = self.fill_in(kernel.uniform(), counts);
         let uniform = &*uniform;
@@ -379,6 +380,22 @@ impl Device {
             gpu.lose();
         }
     }
+}
+
+/// Fails if a buffer ends within a vector of [`ReadFours`](muslin::memory::ReadFours): a GPU would not reach its end.
+fn refuse_partial(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
+    let bindings = info.bindings.iter().filter(|binding| binding.access != Access::Uniform);
+    for (binding, buffer) in bindings.zip(buffers) {
+        if !buffer.bytes.is_multiple_of(u64::from(binding.device_bytes)) {
+            let reason = format!(
+                "`{}` has {} elements, and is read four at a time: make it longer",
+                binding.name,
+                buffer.bytes / u64::from(binding.element_bytes)
+            );
+            return Err(Error::Kernel { kernel: info.name.into(), reason });
+        }
+    }
+    Ok(())
 }
 
 /// Number of elements of each buffer, in the order of the bindings.

@@ -220,8 +220,11 @@ pub fn add_wide(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
         let at = buffer.index_unchecked_mut(2 * index as usize);
         let before = spirv_std::arch::atomic_i_add::<_, SCOPE, NO_ORDER>(at, low);
         let carry = if before.wrapping_add(low) < low { 1 } else { 0 };
-        let at = buffer.index_unchecked_mut(2 * index as usize + 1);
-        spirv_std::arch::atomic_i_add::<_, SCOPE, NO_ORDER>(at, high.wrapping_add(carry));
+        let high = high.wrapping_add(carry);
+        if high != 0 {
+            let at = buffer.index_unchecked_mut(2 * index as usize + 1);
+            spirv_std::arch::atomic_i_add::<_, SCOPE, NO_ORDER>(at, high);
+        }
     }
     #[cfg(not(target_arch = "spirv"))]
     add_wide_lanes(buffer, [index], [(u64::from(high) << 32 | u64::from(low)) as i64]);
@@ -236,7 +239,10 @@ pub fn add_wide_shared(buffer: Write<u32>, index: u32, words: [u32; 2]) {
         let [low, high] = words;
         let before = add(buffer, 2 * index, low);
         let carry = if before.wrapping_add(low) < low { 1 } else { 0 };
-        add(buffer, 2 * index + 1, high.wrapping_add(carry));
+        let high = high.wrapping_add(carry);
+        if high != 0 {
+            add(buffer, 2 * index + 1, high);
+        }
     }
     #[cfg(all(not(target_arch = "spirv"), target_endian = "little"))]
     {

@@ -2,6 +2,7 @@
 
 use muslin::atomic;
 use muslin::prelude::*;
+use muslin::samples::Samples;
 
 /// Uses indices past the end of either buffer.
 #[kernel(threads(64))]
@@ -108,4 +109,25 @@ pub fn histogram(
 #[kernel(threads(64))]
 pub fn reads_bytes(id: Invocation, bytes: Packed<u8>, output: Write<u32>) {
     output.write(id.index(), bytes.read(id.index()));
+}
+
+/// Copies rows of samples.
+#[kernel(threads(64), lanes(samples))]
+pub fn copies_fours<S: Samples>(
+    id: Invocation,
+    params: &CopiesFoursParams,
+    input: ReadFours<f32>,
+    output: WriteFours<f32>,
+) {
+    let at = id.index();
+    if at < params.samples {
+        S::read(input, at).write(output, at, params.samples - at);
+    }
+}
+
+/// Parameters of [`copies_fours`].
+#[params]
+pub struct CopiesFoursParams {
+    /// Samples.
+    pub samples: u32,
 }

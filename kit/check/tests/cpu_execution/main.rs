@@ -299,6 +299,23 @@ fn a_test_that_calls_a_kernel_says_which_invocation_failed() {
 }
 
 #[test]
+fn rows_of_samples_are_whole_vectors_of_numbers() {
+    let device = checked();
+    let params = CopiesFoursParams { samples: 5 };
+    let short = device.upload("short", &[1.0; 7]).unwrap();
+    let output = device.unwritten("out", 8).unwrap();
+    let message =
+        failure(&device, &CopiesFoursKernel { params, input: &short, output: &output }, 5);
+    assert_contains(&message, &["`input` has 7 elements, and is read four at a time"]);
+    let input = device.unwritten("in", 8).unwrap();
+    device.write(&input, 0, &[1.0; 4]).unwrap();
+    let message =
+        failure(&device, &CopiesFoursKernel { params, input: &input, output: &output }, 5);
+    // numbers are watched, and not vectors
+    assert_contains(&message, &["reads element 4 of `input`, which nothing has written"]);
+}
+
+#[test]
 fn small_integers_are_counted_one_by_one() {
     let device = checked();
     let bytes = device.upload("bytes", &[7_u8, 250, 3, 0, 255]).unwrap();

@@ -58,48 +58,40 @@ var<storage, read_write> global_9: type_26;
 var<storage, read_write> global_10: type_26;
 
 fn function_() {
-    var phi_203_: u32;
-    var phi_206_: u32;
-    var phi_208_: f32;
-    var phi_210_: f32;
+    var phi_195_: u32;
+    var phi_198_: u32;
+    var phi_200_: f32;
+    var phi_202_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_395_: array<u32, 8>;
-    var phi_463_: u32;
-    var phi_466_: u32;
-    var phi_485_: f32;
-    var phi_495_: u32;
-    var phi_509_: u32;
-    var phi_511_: array<u32, 2>;
-    var phi_532_: f32;
+    var phi_387_: array<u32, 8>;
+    var phi_455_: u32;
+    var phi_458_: u32;
+    var phi_483_: u32;
+    var phi_498_: u32;
+    var phi_500_: array<u32, 2>;
+    var phi_527_: u32;
     var phi_542_: u32;
-    var phi_556_: u32;
-    var phi_558_: array<u32, 2>;
-    var phi_579_: f32;
-    var phi_589_: u32;
-    var phi_603_: u32;
-    var phi_605_: array<u32, 2>;
-    var phi_626_: f32;
-    var phi_636_: u32;
-    var phi_650_: u32;
-    var phi_652_: array<u32, 2>;
-    var phi_673_: f32;
-    var phi_683_: u32;
-    var phi_697_: u32;
-    var phi_699_: array<u32, 2>;
-    var phi_720_: f32;
-    var phi_730_: u32;
-    var phi_744_: u32;
-    var phi_746_: array<u32, 2>;
-    var phi_767_: f32;
-    var phi_777_: u32;
+    var phi_544_: array<u32, 2>;
+    var phi_571_: u32;
+    var phi_586_: u32;
+    var phi_588_: array<u32, 2>;
+    var phi_615_: u32;
+    var phi_630_: u32;
+    var phi_632_: array<u32, 2>;
+    var phi_659_: u32;
+    var phi_674_: u32;
+    var phi_676_: array<u32, 2>;
+    var phi_703_: u32;
+    var phi_718_: u32;
+    var phi_720_: array<u32, 2>;
+    var phi_747_: u32;
+    var phi_762_: u32;
+    var phi_764_: array<u32, 2>;
     var phi_791_: u32;
-    var phi_793_: array<u32, 2>;
-    var phi_814_: f32;
-    var phi_824_: u32;
-    var phi_838_: u32;
-    var phi_840_: array<u32, 2>;
+    var phi_806_: u32;
+    var phi_808_: array<u32, 2>;
     var local_3: u32;
     var local_4: u32;
     var local_5: f32;
@@ -128,15 +120,15 @@ fn function_() {
                 let _e68 = (_e38 - (_e61 * _e59));
                 let _e72 = ((((_e61 * (_e56 * _e64)) + _e68) + _e30.x) + ((_e51 + (_e31.z * _e47)) * _e64));
                 let _e75 = global_4.member[2u];
-                phi_203_ = 0u;
-                phi_206_ = _e72;
-                phi_208_ = 0f;
-                phi_210_ = 0f;
+                phi_195_ = 0u;
+                phi_198_ = _e72;
+                phi_200_ = 0f;
+                phi_202_ = 0f;
                 loop {
-                    let _e77 = phi_203_;
-                    let _e79 = phi_206_;
-                    let _e81 = phi_208_;
-                    let _e83 = phi_210_;
+                    let _e77 = phi_195_;
+                    let _e79 = phi_198_;
+                    let _e81 = phi_200_;
+                    let _e83 = phi_202_;
                     local = _e81;
                     local_1 = _e83;
                     local_2 = _e81;
@@ -153,14 +145,14 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e744 = local_3;
-                        phi_203_ = _e744;
-                        let _e747 = local_4;
-                        phi_206_ = _e747;
-                        let _e750 = local_5;
-                        phi_208_ = _e750;
-                        let _e753 = local_6;
-                        phi_210_ = _e753;
+                        let _e728 = local_3;
+                        phi_195_ = _e728;
+                        let _e731 = local_4;
+                        phi_198_ = _e731;
+                        let _e734 = local_5;
+                        phi_200_ = _e734;
+                        let _e737 = local_6;
+                        phi_202_ = _e737;
                     }
                 }
                 let _e98 = local;
@@ -243,7 +235,7 @@ fn function_() {
                         let _e305 = (_e282 + _e275);
                         let _e310 = (_e288 + _e275);
                         let _e315 = (_e294 + _e275);
-                        phi_395_ = array<u32, 8>((select((_e277 - _e112.member_4), _e277, (_e277 < _e112.member_4)) + _e112.member_3), (select((_e283 - _e112.member_4), _e283, (_e283 < _e112.member_4)) + _e112.member_3), (select((_e289 - _e112.member_4), _e289, (_e289 < _e112.member_4)) + _e112.member_3), (select((_e295 - _e112.member_4), _e295, (_e295 < _e112.member_4)) + _e112.member_3), (select((_e300 - _e112.member_4), _e300, (_e300 < _e112.member_4)) + _e112.member_3), (select((_e305 - _e112.member_4), _e305, (_e305 < _e112.member_4)) + _e112.member_3), (select((_e310 - _e112.member_4), _e310, (_e310 < _e112.member_4)) + _e112.member_3), (select((_e315 - _e112.member_4), _e315, (_e315 < _e112.member_4)) + _e112.member_3));
+                        phi_387_ = array<u32, 8>((select((_e277 - _e112.member_4), _e277, (_e277 < _e112.member_4)) + _e112.member_3), (select((_e283 - _e112.member_4), _e283, (_e283 < _e112.member_4)) + _e112.member_3), (select((_e289 - _e112.member_4), _e289, (_e289 < _e112.member_4)) + _e112.member_3), (select((_e295 - _e112.member_4), _e295, (_e295 < _e112.member_4)) + _e112.member_3), (select((_e300 - _e112.member_4), _e300, (_e300 < _e112.member_4)) + _e112.member_3), (select((_e305 - _e112.member_4), _e305, (_e305 < _e112.member_4)) + _e112.member_3), (select((_e310 - _e112.member_4), _e310, (_e310 < _e112.member_4)) + _e112.member_3), (select((_e315 - _e112.member_4), _e315, (_e315 < _e112.member_4)) + _e112.member_3));
                     } else {
                         let _e233 = (_e112.member_4 - 1u);
                         let _e234 = (_e191 * 2654435761u);
@@ -255,9 +247,9 @@ fn function_() {
                         let _e243 = (_e236 ^ _e234);
                         let _e247 = (_e169 ^ _e237);
                         let _e251 = (_e236 ^ _e237);
-                        phi_395_ = array<u32, 8>((((_e239 ^ _e235) & _e233) + _e112.member_3), (((_e243 ^ _e235) & _e233) + _e112.member_3), (((_e247 ^ _e235) & _e233) + _e112.member_3), (((_e251 ^ _e235) & _e233) + _e112.member_3), (((_e239 ^ _e238) & _e233) + _e112.member_3), (((_e243 ^ _e238) & _e233) + _e112.member_3), (((_e247 ^ _e238) & _e233) + _e112.member_3), (((_e251 ^ _e238) & _e233) + _e112.member_3));
+                        phi_387_ = array<u32, 8>((((_e239 ^ _e235) & _e233) + _e112.member_3), (((_e243 ^ _e235) & _e233) + _e112.member_3), (((_e247 ^ _e235) & _e233) + _e112.member_3), (((_e251 ^ _e235) & _e233) + _e112.member_3), (((_e239 ^ _e238) & _e233) + _e112.member_3), (((_e243 ^ _e238) & _e233) + _e112.member_3), (((_e247 ^ _e238) & _e233) + _e112.member_3), (((_e251 ^ _e238) & _e233) + _e112.member_3));
                     }
-                    let _e322 = phi_395_;
+                    let _e322 = phi_387_;
                     let _e331 = (_e322[0] * _e47);
                     let _e332 = (_e322[1] * _e47);
                     let _e333 = (_e322[2] * _e47);
@@ -291,294 +283,246 @@ fn function_() {
                         let _e370 = atomicMax((&global_9.member[(_e338 / 64u)]), 1u);
                     }
                     let _e373 = global_4.member[0u];
-                    phi_463_ = 0u;
-                    phi_466_ = _e72;
+                    phi_455_ = 0u;
+                    phi_458_ = _e72;
                     loop {
-                        let _e375 = phi_463_;
-                        let _e377 = phi_466_;
+                        let _e375 = phi_455_;
+                        let _e377 = phi_458_;
                         if (_e375 < _e47) {
                             let _e381 = global_5.member[_e377];
                             let _e382 = -(_e381);
                             let _e387 = select(0f, (_e381 * _e373), (0.000000000000000000000000000000000000011754944f <= select(_e382, _e381, (_e381 > _e382))));
                             let _e388 = (_e387 * (_e217 * _e216));
                             if _e109 {
-                                let _e390 = (_e388 < 0f);
-                                if _e390 {
-                                    phi_485_ = -(_e388);
+                                let _e390 = abs(_e388);
+                                let _e392 = u32((_e390 * 0.00000000023283064f));
+                                let _e395 = (_e390 - (f32(_e392) * 4294967300f));
+                                let _e396 = u32(_e395);
+                                if ((_e395 - f32(_e396)) >= 0.5f) {
+                                    phi_483_ = (_e396 + 1u);
                                 } else {
-                                    phi_485_ = _e388;
+                                    phi_483_ = _e396;
                                 }
-                                let _e393 = phi_485_;
-                                let _e395 = u32((_e393 * 0.00000000023283064f));
-                                let _e398 = (_e393 - (f32(_e395) * 4294967300f));
-                                let _e399 = u32(_e398);
-                                if ((_e398 - f32(_e399)) >= 0.5f) {
-                                    phi_495_ = (_e399 + 1u);
-                                } else {
-                                    phi_495_ = _e399;
-                                }
-                                let _e405 = phi_495_;
-                                if _e390 {
-                                    let _e408 = (~(_e405) + 1u);
-                                    if (_e408 == 0u) {
-                                        phi_509_ = (~(_e395) + 1u);
+                                let _e402 = phi_483_;
+                                if (_e388 < 0f) {
+                                    let _e406 = (~(_e402) + 1u);
+                                    if (_e406 == 0u) {
+                                        phi_498_ = (~(_e392) + 1u);
                                     } else {
-                                        phi_509_ = ~(_e395);
+                                        phi_498_ = ~(_e392);
                                     }
-                                    let _e414 = phi_509_;
-                                    phi_511_ = array<u32, 2>(_e408, _e414);
+                                    let _e412 = phi_498_;
+                                    phi_500_ = array<u32, 2>(_e406, _e412);
                                 } else {
-                                    phi_511_ = array<u32, 2>(_e405, _e395);
+                                    phi_500_ = array<u32, 2>(_e402, _e392);
                                 }
-                                let _e417 = phi_511_;
-                                let _e420 = (2u * (_e331 + _e375));
-                                let _e423 = atomicAdd((&global_10.member[_e420]), _e417[0]);
-                                let _e431 = atomicAdd((&global_10.member[(_e420 + 1u)]), (_e417[1] + select(0u, 1u, ((_e423 + _e417[0]) < _e417[0]))));
+                                let _e415 = phi_500_;
+                                let _e418 = (2u * (_e331 + _e375));
+                                let _e421 = atomicAdd((&global_10.member[_e418]), _e415[0]);
+                                let _e429 = atomicAdd((&global_10.member[(_e418 + 1u)]), (_e415[1] + select(0u, 1u, ((_e421 + _e415[0]) < _e415[0]))));
                             }
-                            let _e432 = (_e387 * (_e218 * _e216));
+                            let _e430 = (_e387 * (_e218 * _e216));
                             if _e109 {
-                                let _e434 = (_e432 < 0f);
-                                if _e434 {
-                                    phi_532_ = -(_e432);
+                                let _e432 = abs(_e430);
+                                let _e434 = u32((_e432 * 0.00000000023283064f));
+                                let _e437 = (_e432 - (f32(_e434) * 4294967300f));
+                                let _e438 = u32(_e437);
+                                if ((_e437 - f32(_e438)) >= 0.5f) {
+                                    phi_527_ = (_e438 + 1u);
                                 } else {
-                                    phi_532_ = _e432;
+                                    phi_527_ = _e438;
                                 }
-                                let _e437 = phi_532_;
-                                let _e439 = u32((_e437 * 0.00000000023283064f));
-                                let _e442 = (_e437 - (f32(_e439) * 4294967300f));
-                                let _e443 = u32(_e442);
-                                if ((_e442 - f32(_e443)) >= 0.5f) {
-                                    phi_542_ = (_e443 + 1u);
-                                } else {
-                                    phi_542_ = _e443;
-                                }
-                                let _e449 = phi_542_;
-                                if _e434 {
-                                    let _e452 = (~(_e449) + 1u);
-                                    if (_e452 == 0u) {
-                                        phi_556_ = (~(_e439) + 1u);
+                                let _e444 = phi_527_;
+                                if (_e430 < 0f) {
+                                    let _e448 = (~(_e444) + 1u);
+                                    if (_e448 == 0u) {
+                                        phi_542_ = (~(_e434) + 1u);
                                     } else {
-                                        phi_556_ = ~(_e439);
+                                        phi_542_ = ~(_e434);
                                     }
-                                    let _e458 = phi_556_;
-                                    phi_558_ = array<u32, 2>(_e452, _e458);
+                                    let _e454 = phi_542_;
+                                    phi_544_ = array<u32, 2>(_e448, _e454);
                                 } else {
-                                    phi_558_ = array<u32, 2>(_e449, _e439);
+                                    phi_544_ = array<u32, 2>(_e444, _e434);
                                 }
-                                let _e461 = phi_558_;
-                                let _e464 = (2u * (_e332 + _e375));
-                                let _e467 = atomicAdd((&global_10.member[_e464]), _e461[0]);
-                                let _e475 = atomicAdd((&global_10.member[(_e464 + 1u)]), (_e461[1] + select(0u, 1u, ((_e467 + _e461[0]) < _e461[0]))));
+                                let _e457 = phi_544_;
+                                let _e460 = (2u * (_e332 + _e375));
+                                let _e463 = atomicAdd((&global_10.member[_e460]), _e457[0]);
+                                let _e471 = atomicAdd((&global_10.member[(_e460 + 1u)]), (_e457[1] + select(0u, 1u, ((_e463 + _e457[0]) < _e457[0]))));
                             }
-                            let _e476 = (_e387 * (_e219 * _e216));
+                            let _e472 = (_e387 * (_e219 * _e216));
                             if _e109 {
-                                let _e478 = (_e476 < 0f);
-                                if _e478 {
-                                    phi_579_ = -(_e476);
+                                let _e474 = abs(_e472);
+                                let _e476 = u32((_e474 * 0.00000000023283064f));
+                                let _e479 = (_e474 - (f32(_e476) * 4294967300f));
+                                let _e480 = u32(_e479);
+                                if ((_e479 - f32(_e480)) >= 0.5f) {
+                                    phi_571_ = (_e480 + 1u);
                                 } else {
-                                    phi_579_ = _e476;
+                                    phi_571_ = _e480;
                                 }
-                                let _e481 = phi_579_;
-                                let _e483 = u32((_e481 * 0.00000000023283064f));
-                                let _e486 = (_e481 - (f32(_e483) * 4294967300f));
-                                let _e487 = u32(_e486);
-                                if ((_e486 - f32(_e487)) >= 0.5f) {
-                                    phi_589_ = (_e487 + 1u);
-                                } else {
-                                    phi_589_ = _e487;
-                                }
-                                let _e493 = phi_589_;
-                                if _e478 {
-                                    let _e496 = (~(_e493) + 1u);
-                                    if (_e496 == 0u) {
-                                        phi_603_ = (~(_e483) + 1u);
+                                let _e486 = phi_571_;
+                                if (_e472 < 0f) {
+                                    let _e490 = (~(_e486) + 1u);
+                                    if (_e490 == 0u) {
+                                        phi_586_ = (~(_e476) + 1u);
                                     } else {
-                                        phi_603_ = ~(_e483);
+                                        phi_586_ = ~(_e476);
                                     }
-                                    let _e502 = phi_603_;
-                                    phi_605_ = array<u32, 2>(_e496, _e502);
+                                    let _e496 = phi_586_;
+                                    phi_588_ = array<u32, 2>(_e490, _e496);
                                 } else {
-                                    phi_605_ = array<u32, 2>(_e493, _e483);
+                                    phi_588_ = array<u32, 2>(_e486, _e476);
                                 }
-                                let _e505 = phi_605_;
-                                let _e508 = (2u * (_e333 + _e375));
-                                let _e511 = atomicAdd((&global_10.member[_e508]), _e505[0]);
-                                let _e519 = atomicAdd((&global_10.member[(_e508 + 1u)]), (_e505[1] + select(0u, 1u, ((_e511 + _e505[0]) < _e505[0]))));
+                                let _e499 = phi_588_;
+                                let _e502 = (2u * (_e333 + _e375));
+                                let _e505 = atomicAdd((&global_10.member[_e502]), _e499[0]);
+                                let _e513 = atomicAdd((&global_10.member[(_e502 + 1u)]), (_e499[1] + select(0u, 1u, ((_e505 + _e499[0]) < _e499[0]))));
                             }
-                            let _e520 = (_e387 * (_e220 * _e216));
+                            let _e514 = (_e387 * (_e220 * _e216));
                             if _e109 {
-                                let _e522 = (_e520 < 0f);
-                                if _e522 {
-                                    phi_626_ = -(_e520);
+                                let _e516 = abs(_e514);
+                                let _e518 = u32((_e516 * 0.00000000023283064f));
+                                let _e521 = (_e516 - (f32(_e518) * 4294967300f));
+                                let _e522 = u32(_e521);
+                                if ((_e521 - f32(_e522)) >= 0.5f) {
+                                    phi_615_ = (_e522 + 1u);
                                 } else {
-                                    phi_626_ = _e520;
+                                    phi_615_ = _e522;
                                 }
-                                let _e525 = phi_626_;
-                                let _e527 = u32((_e525 * 0.00000000023283064f));
-                                let _e530 = (_e525 - (f32(_e527) * 4294967300f));
-                                let _e531 = u32(_e530);
-                                if ((_e530 - f32(_e531)) >= 0.5f) {
-                                    phi_636_ = (_e531 + 1u);
-                                } else {
-                                    phi_636_ = _e531;
-                                }
-                                let _e537 = phi_636_;
-                                if _e522 {
-                                    let _e540 = (~(_e537) + 1u);
-                                    if (_e540 == 0u) {
-                                        phi_650_ = (~(_e527) + 1u);
+                                let _e528 = phi_615_;
+                                if (_e514 < 0f) {
+                                    let _e532 = (~(_e528) + 1u);
+                                    if (_e532 == 0u) {
+                                        phi_630_ = (~(_e518) + 1u);
                                     } else {
-                                        phi_650_ = ~(_e527);
+                                        phi_630_ = ~(_e518);
                                     }
-                                    let _e546 = phi_650_;
-                                    phi_652_ = array<u32, 2>(_e540, _e546);
+                                    let _e538 = phi_630_;
+                                    phi_632_ = array<u32, 2>(_e532, _e538);
                                 } else {
-                                    phi_652_ = array<u32, 2>(_e537, _e527);
+                                    phi_632_ = array<u32, 2>(_e528, _e518);
                                 }
-                                let _e549 = phi_652_;
-                                let _e552 = (2u * (_e334 + _e375));
-                                let _e555 = atomicAdd((&global_10.member[_e552]), _e549[0]);
-                                let _e563 = atomicAdd((&global_10.member[(_e552 + 1u)]), (_e549[1] + select(0u, 1u, ((_e555 + _e549[0]) < _e549[0]))));
+                                let _e541 = phi_632_;
+                                let _e544 = (2u * (_e334 + _e375));
+                                let _e547 = atomicAdd((&global_10.member[_e544]), _e541[0]);
+                                let _e555 = atomicAdd((&global_10.member[(_e544 + 1u)]), (_e541[1] + select(0u, 1u, ((_e547 + _e541[0]) < _e541[0]))));
                             }
-                            let _e564 = (_e387 * (_e217 * _e211));
+                            let _e556 = (_e387 * (_e217 * _e211));
                             if _e109 {
-                                let _e566 = (_e564 < 0f);
-                                if _e566 {
-                                    phi_673_ = -(_e564);
+                                let _e558 = abs(_e556);
+                                let _e560 = u32((_e558 * 0.00000000023283064f));
+                                let _e563 = (_e558 - (f32(_e560) * 4294967300f));
+                                let _e564 = u32(_e563);
+                                if ((_e563 - f32(_e564)) >= 0.5f) {
+                                    phi_659_ = (_e564 + 1u);
                                 } else {
-                                    phi_673_ = _e564;
+                                    phi_659_ = _e564;
                                 }
-                                let _e569 = phi_673_;
-                                let _e571 = u32((_e569 * 0.00000000023283064f));
-                                let _e574 = (_e569 - (f32(_e571) * 4294967300f));
-                                let _e575 = u32(_e574);
-                                if ((_e574 - f32(_e575)) >= 0.5f) {
-                                    phi_683_ = (_e575 + 1u);
-                                } else {
-                                    phi_683_ = _e575;
-                                }
-                                let _e581 = phi_683_;
-                                if _e566 {
-                                    let _e584 = (~(_e581) + 1u);
-                                    if (_e584 == 0u) {
-                                        phi_697_ = (~(_e571) + 1u);
+                                let _e570 = phi_659_;
+                                if (_e556 < 0f) {
+                                    let _e574 = (~(_e570) + 1u);
+                                    if (_e574 == 0u) {
+                                        phi_674_ = (~(_e560) + 1u);
                                     } else {
-                                        phi_697_ = ~(_e571);
+                                        phi_674_ = ~(_e560);
                                     }
-                                    let _e590 = phi_697_;
-                                    phi_699_ = array<u32, 2>(_e584, _e590);
+                                    let _e580 = phi_674_;
+                                    phi_676_ = array<u32, 2>(_e574, _e580);
                                 } else {
-                                    phi_699_ = array<u32, 2>(_e581, _e571);
+                                    phi_676_ = array<u32, 2>(_e570, _e560);
                                 }
-                                let _e593 = phi_699_;
-                                let _e596 = (2u * (_e335 + _e375));
-                                let _e599 = atomicAdd((&global_10.member[_e596]), _e593[0]);
-                                let _e607 = atomicAdd((&global_10.member[(_e596 + 1u)]), (_e593[1] + select(0u, 1u, ((_e599 + _e593[0]) < _e593[0]))));
+                                let _e583 = phi_676_;
+                                let _e586 = (2u * (_e335 + _e375));
+                                let _e589 = atomicAdd((&global_10.member[_e586]), _e583[0]);
+                                let _e597 = atomicAdd((&global_10.member[(_e586 + 1u)]), (_e583[1] + select(0u, 1u, ((_e589 + _e583[0]) < _e583[0]))));
                             }
-                            let _e608 = (_e387 * (_e218 * _e211));
+                            let _e598 = (_e387 * (_e218 * _e211));
                             if _e109 {
-                                let _e610 = (_e608 < 0f);
-                                if _e610 {
-                                    phi_720_ = -(_e608);
+                                let _e600 = abs(_e598);
+                                let _e602 = u32((_e600 * 0.00000000023283064f));
+                                let _e605 = (_e600 - (f32(_e602) * 4294967300f));
+                                let _e606 = u32(_e605);
+                                if ((_e605 - f32(_e606)) >= 0.5f) {
+                                    phi_703_ = (_e606 + 1u);
                                 } else {
-                                    phi_720_ = _e608;
+                                    phi_703_ = _e606;
                                 }
-                                let _e613 = phi_720_;
-                                let _e615 = u32((_e613 * 0.00000000023283064f));
-                                let _e618 = (_e613 - (f32(_e615) * 4294967300f));
-                                let _e619 = u32(_e618);
-                                if ((_e618 - f32(_e619)) >= 0.5f) {
-                                    phi_730_ = (_e619 + 1u);
-                                } else {
-                                    phi_730_ = _e619;
-                                }
-                                let _e625 = phi_730_;
-                                if _e610 {
-                                    let _e628 = (~(_e625) + 1u);
-                                    if (_e628 == 0u) {
-                                        phi_744_ = (~(_e615) + 1u);
+                                let _e612 = phi_703_;
+                                if (_e598 < 0f) {
+                                    let _e616 = (~(_e612) + 1u);
+                                    if (_e616 == 0u) {
+                                        phi_718_ = (~(_e602) + 1u);
                                     } else {
-                                        phi_744_ = ~(_e615);
+                                        phi_718_ = ~(_e602);
                                     }
-                                    let _e634 = phi_744_;
-                                    phi_746_ = array<u32, 2>(_e628, _e634);
+                                    let _e622 = phi_718_;
+                                    phi_720_ = array<u32, 2>(_e616, _e622);
                                 } else {
-                                    phi_746_ = array<u32, 2>(_e625, _e615);
+                                    phi_720_ = array<u32, 2>(_e612, _e602);
                                 }
-                                let _e637 = phi_746_;
-                                let _e640 = (2u * (_e336 + _e375));
-                                let _e643 = atomicAdd((&global_10.member[_e640]), _e637[0]);
-                                let _e651 = atomicAdd((&global_10.member[(_e640 + 1u)]), (_e637[1] + select(0u, 1u, ((_e643 + _e637[0]) < _e637[0]))));
+                                let _e625 = phi_720_;
+                                let _e628 = (2u * (_e336 + _e375));
+                                let _e631 = atomicAdd((&global_10.member[_e628]), _e625[0]);
+                                let _e639 = atomicAdd((&global_10.member[(_e628 + 1u)]), (_e625[1] + select(0u, 1u, ((_e631 + _e625[0]) < _e625[0]))));
                             }
-                            let _e652 = (_e387 * (_e219 * _e211));
+                            let _e640 = (_e387 * (_e219 * _e211));
                             if _e109 {
-                                let _e654 = (_e652 < 0f);
-                                if _e654 {
-                                    phi_767_ = -(_e652);
+                                let _e642 = abs(_e640);
+                                let _e644 = u32((_e642 * 0.00000000023283064f));
+                                let _e647 = (_e642 - (f32(_e644) * 4294967300f));
+                                let _e648 = u32(_e647);
+                                if ((_e647 - f32(_e648)) >= 0.5f) {
+                                    phi_747_ = (_e648 + 1u);
                                 } else {
-                                    phi_767_ = _e652;
+                                    phi_747_ = _e648;
                                 }
-                                let _e657 = phi_767_;
-                                let _e659 = u32((_e657 * 0.00000000023283064f));
-                                let _e662 = (_e657 - (f32(_e659) * 4294967300f));
-                                let _e663 = u32(_e662);
-                                if ((_e662 - f32(_e663)) >= 0.5f) {
-                                    phi_777_ = (_e663 + 1u);
-                                } else {
-                                    phi_777_ = _e663;
-                                }
-                                let _e669 = phi_777_;
-                                if _e654 {
-                                    let _e672 = (~(_e669) + 1u);
-                                    if (_e672 == 0u) {
-                                        phi_791_ = (~(_e659) + 1u);
+                                let _e654 = phi_747_;
+                                if (_e640 < 0f) {
+                                    let _e658 = (~(_e654) + 1u);
+                                    if (_e658 == 0u) {
+                                        phi_762_ = (~(_e644) + 1u);
                                     } else {
-                                        phi_791_ = ~(_e659);
+                                        phi_762_ = ~(_e644);
                                     }
-                                    let _e678 = phi_791_;
-                                    phi_793_ = array<u32, 2>(_e672, _e678);
+                                    let _e664 = phi_762_;
+                                    phi_764_ = array<u32, 2>(_e658, _e664);
                                 } else {
-                                    phi_793_ = array<u32, 2>(_e669, _e659);
+                                    phi_764_ = array<u32, 2>(_e654, _e644);
                                 }
-                                let _e681 = phi_793_;
-                                let _e684 = (2u * (_e337 + _e375));
-                                let _e687 = atomicAdd((&global_10.member[_e684]), _e681[0]);
-                                let _e695 = atomicAdd((&global_10.member[(_e684 + 1u)]), (_e681[1] + select(0u, 1u, ((_e687 + _e681[0]) < _e681[0]))));
+                                let _e667 = phi_764_;
+                                let _e670 = (2u * (_e337 + _e375));
+                                let _e673 = atomicAdd((&global_10.member[_e670]), _e667[0]);
+                                let _e681 = atomicAdd((&global_10.member[(_e670 + 1u)]), (_e667[1] + select(0u, 1u, ((_e673 + _e667[0]) < _e667[0]))));
                             }
-                            let _e696 = (_e387 * (_e220 * _e211));
+                            let _e682 = (_e387 * (_e220 * _e211));
                             if _e109 {
-                                let _e698 = (_e696 < 0f);
-                                if _e698 {
-                                    phi_814_ = -(_e696);
+                                let _e684 = abs(_e682);
+                                let _e686 = u32((_e684 * 0.00000000023283064f));
+                                let _e689 = (_e684 - (f32(_e686) * 4294967300f));
+                                let _e690 = u32(_e689);
+                                if ((_e689 - f32(_e690)) >= 0.5f) {
+                                    phi_791_ = (_e690 + 1u);
                                 } else {
-                                    phi_814_ = _e696;
+                                    phi_791_ = _e690;
                                 }
-                                let _e701 = phi_814_;
-                                let _e703 = u32((_e701 * 0.00000000023283064f));
-                                let _e706 = (_e701 - (f32(_e703) * 4294967300f));
-                                let _e707 = u32(_e706);
-                                if ((_e706 - f32(_e707)) >= 0.5f) {
-                                    phi_824_ = (_e707 + 1u);
-                                } else {
-                                    phi_824_ = _e707;
-                                }
-                                let _e713 = phi_824_;
-                                if _e698 {
-                                    let _e716 = (~(_e713) + 1u);
-                                    if (_e716 == 0u) {
-                                        phi_838_ = (~(_e703) + 1u);
+                                let _e696 = phi_791_;
+                                if (_e682 < 0f) {
+                                    let _e700 = (~(_e696) + 1u);
+                                    if (_e700 == 0u) {
+                                        phi_806_ = (~(_e686) + 1u);
                                     } else {
-                                        phi_838_ = ~(_e703);
+                                        phi_806_ = ~(_e686);
                                     }
-                                    let _e722 = phi_838_;
-                                    phi_840_ = array<u32, 2>(_e716, _e722);
+                                    let _e706 = phi_806_;
+                                    phi_808_ = array<u32, 2>(_e700, _e706);
                                 } else {
-                                    phi_840_ = array<u32, 2>(_e713, _e703);
+                                    phi_808_ = array<u32, 2>(_e696, _e686);
                                 }
-                                let _e725 = phi_840_;
-                                let _e728 = (2u * (_e338 + _e375));
-                                let _e731 = atomicAdd((&global_10.member[_e728]), _e725[0]);
-                                let _e739 = atomicAdd((&global_10.member[(_e728 + 1u)]), (_e725[1] + select(0u, 1u, ((_e731 + _e725[0]) < _e725[0]))));
+                                let _e709 = phi_808_;
+                                let _e712 = (2u * (_e338 + _e375));
+                                let _e715 = atomicAdd((&global_10.member[_e712]), _e709[0]);
+                                let _e723 = atomicAdd((&global_10.member[(_e712 + 1u)]), (_e709[1] + select(0u, 1u, ((_e715 + _e709[0]) < _e709[0]))));
                             }
                             local_7 = (_e375 + 1u);
                             local_8 = (_e377 + _e64);
@@ -587,10 +531,10 @@ fn function_() {
                             break;
                         }
                         continuing {
-                            let _e760 = local_7;
-                            phi_463_ = _e760;
-                            let _e763 = local_8;
-                            phi_466_ = _e763;
+                            let _e744 = local_7;
+                            phi_455_ = _e744;
+                            let _e747 = local_8;
+                            phi_458_ = _e747;
                         }
                     }
                 }

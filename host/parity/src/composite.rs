@@ -216,6 +216,9 @@ impl Parity for Composite {
             let slack = 1e-6
                 * terms.iter().map(|t| t.abs()).sum::<f64>()
                 * d(dx, pixel[0]).max(d(dy, pixel[1]));
+            // a conic may be flushed, and what it is multiplied with is large where it is
+            let [xx, xy, yy] = [conic.x, conic.y, conic.z].map(|c| c.abs().min(TINY.into()));
+            let slack = slack + xx * dx * dx + 2.0 * xy * (dx * dy).abs() + yy * dy * dy;
             let q: f64 = terms.iter().sum();
             let weight = placed.z * if channel == 3 { 1.0 } else { color[channel].abs() };
             scale += weight * falloff(q);

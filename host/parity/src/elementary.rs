@@ -63,7 +63,11 @@ impl Parity for Elementary {
             5 if x != 0.0 && x.abs() < f64::from(TINY) => Bound { scale: 0.0, floor: 1.0 },
             5 | 6 => Bound::EXACT,
             7 | 8 => Bound::relative_to(0.0),
-            _ => Bound::relative_to(3.0 * (x.abs() + p.abs() * (x.abs() + y.abs()))),
+            // x, y, the product and the sum may be flushed
+            _ => Bound {
+                scale: 3.0 * (x.abs() + p.abs() * (x.abs() + y.abs())),
+                floor: f64::from(TINY) * (2.0 + 2.0 * p.abs()),
+            },
         }
     }
 }

@@ -67,6 +67,12 @@ impl Parity for HashGridPeak {
         Ok(numbers(runner.run(&self.kernel(), self.params.pairs, 1)?))
     }
 
+    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
+        // what may be flushed: a gradient times T, before the power
+        let power = if self.params.color == 1 { 1.0 } else { f64::from(self.params.power) };
+        Bound { scale: cpu.floats()[index].abs(), floor: f64::from(TINY) * power }
+    }
+
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let of_pair = |(pair, &t): (&[Vec4], &f32)| match self.params.color == 1 {
             true => color_bound(pair[2].as_dvec4().truncate().to_array()),

@@ -246,8 +246,8 @@ impl Parity for SplatBackward {
         let opacity = f64::from(self.opacity[(slot % self.params.gaussians) as usize]);
         let [s, rest] = [-opacity, opacity].map(|x| 1.0 / (1.0 + x.exp()));
         let size = 1.0 + opacity.abs().min(100.0);
-        // what may be flushed: a sigmoid
-        let floor = f64::from(TINY) * (1.0 + sum(2));
+        // what may be flushed: each term, and a sigmoid
+        let floor = f64::from(TINY) * (self.members(slot).len() as f64 + sum(2));
         let scale = match part {
             2 => sum(2) * f64::from(self.transmittance[pair]) * s * rest * 2.0 * size,
             3 => sum(2) * s * size,

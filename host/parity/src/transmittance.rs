@@ -316,7 +316,9 @@ impl Parity for TransmittanceHead {
         let is_lost = terms * Self::TOLERANCE > 0.1;
         let scale =
             if is_lost { log_rho + 3.0 * factor * terms } else { log_rho * (1.0 + 3.0 * terms) };
-        Bound { scale, floor: floor + f64::from(TINY) * (1.0 + log_rho) }
+        // a factor may be flushed, and the logarithm is as large as the terms
+        let flushed = f64::from(self.factor[sample].min(TINY)) * (1.0 + terms);
+        Bound { scale, floor: floor + f64::from(TINY) * (1.0 + log_rho) + flushed }
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {

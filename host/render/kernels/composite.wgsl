@@ -41,35 +41,34 @@ var<storage> global_7: type_5;
 var<storage, read_write> global_8: type_26;
 
 fn function_() {
-    var phi_108_: bool;
+    var phi_107_: bool;
+    var phi_159_: f32;
     var phi_160_: f32;
     var phi_161_: f32;
     var phi_162_: f32;
-    var phi_163_: f32;
-    var phi_171_: u32;
-    var phi_180_: u32;
+    var phi_170_: u32;
+    var phi_179_: u32;
+    var phi_193_: f32;
+    var phi_196_: f32;
+    var phi_198_: f32;
+    var phi_200_: f32;
+    var phi_202_: u32;
+    var phi_208_: u32;
     var phi_194_: f32;
     var phi_197_: f32;
     var phi_199_: f32;
     var phi_201_: f32;
-    var phi_203_: u32;
-    var phi_209_: u32;
-    var phi_195_: f32;
-    var phi_198_: f32;
-    var phi_200_: f32;
-    var phi_202_: f32;
-    var phi_250_: f32;
-    var phi_253_: bool;
-    var phi_254_: bool;
-    var phi_255_: bool;
-    var phi_281_: f32;
-    var phi_282_: f32;
-    var phi_283_: f32;
-    var phi_284_: f32;
+    var phi_248_: bool;
+    var phi_249_: bool;
+    var phi_250_: bool;
+    var phi_276_: f32;
+    var phi_277_: f32;
+    var phi_278_: f32;
+    var phi_279_: f32;
+    var phi_211_: f32;
     var phi_212_: f32;
     var phi_213_: f32;
     var phi_214_: f32;
-    var phi_215_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
@@ -92,11 +91,11 @@ fn function_() {
             let _e39 = ((_e28.y * 4u) + _e27.y);
             let _e42 = global_5.member.member;
             if (_e37 < _e42) {
-                phi_108_ = (_e39 < _e42);
+                phi_107_ = (_e39 < _e42);
             } else {
-                phi_108_ = false;
+                phi_107_ = false;
             }
-            let _e46 = phi_108_;
+            let _e46 = phi_107_;
             if _e46 {
                 let _e47 = select(0u, _e39, _e46);
                 let _e48 = select(0u, _e37, _e46);
@@ -118,68 +117,68 @@ fn function_() {
                     let _e92 = global_8.member[(_e85 + _e81)];
                     let _e97 = global_8.member[(_e85 + (2u * _e81))];
                     let _e102 = global_8.member[(_e85 + (3u * _e81))];
-                    phi_160_ = _e102;
-                    phi_161_ = _e97;
-                    phi_162_ = _e92;
-                    phi_163_ = _e88;
+                    phi_159_ = _e102;
+                    phi_160_ = _e97;
+                    phi_161_ = _e92;
+                    phi_162_ = _e88;
                 } else {
+                    phi_159_ = 0f;
                     phi_160_ = 0f;
                     phi_161_ = 0f;
                     phi_162_ = 0f;
-                    phi_163_ = 0f;
                 }
-                let _e104 = phi_160_;
-                let _e106 = phi_161_;
-                let _e108 = phi_162_;
-                let _e110 = phi_163_;
+                let _e104 = phi_159_;
+                let _e106 = phi_160_;
+                let _e108 = phi_161_;
+                let _e110 = phi_162_;
                 let _e111 = (_e42 / 64u);
                 if ((_e42 % 64u) > 0u) {
-                    phi_171_ = (_e111 + 1u);
+                    phi_170_ = (_e111 + 1u);
                 } else {
-                    phi_171_ = _e111;
+                    phi_170_ = _e111;
                 }
-                let _e116 = phi_171_;
+                let _e116 = phi_170_;
                 let _e117 = (_e116 * 16u);
                 let _e118 = (_e42 / 8u);
                 if ((_e42 % 8u) > 0u) {
-                    phi_180_ = (_e118 + 1u);
+                    phi_179_ = (_e118 + 1u);
                 } else {
-                    phi_180_ = _e118;
+                    phi_179_ = _e118;
                 }
-                let _e123 = phi_180_;
+                let _e123 = phi_179_;
                 if (_e123 == 0u) {
                     break;
                 }
                 if (_e117 == 0u) {
                     break;
                 }
-                phi_194_ = _e104;
-                phi_197_ = _e106;
-                phi_199_ = _e108;
-                phi_201_ = _e110;
-                phi_203_ = _e73;
+                phi_193_ = _e104;
+                phi_196_ = _e106;
+                phi_198_ = _e108;
+                phi_200_ = _e110;
+                phi_202_ = _e73;
                 loop {
-                    let _e134 = phi_194_;
-                    let _e136 = phi_197_;
-                    let _e138 = phi_199_;
-                    let _e140 = phi_201_;
-                    let _e142 = phi_203_;
+                    let _e134 = phi_193_;
+                    let _e136 = phi_196_;
+                    let _e138 = phi_198_;
+                    let _e140 = phi_200_;
+                    let _e142 = phi_202_;
                     local = _e140;
                     local_1 = _e138;
                     local_2 = _e136;
                     local_3 = _e134;
                     if (_e142 < _e80) {
-                        phi_209_ = 0u;
-                        phi_195_ = _e134;
-                        phi_198_ = _e136;
-                        phi_200_ = _e138;
-                        phi_202_ = _e140;
+                        phi_208_ = 0u;
+                        phi_194_ = _e134;
+                        phi_197_ = _e136;
+                        phi_199_ = _e138;
+                        phi_201_ = _e140;
                         loop {
-                            let _e146 = phi_209_;
-                            let _e148 = phi_195_;
-                            let _e150 = phi_198_;
-                            let _e152 = phi_200_;
-                            let _e154 = phi_202_;
+                            let _e146 = phi_208_;
+                            let _e148 = phi_194_;
+                            let _e150 = phi_197_;
+                            let _e152 = phi_199_;
+                            let _e154 = phi_201_;
                             local_4 = _e148;
                             local_5 = _e150;
                             local_6 = _e152;
@@ -188,10 +187,10 @@ fn function_() {
                                 let _e156 = (_e142 + _e146);
                                 let _e158 = global_3.member[_e156];
                                 if ((_e158 & (1u << bitcast<u32>(((((_e47 / _e123) * 4u) + (_e48 / _e117)) & 31u)))) == 0u) {
-                                    phi_212_ = _e148;
-                                    phi_213_ = _e150;
-                                    phi_214_ = _e152;
-                                    phi_215_ = _e154;
+                                    phi_211_ = _e148;
+                                    phi_212_ = _e150;
+                                    phi_213_ = _e152;
+                                    phi_214_ = _e154;
                                 } else {
                                     let _e162 = global_2.member[_e156];
                                     let _e163 = (_e162 * 3u);
@@ -199,78 +198,71 @@ fn function_() {
                                     let _e168 = global_4.member[(_e163 + 1u)];
                                     let _e170 = (_e62 - _e165.x);
                                     if (_e170 > _e165.w) {
-                                        phi_254_ = bool();
-                                        phi_255_ = true;
+                                        phi_249_ = bool();
+                                        phi_250_ = true;
                                     } else {
                                         let _e174 = ((_e165.x - _e62) > _e165.w);
                                         if _e174 {
-                                            phi_253_ = bool();
+                                            phi_248_ = bool();
                                         } else {
-                                            let _e176 = (_e66 - _e165.y);
-                                            if (_e176 < 0f) {
-                                                phi_250_ = -(_e176);
-                                            } else {
-                                                phi_250_ = _e176;
-                                            }
-                                            let _e180 = phi_250_;
-                                            phi_253_ = (_e180 > _e168.w);
+                                            phi_248_ = (abs((_e66 - _e165.y)) > _e168.w);
                                         }
-                                        let _e184 = phi_253_;
-                                        phi_254_ = _e184;
-                                        phi_255_ = _e174;
+                                        let _e181 = phi_248_;
+                                        phi_249_ = _e181;
+                                        phi_250_ = _e174;
                                     }
-                                    let _e186 = phi_254_;
-                                    let _e188 = phi_255_;
-                                    if !(select(_e186, true, _e188)) {
-                                        let _e192 = (_e66 - _e165.y);
-                                        let _e197 = ((_e168.y * _e170) * _e192);
-                                        let _e204 = ((((_e168.x * _e170) * _e170) + (_e197 + _e197)) + ((_e168.z * _e192) * _e192));
-                                        let _e210 = (_e204 <= 11.082527f);
-                                        let _e212 = (_e165.z * select(0f, exp((-0.5f * select(0f, _e204, (_e204 > 0f)))), _e210));
-                                        let _e215 = global_4.member[(_e163 + 2u)];
-                                        phi_281_ = (_e148 + select(0f, _e212, _e210));
-                                        phi_282_ = (_e150 + select(0f, (_e212 * _e215.z), _e210));
-                                        phi_283_ = (_e152 + select(0f, (_e212 * _e215.y), _e210));
-                                        phi_284_ = (_e154 + select(0f, (_e212 * _e215.x), _e210));
+                                    let _e183 = phi_249_;
+                                    let _e185 = phi_250_;
+                                    if !(select(_e183, true, _e185)) {
+                                        let _e189 = (_e66 - _e165.y);
+                                        let _e194 = ((_e168.y * _e170) * _e189);
+                                        let _e201 = ((((_e168.x * _e170) * _e170) + (_e194 + _e194)) + ((_e168.z * _e189) * _e189));
+                                        let _e207 = (_e201 <= 11.082527f);
+                                        let _e209 = (_e165.z * select(0f, exp((-0.5f * select(0f, _e201, (_e201 > 0f)))), _e207));
+                                        let _e212 = global_4.member[(_e163 + 2u)];
+                                        phi_276_ = (_e148 + select(0f, _e209, _e207));
+                                        phi_277_ = (_e150 + select(0f, (_e209 * _e212.z), _e207));
+                                        phi_278_ = (_e152 + select(0f, (_e209 * _e212.y), _e207));
+                                        phi_279_ = (_e154 + select(0f, (_e209 * _e212.x), _e207));
                                     } else {
-                                        phi_281_ = _e148;
-                                        phi_282_ = _e150;
-                                        phi_283_ = _e152;
-                                        phi_284_ = _e154;
+                                        phi_276_ = _e148;
+                                        phi_277_ = _e150;
+                                        phi_278_ = _e152;
+                                        phi_279_ = _e154;
                                     }
-                                    let _e231 = phi_281_;
-                                    let _e233 = phi_282_;
-                                    let _e235 = phi_283_;
-                                    let _e237 = phi_284_;
-                                    phi_212_ = _e231;
-                                    phi_213_ = _e233;
-                                    phi_214_ = _e235;
-                                    phi_215_ = _e237;
+                                    let _e228 = phi_276_;
+                                    let _e230 = phi_277_;
+                                    let _e232 = phi_278_;
+                                    let _e234 = phi_279_;
+                                    phi_211_ = _e228;
+                                    phi_212_ = _e230;
+                                    phi_213_ = _e232;
+                                    phi_214_ = _e234;
                                 }
-                                let _e239 = phi_212_;
-                                let _e241 = phi_213_;
-                                let _e243 = phi_214_;
-                                let _e245 = phi_215_;
+                                let _e236 = phi_211_;
+                                let _e238 = phi_212_;
+                                let _e240 = phi_213_;
+                                let _e242 = phi_214_;
                                 local_8 = (_e146 + 1u);
-                                local_9 = _e239;
-                                local_10 = _e241;
-                                local_11 = _e243;
-                                local_12 = _e245;
+                                local_9 = _e236;
+                                local_10 = _e238;
+                                local_11 = _e240;
+                                local_12 = _e242;
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e290 = local_8;
-                                phi_209_ = _e290;
-                                let _e293 = local_9;
-                                phi_195_ = _e293;
-                                let _e296 = local_10;
-                                phi_198_ = _e296;
-                                let _e299 = local_11;
-                                phi_200_ = _e299;
-                                let _e302 = local_12;
-                                phi_202_ = _e302;
+                                let _e287 = local_8;
+                                phi_208_ = _e287;
+                                let _e290 = local_9;
+                                phi_194_ = _e290;
+                                let _e293 = local_10;
+                                phi_197_ = _e293;
+                                let _e296 = local_11;
+                                phi_199_ = _e296;
+                                let _e299 = local_12;
+                                phi_201_ = _e299;
                             }
                         }
                         continue;
@@ -278,26 +270,26 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e277 = local_4;
-                        phi_194_ = _e277;
-                        let _e280 = local_5;
-                        phi_197_ = _e280;
-                        let _e283 = local_6;
-                        phi_199_ = _e283;
-                        let _e286 = local_7;
-                        phi_201_ = _e286;
-                        phi_203_ = _e80;
+                        let _e274 = local_4;
+                        phi_193_ = _e274;
+                        let _e277 = local_5;
+                        phi_196_ = _e277;
+                        let _e280 = local_6;
+                        phi_198_ = _e280;
+                        let _e283 = local_7;
+                        phi_200_ = _e283;
+                        phi_202_ = _e80;
                     }
                 }
                 if _e46 {
-                    let _e250 = local;
-                    global_8.member[_e85] = _e250;
-                    let _e255 = local_1;
-                    global_8.member[(_e85 + _e81)] = _e255;
-                    let _e261 = local_2;
-                    global_8.member[(_e85 + (2u * _e81))] = _e261;
-                    let _e267 = local_3;
-                    global_8.member[(_e85 + (3u * _e81))] = _e267;
+                    let _e247 = local;
+                    global_8.member[_e85] = _e247;
+                    let _e252 = local_1;
+                    global_8.member[(_e85 + _e81)] = _e252;
+                    let _e258 = local_2;
+                    global_8.member[(_e85 + (2u * _e81))] = _e258;
+                    let _e264 = local_3;
+                    global_8.member[(_e85 + (3u * _e81))] = _e264;
                 }
             }
             break;

@@ -25,8 +25,6 @@ var<storage> global_6: type_11;
 var<storage, read_write> global_7: type_11;
 
 fn function_() {
-    var phi_220_: f32;
-
     let _e43 = global;
     let _e44 = global_1;
     let _e45 = global_2;
@@ -74,15 +72,9 @@ fn function_() {
         global_7.member[((5u * _e56) + _e53)] = select(_e183, _e185, (_e60 < _e183));
         let _e191 = (_e60 - _e183);
         global_7.member[((6u * _e56) + _e53)] = select(select(_e183, (_e183 + 1f), (0.5f <= _e191)), _e185, (_e191 <= -0.5f));
-        if (_e60 < 0f) {
-            phi_220_ = -(_e60);
-        } else {
-            phi_220_ = _e60;
-        }
-        let _e204 = phi_220_;
-        global_7.member[((7u * _e56) + _e53)] = _e204;
-        let _e210 = select(0f, _e60, (_e60 > 0f));
-        global_7.member[((8u * _e56) + _e53)] = select(1f, _e210, (_e210 < 1f));
+        global_7.member[((7u * _e56) + _e53)] = abs(_e60);
+        let _e207 = select(0f, _e60, (_e60 > 0f));
+        global_7.member[((8u * _e56) + _e53)] = select(1f, _e207, (_e207 < 1f));
         global_7.member[((9u * _e56) + _e53)] = (_e60 + (_e66 * (_e63 - _e60)));
     }
     return;

@@ -58,48 +58,40 @@ var<storage, read_write> global_9: type_26;
 var<storage, read_write> global_10: type_26;
 
 fn function_() {
-    var phi_203_: u32;
-    var phi_206_: u32;
-    var phi_208_: f32;
-    var phi_210_: f32;
+    var phi_195_: u32;
+    var phi_198_: u32;
+    var phi_200_: f32;
+    var phi_202_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_395_: array<u32, 8>;
-    var phi_463_: u32;
-    var phi_466_: u32;
-    var phi_485_: f32;
-    var phi_495_: u32;
-    var phi_509_: u32;
-    var phi_511_: array<u32, 2>;
-    var phi_537_: f32;
+    var phi_387_: array<u32, 8>;
+    var phi_455_: u32;
+    var phi_458_: u32;
+    var phi_483_: u32;
+    var phi_498_: u32;
+    var phi_500_: array<u32, 2>;
+    var phi_532_: u32;
     var phi_547_: u32;
-    var phi_561_: u32;
-    var phi_563_: array<u32, 2>;
-    var phi_589_: f32;
-    var phi_599_: u32;
-    var phi_613_: u32;
-    var phi_615_: array<u32, 2>;
-    var phi_641_: f32;
-    var phi_651_: u32;
-    var phi_665_: u32;
-    var phi_667_: array<u32, 2>;
-    var phi_693_: f32;
-    var phi_703_: u32;
-    var phi_717_: u32;
-    var phi_719_: array<u32, 2>;
-    var phi_745_: f32;
-    var phi_755_: u32;
-    var phi_769_: u32;
-    var phi_771_: array<u32, 2>;
-    var phi_797_: f32;
-    var phi_807_: u32;
-    var phi_821_: u32;
-    var phi_823_: array<u32, 2>;
-    var phi_849_: f32;
-    var phi_859_: u32;
-    var phi_873_: u32;
-    var phi_875_: array<u32, 2>;
+    var phi_549_: array<u32, 2>;
+    var phi_581_: u32;
+    var phi_596_: u32;
+    var phi_598_: array<u32, 2>;
+    var phi_630_: u32;
+    var phi_645_: u32;
+    var phi_647_: array<u32, 2>;
+    var phi_679_: u32;
+    var phi_694_: u32;
+    var phi_696_: array<u32, 2>;
+    var phi_728_: u32;
+    var phi_743_: u32;
+    var phi_745_: array<u32, 2>;
+    var phi_777_: u32;
+    var phi_792_: u32;
+    var phi_794_: array<u32, 2>;
+    var phi_826_: u32;
+    var phi_841_: u32;
+    var phi_843_: array<u32, 2>;
     var local_3: u32;
     var local_4: u32;
     var local_5: f32;
@@ -128,15 +120,15 @@ fn function_() {
                 let _e68 = (_e38 - (_e61 * _e59));
                 let _e72 = ((((_e61 * (_e56 * _e64)) + _e68) + _e30.x) + ((_e51 + (_e31.z * _e47)) * _e64));
                 let _e75 = global_4.member[2u];
-                phi_203_ = 0u;
-                phi_206_ = _e72;
-                phi_208_ = 0f;
-                phi_210_ = 0f;
+                phi_195_ = 0u;
+                phi_198_ = _e72;
+                phi_200_ = 0f;
+                phi_202_ = 0f;
                 loop {
-                    let _e77 = phi_203_;
-                    let _e79 = phi_206_;
-                    let _e81 = phi_208_;
-                    let _e83 = phi_210_;
+                    let _e77 = phi_195_;
+                    let _e79 = phi_198_;
+                    let _e81 = phi_200_;
+                    let _e83 = phi_202_;
                     local = _e81;
                     local_1 = _e83;
                     local_2 = _e81;
@@ -153,14 +145,14 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e752 = local_3;
-                        phi_203_ = _e752;
-                        let _e755 = local_4;
-                        phi_206_ = _e755;
-                        let _e758 = local_5;
-                        phi_208_ = _e758;
-                        let _e761 = local_6;
-                        phi_210_ = _e761;
+                        let _e736 = local_3;
+                        phi_195_ = _e736;
+                        let _e739 = local_4;
+                        phi_198_ = _e739;
+                        let _e742 = local_5;
+                        phi_200_ = _e742;
+                        let _e745 = local_6;
+                        phi_202_ = _e745;
                     }
                 }
                 let _e98 = local;
@@ -243,7 +235,7 @@ fn function_() {
                         let _e305 = (_e282 + _e275);
                         let _e310 = (_e288 + _e275);
                         let _e315 = (_e294 + _e275);
-                        phi_395_ = array<u32, 8>((select((_e277 - _e112.member_4), _e277, (_e277 < _e112.member_4)) + _e112.member_3), (select((_e283 - _e112.member_4), _e283, (_e283 < _e112.member_4)) + _e112.member_3), (select((_e289 - _e112.member_4), _e289, (_e289 < _e112.member_4)) + _e112.member_3), (select((_e295 - _e112.member_4), _e295, (_e295 < _e112.member_4)) + _e112.member_3), (select((_e300 - _e112.member_4), _e300, (_e300 < _e112.member_4)) + _e112.member_3), (select((_e305 - _e112.member_4), _e305, (_e305 < _e112.member_4)) + _e112.member_3), (select((_e310 - _e112.member_4), _e310, (_e310 < _e112.member_4)) + _e112.member_3), (select((_e315 - _e112.member_4), _e315, (_e315 < _e112.member_4)) + _e112.member_3));
+                        phi_387_ = array<u32, 8>((select((_e277 - _e112.member_4), _e277, (_e277 < _e112.member_4)) + _e112.member_3), (select((_e283 - _e112.member_4), _e283, (_e283 < _e112.member_4)) + _e112.member_3), (select((_e289 - _e112.member_4), _e289, (_e289 < _e112.member_4)) + _e112.member_3), (select((_e295 - _e112.member_4), _e295, (_e295 < _e112.member_4)) + _e112.member_3), (select((_e300 - _e112.member_4), _e300, (_e300 < _e112.member_4)) + _e112.member_3), (select((_e305 - _e112.member_4), _e305, (_e305 < _e112.member_4)) + _e112.member_3), (select((_e310 - _e112.member_4), _e310, (_e310 < _e112.member_4)) + _e112.member_3), (select((_e315 - _e112.member_4), _e315, (_e315 < _e112.member_4)) + _e112.member_3));
                     } else {
                         let _e233 = (_e112.member_4 - 1u);
                         let _e234 = (_e191 * 2654435761u);
@@ -255,9 +247,9 @@ fn function_() {
                         let _e243 = (_e236 ^ _e234);
                         let _e247 = (_e169 ^ _e237);
                         let _e251 = (_e236 ^ _e237);
-                        phi_395_ = array<u32, 8>((((_e239 ^ _e235) & _e233) + _e112.member_3), (((_e243 ^ _e235) & _e233) + _e112.member_3), (((_e247 ^ _e235) & _e233) + _e112.member_3), (((_e251 ^ _e235) & _e233) + _e112.member_3), (((_e239 ^ _e238) & _e233) + _e112.member_3), (((_e243 ^ _e238) & _e233) + _e112.member_3), (((_e247 ^ _e238) & _e233) + _e112.member_3), (((_e251 ^ _e238) & _e233) + _e112.member_3));
+                        phi_387_ = array<u32, 8>((((_e239 ^ _e235) & _e233) + _e112.member_3), (((_e243 ^ _e235) & _e233) + _e112.member_3), (((_e247 ^ _e235) & _e233) + _e112.member_3), (((_e251 ^ _e235) & _e233) + _e112.member_3), (((_e239 ^ _e238) & _e233) + _e112.member_3), (((_e243 ^ _e238) & _e233) + _e112.member_3), (((_e247 ^ _e238) & _e233) + _e112.member_3), (((_e251 ^ _e238) & _e233) + _e112.member_3));
                     }
-                    let _e322 = phi_395_;
+                    let _e322 = phi_387_;
                     let _e331 = (_e322[0] * _e47);
                     let _e332 = (_e322[1] * _e47);
                     let _e333 = (_e322[2] * _e47);
@@ -291,325 +283,277 @@ fn function_() {
                         let _e370 = atomicMax((&global_9.member[(_e338 / 64u)]), 1u);
                     }
                     let _e373 = global_4.member[0u];
-                    phi_463_ = 0u;
-                    phi_466_ = _e72;
+                    phi_455_ = 0u;
+                    phi_458_ = _e72;
                     loop {
-                        let _e375 = phi_463_;
-                        let _e377 = phi_466_;
+                        let _e375 = phi_455_;
+                        let _e377 = phi_458_;
                         if (_e375 < _e47) {
                             let _e381 = global_5.member[_e377];
                             let _e382 = -(_e381);
                             let _e387 = select(0f, (_e381 * _e373), (0.000000000000000000000000000000000000011754944f <= select(_e382, _e381, (_e381 > _e382))));
                             let _e388 = (_e387 * (_e217 * _e216));
                             if _e109 {
-                                let _e390 = (_e388 < 0f);
-                                if _e390 {
-                                    phi_485_ = -(_e388);
+                                let _e390 = abs(_e388);
+                                let _e392 = u32((_e390 * 0.00000000023283064f));
+                                let _e395 = (_e390 - (f32(_e392) * 4294967300f));
+                                let _e396 = u32(_e395);
+                                if ((_e395 - f32(_e396)) >= 0.5f) {
+                                    phi_483_ = (_e396 + 1u);
                                 } else {
-                                    phi_485_ = _e388;
+                                    phi_483_ = _e396;
                                 }
-                                let _e393 = phi_485_;
-                                let _e395 = u32((_e393 * 0.00000000023283064f));
-                                let _e398 = (_e393 - (f32(_e395) * 4294967300f));
-                                let _e399 = u32(_e398);
-                                if ((_e398 - f32(_e399)) >= 0.5f) {
-                                    phi_495_ = (_e399 + 1u);
-                                } else {
-                                    phi_495_ = _e399;
-                                }
-                                let _e405 = phi_495_;
-                                if _e390 {
-                                    let _e408 = (~(_e405) + 1u);
-                                    if (_e408 == 0u) {
-                                        phi_509_ = (~(_e395) + 1u);
+                                let _e402 = phi_483_;
+                                if (_e388 < 0f) {
+                                    let _e406 = (~(_e402) + 1u);
+                                    if (_e406 == 0u) {
+                                        phi_498_ = (~(_e392) + 1u);
                                     } else {
-                                        phi_509_ = ~(_e395);
+                                        phi_498_ = ~(_e392);
                                     }
-                                    let _e414 = phi_509_;
-                                    phi_511_ = array<u32, 2>(_e408, _e414);
+                                    let _e412 = phi_498_;
+                                    phi_500_ = array<u32, 2>(_e406, _e412);
                                 } else {
-                                    phi_511_ = array<u32, 2>(_e405, _e395);
+                                    phi_500_ = array<u32, 2>(_e402, _e392);
                                 }
-                                let _e417 = phi_511_;
-                                let _e420 = (2u * (_e331 + _e375));
-                                let _e423 = atomicAdd((&global_10.member[_e420]), _e417[0]);
-                                let _e427 = (_e417[1] + select(0u, 1u, ((_e423 + _e417[0]) < _e417[0])));
-                                if (_e427 == 0u) {
+                                let _e415 = phi_500_;
+                                let _e418 = (2u * (_e331 + _e375));
+                                let _e421 = atomicAdd((&global_10.member[_e418]), _e415[0]);
+                                let _e425 = (_e415[1] + select(0u, 1u, ((_e421 + _e415[0]) < _e415[0])));
+                                if (_e425 == 0u) {
                                 } else {
-                                    let _e432 = atomicAdd((&global_10.member[(_e420 + 1u)]), _e427);
+                                    let _e430 = atomicAdd((&global_10.member[(_e418 + 1u)]), _e425);
                                 }
                             }
-                            let _e433 = (_e387 * (_e218 * _e216));
+                            let _e431 = (_e387 * (_e218 * _e216));
                             if _e109 {
-                                let _e435 = (_e433 < 0f);
-                                if _e435 {
-                                    phi_537_ = -(_e433);
+                                let _e433 = abs(_e431);
+                                let _e435 = u32((_e433 * 0.00000000023283064f));
+                                let _e438 = (_e433 - (f32(_e435) * 4294967300f));
+                                let _e439 = u32(_e438);
+                                if ((_e438 - f32(_e439)) >= 0.5f) {
+                                    phi_532_ = (_e439 + 1u);
                                 } else {
-                                    phi_537_ = _e433;
+                                    phi_532_ = _e439;
                                 }
-                                let _e438 = phi_537_;
-                                let _e440 = u32((_e438 * 0.00000000023283064f));
-                                let _e443 = (_e438 - (f32(_e440) * 4294967300f));
-                                let _e444 = u32(_e443);
-                                if ((_e443 - f32(_e444)) >= 0.5f) {
-                                    phi_547_ = (_e444 + 1u);
-                                } else {
-                                    phi_547_ = _e444;
-                                }
-                                let _e450 = phi_547_;
-                                if _e435 {
-                                    let _e453 = (~(_e450) + 1u);
-                                    if (_e453 == 0u) {
-                                        phi_561_ = (~(_e440) + 1u);
+                                let _e445 = phi_532_;
+                                if (_e431 < 0f) {
+                                    let _e449 = (~(_e445) + 1u);
+                                    if (_e449 == 0u) {
+                                        phi_547_ = (~(_e435) + 1u);
                                     } else {
-                                        phi_561_ = ~(_e440);
+                                        phi_547_ = ~(_e435);
                                     }
-                                    let _e459 = phi_561_;
-                                    phi_563_ = array<u32, 2>(_e453, _e459);
+                                    let _e455 = phi_547_;
+                                    phi_549_ = array<u32, 2>(_e449, _e455);
                                 } else {
-                                    phi_563_ = array<u32, 2>(_e450, _e440);
+                                    phi_549_ = array<u32, 2>(_e445, _e435);
                                 }
-                                let _e462 = phi_563_;
-                                let _e465 = (2u * (_e332 + _e375));
-                                let _e468 = atomicAdd((&global_10.member[_e465]), _e462[0]);
-                                let _e472 = (_e462[1] + select(0u, 1u, ((_e468 + _e462[0]) < _e462[0])));
-                                if (_e472 == 0u) {
+                                let _e458 = phi_549_;
+                                let _e461 = (2u * (_e332 + _e375));
+                                let _e464 = atomicAdd((&global_10.member[_e461]), _e458[0]);
+                                let _e468 = (_e458[1] + select(0u, 1u, ((_e464 + _e458[0]) < _e458[0])));
+                                if (_e468 == 0u) {
                                 } else {
-                                    let _e477 = atomicAdd((&global_10.member[(_e465 + 1u)]), _e472);
+                                    let _e473 = atomicAdd((&global_10.member[(_e461 + 1u)]), _e468);
                                 }
                             }
-                            let _e478 = (_e387 * (_e219 * _e216));
+                            let _e474 = (_e387 * (_e219 * _e216));
                             if _e109 {
-                                let _e480 = (_e478 < 0f);
-                                if _e480 {
-                                    phi_589_ = -(_e478);
+                                let _e476 = abs(_e474);
+                                let _e478 = u32((_e476 * 0.00000000023283064f));
+                                let _e481 = (_e476 - (f32(_e478) * 4294967300f));
+                                let _e482 = u32(_e481);
+                                if ((_e481 - f32(_e482)) >= 0.5f) {
+                                    phi_581_ = (_e482 + 1u);
                                 } else {
-                                    phi_589_ = _e478;
+                                    phi_581_ = _e482;
                                 }
-                                let _e483 = phi_589_;
-                                let _e485 = u32((_e483 * 0.00000000023283064f));
-                                let _e488 = (_e483 - (f32(_e485) * 4294967300f));
-                                let _e489 = u32(_e488);
-                                if ((_e488 - f32(_e489)) >= 0.5f) {
-                                    phi_599_ = (_e489 + 1u);
-                                } else {
-                                    phi_599_ = _e489;
-                                }
-                                let _e495 = phi_599_;
-                                if _e480 {
-                                    let _e498 = (~(_e495) + 1u);
-                                    if (_e498 == 0u) {
-                                        phi_613_ = (~(_e485) + 1u);
+                                let _e488 = phi_581_;
+                                if (_e474 < 0f) {
+                                    let _e492 = (~(_e488) + 1u);
+                                    if (_e492 == 0u) {
+                                        phi_596_ = (~(_e478) + 1u);
                                     } else {
-                                        phi_613_ = ~(_e485);
+                                        phi_596_ = ~(_e478);
                                     }
-                                    let _e504 = phi_613_;
-                                    phi_615_ = array<u32, 2>(_e498, _e504);
+                                    let _e498 = phi_596_;
+                                    phi_598_ = array<u32, 2>(_e492, _e498);
                                 } else {
-                                    phi_615_ = array<u32, 2>(_e495, _e485);
+                                    phi_598_ = array<u32, 2>(_e488, _e478);
                                 }
-                                let _e507 = phi_615_;
-                                let _e510 = (2u * (_e333 + _e375));
-                                let _e513 = atomicAdd((&global_10.member[_e510]), _e507[0]);
-                                let _e517 = (_e507[1] + select(0u, 1u, ((_e513 + _e507[0]) < _e507[0])));
-                                if (_e517 == 0u) {
+                                let _e501 = phi_598_;
+                                let _e504 = (2u * (_e333 + _e375));
+                                let _e507 = atomicAdd((&global_10.member[_e504]), _e501[0]);
+                                let _e511 = (_e501[1] + select(0u, 1u, ((_e507 + _e501[0]) < _e501[0])));
+                                if (_e511 == 0u) {
                                 } else {
-                                    let _e522 = atomicAdd((&global_10.member[(_e510 + 1u)]), _e517);
+                                    let _e516 = atomicAdd((&global_10.member[(_e504 + 1u)]), _e511);
                                 }
                             }
-                            let _e523 = (_e387 * (_e220 * _e216));
+                            let _e517 = (_e387 * (_e220 * _e216));
                             if _e109 {
-                                let _e525 = (_e523 < 0f);
-                                if _e525 {
-                                    phi_641_ = -(_e523);
+                                let _e519 = abs(_e517);
+                                let _e521 = u32((_e519 * 0.00000000023283064f));
+                                let _e524 = (_e519 - (f32(_e521) * 4294967300f));
+                                let _e525 = u32(_e524);
+                                if ((_e524 - f32(_e525)) >= 0.5f) {
+                                    phi_630_ = (_e525 + 1u);
                                 } else {
-                                    phi_641_ = _e523;
+                                    phi_630_ = _e525;
                                 }
-                                let _e528 = phi_641_;
-                                let _e530 = u32((_e528 * 0.00000000023283064f));
-                                let _e533 = (_e528 - (f32(_e530) * 4294967300f));
-                                let _e534 = u32(_e533);
-                                if ((_e533 - f32(_e534)) >= 0.5f) {
-                                    phi_651_ = (_e534 + 1u);
-                                } else {
-                                    phi_651_ = _e534;
-                                }
-                                let _e540 = phi_651_;
-                                if _e525 {
-                                    let _e543 = (~(_e540) + 1u);
-                                    if (_e543 == 0u) {
-                                        phi_665_ = (~(_e530) + 1u);
+                                let _e531 = phi_630_;
+                                if (_e517 < 0f) {
+                                    let _e535 = (~(_e531) + 1u);
+                                    if (_e535 == 0u) {
+                                        phi_645_ = (~(_e521) + 1u);
                                     } else {
-                                        phi_665_ = ~(_e530);
+                                        phi_645_ = ~(_e521);
                                     }
-                                    let _e549 = phi_665_;
-                                    phi_667_ = array<u32, 2>(_e543, _e549);
+                                    let _e541 = phi_645_;
+                                    phi_647_ = array<u32, 2>(_e535, _e541);
                                 } else {
-                                    phi_667_ = array<u32, 2>(_e540, _e530);
+                                    phi_647_ = array<u32, 2>(_e531, _e521);
                                 }
-                                let _e552 = phi_667_;
-                                let _e555 = (2u * (_e334 + _e375));
-                                let _e558 = atomicAdd((&global_10.member[_e555]), _e552[0]);
-                                let _e562 = (_e552[1] + select(0u, 1u, ((_e558 + _e552[0]) < _e552[0])));
-                                if (_e562 == 0u) {
+                                let _e544 = phi_647_;
+                                let _e547 = (2u * (_e334 + _e375));
+                                let _e550 = atomicAdd((&global_10.member[_e547]), _e544[0]);
+                                let _e554 = (_e544[1] + select(0u, 1u, ((_e550 + _e544[0]) < _e544[0])));
+                                if (_e554 == 0u) {
                                 } else {
-                                    let _e567 = atomicAdd((&global_10.member[(_e555 + 1u)]), _e562);
+                                    let _e559 = atomicAdd((&global_10.member[(_e547 + 1u)]), _e554);
                                 }
                             }
-                            let _e568 = (_e387 * (_e217 * _e211));
+                            let _e560 = (_e387 * (_e217 * _e211));
                             if _e109 {
-                                let _e570 = (_e568 < 0f);
-                                if _e570 {
-                                    phi_693_ = -(_e568);
+                                let _e562 = abs(_e560);
+                                let _e564 = u32((_e562 * 0.00000000023283064f));
+                                let _e567 = (_e562 - (f32(_e564) * 4294967300f));
+                                let _e568 = u32(_e567);
+                                if ((_e567 - f32(_e568)) >= 0.5f) {
+                                    phi_679_ = (_e568 + 1u);
                                 } else {
-                                    phi_693_ = _e568;
+                                    phi_679_ = _e568;
                                 }
-                                let _e573 = phi_693_;
-                                let _e575 = u32((_e573 * 0.00000000023283064f));
-                                let _e578 = (_e573 - (f32(_e575) * 4294967300f));
-                                let _e579 = u32(_e578);
-                                if ((_e578 - f32(_e579)) >= 0.5f) {
-                                    phi_703_ = (_e579 + 1u);
-                                } else {
-                                    phi_703_ = _e579;
-                                }
-                                let _e585 = phi_703_;
-                                if _e570 {
-                                    let _e588 = (~(_e585) + 1u);
-                                    if (_e588 == 0u) {
-                                        phi_717_ = (~(_e575) + 1u);
+                                let _e574 = phi_679_;
+                                if (_e560 < 0f) {
+                                    let _e578 = (~(_e574) + 1u);
+                                    if (_e578 == 0u) {
+                                        phi_694_ = (~(_e564) + 1u);
                                     } else {
-                                        phi_717_ = ~(_e575);
+                                        phi_694_ = ~(_e564);
                                     }
-                                    let _e594 = phi_717_;
-                                    phi_719_ = array<u32, 2>(_e588, _e594);
+                                    let _e584 = phi_694_;
+                                    phi_696_ = array<u32, 2>(_e578, _e584);
                                 } else {
-                                    phi_719_ = array<u32, 2>(_e585, _e575);
+                                    phi_696_ = array<u32, 2>(_e574, _e564);
                                 }
-                                let _e597 = phi_719_;
-                                let _e600 = (2u * (_e335 + _e375));
-                                let _e603 = atomicAdd((&global_10.member[_e600]), _e597[0]);
-                                let _e607 = (_e597[1] + select(0u, 1u, ((_e603 + _e597[0]) < _e597[0])));
-                                if (_e607 == 0u) {
+                                let _e587 = phi_696_;
+                                let _e590 = (2u * (_e335 + _e375));
+                                let _e593 = atomicAdd((&global_10.member[_e590]), _e587[0]);
+                                let _e597 = (_e587[1] + select(0u, 1u, ((_e593 + _e587[0]) < _e587[0])));
+                                if (_e597 == 0u) {
                                 } else {
-                                    let _e612 = atomicAdd((&global_10.member[(_e600 + 1u)]), _e607);
+                                    let _e602 = atomicAdd((&global_10.member[(_e590 + 1u)]), _e597);
                                 }
                             }
-                            let _e613 = (_e387 * (_e218 * _e211));
+                            let _e603 = (_e387 * (_e218 * _e211));
                             if _e109 {
-                                let _e615 = (_e613 < 0f);
-                                if _e615 {
-                                    phi_745_ = -(_e613);
+                                let _e605 = abs(_e603);
+                                let _e607 = u32((_e605 * 0.00000000023283064f));
+                                let _e610 = (_e605 - (f32(_e607) * 4294967300f));
+                                let _e611 = u32(_e610);
+                                if ((_e610 - f32(_e611)) >= 0.5f) {
+                                    phi_728_ = (_e611 + 1u);
                                 } else {
-                                    phi_745_ = _e613;
+                                    phi_728_ = _e611;
                                 }
-                                let _e618 = phi_745_;
-                                let _e620 = u32((_e618 * 0.00000000023283064f));
-                                let _e623 = (_e618 - (f32(_e620) * 4294967300f));
-                                let _e624 = u32(_e623);
-                                if ((_e623 - f32(_e624)) >= 0.5f) {
-                                    phi_755_ = (_e624 + 1u);
-                                } else {
-                                    phi_755_ = _e624;
-                                }
-                                let _e630 = phi_755_;
-                                if _e615 {
-                                    let _e633 = (~(_e630) + 1u);
-                                    if (_e633 == 0u) {
-                                        phi_769_ = (~(_e620) + 1u);
+                                let _e617 = phi_728_;
+                                if (_e603 < 0f) {
+                                    let _e621 = (~(_e617) + 1u);
+                                    if (_e621 == 0u) {
+                                        phi_743_ = (~(_e607) + 1u);
                                     } else {
-                                        phi_769_ = ~(_e620);
+                                        phi_743_ = ~(_e607);
                                     }
-                                    let _e639 = phi_769_;
-                                    phi_771_ = array<u32, 2>(_e633, _e639);
+                                    let _e627 = phi_743_;
+                                    phi_745_ = array<u32, 2>(_e621, _e627);
                                 } else {
-                                    phi_771_ = array<u32, 2>(_e630, _e620);
+                                    phi_745_ = array<u32, 2>(_e617, _e607);
                                 }
-                                let _e642 = phi_771_;
-                                let _e645 = (2u * (_e336 + _e375));
-                                let _e648 = atomicAdd((&global_10.member[_e645]), _e642[0]);
-                                let _e652 = (_e642[1] + select(0u, 1u, ((_e648 + _e642[0]) < _e642[0])));
-                                if (_e652 == 0u) {
+                                let _e630 = phi_745_;
+                                let _e633 = (2u * (_e336 + _e375));
+                                let _e636 = atomicAdd((&global_10.member[_e633]), _e630[0]);
+                                let _e640 = (_e630[1] + select(0u, 1u, ((_e636 + _e630[0]) < _e630[0])));
+                                if (_e640 == 0u) {
                                 } else {
-                                    let _e657 = atomicAdd((&global_10.member[(_e645 + 1u)]), _e652);
+                                    let _e645 = atomicAdd((&global_10.member[(_e633 + 1u)]), _e640);
                                 }
                             }
-                            let _e658 = (_e387 * (_e219 * _e211));
+                            let _e646 = (_e387 * (_e219 * _e211));
                             if _e109 {
-                                let _e660 = (_e658 < 0f);
-                                if _e660 {
-                                    phi_797_ = -(_e658);
+                                let _e648 = abs(_e646);
+                                let _e650 = u32((_e648 * 0.00000000023283064f));
+                                let _e653 = (_e648 - (f32(_e650) * 4294967300f));
+                                let _e654 = u32(_e653);
+                                if ((_e653 - f32(_e654)) >= 0.5f) {
+                                    phi_777_ = (_e654 + 1u);
                                 } else {
-                                    phi_797_ = _e658;
+                                    phi_777_ = _e654;
                                 }
-                                let _e663 = phi_797_;
-                                let _e665 = u32((_e663 * 0.00000000023283064f));
-                                let _e668 = (_e663 - (f32(_e665) * 4294967300f));
-                                let _e669 = u32(_e668);
-                                if ((_e668 - f32(_e669)) >= 0.5f) {
-                                    phi_807_ = (_e669 + 1u);
-                                } else {
-                                    phi_807_ = _e669;
-                                }
-                                let _e675 = phi_807_;
-                                if _e660 {
-                                    let _e678 = (~(_e675) + 1u);
-                                    if (_e678 == 0u) {
-                                        phi_821_ = (~(_e665) + 1u);
+                                let _e660 = phi_777_;
+                                if (_e646 < 0f) {
+                                    let _e664 = (~(_e660) + 1u);
+                                    if (_e664 == 0u) {
+                                        phi_792_ = (~(_e650) + 1u);
                                     } else {
-                                        phi_821_ = ~(_e665);
+                                        phi_792_ = ~(_e650);
                                     }
-                                    let _e684 = phi_821_;
-                                    phi_823_ = array<u32, 2>(_e678, _e684);
+                                    let _e670 = phi_792_;
+                                    phi_794_ = array<u32, 2>(_e664, _e670);
                                 } else {
-                                    phi_823_ = array<u32, 2>(_e675, _e665);
+                                    phi_794_ = array<u32, 2>(_e660, _e650);
                                 }
-                                let _e687 = phi_823_;
-                                let _e690 = (2u * (_e337 + _e375));
-                                let _e693 = atomicAdd((&global_10.member[_e690]), _e687[0]);
-                                let _e697 = (_e687[1] + select(0u, 1u, ((_e693 + _e687[0]) < _e687[0])));
-                                if (_e697 == 0u) {
+                                let _e673 = phi_794_;
+                                let _e676 = (2u * (_e337 + _e375));
+                                let _e679 = atomicAdd((&global_10.member[_e676]), _e673[0]);
+                                let _e683 = (_e673[1] + select(0u, 1u, ((_e679 + _e673[0]) < _e673[0])));
+                                if (_e683 == 0u) {
                                 } else {
-                                    let _e702 = atomicAdd((&global_10.member[(_e690 + 1u)]), _e697);
+                                    let _e688 = atomicAdd((&global_10.member[(_e676 + 1u)]), _e683);
                                 }
                             }
-                            let _e703 = (_e387 * (_e220 * _e211));
+                            let _e689 = (_e387 * (_e220 * _e211));
                             if _e109 {
-                                let _e705 = (_e703 < 0f);
-                                if _e705 {
-                                    phi_849_ = -(_e703);
+                                let _e691 = abs(_e689);
+                                let _e693 = u32((_e691 * 0.00000000023283064f));
+                                let _e696 = (_e691 - (f32(_e693) * 4294967300f));
+                                let _e697 = u32(_e696);
+                                if ((_e696 - f32(_e697)) >= 0.5f) {
+                                    phi_826_ = (_e697 + 1u);
                                 } else {
-                                    phi_849_ = _e703;
+                                    phi_826_ = _e697;
                                 }
-                                let _e708 = phi_849_;
-                                let _e710 = u32((_e708 * 0.00000000023283064f));
-                                let _e713 = (_e708 - (f32(_e710) * 4294967300f));
-                                let _e714 = u32(_e713);
-                                if ((_e713 - f32(_e714)) >= 0.5f) {
-                                    phi_859_ = (_e714 + 1u);
-                                } else {
-                                    phi_859_ = _e714;
-                                }
-                                let _e720 = phi_859_;
-                                if _e705 {
-                                    let _e723 = (~(_e720) + 1u);
-                                    if (_e723 == 0u) {
-                                        phi_873_ = (~(_e710) + 1u);
+                                let _e703 = phi_826_;
+                                if (_e689 < 0f) {
+                                    let _e707 = (~(_e703) + 1u);
+                                    if (_e707 == 0u) {
+                                        phi_841_ = (~(_e693) + 1u);
                                     } else {
-                                        phi_873_ = ~(_e710);
+                                        phi_841_ = ~(_e693);
                                     }
-                                    let _e729 = phi_873_;
-                                    phi_875_ = array<u32, 2>(_e723, _e729);
+                                    let _e713 = phi_841_;
+                                    phi_843_ = array<u32, 2>(_e707, _e713);
                                 } else {
-                                    phi_875_ = array<u32, 2>(_e720, _e710);
+                                    phi_843_ = array<u32, 2>(_e703, _e693);
                                 }
-                                let _e732 = phi_875_;
-                                let _e735 = (2u * (_e338 + _e375));
-                                let _e738 = atomicAdd((&global_10.member[_e735]), _e732[0]);
-                                let _e742 = (_e732[1] + select(0u, 1u, ((_e738 + _e732[0]) < _e732[0])));
-                                if (_e742 == 0u) {
+                                let _e716 = phi_843_;
+                                let _e719 = (2u * (_e338 + _e375));
+                                let _e722 = atomicAdd((&global_10.member[_e719]), _e716[0]);
+                                let _e726 = (_e716[1] + select(0u, 1u, ((_e722 + _e716[0]) < _e716[0])));
+                                if (_e726 == 0u) {
                                 } else {
-                                    let _e747 = atomicAdd((&global_10.member[(_e735 + 1u)]), _e742);
+                                    let _e731 = atomicAdd((&global_10.member[(_e719 + 1u)]), _e726);
                                 }
                             }
                             local_7 = (_e375 + 1u);
@@ -619,10 +563,10 @@ fn function_() {
                             break;
                         }
                         continuing {
-                            let _e768 = local_7;
-                            phi_463_ = _e768;
-                            let _e771 = local_8;
-                            phi_466_ = _e771;
+                            let _e752 = local_7;
+                            phi_455_ = _e752;
+                            let _e755 = local_8;
+                            phi_458_ = _e755;
                         }
                     }
                 }

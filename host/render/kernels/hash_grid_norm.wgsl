@@ -32,12 +32,8 @@ var<storage> global_4: type_12;
 var<storage, read_write> global_5: type_20;
 
 fn function_() {
-    var phi_68_: u32;
-    var phi_71_: f32;
-    var phi_83_: f32;
-    var phi_89_: f32;
-    var phi_95_: f32;
-    var phi_101_: f32;
+    var phi_65_: u32;
+    var phi_68_: f32;
     var local: f32;
     var local_1: u32;
     var local_2: f32;
@@ -50,54 +46,30 @@ fn function_() {
     if (_e23 < _e26) {
         let _e30 = global_3.member.member_2;
         let _e33 = global_3.member.member_1;
-        phi_68_ = 0u;
-        phi_71_ = 0f;
+        phi_65_ = 0u;
+        phi_68_ = 0f;
         loop {
-            let _e37 = phi_68_;
-            let _e39 = phi_71_;
+            let _e37 = phi_65_;
+            let _e39 = phi_68_;
             local = _e39;
             if (_e37 < _e33) {
                 let _e44 = global_4.member[((_e30 + (_e23 * _e33)) + _e37)];
-                if (_e44.x < 0f) {
-                    phi_83_ = -(_e44.x);
-                } else {
-                    phi_83_ = _e44.x;
-                }
-                let _e49 = phi_83_;
-                if (_e44.y < 0f) {
-                    phi_89_ = -(_e44.y);
-                } else {
-                    phi_89_ = _e44.y;
-                }
-                let _e54 = phi_89_;
-                if (_e44.z < 0f) {
-                    phi_95_ = -(_e44.z);
-                } else {
-                    phi_95_ = _e44.z;
-                }
-                let _e60 = phi_95_;
-                if (_e44.w < 0f) {
-                    phi_101_ = -(_e44.w);
-                } else {
-                    phi_101_ = _e44.w;
-                }
-                let _e66 = phi_101_;
                 local_1 = (_e37 + 1u);
-                local_2 = (_e39 + (((_e49 + _e54) + _e60) + _e66));
+                local_2 = (_e39 + (((abs(_e44.x) + abs(_e44.y)) + abs(_e44.z)) + abs(_e44.w)));
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e82 = local_1;
-                phi_68_ = _e82;
-                let _e85 = local_2;
-                phi_71_ = _e85;
+                let _e70 = local_1;
+                phi_65_ = _e70;
+                let _e73 = local_2;
+                phi_68_ = _e73;
             }
         }
-        let _e72 = global_3.member.member_3;
-        let _e74 = local;
-        let _e79 = atomicMax((&global_5.member[_e72]), (bitcast<u32>(_e74) & 2147483647u));
+        let _e60 = global_3.member.member_3;
+        let _e62 = local;
+        let _e67 = atomicMax((&global_5.member[_e60]), (bitcast<u32>(_e62) & 2147483647u));
     }
     return;
 }

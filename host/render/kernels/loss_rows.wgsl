@@ -28,11 +28,8 @@ var<storage> global_5: type_16;
 var<storage, read_write> global_6: type_12;
 
 fn function_() {
-    var phi_72_: vec4<f32>;
-    var phi_75_: u32;
-    var phi_87_: f32;
-    var phi_93_: f32;
-    var phi_99_: f32;
+    var phi_70_: vec4<f32>;
+    var phi_73_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: u32;
@@ -45,48 +42,30 @@ fn function_() {
     let _e28 = global_3.member.member;
     if (_e22 < (_e25 * _e28)) {
         let _e31 = (_e22 * _e28);
-        phi_72_ = vec4<f32>(0f, 0f, 0f, 0f);
-        phi_75_ = _e31;
+        phi_70_ = vec4<f32>(0f, 0f, 0f, 0f);
+        phi_73_ = _e31;
         loop {
-            let _e34 = phi_72_;
-            let _e36 = phi_75_;
+            let _e34 = phi_70_;
+            let _e36 = phi_73_;
             local = _e34;
             if (_e36 < (_e31 + _e28)) {
                 let _e40 = global_4.member[_e36];
-                if (_e40.x < 0f) {
-                    phi_87_ = -(_e40.x);
-                } else {
-                    phi_87_ = _e40.x;
-                }
-                let _e45 = phi_87_;
-                if (_e40.y < 0f) {
-                    phi_93_ = -(_e40.y);
-                } else {
-                    phi_93_ = _e40.y;
-                }
-                let _e50 = phi_93_;
-                if (_e40.z < 0f) {
-                    phi_99_ = -(_e40.z);
-                } else {
-                    phi_99_ = _e40.z;
-                }
-                let _e56 = phi_99_;
-                let _e60 = global_5.member[_e36];
-                local_1 = vec4<f32>((_e34.x + ((_e45 + _e50) + _e56)), (_e34.y + _e60), (_e34.z + (((_e40.x * _e40.x) + (_e40.y * _e40.y)) + (_e40.z * _e40.z))), (_e34.w + _e40.w));
+                let _e51 = global_5.member[_e36];
+                local_1 = vec4<f32>((_e34.x + ((abs(_e40.x) + abs(_e40.y)) + abs(_e40.z))), (_e34.y + _e51), (_e34.z + (((_e40.x * _e40.x) + (_e40.y * _e40.y)) + (_e40.z * _e40.z))), (_e34.w + _e40.w));
                 local_2 = (_e36 + 1u);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e83 = local_1;
-                phi_72_ = _e83;
-                let _e86 = local_2;
-                phi_75_ = _e86;
+                let _e74 = local_1;
+                phi_70_ = _e74;
+                let _e77 = local_2;
+                phi_73_ = _e77;
             }
         }
-        let _e80 = local;
-        global_6.member[_e22] = _e80;
+        let _e71 = local;
+        global_6.member[_e22] = _e71;
     }
     return;
 }

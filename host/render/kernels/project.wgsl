@@ -51,22 +51,14 @@ var<storage, read_write> global_9: type_20;
 var<storage, read_write> global_10: type_28;
 
 fn function_() {
-    var phi_473_: u32;
-    var phi_537_: f32;
-    var phi_542_: f32;
-    var phi_547_: f32;
-    var phi_552_: f32;
-    var phi_557_: f32;
-    var phi_562_: f32;
-    var phi_571_: f32;
-    var phi_577_: bool;
-    var phi_579_: bool;
-    var phi_580_: bool;
-    var phi_585_: f32;
-    var phi_598_: type_16;
-    var phi_600_: type_16;
-    var phi_601_: bool;
-    var phi_606_: type_16;
+    var phi_465_: u32;
+    var phi_541_: bool;
+    var phi_543_: bool;
+    var phi_544_: bool;
+    var phi_557_: type_16;
+    var phi_559_: type_16;
+    var phi_560_: bool;
+    var phi_565_: type_16;
     var local: u32;
 
     let _e52 = global;
@@ -137,9 +129,9 @@ fn function_() {
         let _e256 = select(_e147, _e204, (_e204 > _e147));
         let _e259 = (_e204 - select(_e155, _e256, (_e256 < _e155)));
         let _e272 = select(select(0u, 1u, select(false, (-0x1.fffffep+127f <= _e188), (_e188 <= 0x1.fffffep+127f))), select(0u, 3u, (((((((((((_e119 * _e119) * (1f + (_e226 * _e226))) + ((_e123 * _e123) * (1f + (_e230 * _e230)))) * _e198) * _e198) * _e246) * _e246) + _e158) * 11.304177f) + 0.02f) < ((_e254 * _e254) + (_e259 * _e259)))), (0.01f < _e188));
-        phi_473_ = 0u;
+        phi_465_ = 0u;
         loop {
-            let _e274 = phi_473_;
+            let _e274 = phi_465_;
             if (_e274 < 1u) {
                 let _e276 = (_e62 + _e274);
                 let _e279 = (2u * ((_e53.z * _e65) + _e276));
@@ -229,98 +221,49 @@ fn function_() {
                     let _e496 = (_e471 * _e493);
                     let _e499 = (0.5f * (_e471 - _e472));
                     let _e508 = sqrt((11.082527f * ((0.5f * (_e471 + _e472)) + sqrt(((_e499 * _e499) + (_e465 * _e465))))));
-                    if (_e494 < 0f) {
-                        phi_537_ = -(_e494);
-                    } else {
-                        phi_537_ = _e494;
-                    }
-                    let _e520 = phi_537_;
-                    if (_e495 < 0f) {
-                        phi_542_ = -(_e495);
-                    } else {
-                        phi_542_ = _e495;
-                    }
-                    let _e524 = phi_542_;
-                    if (_e496 < 0f) {
-                        phi_547_ = -(_e496);
-                    } else {
-                        phi_547_ = _e496;
-                    }
-                    let _e529 = phi_547_;
-                    if (_e340 < 0f) {
-                        phi_552_ = -(_e340);
-                    } else {
-                        phi_552_ = _e340;
-                    }
-                    let _e534 = phi_552_;
-                    if (_e343 < 0f) {
-                        phi_557_ = -(_e343);
-                    } else {
-                        phi_557_ = _e343;
-                    }
-                    let _e539 = phi_557_;
-                    let _e541 = (((((_e520 + _e524) + _e529) + _e534) + _e539) + _e508);
-                    let _e542 = (_e335 < 0f);
-                    if _e542 {
-                        phi_562_ = -(_e335);
-                    } else {
-                        phi_562_ = _e335;
-                    }
-                    let _e545 = phi_562_;
-                    if (_e545 <= 0x1.fffffep+127f) {
-                        if (_e541 < 0f) {
-                            phi_571_ = -(_e541);
+                    let _e528 = (abs(_e335) <= 0x1.fffffep+127f);
+                    if _e528 {
+                        let _e530 = (abs((((((abs(_e494) + abs(_e495)) + abs(_e496)) + abs(_e340)) + abs(_e343)) + _e508)) <= 0x1.fffffep+127f);
+                        if _e530 {
+                            phi_541_ = (_e491 > 0f);
                         } else {
-                            phi_571_ = _e541;
+                            phi_541_ = bool();
                         }
-                        let _e550 = phi_571_;
-                        let _e551 = (_e550 <= 0x1.fffffep+127f);
-                        if _e551 {
-                            phi_577_ = (_e491 > 0f);
-                        } else {
-                            phi_577_ = bool();
-                        }
-                        let _e554 = phi_577_;
-                        phi_579_ = _e554;
-                        phi_580_ = select(true, false, _e551);
+                        let _e533 = phi_541_;
+                        phi_543_ = _e533;
+                        phi_544_ = select(true, false, _e530);
                     } else {
-                        phi_579_ = bool();
-                        phi_580_ = true;
+                        phi_543_ = bool();
+                        phi_544_ = true;
                     }
-                    let _e557 = phi_579_;
-                    let _e559 = phi_580_;
-                    let _e560 = select(_e557, false, _e559);
-                    if _e542 {
-                        phi_585_ = -(_e335);
-                    } else {
-                        phi_585_ = _e335;
-                    }
-                    let _e563 = phi_585_;
+                    let _e536 = phi_543_;
+                    let _e538 = phi_544_;
+                    let _e539 = select(_e536, false, _e538);
                     if _e336 {
-                        if _e560 {
-                            phi_598_ = type_16(vec2<f32>(_e340, _e343), vec2<f32>(((sqrt((11.082527f * _e471)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e472)) * 1.001f) + 0.01f)), vec3<f32>(_e494, _e495, _e496), _e508);
+                        if _e539 {
+                            phi_557_ = type_16(vec2<f32>(_e340, _e343), vec2<f32>(((sqrt((11.082527f * _e471)) * 1.001f) + 0.01f), ((sqrt((11.082527f * _e472)) * 1.001f) + 0.01f)), vec3<f32>(_e494, _e495, _e496), _e508);
                         } else {
-                            phi_598_ = type_16();
+                            phi_557_ = type_16();
                         }
-                        let _e571 = phi_598_;
-                        phi_600_ = _e571;
-                        phi_601_ = select(true, false, _e560);
+                        let _e546 = phi_557_;
+                        phi_559_ = _e546;
+                        phi_560_ = select(true, false, _e539);
                     } else {
-                        phi_600_ = type_16();
-                        phi_601_ = true;
+                        phi_559_ = type_16();
+                        phi_560_ = true;
                     }
-                    let _e574 = phi_600_;
-                    let _e576 = phi_601_;
-                    if _e576 {
-                        phi_606_ = type_16(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e336, (_e563 <= 0x1.fffffep+127f))));
+                    let _e549 = phi_559_;
+                    let _e551 = phi_560_;
+                    if _e551 {
+                        phi_565_ = type_16(vec2<f32>(0f, 0f), vec2<f32>(0f, 0f), vec3<f32>(0f, 0f, 0f), select(-1f, -2f, select(true, _e336, _e528)));
                     } else {
-                        phi_606_ = _e574;
+                        phi_565_ = _e549;
                     }
-                    let _e579 = phi_606_;
-                    global_9.member[_e279] = vec4<f32>(_e579.member.x, _e579.member.y, _e579.member_3, _e579.member_1.x);
-                    global_9.member[(_e279 + 1u)] = vec4<f32>(_e579.member_2.x, _e579.member_2.y, _e579.member_2.z, _e579.member_1.y);
-                    if (_e579.member_3 == -2f) {
-                        let _e603 = atomicAdd((&global_10.member[0u]), 1u);
+                    let _e554 = phi_565_;
+                    global_9.member[_e279] = vec4<f32>(_e554.member.x, _e554.member.y, _e554.member_3, _e554.member_1.x);
+                    global_9.member[(_e279 + 1u)] = vec4<f32>(_e554.member_2.x, _e554.member_2.y, _e554.member_2.z, _e554.member_1.y);
+                    if (_e554.member_3 == -2f) {
+                        let _e578 = atomicAdd((&global_10.member[0u]), 1u);
                     }
                 } else {
                     global_9.member[_e279] = vec4<f32>(0f, 0f, -(f32(_e272)), 0f);
@@ -332,8 +275,8 @@ fn function_() {
                 break;
             }
             continuing {
-                let _e615 = local;
-                phi_473_ = _e615;
+                let _e590 = local;
+                phi_465_ = _e590;
             }
         }
     }

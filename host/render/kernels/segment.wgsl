@@ -50,556 +50,507 @@ var<storage, read_write> global_8: type_23;
 var<storage, read_write> global_9: type_11;
 
 fn function_() {
-    var phi_515_: f32;
-    var phi_520_: type_18;
-    var phi_549_: type_18;
-    var phi_551_: type_18;
-    var phi_552_: bool;
-    var phi_556_: type_18;
-    var phi_557_: type_18;
-    var phi_568_: type_18;
-    var phi_575_: type_18;
-    var phi_577_: type_19;
-    var phi_587_: f32;
-    var phi_592_: type_18;
-    var phi_621_: type_18;
-    var phi_623_: type_18;
-    var phi_624_: bool;
-    var phi_628_: type_18;
-    var phi_629_: type_18;
-    var phi_640_: type_18;
-    var phi_647_: type_18;
-    var phi_649_: type_19;
-    var phi_659_: f32;
-    var phi_664_: type_18;
-    var phi_693_: type_18;
-    var phi_695_: type_18;
-    var phi_696_: bool;
-    var phi_700_: type_18;
+    var phi_510_: type_18;
+    var phi_539_: type_18;
+    var phi_541_: type_18;
+    var phi_542_: bool;
+    var phi_546_: type_18;
+    var phi_547_: type_18;
+    var phi_558_: type_18;
+    var phi_565_: type_18;
+    var phi_567_: type_19;
+    var phi_578_: type_18;
+    var phi_607_: type_18;
+    var phi_609_: type_18;
+    var phi_610_: bool;
+    var phi_614_: type_18;
+    var phi_615_: type_18;
+    var phi_626_: type_18;
+    var phi_633_: type_18;
+    var phi_635_: type_19;
+    var phi_646_: type_18;
+    var phi_675_: type_18;
+    var phi_677_: type_18;
+    var phi_678_: bool;
+    var phi_682_: type_18;
+    var phi_683_: type_18;
+    var phi_694_: type_18;
     var phi_701_: type_18;
-    var phi_712_: type_18;
-    var phi_719_: type_18;
-    var phi_721_: type_19;
-    var phi_732_: type_18;
-    var phi_740_: type_18;
-    var phi_749_: type_18;
-    var phi_757_: type_18;
-    var phi_765_: type_18;
-    var phi_789_: u32;
-    var phi_793_: f32;
-    var phi_842_: f32;
-    var phi_848_: f32;
-    var phi_856_: f32;
-    var phi_857_: f32;
-    var phi_862_: f32;
-    var phi_868_: f32;
-    var phi_876_: f32;
-    var phi_877_: f32;
-    var phi_892_: u32;
-    var phi_896_: f32;
+    var phi_703_: type_19;
+    var phi_714_: type_18;
+    var phi_722_: type_18;
+    var phi_731_: type_18;
+    var phi_739_: type_18;
+    var phi_747_: type_18;
+    var phi_771_: u32;
+    var phi_775_: f32;
+    var phi_831_: f32;
+    var phi_832_: f32;
+    var phi_844_: f32;
+    var phi_845_: f32;
+    var phi_860_: u32;
+    var phi_864_: f32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e53 = global;
-            let _e54 = global_1;
-            let _e55 = global_2;
-            let _e63 = (((_e54.x + (_e54.y * _e55.x)) * 64u) + _e53.x);
-            let _e66 = global_3.member.member;
-            if (_e63 < _e66) {
-                let _e70 = global_4.member[_e63];
-                let _e73 = global_5.member[0u];
-                let _e76 = global_5.member[1u];
-                let _e79 = global_5.member[2u];
-                let _e82 = global_5.member[3u];
-                let _e85 = global_5.member[4u];
-                let _e88 = global_5.member[5u];
-                let _e91 = global_5.member[6u];
-                let _e94 = global_5.member[7u];
-                let _e97 = global_5.member[8u];
-                let _e100 = global_5.member[9u];
-                let _e103 = global_5.member[10u];
-                let _e106 = global_5.member[11u];
-                let _e109 = global_5.member[12u];
-                let _e112 = global_5.member[13u];
-                let _e115 = global_5.member[14u];
-                let _e118 = global_5.member[15u];
-                let _e121 = global_5.member[16u];
-                let _e124 = global_5.member[17u];
-                let _e127 = global_3.member.member_1;
-                let _e128 = (_e127 == 0u);
-                if _e128 {
+            let _e54 = global;
+            let _e55 = global_1;
+            let _e56 = global_2;
+            let _e64 = (((_e55.x + (_e55.y * _e56.x)) * 64u) + _e54.x);
+            let _e67 = global_3.member.member;
+            if (_e64 < _e67) {
+                let _e71 = global_4.member[_e64];
+                let _e74 = global_5.member[0u];
+                let _e77 = global_5.member[1u];
+                let _e80 = global_5.member[2u];
+                let _e83 = global_5.member[3u];
+                let _e86 = global_5.member[4u];
+                let _e89 = global_5.member[5u];
+                let _e92 = global_5.member[6u];
+                let _e95 = global_5.member[7u];
+                let _e98 = global_5.member[8u];
+                let _e101 = global_5.member[9u];
+                let _e104 = global_5.member[10u];
+                let _e107 = global_5.member[11u];
+                let _e110 = global_5.member[12u];
+                let _e113 = global_5.member[13u];
+                let _e116 = global_5.member[14u];
+                let _e119 = global_5.member[15u];
+                let _e122 = global_5.member[16u];
+                let _e125 = global_5.member[17u];
+                let _e128 = global_3.member.member_1;
+                let _e129 = (_e128 == 0u);
+                if _e129 {
                     break;
                 }
-                let _e130 = ((_e70 / _e127) * 18u);
-                let _e134 = global_6.member[(_e130 + 9u)];
-                let _e138 = global_6.member[(_e130 + 10u)];
-                let _e142 = global_6.member[(_e130 + 11u)];
-                let _e149 = (trunc((_e134 * _e82)) * _e73);
-                let _e150 = (trunc((_e138 * _e85)) * _e76);
-                let _e151 = (trunc((_e142 * _e88)) * _e79);
-                let _e152 = (_e149 - _e91);
-                let _e153 = (_e150 - _e94);
-                let _e154 = (_e151 - _e97);
-                let _e161 = (_e152 * _e109);
-                let _e162 = (_e153 * _e112);
-                let _e163 = (_e154 * _e115);
-                let _e167 = (_e109 + _e118);
-                let _e168 = (_e112 + _e121);
-                let _e169 = (_e115 + _e124);
-                let _e173 = ((_e152 * _e118) + (((_e134 - _e149) - _e100) * _e167));
-                let _e174 = ((_e153 * _e121) + (((_e138 - _e150) - _e103) * _e168));
-                let _e175 = ((_e154 * _e124) + (((_e142 - _e151) - _e106) * _e169));
-                let _e179 = (trunc(((_e161 + _e173) * 4096f)) * 0.00024414063f);
-                let _e181 = ((_e161 - _e179) + _e173);
-                let _e185 = (trunc(((_e162 + _e174) * 4096f)) * 0.00024414063f);
-                let _e187 = ((_e162 - _e185) + _e174);
-                let _e191 = (trunc(((_e163 + _e175) * 4096f)) * 0.00024414063f);
-                let _e193 = ((_e163 - _e191) + _e175);
-                if _e128 {
+                let _e131 = ((_e71 / _e128) * 18u);
+                let _e135 = global_6.member[(_e131 + 9u)];
+                let _e139 = global_6.member[(_e131 + 10u)];
+                let _e143 = global_6.member[(_e131 + 11u)];
+                let _e150 = (trunc((_e135 * _e83)) * _e74);
+                let _e151 = (trunc((_e139 * _e86)) * _e77);
+                let _e152 = (trunc((_e143 * _e89)) * _e80);
+                let _e153 = (_e150 - _e92);
+                let _e154 = (_e151 - _e95);
+                let _e155 = (_e152 - _e98);
+                let _e162 = (_e153 * _e110);
+                let _e163 = (_e154 * _e113);
+                let _e164 = (_e155 * _e116);
+                let _e168 = (_e110 + _e119);
+                let _e169 = (_e113 + _e122);
+                let _e170 = (_e116 + _e125);
+                let _e174 = ((_e153 * _e119) + (((_e135 - _e150) - _e101) * _e168));
+                let _e175 = ((_e154 * _e122) + (((_e139 - _e151) - _e104) * _e169));
+                let _e176 = ((_e155 * _e125) + (((_e143 - _e152) - _e107) * _e170));
+                let _e180 = (trunc(((_e162 + _e174) * 4096f)) * 0.00024414063f);
+                let _e182 = ((_e162 - _e180) + _e174);
+                let _e186 = (trunc(((_e163 + _e175) * 4096f)) * 0.00024414063f);
+                let _e188 = ((_e163 - _e186) + _e175);
+                let _e192 = (trunc(((_e164 + _e176) * 4096f)) * 0.00024414063f);
+                let _e194 = ((_e164 - _e192) + _e176);
+                if _e129 {
                     break;
                 }
-                let _e195 = ((_e70 % _e127) * 3u);
-                let _e198 = global_7.member[_e195];
-                let _e202 = global_7.member[(_e195 + 1u)];
-                let _e206 = global_7.member[(_e195 + 2u)];
-                let _e213 = (trunc((_e198 * _e82)) * _e73);
-                let _e214 = (trunc((_e202 * _e85)) * _e76);
-                let _e215 = (trunc((_e206 * _e88)) * _e79);
-                let _e216 = (_e213 - _e91);
-                let _e217 = (_e214 - _e94);
-                let _e218 = (_e215 - _e97);
-                let _e225 = (_e216 * _e109);
-                let _e226 = (_e217 * _e112);
-                let _e227 = (_e218 * _e115);
-                let _e234 = ((_e216 * _e118) + (((_e198 - _e213) - _e100) * _e167));
-                let _e235 = ((_e217 * _e121) + (((_e202 - _e214) - _e103) * _e168));
-                let _e236 = ((_e218 * _e124) + (((_e206 - _e215) - _e106) * _e169));
-                let _e239 = trunc(((_e225 + _e234) * 4096f));
-                let _e240 = (_e239 * 0.00024414063f);
-                let _e242 = ((_e225 - _e240) + _e234);
-                let _e245 = trunc(((_e226 + _e235) * 4096f));
-                let _e246 = (_e245 * 0.00024414063f);
-                let _e248 = ((_e226 - _e246) + _e235);
-                let _e251 = trunc(((_e227 + _e236) * 4096f));
-                let _e252 = (_e251 * 0.00024414063f);
-                let _e254 = ((_e227 - _e252) + _e236);
-                let _e255 = (_e63 * 4u);
-                let _e258 = global_3.member.member_3;
-                if (_e258 == 0u) {
-                    let _e260 = (_e179 - _e240);
-                    let _e261 = (_e181 - _e242);
-                    let _e262 = (_e185 - _e246);
-                    let _e263 = (_e187 - _e248);
-                    let _e264 = (_e191 - _e252);
-                    let _e265 = (_e193 - _e254);
-                    let _e268 = global_3.member.member_2;
-                    let _e270 = (_e260 + _e261);
-                    if (_e270 < 0f) {
-                        phi_515_ = -(_e270);
+                let _e196 = ((_e71 % _e128) * 3u);
+                let _e199 = global_7.member[_e196];
+                let _e203 = global_7.member[(_e196 + 1u)];
+                let _e207 = global_7.member[(_e196 + 2u)];
+                let _e214 = (trunc((_e199 * _e83)) * _e74);
+                let _e215 = (trunc((_e203 * _e86)) * _e77);
+                let _e216 = (trunc((_e207 * _e89)) * _e80);
+                let _e217 = (_e214 - _e92);
+                let _e218 = (_e215 - _e95);
+                let _e219 = (_e216 - _e98);
+                let _e226 = (_e217 * _e110);
+                let _e227 = (_e218 * _e113);
+                let _e228 = (_e219 * _e116);
+                let _e235 = ((_e217 * _e119) + (((_e199 - _e214) - _e101) * _e168));
+                let _e236 = ((_e218 * _e122) + (((_e203 - _e215) - _e104) * _e169));
+                let _e237 = ((_e219 * _e125) + (((_e207 - _e216) - _e107) * _e170));
+                let _e240 = trunc(((_e226 + _e235) * 4096f));
+                let _e241 = (_e240 * 0.00024414063f);
+                let _e243 = ((_e226 - _e241) + _e235);
+                let _e246 = trunc(((_e227 + _e236) * 4096f));
+                let _e247 = (_e246 * 0.00024414063f);
+                let _e249 = ((_e227 - _e247) + _e236);
+                let _e252 = trunc(((_e228 + _e237) * 4096f));
+                let _e253 = (_e252 * 0.00024414063f);
+                let _e255 = ((_e228 - _e253) + _e237);
+                let _e256 = (_e64 * 4u);
+                let _e259 = global_3.member.member_3;
+                if (_e259 == 0u) {
+                    let _e261 = (_e180 - _e241);
+                    let _e262 = (_e182 - _e243);
+                    let _e263 = (_e186 - _e247);
+                    let _e264 = (_e188 - _e249);
+                    let _e265 = (_e192 - _e253);
+                    let _e266 = (_e194 - _e255);
+                    let _e269 = global_3.member.member_2;
+                    let _e271 = (_e261 + _e262);
+                    let _e273 = (abs(_e271) < 0.000000000000000000000000000000000000011754944f);
+                    if _e273 {
+                        phi_510_ = type_18(1f, 0f);
                     } else {
-                        phi_515_ = _e270;
+                        phi_510_ = type_18(_e261, _e262);
                     }
-                    let _e274 = phi_515_;
-                    let _e275 = (_e274 < 0.000000000000000000000000000000000000011754944f);
-                    if _e275 {
-                        phi_520_ = type_18(1f, 0f);
-                    } else {
-                        phi_520_ = type_18(_e260, _e261);
-                    }
-                    let _e277 = phi_520_;
-                    let _e278 = (_e239 * -0.00024414063f);
-                    let _e279 = -(_e242);
-                    let _e282 = (_e277.member + _e277.member_1);
-                    let _e284 = ((_e278 + _e279) / _e282);
-                    let _e286 = select(0f, _e284, (_e284 > 0f));
-                    let _e288 = select(1f, _e286, (_e286 < 1f));
-                    let _e291 = (trunc((_e288 * 1024f)) * 0.0009765625f);
-                    let _e301 = select(0f, (((_e278 - (_e291 * _e277.member)) + (_e279 - (_e291 * _e277.member_1))) / _e282), select(false, (_e288 < 1f), (0f < _e288)));
-                    let _e302 = (1f - _e240);
-                    let _e304 = ((_e302 + _e279) / _e282);
-                    let _e306 = select(0f, _e304, (_e304 > 0f));
-                    let _e308 = select(1f, _e306, (_e306 < 1f));
-                    let _e311 = (trunc((_e308 * 1024f)) * 0.0009765625f);
-                    let _e321 = select(0f, (((_e302 - (_e311 * _e277.member)) + (_e279 - (_e311 * _e277.member_1))) / _e282), select(false, (_e308 < 1f), (0f < _e308)));
-                    let _e322 = (_e240 + _e242);
-                    if (_e322 >= 0f) {
-                        let _e324 = (_e322 <= 1f);
-                        if _e324 {
-                            phi_549_ = type_18(0f, 0f);
+                    let _e275 = phi_510_;
+                    let _e276 = (_e240 * -0.00024414063f);
+                    let _e277 = -(_e243);
+                    let _e280 = (_e275.member + _e275.member_1);
+                    let _e282 = ((_e276 + _e277) / _e280);
+                    let _e284 = select(0f, _e282, (_e282 > 0f));
+                    let _e286 = select(1f, _e284, (_e284 < 1f));
+                    let _e289 = (trunc((_e286 * 1024f)) * 0.0009765625f);
+                    let _e299 = select(0f, (((_e276 - (_e289 * _e275.member)) + (_e277 - (_e289 * _e275.member_1))) / _e280), select(false, (_e286 < 1f), (0f < _e286)));
+                    let _e300 = (1f - _e241);
+                    let _e302 = ((_e300 + _e277) / _e280);
+                    let _e304 = select(0f, _e302, (_e302 > 0f));
+                    let _e306 = select(1f, _e304, (_e304 < 1f));
+                    let _e309 = (trunc((_e306 * 1024f)) * 0.0009765625f);
+                    let _e319 = select(0f, (((_e300 - (_e309 * _e275.member)) + (_e277 - (_e309 * _e275.member_1))) / _e280), select(false, (_e306 < 1f), (0f < _e306)));
+                    let _e320 = (_e241 + _e243);
+                    if (_e320 >= 0f) {
+                        let _e322 = (_e320 <= 1f);
+                        if _e322 {
+                            phi_539_ = type_18(0f, 0f);
                         } else {
-                            phi_549_ = type_18();
+                            phi_539_ = type_18();
                         }
-                        let _e326 = phi_549_;
-                        phi_551_ = _e326;
-                        phi_552_ = select(true, false, _e324);
+                        let _e324 = phi_539_;
+                        phi_541_ = _e324;
+                        phi_542_ = select(true, false, _e322);
                     } else {
-                        phi_551_ = type_18();
-                        phi_552_ = true;
+                        phi_541_ = type_18();
+                        phi_542_ = true;
                     }
-                    let _e329 = phi_551_;
-                    let _e331 = phi_552_;
-                    if _e331 {
-                        phi_556_ = type_18(1f, 0f);
-                        phi_557_ = type_18(0f, 0f);
+                    let _e327 = phi_541_;
+                    let _e329 = phi_542_;
+                    if _e329 {
+                        phi_546_ = type_18(1f, 0f);
+                        phi_547_ = type_18(0f, 0f);
                     } else {
-                        phi_556_ = _e329;
-                        phi_557_ = type_18(1f, 0f);
+                        phi_546_ = _e327;
+                        phi_547_ = type_18(1f, 0f);
                     }
-                    let _e333 = phi_556_;
-                    let _e335 = phi_557_;
-                    if _e275 {
-                        phi_577_ = type_19(_e333, _e335);
+                    let _e331 = phi_546_;
+                    let _e333 = phi_547_;
+                    if _e273 {
+                        phi_567_ = type_19(_e331, _e333);
                     } else {
-                        let _e337 = (_e291 + _e301);
-                        let _e338 = (_e311 + _e321);
-                        if (_e337 < _e338) {
-                            phi_568_ = type_18(_e291, _e301);
+                        let _e335 = (_e289 + _e299);
+                        let _e336 = (_e309 + _e319);
+                        if (_e335 < _e336) {
+                            phi_558_ = type_18(_e289, _e299);
                         } else {
-                            phi_568_ = type_18(_e311, _e321);
+                            phi_558_ = type_18(_e309, _e319);
                         }
-                        let _e343 = phi_568_;
-                        if (_e337 > _e338) {
-                            phi_575_ = type_18(_e291, _e301);
+                        let _e341 = phi_558_;
+                        if (_e335 > _e336) {
+                            phi_565_ = type_18(_e289, _e299);
                         } else {
-                            phi_575_ = type_18(_e311, _e321);
+                            phi_565_ = type_18(_e309, _e319);
                         }
-                        let _e348 = phi_575_;
-                        phi_577_ = type_19(_e343, _e348);
+                        let _e346 = phi_565_;
+                        phi_567_ = type_19(_e341, _e346);
                     }
-                    let _e351 = phi_577_;
-                    let _e361 = (_e262 + _e263);
-                    if (_e361 < 0f) {
-                        phi_587_ = -(_e361);
+                    let _e349 = phi_567_;
+                    let _e359 = (_e263 + _e264);
+                    let _e361 = (abs(_e359) < 0.000000000000000000000000000000000000011754944f);
+                    if _e361 {
+                        phi_578_ = type_18(1f, 0f);
                     } else {
-                        phi_587_ = _e361;
+                        phi_578_ = type_18(_e263, _e264);
                     }
-                    let _e365 = phi_587_;
-                    let _e366 = (_e365 < 0.000000000000000000000000000000000000011754944f);
-                    if _e366 {
-                        phi_592_ = type_18(1f, 0f);
-                    } else {
-                        phi_592_ = type_18(_e262, _e263);
-                    }
-                    let _e368 = phi_592_;
-                    let _e369 = (_e245 * -0.00024414063f);
-                    let _e370 = -(_e248);
-                    let _e373 = (_e368.member + _e368.member_1);
-                    let _e375 = ((_e369 + _e370) / _e373);
-                    let _e377 = select(0f, _e375, (_e375 > 0f));
-                    let _e379 = select(1f, _e377, (_e377 < 1f));
-                    let _e382 = (trunc((_e379 * 1024f)) * 0.0009765625f);
-                    let _e392 = select(0f, (((_e369 - (_e382 * _e368.member)) + (_e370 - (_e382 * _e368.member_1))) / _e373), select(false, (_e379 < 1f), (0f < _e379)));
-                    let _e393 = (1f - _e246);
-                    let _e395 = ((_e393 + _e370) / _e373);
-                    let _e397 = select(0f, _e395, (_e395 > 0f));
-                    let _e399 = select(1f, _e397, (_e397 < 1f));
-                    let _e402 = (trunc((_e399 * 1024f)) * 0.0009765625f);
-                    let _e412 = select(0f, (((_e393 - (_e402 * _e368.member)) + (_e370 - (_e402 * _e368.member_1))) / _e373), select(false, (_e399 < 1f), (0f < _e399)));
-                    let _e413 = (_e246 + _e248);
-                    if (_e413 >= 0f) {
-                        let _e415 = (_e413 <= 1f);
-                        if _e415 {
-                            phi_621_ = type_18(0f, 0f);
+                    let _e363 = phi_578_;
+                    let _e364 = (_e246 * -0.00024414063f);
+                    let _e365 = -(_e249);
+                    let _e368 = (_e363.member + _e363.member_1);
+                    let _e370 = ((_e364 + _e365) / _e368);
+                    let _e372 = select(0f, _e370, (_e370 > 0f));
+                    let _e374 = select(1f, _e372, (_e372 < 1f));
+                    let _e377 = (trunc((_e374 * 1024f)) * 0.0009765625f);
+                    let _e387 = select(0f, (((_e364 - (_e377 * _e363.member)) + (_e365 - (_e377 * _e363.member_1))) / _e368), select(false, (_e374 < 1f), (0f < _e374)));
+                    let _e388 = (1f - _e247);
+                    let _e390 = ((_e388 + _e365) / _e368);
+                    let _e392 = select(0f, _e390, (_e390 > 0f));
+                    let _e394 = select(1f, _e392, (_e392 < 1f));
+                    let _e397 = (trunc((_e394 * 1024f)) * 0.0009765625f);
+                    let _e407 = select(0f, (((_e388 - (_e397 * _e363.member)) + (_e365 - (_e397 * _e363.member_1))) / _e368), select(false, (_e394 < 1f), (0f < _e394)));
+                    let _e408 = (_e247 + _e249);
+                    if (_e408 >= 0f) {
+                        let _e410 = (_e408 <= 1f);
+                        if _e410 {
+                            phi_607_ = type_18(0f, 0f);
                         } else {
-                            phi_621_ = type_18();
+                            phi_607_ = type_18();
                         }
-                        let _e417 = phi_621_;
-                        phi_623_ = _e417;
-                        phi_624_ = select(true, false, _e415);
+                        let _e412 = phi_607_;
+                        phi_609_ = _e412;
+                        phi_610_ = select(true, false, _e410);
                     } else {
-                        phi_623_ = type_18();
-                        phi_624_ = true;
+                        phi_609_ = type_18();
+                        phi_610_ = true;
                     }
-                    let _e420 = phi_623_;
-                    let _e422 = phi_624_;
-                    if _e422 {
-                        phi_628_ = type_18(1f, 0f);
-                        phi_629_ = type_18(0f, 0f);
+                    let _e415 = phi_609_;
+                    let _e417 = phi_610_;
+                    if _e417 {
+                        phi_614_ = type_18(1f, 0f);
+                        phi_615_ = type_18(0f, 0f);
                     } else {
-                        phi_628_ = _e420;
-                        phi_629_ = type_18(1f, 0f);
+                        phi_614_ = _e415;
+                        phi_615_ = type_18(1f, 0f);
                     }
-                    let _e424 = phi_628_;
-                    let _e426 = phi_629_;
-                    if _e366 {
-                        phi_649_ = type_19(_e424, _e426);
+                    let _e419 = phi_614_;
+                    let _e421 = phi_615_;
+                    if _e361 {
+                        phi_635_ = type_19(_e419, _e421);
                     } else {
-                        let _e428 = (_e382 + _e392);
-                        let _e429 = (_e402 + _e412);
-                        if (_e428 < _e429) {
-                            phi_640_ = type_18(_e382, _e392);
+                        let _e423 = (_e377 + _e387);
+                        let _e424 = (_e397 + _e407);
+                        if (_e423 < _e424) {
+                            phi_626_ = type_18(_e377, _e387);
                         } else {
-                            phi_640_ = type_18(_e402, _e412);
+                            phi_626_ = type_18(_e397, _e407);
                         }
-                        let _e434 = phi_640_;
-                        if (_e428 > _e429) {
-                            phi_647_ = type_18(_e382, _e392);
+                        let _e429 = phi_626_;
+                        if (_e423 > _e424) {
+                            phi_633_ = type_18(_e377, _e387);
                         } else {
-                            phi_647_ = type_18(_e402, _e412);
+                            phi_633_ = type_18(_e397, _e407);
                         }
-                        let _e439 = phi_647_;
-                        phi_649_ = type_19(_e434, _e439);
+                        let _e434 = phi_633_;
+                        phi_635_ = type_19(_e429, _e434);
                     }
-                    let _e442 = phi_649_;
-                    let _e452 = (_e264 + _e265);
-                    if (_e452 < 0f) {
-                        phi_659_ = -(_e452);
+                    let _e437 = phi_635_;
+                    let _e447 = (_e265 + _e266);
+                    let _e449 = (abs(_e447) < 0.000000000000000000000000000000000000011754944f);
+                    if _e449 {
+                        phi_646_ = type_18(1f, 0f);
                     } else {
-                        phi_659_ = _e452;
+                        phi_646_ = type_18(_e265, _e266);
                     }
-                    let _e456 = phi_659_;
-                    let _e457 = (_e456 < 0.000000000000000000000000000000000000011754944f);
-                    if _e457 {
-                        phi_664_ = type_18(1f, 0f);
-                    } else {
-                        phi_664_ = type_18(_e264, _e265);
-                    }
-                    let _e459 = phi_664_;
-                    let _e460 = (_e251 * -0.00024414063f);
-                    let _e461 = -(_e254);
-                    let _e464 = (_e459.member + _e459.member_1);
-                    let _e466 = ((_e460 + _e461) / _e464);
-                    let _e468 = select(0f, _e466, (_e466 > 0f));
-                    let _e470 = select(1f, _e468, (_e468 < 1f));
-                    let _e473 = (trunc((_e470 * 1024f)) * 0.0009765625f);
-                    let _e483 = select(0f, (((_e460 - (_e473 * _e459.member)) + (_e461 - (_e473 * _e459.member_1))) / _e464), select(false, (_e470 < 1f), (0f < _e470)));
-                    let _e484 = (1f - _e252);
-                    let _e486 = ((_e484 + _e461) / _e464);
-                    let _e488 = select(0f, _e486, (_e486 > 0f));
-                    let _e490 = select(1f, _e488, (_e488 < 1f));
-                    let _e493 = (trunc((_e490 * 1024f)) * 0.0009765625f);
-                    let _e503 = select(0f, (((_e484 - (_e493 * _e459.member)) + (_e461 - (_e493 * _e459.member_1))) / _e464), select(false, (_e490 < 1f), (0f < _e490)));
-                    let _e504 = (_e252 + _e254);
-                    if (_e504 >= 0f) {
-                        let _e506 = (_e504 <= 1f);
-                        if _e506 {
-                            phi_693_ = type_18(0f, 0f);
+                    let _e451 = phi_646_;
+                    let _e452 = (_e252 * -0.00024414063f);
+                    let _e453 = -(_e255);
+                    let _e456 = (_e451.member + _e451.member_1);
+                    let _e458 = ((_e452 + _e453) / _e456);
+                    let _e460 = select(0f, _e458, (_e458 > 0f));
+                    let _e462 = select(1f, _e460, (_e460 < 1f));
+                    let _e465 = (trunc((_e462 * 1024f)) * 0.0009765625f);
+                    let _e475 = select(0f, (((_e452 - (_e465 * _e451.member)) + (_e453 - (_e465 * _e451.member_1))) / _e456), select(false, (_e462 < 1f), (0f < _e462)));
+                    let _e476 = (1f - _e253);
+                    let _e478 = ((_e476 + _e453) / _e456);
+                    let _e480 = select(0f, _e478, (_e478 > 0f));
+                    let _e482 = select(1f, _e480, (_e480 < 1f));
+                    let _e485 = (trunc((_e482 * 1024f)) * 0.0009765625f);
+                    let _e495 = select(0f, (((_e476 - (_e485 * _e451.member)) + (_e453 - (_e485 * _e451.member_1))) / _e456), select(false, (_e482 < 1f), (0f < _e482)));
+                    let _e496 = (_e253 + _e255);
+                    if (_e496 >= 0f) {
+                        let _e498 = (_e496 <= 1f);
+                        if _e498 {
+                            phi_675_ = type_18(0f, 0f);
                         } else {
-                            phi_693_ = type_18();
+                            phi_675_ = type_18();
                         }
-                        let _e508 = phi_693_;
-                        phi_695_ = _e508;
-                        phi_696_ = select(true, false, _e506);
+                        let _e500 = phi_675_;
+                        phi_677_ = _e500;
+                        phi_678_ = select(true, false, _e498);
                     } else {
-                        phi_695_ = type_18();
-                        phi_696_ = true;
+                        phi_677_ = type_18();
+                        phi_678_ = true;
                     }
-                    let _e511 = phi_695_;
-                    let _e513 = phi_696_;
-                    if _e513 {
-                        phi_700_ = type_18(1f, 0f);
-                        phi_701_ = type_18(0f, 0f);
+                    let _e503 = phi_677_;
+                    let _e505 = phi_678_;
+                    if _e505 {
+                        phi_682_ = type_18(1f, 0f);
+                        phi_683_ = type_18(0f, 0f);
                     } else {
-                        phi_700_ = _e511;
-                        phi_701_ = type_18(1f, 0f);
+                        phi_682_ = _e503;
+                        phi_683_ = type_18(1f, 0f);
                     }
-                    let _e515 = phi_700_;
-                    let _e517 = phi_701_;
-                    if _e457 {
-                        phi_721_ = type_19(_e515, _e517);
+                    let _e507 = phi_682_;
+                    let _e509 = phi_683_;
+                    if _e449 {
+                        phi_703_ = type_19(_e507, _e509);
                     } else {
-                        let _e519 = (_e473 + _e483);
-                        let _e520 = (_e493 + _e503);
-                        if (_e519 < _e520) {
-                            phi_712_ = type_18(_e473, _e483);
+                        let _e511 = (_e465 + _e475);
+                        let _e512 = (_e485 + _e495);
+                        if (_e511 < _e512) {
+                            phi_694_ = type_18(_e465, _e475);
                         } else {
-                            phi_712_ = type_18(_e493, _e503);
+                            phi_694_ = type_18(_e485, _e495);
                         }
-                        let _e525 = phi_712_;
-                        if (_e519 > _e520) {
-                            phi_719_ = type_18(_e473, _e483);
+                        let _e517 = phi_694_;
+                        if (_e511 > _e512) {
+                            phi_701_ = type_18(_e465, _e475);
                         } else {
-                            phi_719_ = type_18(_e493, _e503);
+                            phi_701_ = type_18(_e485, _e495);
                         }
-                        let _e530 = phi_719_;
-                        phi_721_ = type_19(_e525, _e530);
+                        let _e522 = phi_701_;
+                        phi_703_ = type_19(_e517, _e522);
                     }
-                    let _e533 = phi_721_;
-                    if ((_e351.member.member + _e351.member.member_1) > (_e442.member.member + _e442.member.member_1)) {
-                        phi_732_ = _e351.member;
+                    let _e525 = phi_703_;
+                    if ((_e349.member.member + _e349.member.member_1) > (_e437.member.member + _e437.member.member_1)) {
+                        phi_714_ = _e349.member;
                     } else {
-                        phi_732_ = _e442.member;
+                        phi_714_ = _e437.member;
                     }
-                    let _e548 = phi_732_;
-                    if ((_e548.member + _e548.member_1) > (_e533.member.member + _e533.member.member_1)) {
-                        phi_740_ = _e548;
+                    let _e540 = phi_714_;
+                    if ((_e540.member + _e540.member_1) > (_e525.member.member + _e525.member.member_1)) {
+                        phi_722_ = _e540;
                     } else {
-                        phi_740_ = _e533.member;
+                        phi_722_ = _e525.member;
                     }
-                    let _e556 = phi_740_;
-                    if ((_e351.member_1.member + _e351.member_1.member_1) < (_e442.member_1.member + _e442.member_1.member_1)) {
-                        phi_749_ = _e351.member_1;
+                    let _e548 = phi_722_;
+                    if ((_e349.member_1.member + _e349.member_1.member_1) < (_e437.member_1.member + _e437.member_1.member_1)) {
+                        phi_731_ = _e349.member_1;
                     } else {
-                        phi_749_ = _e442.member_1;
+                        phi_731_ = _e437.member_1;
                     }
-                    let _e565 = phi_749_;
-                    if ((_e565.member + _e565.member_1) < (_e533.member_1.member + _e533.member_1.member_1)) {
-                        phi_757_ = _e565;
+                    let _e557 = phi_731_;
+                    if ((_e557.member + _e557.member_1) < (_e525.member_1.member + _e525.member_1.member_1)) {
+                        phi_739_ = _e557;
                     } else {
-                        phi_757_ = _e533.member_1;
+                        phi_739_ = _e525.member_1;
                     }
-                    let _e573 = phi_757_;
-                    let _e576 = (_e573.member - _e556.member);
-                    let _e577 = (_e573.member_1 - _e556.member_1);
-                    if ((_e576 + _e577) > 0f) {
-                        phi_765_ = type_18(_e576, _e577);
+                    let _e565 = phi_739_;
+                    let _e568 = (_e565.member - _e548.member);
+                    let _e569 = (_e565.member_1 - _e548.member_1);
+                    if ((_e568 + _e569) > 0f) {
+                        phi_747_ = type_18(_e568, _e569);
                     } else {
-                        phi_765_ = type_18(0f, 0f);
+                        phi_747_ = type_18(0f, 0f);
                     }
-                    let _e582 = phi_765_;
-                    let _e587 = ((_e582.member * _e261) + (_e582.member_1 * _e270));
-                    let _e588 = (_e582.member * _e260);
-                    let _e592 = (trunc(((_e588 + _e587) * 4096f)) * 0.00024414063f);
-                    let _e594 = ((_e588 - _e592) + _e587);
-                    let _e597 = ((_e582.member * _e263) + (_e582.member_1 * _e361));
-                    let _e598 = (_e582.member * _e262);
-                    let _e602 = (trunc(((_e598 + _e597) * 4096f)) * 0.00024414063f);
-                    let _e604 = ((_e598 - _e602) + _e597);
-                    let _e607 = ((_e582.member * _e265) + (_e582.member_1 * _e452));
-                    let _e608 = (_e582.member * _e264);
-                    let _e612 = (trunc(((_e608 + _e607) * 4096f)) * 0.00024414063f);
-                    let _e614 = ((_e608 - _e612) + _e607);
-                    let _e615 = (_e592 + _e594);
-                    let _e616 = (_e602 + _e604);
-                    let _e617 = (_e612 + _e614);
-                    let _e623 = sqrt((((_e615 * _e615) + (_e616 * _e616)) + (_e617 * _e617)));
-                    let _e624 = (_e623 > 0f);
-                    let _e626 = ceil((_e623 / _e268));
-                    let _e628 = select(1f, _e626, (_e626 > 1f));
-                    let _e630 = select(16384f, _e628, (_e628 < 16384f));
-                    let _e634 = (_e242 + ((_e556.member * _e261) + (_e556.member_1 * _e270)));
-                    let _e636 = (_e240 + (_e556.member * _e260));
-                    let _e640 = (trunc(((_e636 + _e634) * 4096f)) * 0.00024414063f);
-                    let _e646 = (_e248 + ((_e556.member * _e263) + (_e556.member_1 * _e361)));
-                    let _e648 = (_e246 + (_e556.member * _e262));
-                    let _e652 = (trunc(((_e648 + _e646) * 4096f)) * 0.00024414063f);
-                    let _e658 = (_e254 + ((_e556.member * _e265) + (_e556.member_1 * _e452)));
-                    let _e660 = (_e252 + (_e556.member * _e264));
-                    let _e664 = (trunc(((_e660 + _e658) * 4096f)) * 0.00024414063f);
-                    if _e624 {
-                        phi_789_ = select(select(u32(_e630), 0u, (_e630 < 0f)), 4294967295u, (_e630 > 4294967000f));
+                    let _e574 = phi_747_;
+                    let _e579 = ((_e574.member * _e262) + (_e574.member_1 * _e271));
+                    let _e580 = (_e574.member * _e261);
+                    let _e584 = (trunc(((_e580 + _e579) * 4096f)) * 0.00024414063f);
+                    let _e586 = ((_e580 - _e584) + _e579);
+                    let _e589 = ((_e574.member * _e264) + (_e574.member_1 * _e359));
+                    let _e590 = (_e574.member * _e263);
+                    let _e594 = (trunc(((_e590 + _e589) * 4096f)) * 0.00024414063f);
+                    let _e596 = ((_e590 - _e594) + _e589);
+                    let _e599 = ((_e574.member * _e266) + (_e574.member_1 * _e447));
+                    let _e600 = (_e574.member * _e265);
+                    let _e604 = (trunc(((_e600 + _e599) * 4096f)) * 0.00024414063f);
+                    let _e606 = ((_e600 - _e604) + _e599);
+                    let _e607 = (_e584 + _e586);
+                    let _e608 = (_e594 + _e596);
+                    let _e609 = (_e604 + _e606);
+                    let _e615 = sqrt((((_e607 * _e607) + (_e608 * _e608)) + (_e609 * _e609)));
+                    let _e616 = (_e615 > 0f);
+                    let _e618 = ceil((_e615 / _e269));
+                    let _e620 = select(1f, _e618, (_e618 > 1f));
+                    let _e622 = select(16384f, _e620, (_e620 < 16384f));
+                    let _e626 = (_e243 + ((_e548.member * _e262) + (_e548.member_1 * _e271)));
+                    let _e628 = (_e241 + (_e548.member * _e261));
+                    let _e632 = (trunc(((_e628 + _e626) * 4096f)) * 0.00024414063f);
+                    let _e638 = (_e249 + ((_e548.member * _e264) + (_e548.member_1 * _e359)));
+                    let _e640 = (_e247 + (_e548.member * _e263));
+                    let _e644 = (trunc(((_e640 + _e638) * 4096f)) * 0.00024414063f);
+                    let _e650 = (_e255 + ((_e548.member * _e266) + (_e548.member_1 * _e447)));
+                    let _e652 = (_e253 + (_e548.member * _e265));
+                    let _e656 = (trunc(((_e652 + _e650) * 4096f)) * 0.00024414063f);
+                    if _e616 {
+                        phi_771_ = select(select(u32(_e622), 0u, (_e622 < 0f)), 4294967295u, (_e622 > 4294967000f));
                     } else {
-                        phi_789_ = 0u;
+                        phi_771_ = 0u;
                     }
-                    let _e673 = phi_789_;
-                    if _e624 {
-                        phi_793_ = ((_e623 / _e630) / _e268);
+                    let _e665 = phi_771_;
+                    if _e616 {
+                        phi_775_ = ((_e615 / _e622) / _e269);
                     } else {
-                        phi_793_ = 0f;
+                        phi_775_ = 0f;
                     }
-                    let _e677 = phi_793_;
-                    global_8.member[_e255] = vec4<f32>(_e640, _e652, _e664, _e677);
-                    global_8.member[(_e255 + 1u)] = vec4<f32>(_e592, _e602, _e612, 0f);
-                    global_8.member[(_e255 + 2u)] = vec4<f32>(((_e636 - _e640) + _e634), ((_e648 - _e652) + _e646), ((_e660 - _e664) + _e658), 0f);
-                    global_8.member[(_e255 + 3u)] = vec4<f32>(_e594, _e604, _e614, 0f);
-                    global_9.member[_e63] = _e673;
+                    let _e669 = phi_775_;
+                    global_8.member[_e256] = vec4<f32>(_e632, _e644, _e656, _e669);
+                    global_8.member[(_e256 + 1u)] = vec4<f32>(_e584, _e594, _e604, 0f);
+                    global_8.member[(_e256 + 2u)] = vec4<f32>(((_e628 - _e632) + _e626), ((_e640 - _e644) + _e638), ((_e652 - _e656) + _e650), 0f);
+                    global_8.member[(_e256 + 3u)] = vec4<f32>(_e586, _e596, _e606, 0f);
+                    global_9.member[_e64] = _e665;
                 } else {
-                    let _e696 = ((_e240 - 0.5f) + _e242);
-                    let _e698 = ((_e246 - 0.5f) + _e248);
-                    let _e700 = ((_e252 - 0.5f) + _e254);
-                    let _e702 = ((_e179 - 0.5f) + _e181);
-                    let _e704 = ((_e185 - 0.5f) + _e187);
-                    let _e706 = ((_e191 - 0.5f) + _e193);
-                    let _e709 = global_3.member.member_2;
-                    let _e711 = select(-1000000000000000f, _e696, (_e696 > -1000000000000000f));
-                    let _e715 = select(-1000000000000000f, _e698, (_e698 > -1000000000000000f));
-                    let _e719 = select(-1000000000000000f, _e700, (_e700 > -1000000000000000f));
-                    let _e723 = select(-1000000000000000f, _e702, (_e702 > -1000000000000000f));
+                    let _e688 = ((_e241 - 0.5f) + _e243);
+                    let _e690 = ((_e247 - 0.5f) + _e249);
+                    let _e692 = ((_e253 - 0.5f) + _e255);
+                    let _e694 = ((_e180 - 0.5f) + _e182);
+                    let _e696 = ((_e186 - 0.5f) + _e188);
+                    let _e698 = ((_e192 - 0.5f) + _e194);
+                    let _e701 = global_3.member.member_2;
+                    let _e703 = select(-1000000000000000f, _e688, (_e688 > -1000000000000000f));
+                    let _e707 = select(-1000000000000000f, _e690, (_e690 > -1000000000000000f));
+                    let _e711 = select(-1000000000000000f, _e692, (_e692 > -1000000000000000f));
+                    let _e715 = select(-1000000000000000f, _e694, (_e694 > -1000000000000000f));
+                    let _e717 = select(1000000000000000f, _e715, (_e715 < 1000000000000000f));
+                    let _e719 = select(-1000000000000000f, _e696, (_e696 > -1000000000000000f));
+                    let _e721 = select(1000000000000000f, _e719, (_e719 < 1000000000000000f));
+                    let _e723 = select(-1000000000000000f, _e698, (_e698 > -1000000000000000f));
                     let _e725 = select(1000000000000000f, _e723, (_e723 < 1000000000000000f));
-                    let _e727 = select(-1000000000000000f, _e704, (_e704 > -1000000000000000f));
-                    let _e729 = select(1000000000000000f, _e727, (_e727 < 1000000000000000f));
-                    let _e731 = select(-1000000000000000f, _e706, (_e706 > -1000000000000000f));
-                    let _e733 = select(1000000000000000f, _e731, (_e731 < 1000000000000000f));
-                    let _e734 = (_e725 - select(1000000000000000f, _e711, (_e711 < 1000000000000000f)));
-                    let _e735 = (_e729 - select(1000000000000000f, _e715, (_e715 < 1000000000000000f)));
-                    let _e736 = (_e733 - select(1000000000000000f, _e719, (_e719 < 1000000000000000f)));
-                    let _e742 = sqrt((((_e734 * _e734) + (_e735 * _e735)) + (_e736 * _e736)));
-                    let _e745 = (1f / select(0.000000000000000000000000000000000000011754944f, _e742, (_e742 > 0.000000000000000000000000000000000000011754944f)));
-                    let _e746 = (_e734 * _e745);
-                    let _e747 = (_e735 * _e745);
-                    let _e748 = (_e736 * _e745);
-                    let _e753 = (((_e725 * _e746) + (_e729 * _e747)) + (_e733 * _e748));
-                    let _e757 = (_e725 - (_e746 * _e753));
-                    let _e758 = (_e729 - (_e747 * _e753));
-                    let _e759 = (_e733 - (_e748 * _e753));
-                    let _e765 = sqrt((((_e757 * _e757) + (_e758 * _e758)) + (_e759 * _e759)));
-                    let _e767 = select(0.4330127f, _e765, (_e765 > 0.4330127f));
-                    let _e768 = (_e753 - _e742);
-                    let _e769 = (_e768 < 0f);
-                    if _e769 {
-                        phi_842_ = -(_e768);
+                    let _e726 = (_e717 - select(1000000000000000f, _e703, (_e703 < 1000000000000000f)));
+                    let _e727 = (_e721 - select(1000000000000000f, _e707, (_e707 < 1000000000000000f)));
+                    let _e728 = (_e725 - select(1000000000000000f, _e711, (_e711 < 1000000000000000f)));
+                    let _e734 = sqrt((((_e726 * _e726) + (_e727 * _e727)) + (_e728 * _e728)));
+                    let _e737 = (1f / select(0.00000000000000000010842022f, _e734, (_e734 > 0.00000000000000000010842022f)));
+                    let _e738 = (_e726 * _e737);
+                    let _e739 = (_e727 * _e737);
+                    let _e740 = (_e728 * _e737);
+                    let _e745 = (((_e717 * _e738) + (_e721 * _e739)) + (_e725 * _e740));
+                    let _e749 = (_e717 - (_e738 * _e745));
+                    let _e750 = (_e721 - (_e739 * _e745));
+                    let _e751 = (_e725 - (_e740 * _e745));
+                    let _e757 = sqrt((((_e749 * _e749) + (_e750 * _e750)) + (_e751 * _e751)));
+                    let _e759 = select(0.4330127f, _e757, (_e757 > 0.4330127f));
+                    let _e760 = (_e745 - _e734);
+                    let _e761 = abs(_e760);
+                    let _e766 = (_e759 * (2f - (_e759 / select(_e759, _e761, (_e761 > _e759)))));
+                    if (_e761 <= _e759) {
+                        phi_832_ = _e760;
                     } else {
-                        phi_842_ = _e768;
-                    }
-                    let _e772 = phi_842_;
-                    let _e777 = (_e767 * (2f - (_e767 / select(_e767, _e772, (_e772 > _e767)))));
-                    if _e769 {
-                        phi_848_ = -(_e768);
-                    } else {
-                        phi_848_ = _e768;
-                    }
-                    let _e780 = phi_848_;
-                    if (_e780 <= _e767) {
-                        phi_857_ = _e768;
-                    } else {
-                        if _e769 {
-                            phi_856_ = -(_e777);
+                        if (_e760 < 0f) {
+                            phi_831_ = -(_e766);
                         } else {
-                            phi_856_ = _e777;
+                            phi_831_ = _e766;
                         }
-                        let _e784 = phi_856_;
-                        phi_857_ = _e784;
+                        let _e771 = phi_831_;
+                        phi_832_ = _e771;
                     }
-                    let _e786 = phi_857_;
-                    let _e787 = (_e753 < 0f);
-                    if _e787 {
-                        phi_862_ = -(_e753);
+                    let _e773 = phi_832_;
+                    let _e774 = abs(_e745);
+                    let _e779 = (_e759 * (2f - (_e759 / select(_e759, _e774, (_e774 > _e759)))));
+                    if (_e774 <= _e759) {
+                        phi_845_ = _e745;
                     } else {
-                        phi_862_ = _e753;
-                    }
-                    let _e790 = phi_862_;
-                    let _e795 = (_e767 * (2f - (_e767 / select(_e767, _e790, (_e790 > _e767)))));
-                    if _e787 {
-                        phi_868_ = -(_e753);
-                    } else {
-                        phi_868_ = _e753;
-                    }
-                    let _e798 = phi_868_;
-                    if (_e798 <= _e767) {
-                        phi_877_ = _e753;
-                    } else {
-                        if _e787 {
-                            phi_876_ = -(_e795);
+                        if (_e745 < 0f) {
+                            phi_844_ = -(_e779);
                         } else {
-                            phi_876_ = _e795;
+                            phi_844_ = _e779;
                         }
-                        let _e802 = phi_876_;
-                        phi_877_ = _e802;
+                        let _e784 = phi_844_;
+                        phi_845_ = _e784;
                     }
-                    let _e804 = phi_877_;
-                    let _e805 = (_e804 - _e786);
-                    let _e807 = ((0.4330127f / _e767) * _e805);
-                    let _e808 = (_e807 > 0f);
-                    let _e810 = ceil((_e807 / _e709));
-                    let _e812 = select(1f, _e810, (_e810 > 1f));
-                    let _e814 = select(16384f, _e812, (_e812 < 16384f));
-                    if _e808 {
-                        phi_892_ = select(select(u32(_e814), 0u, (_e814 < 0f)), 4294967295u, (_e814 > 4294967000f));
+                    let _e786 = phi_845_;
+                    let _e787 = (_e786 - _e773);
+                    let _e789 = ((0.4330127f / _e759) * _e787);
+                    let _e790 = (_e789 > 0f);
+                    let _e792 = ceil((_e789 / _e701));
+                    let _e794 = select(1f, _e792, (_e792 > 1f));
+                    let _e796 = select(16384f, _e794, (_e794 < 16384f));
+                    if _e790 {
+                        phi_860_ = select(select(u32(_e796), 0u, (_e796 < 0f)), 4294967295u, (_e796 > 4294967000f));
                     } else {
-                        phi_892_ = 0u;
+                        phi_860_ = 0u;
                     }
-                    let _e821 = phi_892_;
-                    if _e808 {
-                        phi_896_ = ((_e807 / _e814) / _e709);
+                    let _e803 = phi_860_;
+                    if _e790 {
+                        phi_864_ = ((_e789 / _e796) / _e701);
                     } else {
-                        phi_896_ = 0f;
+                        phi_864_ = 0f;
                     }
-                    let _e825 = phi_896_;
-                    global_8.member[_e255] = vec4<f32>(_e757, _e758, _e759, _e825);
-                    global_8.member[(_e255 + 1u)] = vec4<f32>(_e746, _e747, _e748, _e767);
-                    global_8.member[(_e255 + 2u)] = vec4<f32>(_e786, _e805, 0f, 0f);
-                    global_8.member[(_e255 + 3u)] = vec4<f32>(0f, 0f, 0f, 0f);
-                    global_9.member[_e63] = _e821;
+                    let _e807 = phi_864_;
+                    global_8.member[_e256] = vec4<f32>(_e749, _e750, _e751, _e807);
+                    global_8.member[(_e256 + 1u)] = vec4<f32>(_e738, _e739, _e740, _e759);
+                    global_8.member[(_e256 + 2u)] = vec4<f32>(_e773, _e787, 0f, 0f);
+                    global_8.member[(_e256 + 3u)] = vec4<f32>(0f, 0f, 0f, 0f);
+                    global_9.member[_e64] = _e803;
                 }
             }
             break;

@@ -37,140 +37,132 @@ var<storage> global_7: type_21;
 var<storage, read_write> global_8: type_10;
 
 fn function_() {
-    var phi_79_: u32;
-    var phi_82_: u32;
+    var phi_78_: u32;
+    var phi_81_: u32;
     var local: u32;
-    var phi_117_: u32;
-    var phi_126_: u32;
-    var phi_128_: u32;
+    var phi_116_: u32;
+    var phi_125_: u32;
+    var phi_127_: u32;
+    var phi_130_: u32;
+    var phi_162_: f32;
+    var phi_176_: bool;
+    var phi_177_: bool;
+    var phi_178_: bool;
     var phi_131_: u32;
-    var phi_163_: f32;
-    var phi_178_: f32;
-    var phi_181_: bool;
-    var phi_182_: bool;
-    var phi_183_: bool;
-    var phi_132_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
 
-    let _e23 = global;
-    let _e24 = global_1;
-    let _e25 = global_2;
-    let _e33 = (((_e24.x + (_e24.y * _e25.x)) * 64u) + _e23.x);
-    let _e36 = global_3.member.member;
-    if (_e33 < _e36) {
-        let _e40 = global_3.member.member_1;
-        phi_79_ = _e40;
-        phi_82_ = 0u;
+    let _e22 = global;
+    let _e23 = global_1;
+    let _e24 = global_2;
+    let _e32 = (((_e23.x + (_e23.y * _e24.x)) * 64u) + _e22.x);
+    let _e35 = global_3.member.member;
+    if (_e32 < _e35) {
+        let _e39 = global_3.member.member_1;
+        phi_78_ = _e39;
+        phi_81_ = 0u;
         loop {
-            let _e42 = phi_79_;
-            let _e44 = phi_82_;
-            local = _e44;
-            if ((_e44 + 1u) < _e42) {
-                let _e48 = ((_e44 + _e42) / 2u);
-                let _e51 = global_4.member[_e48];
-                let _e52 = (_e51 <= _e33);
-                local_2 = select(_e48, _e42, _e52);
-                local_3 = select(_e44, _e48, _e52);
+            let _e41 = phi_78_;
+            let _e43 = phi_81_;
+            local = _e43;
+            if ((_e43 + 1u) < _e41) {
+                let _e47 = ((_e43 + _e41) / 2u);
+                let _e50 = global_4.member[_e47];
+                let _e51 = (_e50 <= _e32);
+                local_2 = select(_e47, _e41, _e51);
+                local_3 = select(_e43, _e47, _e51);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e162 = local_2;
-                phi_79_ = _e162;
-                let _e165 = local_3;
-                phi_82_ = _e165;
+                let _e158 = local_2;
+                phi_78_ = _e158;
+                let _e161 = local_3;
+                phi_81_ = _e161;
             }
         }
-        let _e56 = local;
-        let _e57 = (_e56 * 4u);
-        let _e61 = global_5.member[(_e57 + 1u)];
-        let _e65 = global_5.member[(_e57 + 2u)];
-        let _e68 = global_6.member[_e33];
-        let _e69 = (_e68 * 3u);
-        let _e72 = global_7.member[_e69];
-        let _e76 = global_7.member[(_e69 + 1u)];
-        let _e79 = global_3.member.member_2;
-        let _e80 = (_e79 / 64u);
-        if ((_e79 % 64u) > 0u) {
-            phi_117_ = (_e80 + 1u);
+        let _e55 = local;
+        let _e56 = (_e55 * 4u);
+        let _e60 = global_5.member[(_e56 + 1u)];
+        let _e64 = global_5.member[(_e56 + 2u)];
+        let _e67 = global_6.member[_e32];
+        let _e68 = (_e67 * 3u);
+        let _e71 = global_7.member[_e68];
+        let _e75 = global_7.member[(_e68 + 1u)];
+        let _e78 = global_3.member.member_2;
+        let _e79 = (_e78 / 64u);
+        if ((_e78 % 64u) > 0u) {
+            phi_116_ = (_e79 + 1u);
         } else {
-            phi_117_ = _e80;
+            phi_116_ = _e79;
         }
-        let _e85 = phi_117_;
-        let _e86 = (_e85 * 16u);
-        let _e87 = (_e79 / 8u);
-        if ((_e79 % 8u) > 0u) {
-            phi_126_ = (_e87 + 1u);
+        let _e84 = phi_116_;
+        let _e85 = (_e84 * 16u);
+        let _e86 = (_e78 / 8u);
+        if ((_e78 % 8u) > 0u) {
+            phi_125_ = (_e86 + 1u);
         } else {
-            phi_126_ = _e87;
+            phi_125_ = _e86;
         }
-        let _e92 = phi_126_;
-        phi_128_ = 0u;
-        phi_131_ = 0u;
+        let _e91 = phi_125_;
+        phi_127_ = 0u;
+        phi_130_ = 0u;
         loop {
-            let _e94 = phi_128_;
-            let _e96 = phi_131_;
-            local_1 = _e96;
-            if (_e94 < 32u) {
-                let _e99 = ((_e94 % 4u) * _e86);
-                let _e101 = ((_e94 / 4u) * _e92);
-                let _e109 = (f32((_e65 + bitcast<i32>(_e101))) + 0.5f);
-                let _e121 = (f32((_e65 + bitcast<i32>(((_e101 + _e92) - 1u)))) + 0.5f);
-                if (_e72.y < _e109) {
-                    phi_163_ = _e109;
+            let _e93 = phi_127_;
+            let _e95 = phi_130_;
+            local_1 = _e95;
+            if (_e93 < 32u) {
+                let _e98 = ((_e93 % 4u) * _e85);
+                let _e100 = ((_e93 / 4u) * _e91);
+                let _e108 = (f32((_e64 + bitcast<i32>(_e100))) + 0.5f);
+                let _e120 = (f32((_e64 + bitcast<i32>(((_e100 + _e91) - 1u)))) + 0.5f);
+                if (_e71.y < _e108) {
+                    phi_162_ = _e108;
                 } else {
-                    phi_163_ = select(_e72.y, _e121, (_e72.y > _e121));
+                    phi_162_ = select(_e71.y, _e120, (_e71.y > _e120));
                 }
-                let _e127 = phi_163_;
-                if (((f32((_e61 + bitcast<i32>(_e99))) + 0.5f) - _e72.x) > _e72.w) {
-                    phi_182_ = bool();
-                    phi_183_ = true;
+                let _e126 = phi_162_;
+                if (((f32((_e60 + bitcast<i32>(_e98))) + 0.5f) - _e71.x) > _e71.w) {
+                    phi_177_ = bool();
+                    phi_178_ = true;
                 } else {
-                    let _e133 = ((_e72.x - (f32((_e61 + bitcast<i32>(((_e99 + _e86) - 1u)))) + 0.5f)) > _e72.w);
-                    if _e133 {
-                        phi_181_ = bool();
+                    let _e132 = ((_e71.x - (f32((_e60 + bitcast<i32>(((_e98 + _e85) - 1u)))) + 0.5f)) > _e71.w);
+                    if _e132 {
+                        phi_176_ = bool();
                     } else {
-                        let _e134 = (_e127 - _e72.y);
-                        if (_e134 < 0f) {
-                            phi_178_ = -(_e134);
-                        } else {
-                            phi_178_ = _e134;
-                        }
-                        let _e138 = phi_178_;
-                        phi_181_ = (_e138 > _e76.w);
+                        phi_176_ = (abs((_e126 - _e71.y)) > _e75.w);
                     }
-                    let _e142 = phi_181_;
-                    phi_182_ = _e142;
-                    phi_183_ = _e133;
+                    let _e138 = phi_176_;
+                    phi_177_ = _e138;
+                    phi_178_ = _e132;
                 }
-                let _e144 = phi_182_;
-                let _e146 = phi_183_;
-                if !(select(_e144, true, _e146)) {
-                    phi_132_ = (_e96 | (1u << bitcast<u32>((_e94 & 31u))));
+                let _e140 = phi_177_;
+                let _e142 = phi_178_;
+                if !(select(_e140, true, _e142)) {
+                    phi_131_ = (_e95 | (1u << bitcast<u32>((_e93 & 31u))));
                 } else {
-                    phi_132_ = _e96;
+                    phi_131_ = _e95;
                 }
-                let _e154 = phi_132_;
-                local_4 = (_e94 + 1u);
-                local_5 = _e154;
+                let _e150 = phi_131_;
+                local_4 = (_e93 + 1u);
+                local_5 = _e150;
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e171 = local_4;
-                phi_128_ = _e171;
-                let _e174 = local_5;
-                phi_131_ = _e174;
+                let _e167 = local_4;
+                phi_127_ = _e167;
+                let _e170 = local_5;
+                phi_130_ = _e170;
             }
         }
-        let _e159 = local_1;
-        global_8.member[_e33] = _e159;
+        let _e155 = local_1;
+        global_8.member[_e32] = _e155;
     }
     return;
 }

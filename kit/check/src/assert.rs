@@ -31,7 +31,8 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     let mut failures = Vec::new();
     // they say what is wrong, where others have wrong values
     checked(cases, &cpu, &mut failures);
-    let plain = devices::cpus().into_iter().chain(devices::gpus(modules));
+    let flushing = [("cpu, flushing", devices::flushing())];
+    let plain = devices::cpus().into_iter().chain(flushing).chain(devices::gpus(modules));
     for (name, device) in plain.chain(variants(modules)) {
         let mut rows = Vec::new();
         for case in cases.iter().filter(|case| is_new(case, &device, name)) {

@@ -108,6 +108,16 @@ pub fn with(instruction_set: InstructionSet) -> Device {
     Device::open(&options, Modules::none()).expect("the CPU")
 }
 
+/// The CPU where denormals are zeros, as on some GPUs: [`DeviceOptions::flush_denormals`].
+///
+/// # Panics
+/// If threads cannot be started.
+#[must_use]
+pub fn flushing() -> Device {
+    let options = DeviceOptions::cpu(None).flush_denormals(true);
+    Device::open(&options, Modules::none()).expect("the CPU")
+}
+
 /// The CPU with each instruction set that it has.
 #[must_use]
 pub fn cpus() -> Vec<(&'static str, Device)> {

@@ -26,6 +26,14 @@ pub fn list_of_sums(id: Invocation, input: Read<u32>, next: Write<u32>, list: Wr
     }
 }
 
+/// Where a number is not zero.
+#[kernel(threads(64))]
+pub fn not_zero(id: Invocation, input: Read<f32>, output: Write<u32>) {
+    if id.index() < input.len() {
+        output.write(id.index(), u32::from(input.read(id.index()) != 0.0));
+    }
+}
+
 fn append(id: Invocation, input: Read<u32>, next: Write<u32>, list: Write<u32>) {
     if id.index() < 100 && input.read(id.index()).is_multiple_of(2) {
         list.write(atomic::add(next, 0, 1), input.read(id.index()));
@@ -63,4 +71,15 @@ fn a_list_without_order_has_the_same_elements() {
     let [input, next, list] = &buffers(&device).unwrap();
     let message = device.run(&ListOfSumsKernel { input, next, list }, 100, 1).unwrap_err();
     assert!(message.to_string().contains("of `list`"), "{message}");
+}
+
+#[test]
+#[cfg(target_arch = "x86_64")]
+fn a_device_flushes_denormals() {
+    for (device, expected) in [(devices::cpu(None), [0, 1, 1]), (devices::flushing(), [0, 0, 1])] {
+        let input = device.upload("input", &[0.0, -1e-40, 1.0]).unwrap();
+        let output = device.unwritten("output", 3).unwrap();
+        device.run(&NotZeroKernel { input: &input, output: &output }, 3, 1).unwrap();
+        assert_eq!(device.read(&output).unwrap(), expected);
+    }
 }

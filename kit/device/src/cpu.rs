@@ -56,6 +56,7 @@ pub struct Cpu {
     pub(crate) check_nan: bool,
     pub(crate) time_limit: Option<Duration>,
     pub(crate) thorough: Option<u64>,
+    pub(crate) flush_denormals: bool,
     pub(crate) subgroup_size: u32,
     /// See [`Device::watch`](crate::Device::watch).
     pub(crate) watch: Mutex<Option<Watch>>,
@@ -101,6 +102,7 @@ impl Cpu {
             check_nan,
             time_limit,
             thorough: options.thorough,
+            flush_denormals: options.flush_denormals,
             subgroup_size,
             watch: Mutex::default(),
             variants,

@@ -131,9 +131,10 @@ impl Cpu {
         let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
         let bindings = bind(info, uniform, buffers).map_err(failed)?;
         let job = Job { info, bindings, buffers, workgroups };
+        let mode = RunMode { is_flushing: self.flush_denormals, ..RunMode::default() };
         let result = match self.thorough {
             Some(seed) => thorough::run(self, &job, seed),
-            None => self.run_once(&job, RunMode::default()).map(drop),
+            None => self.run_once(&job, mode).map(drop),
         };
         result.map_err(failed)
     }

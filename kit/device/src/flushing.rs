@@ -35,7 +35,7 @@ impl Drop for Flushing {
 
 #[cfg(not(target_arch = "x86_64"))]
 impl Flushing {
-    pub fn begin() -> Self {
+    pub fn enable() -> Self {
         Self {}
     }
 }

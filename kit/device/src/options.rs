@@ -86,6 +86,8 @@ pub struct DeviceOptions {
     /// thread, once more in the reverse order, once more without denormals (on x86-64), once more with fused arithmetic (in debug
     /// builds), and, if it has subgroups, with all their sizes. The results must agree; where the arithmetic is another one, the integers and which floats are finite.
     pub thorough: Option<u64>,
+    /// Whether the CPU flushes denormals to zero, as some GPUs do: in arithmetic, and where numbers are compared. Only on x86-64.
+    pub flush_denormals: bool,
     /// Number of lanes of a [subgroup](muslin::subgroup) on the CPU, one of its [sizes](muslin::subgroup::SIZES). By default 32, and on a
     /// [thorough](Self::thorough) device one that the seed chooses.
     pub subgroup_size: Option<u32>,
@@ -191,6 +193,13 @@ impl DeviceOptions {
     #[must_use]
     pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
         self.time_limit = limit.into();
+        self
+    }
+
+    /// Sets [`flush_denormals`](Self::flush_denormals).
+    #[must_use]
+    pub fn flush_denormals(mut self, flush: bool) -> Self {
+        self.flush_denormals = flush;
         self
     }
 

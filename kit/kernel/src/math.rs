@@ -79,11 +79,10 @@ pub fn to_u32(x: f32) -> u32 {
     }
 }
 
-/// |x|
-#[gradient]
+/// |x|, without a comparison: a GPU may take a negative denormal for 0, and keep its sign.
 #[inline(always)]
 pub fn abs(x: f32) -> f32 {
-    if x < 0.0 { -x } else { x }
+    x.abs()
 }
 
 /// The smaller of two numbers.
@@ -241,6 +240,12 @@ fn ln_1p<L: Lane>(x: L) -> L {
     number(2.0) * s * (number(1.0) + t * (number(1.0 / 3.0) + t * series))
 }
 
+/// Of [`abs`], by the sign bit of x.
+#[inline(always)]
+pub fn abs_backward(x: f32, gradient: f32) -> f32 {
+    f32::from_bits(gradient.to_bits() ^ (x.to_bits() & 0x8000_0000))
+}
+
 /// Of [`sin`].
 #[inline(always)]
 pub fn sin_backward<L: Lane>(x: L, gradient: L) -> L {
@@ -299,17 +304,29 @@ pub fn length(v: Vec3) -> f32 {
     sqrt(dot(v, v))
 }
 
-/// v / |v|; zero for zero.
+/// v / |v|. Shorter than 1 where the square of |v| is below [`TINY`], as a GPU can flush that; zero for zero.
 #[gradient]
 #[inline(always)]
 pub fn normalize(v: Vec3) -> Vec3 {
-    v * (1.0 / max(length(v), TINY))
+    v * (1.0 / sqrt(max(dot(v, v), TINY)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::lane::Wide;
+
+    #[test]
+    fn a_denormal_has_a_sign_and_no_direction() {
+        let denormal = TINY / 2.0;
+        assert_eq!([denormal, -denormal].map(abs), [denormal; 2]);
+        assert_eq!([denormal, -denormal].map(|x| abs_backward(x, 3.0)), [3.0, -3.0]);
+        for size in [1e-30, 1e-20, 1e-19] {
+            let found = length(normalize(Vec3::new(size, -size, 0.0)));
+            assert!(found <= 1.0 + 1e-6, "{found} of {size}");
+        }
+        assert!(normalize_backward(Vec3::ZERO, Vec3::ONE).is_finite());
+    }
 
     #[test]
     fn sigmoids_match_f64_from_end_to_end() {

@@ -41,19 +41,20 @@ def main():
 class Client:
     """Asks for images as the page does."""
 
-    def __init__(self, host):
+    def __init__(self, host, token):
         self.connection = http.client.HTTPConnection(host)
+        self.token = token
         self.sequence = 0
 
     def get(self, path):
-        self.connection.request("GET", path)
+        self.connection.request("GET", f"{path}?{self.token}")
         return json.loads(self.connection.getresponse().read())
 
     def frame(self, camera, quality):
         self.sequence += 1
         request = {"client": 1, "sequence": self.sequence, "camera": camera, "mode": "color", "quality": quality}
         begin = time.perf_counter()
-        self.connection.request("POST", "/frame", json.dumps(request), {"Content-Type": "application/json"})
+        self.connection.request("POST", f"/frame?{self.token}", json.dumps(request), {"Content-Type": "application/json"})
         reply = self.connection.getresponse()
         body = reply.read()
         if reply.status != 200:
@@ -91,9 +92,9 @@ def measure(viewer, size, seconds):
     """Prints what was measured."""
     for line in viewer.stderr:
         print(line, end="")
-        if found := re.search(r"http://([^/]+)/", line):
+        if found := re.search(r"http://([^/]+)/\?(\S+)", line):
             break
-    client = Client(found[1])
+    client = Client(found[1], found[2])
     scene = client.get("/scene.json")
     home = resized(scene["home"], *size)
     up, center = scene["up"], scene["center"]

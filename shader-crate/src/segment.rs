@@ -294,3 +294,16 @@ pub fn segment(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_without_a_square_has_no_long_direction() {
+        for way in [0.0, 1e-30, 1e-20, 0.5] {
+            let ray = contracted_ray(Vec3::ZERO, Vec3::new(way, 0.0, 0.0), 0.01);
+            assert!(length(ray.direction) <= 1.0, "{} of {way}", ray.direction);
+        }
+    }
+}

@@ -11,10 +11,11 @@ use super::parity::Rounding;
 use super::report::{Report, Row};
 use super::{debugger, devices, measure::Measure};
 
-/// Checks each kernel with its case on every device of this machine: the CPU with each instruction set, the CPUs that
-/// [check](devices::checked) for mistakes, and the GPU, passed through and through naga, with its variants. Each result is
-/// compared with the CPU's and with the equations; where the CPU only checks more, it is the same. Every kernel of the cases'
-/// packages must have a case, and the equations give most of what it writes: see [`Parity::COMPARED`](super::Parity::COMPARED).
+/// Checks each kernel with its case on every device of this machine: the CPU with each instruction set and with denormals
+/// [flushed](devices::flushing), the CPUs that [check](devices::checked) for mistakes, and the GPU, passed through and through naga,
+/// with its variants. Each result is compared with the CPU's and with the equations; where the CPU only checks more, it is the
+/// same. Every kernel of the cases' packages must have a case, and the equations give most of what it writes: see
+/// [`Parity::COMPARED`](super::Parity::COMPARED).
 ///
 /// It prints a table for each device, which `cargo xtask parity` shows.
 ///

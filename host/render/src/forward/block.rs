@@ -20,8 +20,8 @@ const BLOCK: u32 = 1 << 17;
 const GROUP: u32 = 1 << 14;
 /// Samples of a chunk on a CPU: with its gradients, about 300 rows that its second cache holds.
 const CPU_CHUNK: u32 = 1 << 11;
-/// Samples of a chunk on a GPU: enough to fill it.
-const GPU_CHUNK: u32 = 1 << 16;
+/// Samples of a chunk on a GPU: enough to fill it, and few dispatches.
+const GPU_CHUNK: u32 = BLOCK;
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;
 /// Memory for the blocks of a field that are kept for the gradients, in bytes; other blocks are computed again.
@@ -30,7 +30,6 @@ const KEPT_BYTES: u64 = 256 << 20;
 pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
 
 const _: () = assert!(CPU_CHUNK <= MAX_SLICE && GPU_SLICE <= MAX_SLICE);
-const _: () = assert!(BLOCK.is_multiple_of(GPU_CHUNK));
 
 /// How samples lie in memory: `[chunks, rows, stride]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

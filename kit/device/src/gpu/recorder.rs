@@ -30,6 +30,8 @@ pub struct Recorder {
     finished: Vec<wgpu::CommandBuffer>,
     /// Parameters that the device fills in, between `finished` and `encoder`.
     fills: Fills,
+    /// The pass of the last dispatches. It ends before other commands, and each timed dispatch has its own.
+    pass: Option<wgpu::ComputePass<'static>>,
     encoder: Option<wgpu::CommandEncoder>,
     uniforms: wgpu::Buffer,
     /// Content of the slots.
@@ -54,6 +56,7 @@ impl Recorder {
         Self {
             finished: Vec::new(),
             fills: Fills::default(),
+            pass: None,
             encoder: None,
             uniforms,
             slots: Vec::new(),
@@ -63,7 +66,9 @@ impl Recorder {
         }
     }
 
+    /// The encoder, for commands outside of passes.
     fn encoder(&mut self, device: &wgpu::Device) -> &mut wgpu::CommandEncoder {
+        self.pass = None;
         self.encoder.get_or_insert_with(|| new_encoder(device))
     }
 
@@ -117,15 +122,28 @@ impl Recorder {
             layout: &pipeline.layout,
             entries: &entries,
         });
+        let pass = match self.pass.take().filter(|_| !self.times) {
+            Some(pass) => self.pass.insert(pass),
+            None => self.begin_pass(device, kernel),
+        };
+        pass.set_pipeline(&pipeline.pipeline);
+        pass.set_bind_group(0, &bind_group, &[]);
+        pass.dispatch_workgroups(x, y, z);
+    }
+
+    fn begin_pass(
+        &mut self,
+        device: &wgpu::Device,
+        kernel: &'static KernelInfo,
+    ) -> &mut wgpu::ComputePass<'static> {
         // not `self.encoder()`, which would also borrow the timer
         let encoder = self.encoder.get_or_insert_with(|| new_encoder(device));
         let timer = self.timer.as_mut().filter(|_| self.times);
         let timestamp_writes = timer.map(|timer| timer.time(kernel.name));
-        let mut pass =
+        let label = Some(if self.times { kernel.name } else { "kernels" });
+        let pass =
             encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes });
-        pass.set_pipeline(&pipeline.pipeline);
-        pass.set_bind_group(0, &bind_group, &[]);
-        pass.dispatch_workgroups(x, y, z);
+        self.pass.insert(pass.forget_lifetime())
     }
 
     pub fn clear(&mut self, device: &wgpu::Device, buffer: &wgpu::Buffer, bytes: Range<u64>) {
@@ -148,6 +166,7 @@ impl Recorder {
 
     /// Declares that the commands so far write the numbers that later dispatches have filled in.
     pub fn publish_counts(&mut self, device: &wgpu::Device) {
+        self.pass = None;
         if let Some(encoder) = self.encoder.take() {
             self.finished.extend(self.fills.take(device, &self.uniforms));
             self.finished.push(encoder.finish());
@@ -156,6 +175,7 @@ impl Recorder {
 
     /// Submits all commands to the device.
     pub fn submit(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+        self.pass = None;
         if let Some(timer) = self.timer.as_mut().filter(|timer| timer.has_unresolved()) {
             // not `self.encoder()`, which would also borrow the timer
             timer.resolve(device, self.encoder.get_or_insert_with(|| new_encoder(device)));
@@ -175,6 +195,7 @@ impl Recorder {
 
     /// Turns the timing of dispatches on or off. Returns whether the device can time them.
     pub fn time(&mut self, times: bool) -> bool {
+        self.pass = None;
         self.times = times;
         self.timer.is_some()
     }

@@ -223,7 +223,7 @@ impl Parity for Composite {
             let weight = placed.z * if channel == 3 { 1.0 } else { color[channel].abs() };
             scale += weight * falloff(q);
             floor += weight * (falloff(q - slack) - falloff(q + slack));
-            // squared before it is multiplied with a conic of zero, a distance beyond the square root of f32 is no number
+            // NVIDIA's driver squares a distance first: beyond the square root of f32, it is infinite, and times zero no number
             let overflows = dx.abs().max(dy.abs()) > f64::from(f32::MAX).sqrt();
             if overflows && rounding == Rounding::Regrouped {
                 floor += weight;

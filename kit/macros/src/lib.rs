@@ -19,6 +19,7 @@
 //! | `name: Read<T>`    | a storage buffer of `T` that is only read                   |
 //! | `name: Packed<u8>`, `Packed<u16>` | a storage buffer of small integers that is only read, as `u32` |
 //! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
+//! | `name: ReadFours<f32>`, `WriteFours<f32>` | the same two, of which a GPU reads and writes four numbers at once: rows of `Samples` |
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
 //! | `name: &mut impl SharedTile<T, N>` | in the variant `_shared`, `N` values of `T` in workgroup memory; nothing otherwise |
 //!

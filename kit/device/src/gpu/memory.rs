@@ -1,4 +1,5 @@
-//! Memory of a GPU. It is reused, as on the CPU: a driver takes milliseconds to find hundreds of megabytes.
+//! Memory of a GPU. It is reused, as on the CPU. New memory is zeroed before its first use, and the driver takes its time to free it: on an
+//! NVIDIA H200, a forward pass of 20,000 Gaussians took 16 ms with new memory for each batch, and 9 ms without.
 
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

@@ -76,6 +76,19 @@ mod tests {
 
     /// A test beside a kernel needs no device: it calls the kernel, one workgroup at a time.
     #[test]
+    fn ripples_begin_in_the_middle() {
+        let params = Picture { side: 8, pixels: 64 };
+        let mut gray = [0.0; 64];
+        let pixels = Write::from(&mut gray[..]);
+        Workgroup::new([8, 8, 1]).run(|id| ripples(id, &params, pixels));
+        // the middle of four pixels: half a pixel away in x and y, the wave is at sqrt(1/2)
+        let slope = 2.0 * math::sqrt(0.5) - 1.0;
+        let expected = 1.0 - 0.8 * slope;
+        assert!((gray[4 * 8 + 4] - expected).abs() < 1e-6, "{}", gray[4 * 8 + 4]);
+    }
+
+    /// The test makes the workgroup memory.
+    #[test]
     fn pixels_are_counted() {
         let params = Picture { side: 2, pixels: 4 };
         let gray = [0.0, 0.03, 0.52, 1.0];

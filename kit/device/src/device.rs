@@ -384,8 +384,7 @@ impl Device {
 
 /// Fails if a buffer ends within a vector of [`ReadFours`](muslin::memory::ReadFours): a GPU would not reach its end.
 fn refuse_partial(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
-    let bindings = info.bindings.iter().filter(|binding| binding.access != Access::Uniform);
-    for (binding, buffer) in bindings.zip(buffers) {
+    for (binding, buffer) in bound(info, buffers) {
         if !buffer.bytes.is_multiple_of(u64::from(binding.device_bytes)) {
             let reason = format!(
                 "`{}` has {} elements, and is read four at a time: make it longer",
@@ -400,9 +399,17 @@ fn refuse_partial(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
 
 /// Number of elements of each buffer, in the order of the bindings.
 fn elements(info: &KernelInfo, buffers: &[&RawBuffer]) -> Vec<u64> {
-    let bindings = info.bindings.iter().filter(|binding| binding.access != Access::Uniform);
-    let count = |(binding, buffer): (&BindingInfo, &&RawBuffer)| {
+    let count = |(binding, buffer): (&BindingInfo, &RawBuffer)| {
         buffer.bytes / u64::from(binding.element_bytes)
     };
-    bindings.zip(buffers).map(count).collect()
+    bound(info, buffers).map(count).collect()
+}
+
+/// The buffers, each with its binding.
+fn bound<'a>(
+    info: &'a KernelInfo,
+    buffers: &'a [&RawBuffer],
+) -> impl Iterator<Item = (&'a BindingInfo, &'a RawBuffer)> {
+    let bindings = info.bindings.iter().filter(|binding| binding.access != Access::Uniform);
+    bindings.zip(buffers.iter().copied())
 }

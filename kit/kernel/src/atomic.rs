@@ -215,17 +215,7 @@ pub fn raise(buffer: Write<u32>, index: u32, value: u32) -> u32 {
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn add_wide(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
     #[cfg(target_arch = "spirv")]
-    // SAFETY: the CPU run checks the index
-    unsafe {
-        let at = buffer.index_unchecked_mut(2 * index as usize);
-        let before = spirv_std::arch::atomic_i_add::<_, SCOPE, NO_ORDER>(at, low);
-        let carry = if before.wrapping_add(low) < low { 1 } else { 0 };
-        let high = high.wrapping_add(carry);
-        if high != 0 {
-            let at = buffer.index_unchecked_mut(2 * index as usize + 1);
-            spirv_std::arch::atomic_i_add::<_, SCOPE, NO_ORDER>(at, high);
-        }
-    }
+    add_wide_shared(buffer, index, [low, high]);
     #[cfg(not(target_arch = "spirv"))]
     add_wide_lanes(buffer, [index], [(u64::from(high) << 32 | u64::from(low)) as i64]);
 }

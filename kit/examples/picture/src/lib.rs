@@ -6,7 +6,15 @@ use picture_kernels::{BINS, HistogramKernel, Picture, RipplesKernel, TintKernel}
 /// The compiled kernels, for [`Device::open`].
 pub static MODULES: Modules = muslin::device::modules!();
 
-/// A picture `[1, 3, side, side]`, and its histogram.
+/// Ripples `[side, side]`.
+pub fn draw_ripples(device: &Device, side: u32) -> Result<Vec<f32>> {
+    let params = Picture { side, pixels: side * side };
+    let gray = device.unwritten("gray", params.pixels as usize)?;
+    device.run_over(&RipplesKernel { params, gray: &gray }, [side, side, 1])?;
+    device.read(&gray)
+}
+
+/// A picture `[1, 3, side, side]` of all three kernels, and its histogram.
 pub fn picture(device: &Device, side: u32) -> Result<(Vec<f32>, Vec<u32>)> {
     let params = Picture { side, pixels: side * side };
     let gray = device.unwritten("gray", params.pixels as usize)?;

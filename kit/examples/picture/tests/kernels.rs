@@ -2,10 +2,18 @@
 
 use muslin::check::snapshot::{Snapshots, picture::Montage};
 use muslin::check::{Case, assert_parity, devices, prelude::*};
-use picture::{MODULES, picture};
+use picture::{MODULES, draw_ripples, picture};
 use picture_kernels::*;
 
 const SNAPSHOTS: Snapshots = muslin::check::snapshots!("tests/snapshots");
+
+#[test]
+fn ripples_begin_in_the_middle_on_every_device() {
+    for (name, device) in devices::all(&MODULES) {
+        let gray = draw_ripples(&device, 8).unwrap();
+        assert!((gray[4 * 8 + 4] - 0.668_629).abs() < 1e-6, "{name}: {}", gray[4 * 8 + 4]);
+    }
+}
 
 case!(Ripples(RipplesInputs));
 

@@ -31,13 +31,13 @@ struct Content {
 #[derive(Clone, Copy)]
 enum Other {
     /// The reverse order of invocations.
-    Order(Order),
+    Order,
     /// Numbers smaller than any normal number count as zero.
-    Flushing(Order),
+    Flushing,
     /// A multiplication and an addition round once.
-    Fused(Order),
+    Fused,
     /// Subgroups of other sizes: the usual one and this.
-    Subgroups(Order, [u32; 2]),
+    Subgroups([u32; 2]),
 }
 
 /// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
@@ -47,25 +47,23 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let order = Order { seed, is_reversed: false };
     let first = cpu.run_once(job, RunMode { order: Some(order), ..RunMode::default() })?;
     let expected: Vec<_> = outputs.iter().map(Output::save).collect();
-    let reverse = Order { is_reversed: true, ..order };
     let is_variant = cpu.entry_point(job.info).name != job.info.name;
     let can_fuse = job.info.run_fused.is_some() && !is_variant;
-    let fused = can_fuse.then_some(Other::Fused(order));
+    let fused = can_fuse.then_some(Other::Fused);
     let sizes = subgroup::SIZES.into_iter().filter(|size| *size != cpu.subgroup_size);
     let sizes = sizes
         .filter(|_| job.info.subgroups)
-        .map(|size| Other::Subgroups(order, [cpu.subgroup_size, size]));
-    let others = [Other::Order(reverse), Other::Flushing(order)];
-    for other in others.into_iter().chain(fused).chain(sizes) {
+        .map(|size| Other::Subgroups([cpu.subgroup_size, size]));
+    for other in [Other::Order, Other::Flushing].into_iter().chain(fused).chain(sizes) {
         restore(&outputs, &before);
-        let monitors = other.run(cpu, job)?;
+        let monitors = other.run(cpu, job, order)?;
         for (output, expected) in outputs.iter().zip(&expected) {
             let Some(Some(Monitor::Written(usual))) = first.get(output.index) else { continue };
             let Some(Some(Monitor::Written(races))) = monitors.get(output.index) else { continue };
             let is_atomic = usual.has_atomics() || races.has_atomics();
             if let Some(difference) = output.difference(expected, other, is_atomic) {
                 let writer = races.writer(difference.element);
-                return Err(other.describe(output.info.name, &difference) + &writer);
+                return Err(other.describe(output.info.name, &difference, seed) + &writer);
             }
         }
     }
@@ -74,21 +72,25 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
 }
 
 impl Other {
-    fn run<'a>(self, cpu: &Cpu, job: &Job<'a>) -> Result<Vec<Option<Monitor<'a>>>, String> {
-        let usual = RunMode::default();
-        let result = cpu.run_once(
-            job,
-            match self {
-                Self::Order(order) => RunMode { order: Some(order), ..usual },
-                Self::Flushing(order) => RunMode { order: Some(order), is_flushing: true, ..usual },
-                Self::Fused(order) => RunMode { order: Some(order), is_fused: true, ..usual },
-                Self::Subgroups(order, [_, size]) => {
-                    RunMode { order: Some(order), subgroup_size: Some(size), ..usual }
-                }
-            },
-        );
-        result.map_err(|reason| match self {
-            Self::Order(_) => reason,
+    /// Like the usual run in an order, but for what differs.
+    fn mode(self, order: Order) -> RunMode {
+        let usual = RunMode { order: Some(order), ..RunMode::default() };
+        match self {
+            Self::Order => RunMode { order: Some(Order { is_reversed: true, ..order }), ..usual },
+            Self::Flushing => RunMode { is_flushing: true, ..usual },
+            Self::Fused => RunMode { is_fused: true, ..usual },
+            Self::Subgroups([_, size]) => RunMode { subgroup_size: Some(size), ..usual },
+        }
+    }
+
+    fn run<'a>(
+        self,
+        cpu: &Cpu,
+        job: &Job<'a>,
+        order: Order,
+    ) -> Result<Vec<Option<Monitor<'a>>>, String> {
+        cpu.run_once(job, self.mode(order)).map_err(|reason| match self {
+            Self::Order => reason,
             _ => format!("{}: {reason}", self.place()),
         })
     }
@@ -96,21 +98,21 @@ impl Other {
     /// Where it is so.
     fn place(self) -> String {
         match self {
-            Self::Order(_) => "in the reverse order".into(),
-            Self::Flushing(_) => "where denormals are flushed to zero".into(),
-            Self::Fused(_) => "where multiplications and additions are fused".into(),
-            Self::Subgroups(_, [_, size]) => format!("in subgroups of {size}"),
+            Self::Order => "in the reverse order".into(),
+            Self::Flushing => "where denormals are flushed to zero".into(),
+            Self::Fused => "where multiplications and additions are fused".into(),
+            Self::Subgroups([_, size]) => format!("in subgroups of {size}"),
         }
     }
 
-    fn describe(self, name: &str, difference: &Difference) -> String {
+    fn describe(self, name: &str, difference: &Difference, seed: u64) -> String {
         let Difference { element, usual, other } = difference;
         let place = self.place();
         match self {
-            Self::Order(Order { seed, .. }) => format!(
+            Self::Order => format!(
                 "element {element} of `{name}` depends on the order of invocations: it is {usual}, and {other} {place} (seed {seed})"
             ),
-            Self::Subgroups(_, [size, _]) => format!(
+            Self::Subgroups([size, _]) => format!(
                 "element {element} of `{name}` depends on the size of subgroups: it is {usual} in subgroups of {size}, and {other} {place}"
             ),
             _ => format!(
@@ -127,7 +129,7 @@ impl Other {
             true => is_finite(one) == is_finite(other),
             false => is_atomic && !matches!(self, Self::Subgroups(..)),
         };
-        one == other || may_differ && !matches!(self, Self::Order(_))
+        one == other || may_differ && !matches!(self, Self::Order)
     }
 }
 

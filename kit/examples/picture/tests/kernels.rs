@@ -9,6 +9,7 @@ const SNAPSHOTS: Snapshots = muslin::check::snapshots!("tests/snapshots");
 
 #[test]
 fn ripples_begin_in_the_middle_on_every_device() {
+    draw_ripples(&devices::checked(), 7).unwrap();
     for (name, device) in devices::all(&MODULES) {
         let gray = draw_ripples(&device, 8).unwrap();
         assert!((gray[4 * 8 + 4] - 0.668_629).abs() < 1e-6, "{name}: {}", gray[4 * 8 + 4]);
@@ -107,7 +108,6 @@ fn bench() {
 
 #[test]
 fn the_picture_stays_the_same() {
-    // first the CPU that says what is wrong, and not only that something is
     picture(&devices::checked(), 63).expect("no race, and no read of what nothing has written");
     let montage = Montage { tiles: 1, side: 64, columns: 1, scale: 4 };
     for (name, device) in devices::all(&MODULES) {

@@ -1,6 +1,7 @@
 //! Rules for the source of kernels, and of the functions that they call. The compiler does not know them.
 //!
 //! - Loops are counted: functions that have some are `#[kernel]` or `#[loops]`.
+//! - Elementary functions are those of `muslin::math`: a test on the CPU accepts `x.sin()`, and the compiler for GPUs does not know it.
 //! - A function has one exit, and a loop ends at its condition: naga's reader miscompiles exits through several levels of control flow.
 
 use std::collections::BTreeSet;
@@ -74,6 +75,9 @@ struct Function {
     /// Whether nothing counts its loops.
     is_uncounted: bool,
 }
+
+/// Methods of `f32` that only a test on the CPU has. `muslin::math` has some of them.
+const ELEMENTARY: [&str; 9] = ["sin", "cos", "tan", "ln", "log2", "log10", "asin", "acos", "atan"];
 
 struct Rules<'a> {
     file: String,
@@ -174,6 +178,10 @@ impl<'ast> Visit<'ast> for Rules<'_> {
             Expr::Return(_) => self.exit(expression.span(), "return"),
             Expr::Break(_) => self.exit(expression.span(), "break"),
             Expr::Continue(_) => self.exit(expression.span(), "continue"),
+            Expr::MethodCall(call) if ELEMENTARY.iter().any(|name| call.method == name) => {
+                let what = format!("`.{}()`", call.method);
+                self.report(call.method.span(), &what, "use the functions of `muslin::math`");
+            }
             _ => {}
         }
         visit::visit_expr(self, expression);
@@ -208,6 +216,15 @@ mod tests {
         let host = "#[cfg(not(target_arch = \"spirv\"))]\n";
         assert_eq!(broken(&format!("{host}{helper}")), "");
         assert_eq!(broken(&format!("#[cfg(test)] mod tests {{ {helper} }}")), "");
+    }
+
+    #[test]
+    fn elementary_functions_are_those_of_math() {
+        let text = "fn wave(x: f32) -> f32 {\n    math::cos(x)\n        + x.sin()\n}\n";
+        let expected = "lib.rs:3: `.sin()` in `wave`: use the functions of `muslin::math`";
+        let message = broken(text);
+        assert!(message.contains(expected), "{message}");
+        assert!(!message.contains("cos"), "{message}");
     }
 
     #[test]

@@ -27,7 +27,11 @@ pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     let mut devices = Vec::new();
     for (name, path) in GPUS {
         match Device::open(&DeviceOptions::gpu(path), modules) {
-            Ok(device) => devices.push((name, device)),
+            Ok(device) => {
+                // for `cargo test -- --nocapture`
+                println!("{name}: {}", device.choice());
+                devices.push((name, device));
+            }
             Err(Error::NoGpu { reason }) => {
                 let required =
                     std::env::var_os("MUSLIN_REQUIRE_GPU").is_some_and(|value| value != "0");

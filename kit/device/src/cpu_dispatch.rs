@@ -29,6 +29,8 @@ struct Launch<'a> {
     shared: &'static [SharedInfo],
     bindings: &'a [CpuBinding<'a>],
     workgroups: UVec3,
+    /// Those that are not additional.
+    needed: UVec3,
     is_checked: bool,
     time_limit: Option<Duration>,
     /// Number of lanes of a subgroup, in a kernel that declares them.
@@ -50,7 +52,12 @@ impl Launch<'_> {
         let place = self.place(index);
         let first = Invocation::new(UVec3::ZERO, place, self.workgroups, local);
         let kernel = self.info.name;
-        begin(Some(RunningInvocation { kernel, id: first, is_checked: self.is_checked }));
+        begin(Some(RunningInvocation {
+            kernel,
+            id: first,
+            is_checked: self.is_checked,
+            is_additional: place.cmpge(self.needed).any(),
+        }));
         // each workgroup has an order of its own
         let count = u64::from(local.element_product());
         let order = self.mode.order.map(|order| order.permutation(count, 1 + index));
@@ -160,6 +167,7 @@ impl Cpu {
             shared: self.entry_point(info).shared,
             bindings: &bindings,
             workgroups: job.workgroups.all.into(),
+            needed: job.workgroups.needed.into(),
             is_checked: self.check_races,
             time_limit: self.time_limit,
             subgroup_size: info

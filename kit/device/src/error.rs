@@ -6,7 +6,7 @@
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Why an operation on a device failed.
-#[derive(Clone, Debug, thiserror::Error)]
+#[derive(Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A setting is not valid on this machine.
@@ -61,6 +61,13 @@ pub enum Error {
         /// The kernels, and the difference.
         reason: String,
     },
+}
+
+/// The text of `Display`: it is what `unwrap` in a test shows.
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
 }
 
 /// Formats a size in the largest binary unit that keeps it at least 1, such as `1.50 GiB`.

@@ -84,8 +84,6 @@ pub struct Races<'a> {
     size: UVec3,
     /// Whether the kernel has barriers.
     waits: bool,
-    /// Workgroups that are not additional, along each axis.
-    needed: UVec3,
     /// Whether workgroups with the same z run on one thread (`z_serial`).
     layers: bool,
     elements: Vec<Touched>,
@@ -149,7 +147,6 @@ impl<'a> Races<'a> {
             workgroups: workgroups.all.into(),
             size: info.workgroup_size.into(),
             waits: matches!(info.run, CpuRun::Invocation(_)),
-            needed: workgroups.needed.into(),
             layers: info.z_serial,
             elements: (0..len).map(|_| Touched::default()).collect(),
             written,
@@ -314,7 +311,7 @@ impl AccessMonitor for Races<'_> {
             return Err(unwritten(does, index, name));
         }
         if let Some(written) = self.written.as_ref().filter(|_| touch != Touch::Read) {
-            written.set(index, place.id.workgroup.cmpge(self.needed).any());
+            written.set(index, place.is_additional);
         }
         Ok(())
     }

@@ -72,9 +72,11 @@ pub struct SharedInfo {
 )]
 pub trait Params: Pod {}
 
-/// Names a struct that lacks `#[params]` when the kernel is compiled.
+/// The bytes of a kernel's parameters.
 #[doc(hidden)]
-pub const fn is_params<T: Params>() {}
+pub fn params_bytes<T: Params>(params: &T) -> &[u8] {
+    bytemuck::bytes_of(params)
+}
 
 /// Most bytes of workgroup memory in a kernel: every implementation of WebGPU offers these.
 pub const MAX_WORKGROUP_BYTES: u32 = 16_384;
@@ -355,7 +357,7 @@ unsafe impl Sync for CpuBinding<'_> {}
 impl<'a> CpuBinding<'a> {
     /// # Safety
     /// The binding must contain a `T`.
-    pub unsafe fn uniform<T: Pod>(self) -> &'a T {
+    pub unsafe fn uniform<T: Params>(self) -> &'a T {
         // SAFETY: the caller's
         let bytes = unsafe { slice::from_raw_parts(self.data, self.bytes) };
         bytemuck::from_bytes(bytes)

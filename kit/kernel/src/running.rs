@@ -20,6 +20,8 @@ pub struct RunningInvocation {
     pub id: Invocation,
     /// Whether the device checks what kernels do.
     pub is_checked: bool,
+    /// Whether its workgroup is additional: only a device that checks runs it.
+    pub is_additional: bool,
 }
 
 std::thread_local! {
@@ -105,16 +107,24 @@ pub fn unlinear(index: u64, size: UVec3) -> UVec3 {
 pub struct PanicContext(RunningInvocation);
 
 impl PanicContext {
-    /// The context of an invocation.
+    /// The context of an invocation, in a kernel with workgroups of `threads`.
+    ///
+    /// # Panics
+    /// If a test calls the kernel with workgroups of another size.
     #[inline(always)]
-    pub fn new(kernel: &'static str, id: Invocation) -> Self {
+    pub fn new(kernel: &'static str, id: Invocation, threads: [u32; 3]) -> Self {
+        let size = id.size.to_array();
+        assert!(
+            size == threads,
+            "kernel `{kernel}` has workgroups of {threads:?}, and this one has {size:?}"
+        );
         if STOPS.load(Ordering::Relaxed) {
             let at = id.global().to_array();
             if (0..3).all(|axis| STOP_AT[axis].load(Ordering::Relaxed) == at[axis]) {
                 stop();
             }
         }
-        Self(RunningInvocation { kernel, id, is_checked: false })
+        Self(RunningInvocation { kernel, id, is_checked: false, is_additional: false })
     }
 }
 
@@ -153,6 +163,12 @@ impl fmt::Display for RunningInvocation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Invocation { local, workgroup, .. } = self.id;
         let global = self.id.global();
-        write!(f, "invocation {local} of workgroup {workgroup}, {global} in the dispatch")
+        write!(f, "invocation {local} of workgroup {workgroup}, {global} in the dispatch")?;
+        match self.is_additional {
+            true => f.write_str(
+                ": this device runs one workgroup more than needed, so is a test of the index missing?",
+            ),
+            false => Ok(()),
+        }
     }
 }

@@ -45,9 +45,10 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
         let text = parameter.name.to_string();
         parse_quote! { #[cfg(not(target_arch = "spirv"))] let #name = #name.named(#text); }
     });
+    let [x, y, z] = &kernel.threads;
     let witness = parse_quote! {
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-        let _witness = ::muslin::kernel::PanicContext::new(#name, #id);
+        let _witness = ::muslin::kernel::PanicContext::new(#name, #id, [#x, #y, #z]);
     };
     // a kernel that declares no iterations has none, in its helpers either
     let most = kernel.iterations.as_ref().map_or(quote!(0), |most| match kernel.lanes_type() {
@@ -218,10 +219,6 @@ fn info(kernel: &Kernel) -> TokenStream {
     });
     let invocations = format!("the kernel `{name}`: a workgroup has 1 to 256 invocations");
     let memory = format!("the kernel `{name}`: a workgroup has at most 16 KiB of memory");
-    let is_params = kernel.uniform().map(|uniform| {
-        let element = &uniform.element;
-        quote_spanned! { element.span() => ::muslin::kernel::is_params::<#element>(); }
-    });
     let all_shared = shared(kernel, true);
     let shared = shared(kernel, false);
     let variant = variant(kernel);
@@ -277,7 +274,6 @@ fn info(kernel: &Kernel) -> TokenStream {
             use ::muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, workgroup_bytes};
             ::core::assert!(#storage_buffers <= MAX_STORAGE_BUFFERS, "a kernel binds at most 8 storage buffers");
             #limit
-            #is_params
             // what every implementation of WebGPU offers; constants here would hide those that `threads` names
             let size: [u32; 3] = [#x, #y, #z];
             let invocations: u32 = size[0].saturating_mul(size[1]).saturating_mul(size[2]);
@@ -363,7 +359,8 @@ fn dispatch(kernel: &Kernel) -> TokenStream {
             Role::Uniform => {
                 fields.push(quote! { /// Uniform buffer.
                 #[allow(missing_docs)] pub #name: #element });
-                uniform = quote!(::muslin::dependencies::bytemuck::bytes_of(&self.#name));
+                uniform =
+                    quote_spanned!(element.span() => ::muslin::kernel::params_bytes(&self.#name));
             }
             Role::Read | Role::Packed | Role::Write => {
                 let access = if matches!(parameter.role, Role::Write) {

@@ -351,6 +351,12 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
         return Err(Error::new(argument.pat.span(), "a binding is a plain name"));
     };
     let name = pattern.ident.clone();
+    if let Type::Reference(reference) = &*argument.ty
+        && matches!(&*reference.elem, Type::Slice(_) | Type::Array(_))
+    {
+        let message = format!("`{name}` is a buffer: its type is `Read<T>` or `Write<T>`");
+        return Err(Error::new(argument.ty.span(), message));
+    }
     let (role, element) = role(&argument.ty).ok_or_else(|| {
         Error::new(
             argument.ty.span(),

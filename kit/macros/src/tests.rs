@@ -43,6 +43,12 @@ fn a_loop_needs_its_iterations() {
 }
 
 #[test]
+fn a_slice_is_no_binding() {
+    let message = refusal(quote!(), quote!(params: &Blur, input: &[f32]), quote!());
+    assert_eq!(message, "`input` is a buffer: its type is `Read<T>` or `Write<T>`");
+}
+
+#[test]
 fn elements_have_one_layout() {
     let types = [
         (quote!(Vec3), "three `f32`, or `Vec4`"),

@@ -68,6 +68,14 @@ fn an_index_out_of_range_is_told_with_its_invocation() {
 }
 
 #[test]
+fn an_additional_workgroup_asks_for_the_test_of_the_index() {
+    let device = devices::checked();
+    let output = device.unwritten("out", 64).unwrap();
+    let message = failure(&device, &NeighborKernel { output: &output }, 64);
+    assert_contains(&message, &["so is a test of the index missing?"]);
+}
+
+#[test]
 fn a_device_works_on_after_a_failure() {
     let device = devices::cpu(Some(2));
     let short = device.zeros::<u32>("short", 1).unwrap();
@@ -240,6 +248,20 @@ fn a_test_calls_a_kernel_with_barriers() {
             "in invocation [1, 0, 0] of the workgroup",
         ],
     );
+    // release builds do not look
+    #[cfg(debug_assertions)]
+    {
+        let message = std::panic::catch_unwind(|| {
+            let mut output = [0; 64];
+            let output = Write::from(&mut output[..]);
+            let values = SharedMemory::new();
+            Workgroup::new([32, 1, 1]).run(|id| neighbor(id, output, values.view()));
+        });
+        let message = *message.unwrap_err().downcast::<String>().unwrap();
+        let expected =
+            "kernel `neighbor` has workgroups of [64, 1, 1], and this one has [32, 1, 1]";
+        assert_eq!(message, expected);
+    }
     let message = std::panic::catch_unwind(|| {
         let mut output = [0; 64];
         let id = Invocation::new(UVec3::ZERO, UVec3::ZERO, UVec3::ONE, UVec3::new(64, 1, 1));

@@ -1,8 +1,9 @@
 //! Elementary functions, the same for every kernel.
 //!
-//! For [`exp`], [`sqrt`] and [`ceil`] a GPU uses the instructions of GLSL.std.450. The CPU uses the crate `libm`, so its results do not
-//! depend on the system's C library. All others are sums, products and quotients that every device computes: the errors that
-//! they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. Organza's kernel `elementary` tests them.
+//! For [`exp`], [`sqrt`] and [`ceil`] a GPU uses the instructions of GLSL.std.450. The CPU has an instruction for [`sqrt`], and uses the crate
+//! `libm` for the others, so its results do not depend on the system's C library. All other functions are sums, products and quotients that
+//! every device computes: the errors that they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. Organza's kernel
+//! `elementary` tests them.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
@@ -40,10 +41,22 @@ macro_rules! elementary {
 elementary! {
     /// e^x
     exp => expf;
-    /// Square root.
-    sqrt => sqrtf;
     /// Smallest integer that is not less than x.
     ceil => ceilf;
+}
+
+/// Square root.
+#[inline(always)]
+pub fn sqrt(x: f32) -> f32 {
+    #[cfg(target_arch = "spirv")]
+    {
+        Float::sqrt(x)
+    }
+    // not that of `libm`: its assembly is SSE even among AVX instructions, where it stalls CPUs of Intel
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        x.sqrt()
+    }
 }
 
 /// x without its fraction, for |x| below 2^31.

@@ -60,7 +60,7 @@ check() {
   folder=$(mktemp -d)
   tar -C "$folder" --strip-components 1 -xzf "$out"/organza-*-x86_64-linux.tar.gz
   command=$(scripts/readme-command.sh run)
-  command=${command//cargo run --release --/$folder/organza}
+  command=${command//cargo run --release -p organza --/$folder/organza}
   (cd "$folder" && bash -euxo pipefail -c "$command")
   test -s "$folder/run/report.html"
   python3 -m venv "$folder/venv"

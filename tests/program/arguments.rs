@@ -67,6 +67,17 @@ fn the_wrong_order_is_told_by_the_content() {
     ] {
         sandbox.assert_refuses(words, &[fact, "the order is: scene, cameras or data set, tiles"]);
     }
+    // files of other programs
+    fs::write(sandbox.path("notes.md"), "# Notes\n").unwrap();
+    fs::write(sandbox.path("splats.ply"), "ply\nformat ascii 1.0\nend_header\n").unwrap();
+    for (words, fact) in [
+        ("train notes.md -o out", "another kind of file; a data set was expected"),
+        ("render scene.safetensors notes.md -o out", "another kind of file; cameras"),
+        ("view notes.md", "another kind of file; a scene (safetensors)"),
+        ("view splats.ply", "`organza import splats.ply -o NEW.safetensors`"),
+    ] {
+        sandbox.assert_refuses(words, &[fact]);
+    }
     // not a scene, under a scene's name
     fs::copy(sandbox.path("cameras.json"), sandbox.path(SCENE)).unwrap();
     sandbox

@@ -127,17 +127,26 @@ fn what_cannot_be_captured_is_refused() {
         fs::write(path, "not a photograph").unwrap();
     }
     sandbox.assert_refuses("capture nowhere.mp4 -o data", &["nowhere.mp4"]);
-    sandbox.assert_refuses("capture one.jpg -o data", &["1 photograph, expected 3 or more"]);
+    sandbox
+        .assert_refuses("capture one.jpg -o data", &["one.jpg: 1 photograph, expected 3 or more"]);
     sandbox.assert_refuses(
         "capture one.jpg notes.txt -o data",
         &["notes.txt is neither JPEG nor PNG"],
     );
     sandbox.assert_refuses("capture phone -o data", &["HEIC", "convert them to JPEG first"]);
+    sandbox
+        .assert_refuses("capture phone phone -o data", &["phone is a folder among other inputs"]);
+    fs::create_dir(sandbox.path("run")).unwrap();
+    fs::write(sandbox.path("run/config.toml"), "").unwrap();
+    sandbox.assert_refuses("capture notes.txt -o run", &["run holds a training run"]);
     let outcome = sandbox.shell("PATH=/nowhere \"$ORGANZA\" capture notes.txt -o data");
     outcome.assert_refused(&["not installed: ffmpeg colmap", "apt install ffmpeg colmap"]);
     assert!(!sandbox.path("data").exists());
     if ["colmap", "ffmpeg"].into_iter().all(is_there) {
-        sandbox.assert_refuses("capture notes.txt -o data", &["ffmpeg fails", "notes.txt"]);
+        sandbox.assert_refuses(
+            "capture notes.txt -o data",
+            &["ffmpeg fails", "Is notes.txt a video?"],
+        );
     }
     // Videos and photographs without poses lead here.
     fs::write(sandbox.path("beer.mp4"), "not JSON").unwrap();

@@ -73,7 +73,7 @@ fn header(run: &Run) -> Markup {
     let last = run.last_step();
     html! {
         header {
-            p.quiet { "Training run " (clean(&run.name())) }
+            p.quiet { "Training run in the folder " (clean(&run.name())) }
             h1 { (clean(&run.data())) }
             @if !facts.is_empty() {
                 dl.facts { @for (name, value, unit) in &facts {

@@ -298,7 +298,7 @@ fn the_page_says_what_ran_and_how_far_it_came() {
     }
     let notes = texts(&page, "p").join("\n");
     for note in [
-        "Training run garden run",
+        "Training run in the folder garden run",
         "went on to step 1,500",
         "2 times: 46,000 split",
         "changed run.steps from 1500 to 2000",

@@ -33,7 +33,7 @@ PSNR and SSIM are those of the held-out views after the last step. MB is the siz
 without the state of training. Minutes are those of training, without evaluations. scripts/lpips-weights.py makes \
 the file of --lpips.";
 
-/// Train on several captures, and compare them in one table
+/// Train on several captures, and compare them in one table (`bench` measures the speed of a device)
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

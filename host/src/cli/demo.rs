@@ -144,7 +144,7 @@ fn render(
     {
         let progress = console.progress(pictures.tiles(&views), "tiles");
         for view in views {
-            progress.say(&names[view]);
+            progress.say(&format!("rendering {}", names[view]));
             let image = pictures.render(view, &mut summary, &progress)?;
             let file = folder.file(&format!("{}.png", names[view]))?;
             image.save_with_origin(&file, origin, None)?;
@@ -156,7 +156,7 @@ fn render(
     sheet.image.save_png(folder.join("turntable.png"))?;
     let size = cameras[0].width;
     let number = count(cameras.len() as u64, "image");
-    console.note(&summary.line(&format!("{number} of {size} x {size}")));
+    summary.say(&format!("{number} of {size} x {size}"), console);
     warn_not_finite(console, not_finite);
     Ok((images, summary.cost(renderer, not_finite)))
 }
@@ -221,7 +221,7 @@ fn whats_next(path: &Path, cameras: &[Camera]) -> String {
 }
 
 /// A path, quoted for a shell.
-fn quoted(path: &Path) -> String {
+pub fn quoted(path: &Path) -> String {
     let text = path.display().to_string();
     let is_plain = |c: char| c.is_alphanumeric() || "/\\:._-+".contains(c);
     if text.chars().all(is_plain) { text } else { format!("'{text}'") }

@@ -17,7 +17,7 @@ use super::summary::{count, grouped};
 use super::table::Table;
 use super::{eval, numbers, refuse};
 
-const USAGE: &str = "organza edit SCENE DATA -o SCENE";
+const USAGE: &str = "organza edit SCENE DATA -o NEW";
 
 /// A Gaussian is haze if at least this share of its contribution is in front of surfaces.
 const HAZE: f64 = 0.9;
@@ -42,8 +42,8 @@ pub struct Args {
     scene: PathBuf,
     /// The views that count: nerfstudio's transforms.json, or a data set [default: those of the run]
     data: Option<PathBuf>,
-    /// The file of the new scene, safetensors
-    #[arg(short, long, value_name = "SCENE")]
+    /// The file of the new scene, safetensors; an older file of this name is replaced
+    #[arg(short, long, value_name = "NEW")]
     output: PathBuf,
     /// Keep what is inside a box along the axes: two opposite corners
     #[arg(long = "box", value_name = "X,Y,Z,X,Y,Z", value_parser = parse_box, allow_hyphen_values = true)]
@@ -64,7 +64,7 @@ pub struct Args {
     #[arg(long, value_name = "VIEWS", value_parser = parse_views, num_args = 0..=1, require_equals = true)]
     haze: Option<Option<f64>>,
     /// Keep only the largest cluster. Two Gaussians are in one cluster if a cube around the larger one, REACH of its standard
-    /// deviations, reaches the other, or a cube beside it does
+    /// deviations, or the cube next to it, reaches the other
     #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "2")]
     keep_largest: Option<f64>,
@@ -135,8 +135,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.data.as_deref()).collect();
     check_file(&args.output, &inputs)?;
-    let mut scene = source.load(console)?;
+    let scene = source.load(console)?;
     let gaussians_before = scene.gaussians.len();
+    // before any view is rendered, so that a box beside the scene costs no time
+    let mut edited = scene.clone();
+    let mut removed = args.crop(&mut edited)?;
     let cameras = match args.least_contribution.is_some() || args.haze.is_some() {
         true => Cameras::load(&source, args.data.as_deref(), &args.data_args, USAGE, console)?.list,
         false => Vec::new(),
@@ -148,15 +151,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         None => Ok(None),
     };
     let psnr_before = psnr(&scene)?;
-    let removed = args.edit(&mut scene, &cameras, &renderer, console)?;
-    scene.save(&args.output)?;
+    args.clean(&mut edited, &cameras, &renderer, &mut removed, console)?;
+    edited.save(&args.output)?;
     let report = Report {
         scene: args.output.clone(),
         gaussians_before,
         removed,
-        gaussians: scene.gaussians.len(),
+        gaussians: edited.gaussians.len(),
         psnr_before,
-        psnr: psnr(&scene)?,
+        psnr: psnr(&edited)?,
     };
     console.note(&format!("wrote {}", args.output.display()));
     if args.json { print_json(&report) } else { print(&text(&report)) }
@@ -178,14 +181,8 @@ impl Args {
         )
     }
 
-    /// Applies the rules one after the other.
-    fn edit(
-        &self,
-        scene: &mut Scene,
-        cameras: &[Camera],
-        renderer: &Renderer,
-        console: Console,
-    ) -> Result<Vec<Removed>> {
+    /// Applies box and sphere.
+    fn crop(&self, scene: &mut Scene) -> Result<Vec<Removed>> {
         let mut removed = Vec::new();
         let side = if self.outside { "inside" } else { "outside" };
         for (region, name) in [(self.cuboid, "box"), (self.sphere, "ball")] {
@@ -195,15 +192,27 @@ impl Args {
             };
             removed.push(keep(scene, format!("{side} the {name}"), is_kept)?);
         }
+        Ok(removed)
+    }
+
+    /// Applies the other rules, one after the other.
+    fn clean(
+        &self,
+        scene: &mut Scene,
+        cameras: &[Camera],
+        renderer: &Renderer,
+        removed: &mut Vec<Removed>,
+        console: Console,
+    ) -> Result<()> {
         if !cameras.is_empty() {
-            self.by_contribution(scene, cameras, renderer, &mut removed, console)?;
+            self.by_contribution(scene, cameras, renderer, removed, console)?;
         }
         if let Some(reach) = self.keep_largest {
             let is_in_largest = largest_cluster(&scene.gaussians, reach as f32);
             let rule = "outside the largest cluster".to_owned();
             removed.push(keep(scene, rule, |i, _| is_in_largest[i])?);
         }
-        Ok(removed)
+        Ok(())
     }
 
     /// The rules for which views are rendered.

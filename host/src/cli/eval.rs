@@ -39,6 +39,7 @@ Python package. Lower is better, and 0 is an equal image.";
 /// Compare a scene with photographs: PSNR and SSIM of each view
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[command(mut_arg("split", |split| split.help("The frames of the data set to use [default: held-out]")))]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
@@ -149,11 +150,12 @@ pub fn measure(
     let start = Instant::now();
     let evaluation = {
         let progress = console.progress(0, "tiles");
-        progress.say(&frames[0].name);
+        let say = |name: &str| progress.say(&format!("measuring {name}"));
+        say(&frames[0].name);
         evaluate_measures(renderer, scene, frames, measures, &mut |event| match event {
             Event::Tiles { done, total } => progress.set_of(done, total),
             Event::View { index, .. } => {
-                progress.say(frames.get(index + 1).map_or("", |next| &next.name));
+                frames.get(index + 1).into_iter().for_each(|next| say(&next.name));
             }
             _ => {}
         })?

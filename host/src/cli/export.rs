@@ -31,7 +31,7 @@ opacities to the visibility. Then it renders as those viewers do, from the camer
 compares with the scene's own images, and corrects all values of the Gaussians, step by step. It prints how close it came, \
 in views that the fit has not seen.";
 
-/// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .spz, .sog, .glb or .splat
+/// Write a file for 3D Gaussian Splatting viewers such as SuperSplat: .ply, .compressed.ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -40,7 +40,8 @@ pub struct Args {
     /// The views to compare: nerfstudio's transforms.json, or a data set [default: those of the run, or views from
     /// all around the scene's box]
     cameras: Option<PathBuf>,
-    /// The file. Its extension chooses the format: .ply has all values; .compressed.ply, .spz and .sog round them; .splat has
+    /// The file. Its extension chooses the format: .ply and .glb have all values; .compressed.ply, .spz and .sog
+    /// round them; .splat has
     /// one color for all directions
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -151,7 +152,7 @@ fn say_psnr(views: &Views, distilled: &Distilled, steps: u32, console: Console) 
         judges => (judges, " that the fit has not seen"),
     };
     console.note(&format!(
-        "in {}{which}, images of the file are {:.2} dB from the scene's own ({:.2} dB before {})",
+        "in {}{which}, PSNR against the scene's own images: {:.2} dB ({:.2} dB before {})",
         count(views as u64, "view"),
         distilled.psnr,
         distilled.first_psnr,
@@ -164,7 +165,7 @@ fn say_photographs(found: SplatComparison, console: Console) {
     let SplatComparison { photographs, scene, splats } = found;
     console.note(&format!(
         "beside {}: {splats:.2} dB, the scene itself {scene:.2} dB, so the file loses {:.2} dB",
-        count(photographs as u64, "held-out photograph"),
+        count(photographs as u64, "held-out view"),
         scene - splats
     ));
 }

@@ -20,7 +20,7 @@ const MAX_SIDE: u32 = 4096;
 
 const EXAMPLES: &str = "\
 Examples:
-  organza export-web run -o page                     page/index.html and two files beside it, for any web server
+  organza export-web run -o page                     page/index.html and three files beside it, for any web server
   organza export-web run --single-file -o page.html  one file, to open or to send
   organza export-web scene.safetensors transforms.json -o page
   organza export-web run -o page --size 1920x1080    images of at most this size

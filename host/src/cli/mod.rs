@@ -43,7 +43,7 @@ use std::process::ExitCode;
 use std::sync::Mutex;
 
 use clap::error::ErrorKind;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use organza::{Result, error};
 
 use console::Console;
@@ -159,12 +159,16 @@ fn usage(error: &clap::Error) -> ExitCode {
     let mut paragraphs = text.split("\n\n").map(one_line).filter(|text| !text.is_empty());
     let message = paragraphs.next().unwrap_or_default();
     console::line("error", message.strip_prefix("error: ").unwrap_or(&message));
-    for hint in paragraphs.take(3) {
+    for hint in paragraphs.filter(|hint| !hint.contains("try '--help'")).take(3) {
         match hint.split_once(": ") {
             Some((kind @ ("tip" | "Usage"), text)) => console::line(kind, text),
             _ => console::line("help", &hint),
         }
     }
+    let command = Cli::command();
+    let named = std::env::args_os().skip(1).find(|word| command.find_subcommand(word).is_some());
+    let named = named.unwrap_or_default();
+    console::line("help", format!("organza help {}", named.display()).trim_end());
     ExitCode::from(FAILURE)
 }
 

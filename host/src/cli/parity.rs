@@ -95,6 +95,10 @@ pub fn run(args: &Args, console: Console) -> Result<ExitCode> {
         print(&texts.join("\n"))?;
     }
     let is_ok = reports.iter().all(Report::is_ok);
+    console.note(match is_ok {
+        true => "all kernels agree with the CPU",
+        false => "some kernels are out of tolerance: look for FAILED",
+    });
     Ok(if is_ok { ExitCode::SUCCESS } else { ExitCode::from(OUT_OF_TOLERANCE) })
 }
 

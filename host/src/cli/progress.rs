@@ -22,6 +22,8 @@ pub struct TrainingProgress {
     console: Console,
     bar: Progress,
     steps: u32,
+    /// Whether the number of steps is an estimate, which a run of so many minutes changes as it goes.
+    is_planned: bool,
     time_limit: Option<f64>,
     pace: Pace,
     lines: Lines,
@@ -44,7 +46,8 @@ impl TrainingProgress {
         let step = 0;
         let seconds = 0.0;
         let gaussians = None;
-        Self { console, bar, steps, time_limit, pace, lines, step, seconds, gaussians }
+        let is_planned = false;
+        Self { console, bar, steps, is_planned, time_limit, pace, lines, step, seconds, gaussians }
     }
 
     /// Shows an event.
@@ -57,6 +60,7 @@ impl TrainingProgress {
             }
             Event::Planned(steps) => {
                 self.steps = *steps;
+                self.is_planned = true;
                 self.bar.set_length(*steps as usize);
             }
             Event::Step { step, seconds, report, gaussians, .. } => {
@@ -105,8 +109,9 @@ impl TrainingProgress {
             format!(", {} steps/s, {:#} left", rounded(speed), HumanDuration(self.left(speed)))
         });
         self.console.note(&format!(
-            "step {} of {}: loss {loss:.4}, PSNR {psnr:.1} dB, {}{rest}",
+            "step {} of {}{}: loss {loss:.4}, PSNR {psnr:.1} dB, {}{rest}",
             grouped(self.step.into()),
+            if self.is_planned { "about " } else { "" },
             grouped(self.steps.into()),
             self.gaussian_count(),
         ));

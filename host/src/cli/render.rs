@@ -247,7 +247,7 @@ fn write_all(
     {
         let progress = console.progress(pictures.tiles(&views), "tiles");
         for &(view, paths) in todo {
-            progress.say(&name(&paths[0]));
+            progress.say(&format!("rendering {}", name(&paths[0])));
             let (image, beside) =
                 pictures.render_channels(view, channels, &mut summary, &progress)?;
             image.save_with_origin(&paths[0], origin, None)?;
@@ -262,7 +262,7 @@ fn write_all(
     if !views.is_empty() {
         let number = count(views.len() as u64, "image");
         let size = sizes(pictures.cameras, &views);
-        console.note(&summary.line(&format!("{number} of {size}")));
+        summary.say(&format!("{number} of {size}"), console);
     }
     warn_not_finite(console, not_finite);
     if not_finite_channels > 0 {

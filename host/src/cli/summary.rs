@@ -6,6 +6,8 @@ pub use muslin_device::grouped;
 use organza::{RenderReport, Renderer};
 use serde::Serialize;
 
+use super::console::Console;
+
 /// The cost of rendering, as `--json` prints it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cost {
@@ -55,8 +57,8 @@ impl Summary {
         }
     }
 
-    /// The line. `what` names the rendered things.
-    pub fn line(&self, what: &str) -> String {
+    /// Says what was rendered, and in how much time. `what` names the rendered things.
+    pub fn say(&self, what: &str, console: Console) {
         let report = &self.report;
         let seconds = self.start.elapsed().as_secs_f64();
         let time = if seconds < 1.0 {
@@ -64,14 +66,15 @@ impl Summary {
         } else {
             format!("{seconds:.1} s")
         };
-        format!(
-            "rendered {what} in {time}: {}, {}, {}, {}; {} culled as degenerate",
+        console.note(&format!("rendered {what} in {time}"));
+        console.detail(&format!(
+            "{}, {}, {}, {}; {} culled as degenerate",
             count(report.parts as u64, "part"),
             count(report.pairs, "pair"),
             count(report.members, "member"),
             count(report.samples, "sample"),
             count(report.degenerate, "pair"),
-        )
+        ));
     }
 }
 

@@ -240,7 +240,7 @@ fn write_tiles(
     summary.add(&tiles.report);
     let number = count(tiles.count as u64, "tile");
     let side = tiles.side;
-    console.note(&summary.line(&format!("{number} of {side} x {side}")));
+    summary.say(&format!("{number} of {side} x {side}"), console);
     let not_finite = tiles.data.iter().filter(|value| !value.is_finite()).count();
     if not_finite > 0 {
         let found = grouped(not_finite as u64);

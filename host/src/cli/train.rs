@@ -20,6 +20,7 @@ use organza::view::TrainingView;
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
+use super::demo::quoted;
 use super::device::DeviceArgs;
 use super::inputs::DataSet;
 use super::output::Folder;
@@ -49,8 +50,8 @@ Examples:
   organza eval run
 
 RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (the log), \
-checkpoint.safetensors (a scene that every other command accepts), evaluations.csv (the scores of \
-each held-out view) and report.html.";
+checkpoint.safetensors (a scene that every other command accepts), checkpoint.best.safetensors (the one with the best \
+held-out views), evaluations.csv (the scores of each held-out view), report.html and pictures/ (its images).";
 
 /// The examples, and the settings for `--set`.
 fn long_help() -> String {
@@ -70,12 +71,12 @@ fn long_help() -> String {
 #[command(after_help = EXAMPLES, after_long_help = long_help())]
 pub struct Args {
     /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json
-    /// [default: the built-in scene]
+    /// [default: the built-in scene, with --preset built-in unless --config is given]
     data: Option<PathBuf>,
     /// The folder for the run; created if it does not exist
     #[arg(short, long, value_name = "RUN", required_unless_present_any = ["resume", "print_config"])]
     output: Option<PathBuf>,
-    /// Continue a run that was stopped, with its own settings; --steps, --minutes and --max-gaussians extend it,
+    /// Continue a run that was stopped, with its own settings; --steps, --minutes (more) and --max-gaussians extend it,
     /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config"])]
     resume: Option<PathBuf>,
@@ -84,7 +85,8 @@ pub struct Args {
     /// Print all settings as TOML, and do nothing else
     #[arg(long)]
     print_config: bool,
-    /// Finish after this many seconds of training, as after the last step
+    /// Finish after this many seconds of training, wherever the run is. Unlike --minutes, it plans nothing: what changes
+    /// over the steps, such as growth and learning rates, may be cut off
     #[arg(long, value_name = "SECONDS", conflicts_with = "minutes")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     time_limit: Option<u32>,
@@ -110,7 +112,7 @@ pub struct Args {
 #[derive(Debug, clap::Args)]
 pub struct SettingsArgs {
     /// The settings to start from: a settings file that is part of the program
-    /// [default: default; built-in for the built-in scene without --config]
+    /// [default: default]
     #[arg(long, value_name = "NAME")]
     #[arg(value_parser = PossibleValuesParser::new(Preset::ALL.map(Preset::name)))]
     preset: Option<String>,
@@ -122,8 +124,8 @@ pub struct SettingsArgs {
     set: Vec<String>,
     #[command(flatten)]
     options: SettingOptions,
-    /// Choose the number of steps so that the run takes this many minutes, evaluations included; with --resume, this
-    /// many more. The number is written to config.toml
+    /// Choose the number of steps so that the run takes this many minutes, evaluations included. The number is written
+    /// to config.toml
     #[arg(long, value_name = "M", conflicts_with = "run.steps")]
     #[arg(value_parser = minutes)]
     minutes: Option<f64>,
@@ -233,9 +235,10 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
         }
         _ => {
             format!(
-                "wrote {} and {}",
+                "wrote {} and {}\nnext: organza view {}",
                 folder.join(CHECKPOINT).display(),
-                folder.join(REPORT).display()
+                folder.join(REPORT).display(),
+                quoted(&folder)
             )
         }
     });
@@ -321,7 +324,7 @@ impl Job<'_> {
             team.tell(&config)?;
         }
         let data = DataSet::open(config.data.clone(), console)?;
-        let server = self.view.map(|(server, _)| server.listen()).transpose()?;
+        let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
         let made = Folder::make(self.folder)?;
         signals.has_made(&made);

@@ -26,7 +26,7 @@ Examples:
   organza view scene.safetensors data/fox
   organza view scene.safetensors             without cameras
   ssh -L 4747:localhost:4747 machine         then `organza view run` there, and the same address here
-  organza view run --bind 0.0.0.0            for other machines; the address has a token
+  organza view run --bind 0.0.0.0            for other machines; keep the address secret
   organza view run --edit cropped.safetensors    remove Gaussians on the page
   organza view run --client                  the browser's GPU renders
 
@@ -69,8 +69,8 @@ pub struct ServerArgs {
     /// The port of the page; 0 takes any free one [default: 4747, or any free one]
     #[arg(long, value_name = "N", help_heading = "Page")]
     port: Option<u16>,
-    /// Let other machines see the page, at this address of this machine, such as 0.0.0.0. The page's address then has
-    /// a token [default: only this machine]
+    /// Let other machines see the page, at this address of this machine, such as 0.0.0.0. Keep the page's
+    /// address secret: it has a token [default: only this machine]
     #[arg(long, value_name = "ADDRESS", help_heading = "Page")]
     bind: Option<IpAddr>,
     /// Open the page in a browser
@@ -85,8 +85,20 @@ impl ServerArgs {
     }
 
     /// Opens the port.
-    pub fn listen(&self) -> Result<Server> {
-        Server::listen(Address { bind: self.bind, port: self.port })
+    pub fn listen(&self, console: Console) -> Result<Server> {
+        let server = Server::listen(Address { bind: self.bind, port: self.port })?;
+        if self.port.is_none() && server.port() != Server::PORT {
+            let [wanted, port] = [Server::PORT, server.port()];
+            console.note(&format!(
+                "port {wanted} is taken by another program, so the page has port {port}: `ssh -L` needs this one"
+            ));
+        }
+        if let Some(any) = self.bind.filter(IpAddr::is_unspecified) {
+            console.note(&format!(
+                "from another machine, open the address with this machine's name in place of {any}"
+            ));
+        }
+        Ok(server)
     }
 
     /// Prints the page's address, even with `--quiet`, and opens the page if asked.
@@ -120,7 +132,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
     let Surroundings { poses, photographs, points } = surroundings(args, &source, console)?;
     let scene = source.load(console)?;
-    let server = args.server.listen()?;
+    let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
     let uploaded = args.scene_args.upload(&renderer, &scene)?;
     let title = title(source.named());
@@ -159,7 +171,7 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
     let cameras =
         export_web::cameras(source, args.data.as_deref(), &args.data_args, usage, console)?;
     let scene = source.load(console)?;
-    let server = args.server.listen()?;
+    let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
     let options = PageOptions {
         title: export_web::page_title(source),

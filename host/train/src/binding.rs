@@ -190,6 +190,11 @@ pub fn changed_settings_of(
     let path = folder.join(CONFIG);
     let checkpoint = folder.join(CHECKPOINT);
     if !path.exists() {
+        if !folder.exists() {
+            let reason =
+                "there is no such folder; name the one that `organza train -o` wrote to".into();
+            return Err(Error::Invalid { origin: folder.to_owned(), reason });
+        }
         let reason = format!(
             "the folder has no {CONFIG}, so it is not a training run's; name the folder that \
              `organza train -o` wrote to"

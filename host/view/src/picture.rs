@@ -2,7 +2,7 @@
 
 use ::image::ExtendedColorType;
 use ::image::codecs::jpeg::JpegEncoder;
-use colorous::Gradient;
+use colorous::{Color, Gradient};
 
 use super::message::Mode;
 use organza_core::Channel;
@@ -58,11 +58,19 @@ impl Mode {
         }
     }
 
+    /// `count` colors from the lowest to the highest value. Near is red and far is blue, as in films.
+    fn colors(self, count: usize) -> Option<Vec<Color>> {
+        let gradient = self.gradient()?;
+        let color = |at: usize| match self {
+            Self::Depth => gradient.eval_rational(count - 1 - at, count),
+            _ => gradient.eval_rational(at, count),
+        };
+        Some((0..count).map(color).collect())
+    }
+
     /// Colors from the lowest to the highest value, for the page's scale.
     pub fn ramp(self) -> Option<Vec<String>> {
-        let gradient = self.gradient()?;
-        let color = |at: usize| format!("#{:x}", gradient.eval_rational(at, 17));
-        Some((0..17).map(color).collect())
+        Some(self.colors(17)?.iter().map(|color| format!("#{color:x}")).collect())
     }
 }
 
@@ -131,10 +139,14 @@ fn scaled(
     values: impl Iterator<Item = f64>,
     Range { low, high }: Range,
 ) -> Image {
-    let gradient = mode.gradient().unwrap_or(colorous::GREYS);
-    let table: Vec<_> = (0..256).map(|at| gradient.eval_rational(at, 256).into_array()).collect();
+    let table = mode.colors(256).expect("the mode has a scale");
     let level = |value: f64| (255.0 * ((value - low) / (high - low)).clamp(0.0, 1.0)).round();
-    let pixels: Vec<_> = values.map(|value| table[level(value) as usize]).collect();
+    let color = |value: f64| match mode {
+        // nothing is there
+        Mode::Depth if value <= 0.0 => [0; 3],
+        _ => table[level(value) as usize].into_array(),
+    };
+    let pixels: Vec<_> = values.map(color).collect();
     Image::from_pixels(size, &pixels)
 }
 

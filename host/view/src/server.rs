@@ -31,8 +31,6 @@ use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
 use super::training_status::{Command, TrainingStatus};
 use organza_core::error::{self, Error, Result};
 
-/// Default port.
-const PORT: u16 = 4747;
 /// Largest request, in bytes: 1,000 keyframes. Parsed, it can take a hundred times as much.
 const MAX_BODY: usize = 1 << 19;
 /// Most films in the making.
@@ -55,7 +53,7 @@ impl Address {
         let listen = |port| TcpListener::bind(SocketAddr::new(ip, port));
         let (port, listener) = match self.port {
             Some(port) => (port, listen(port)),
-            None => (PORT, listen(PORT).or_else(|_| listen(0))),
+            None => (Server::PORT, listen(Server::PORT).or_else(|_| listen(0))),
         };
         listener.map_err(|error| {
             let reason = match error.kind() {
@@ -99,6 +97,9 @@ struct Viewer {
 }
 
 impl Server {
+    /// Default port.
+    pub const PORT: u16 = 4747;
+
     /// Opens the port, without answering yet.
     ///
     /// # Errors
@@ -107,6 +108,12 @@ impl Server {
         let listener = address.listen()?;
         let found = listener.local_addr().map_err(broken)?;
         Ok(Self { listener, guard: Guard::new(found) })
+    }
+
+    /// The port at which the server listens.
+    #[must_use]
+    pub fn port(&self) -> u16 {
+        self.listener.local_addr().map_or(0, |address| address.port())
     }
 
     /// Address of the page, including the token.

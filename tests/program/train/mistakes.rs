@@ -24,7 +24,7 @@ fn bad_requests() {
         ("absent -o new", ["absent", "no such file"]),
         (". -o deep/new", ["no data set", "transforms.json"]),
         ("-o old", ["old", "already holds a run (config.toml)"]),
-        ("--resume absent", ["absent: the folder has no config.toml", "organza train -o"]),
+        ("--resume absent", ["absent: there is no such folder", "organza train -o"]),
         ("--resume .", ["the folder has no config.toml", "not a training run's"]),
         ("--resume old --seed 5", ["old/config.toml", "is missing"]),
         ("-o new --background whitish", ["--background", "a color such as white"]),

@@ -94,7 +94,11 @@ impl SceneConfig {
     pub fn from_json(text: &str, origin: impl AsRef<Path>) -> Result<Self> {
         let origin = origin.as_ref();
         let config: Self = serde_json::from_str(text).map_err(|error| {
-            Error::json(origin, "JSON of the `config` metadata", text.as_bytes(), &error)
+            let what = match error.is_data() {
+                true => "JSON of the `config` metadata",
+                false => "the file is damaged, so copy it again: JSON of the `config` metadata",
+            };
+            Error::json(origin, what, text.as_bytes(), &error)
         })?;
         config.validate_at(origin)?;
         Ok(config)

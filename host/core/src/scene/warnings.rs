@@ -5,6 +5,9 @@ use super::Scene;
 /// From this resolution on, an f32 position keeps fewer than 11 bits of its fraction inside a cell.
 const FINE_RESOLUTION: u32 = 8192;
 
+/// It is usual that fewer than one in so many Gaussians are outside the box.
+const USUAL: usize = 10;
+
 impl Scene {
     /// One sentence, with counts, for each suspicious but valid property; empty for an ordinary scene.
     #[must_use]
@@ -58,10 +61,14 @@ impl Scene {
             let squared: f32 = rotation.iter().map(|value| value * value).sum();
             !squared.is_normal()
         };
+        let total = gaussians.len();
+        // training leaves a few outside of any box
+        let outside = gaussians.position.iter().filter(outside).count();
+        let is_usual = is_contracted || outside * USUAL < total;
         let counts = [
             (
-                gaussians.position.iter().filter(|at| !is_contracted && outside(at)).count(),
-                "have their center outside the scene's aabb, where the grids repeat the border",
+                if is_usual { 0 } else { outside },
+                "have their center outside the scene's box, where the grids repeat the border",
             ),
             (
                 gaussians.rotation.iter().filter(no_rotation).count(),
@@ -70,13 +77,12 @@ impl Scene {
             (
                 gaussians.position.iter().zip(&gaussians.log_scale).filter(huge).count(),
                 if is_contracted {
-                    "have a scale larger than the diagonal of the scene's aabb and their distance from it"
+                    "have a scale larger than the diagonal of the scene's box and their distance from it"
                 } else {
-                    "have a scale larger than the diagonal of the scene's aabb"
+                    "have a scale larger than the diagonal of the scene's box"
                 },
             ),
         ];
-        let total = gaussians.len();
         let counted = counts.into_iter().filter(|(count, _)| *count > 0);
         counted.map(|(count, text)| format!("{count} of {total} Gaussians {text}")).collect()
     }

@@ -93,6 +93,10 @@ impl<'a> Colmap<'a> {
         let unit = if is_sequential { "images" } else { "blocks of images" };
         let progress = self.job.console.progress(images as u64, unit);
         progress.say("comparing images");
+        if !is_sequential {
+            // COLMAP may say nothing until it has compared all
+            self.job.console.note("comparing each image with all others: this takes minutes");
+        }
         self.job.programs.run(colmap, |line| {
             // Blocks of pairs, or images.
             let part = ["Matching block [", "Matching image [", "Processing block ["];

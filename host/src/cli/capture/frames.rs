@@ -39,6 +39,7 @@ impl Job<'_> {
             ffmpeg.args(["-vsync", "passthrough", "-pix_fmt", "gray", "-f", "rawvideo", "-"]);
             self.programs
                 .read(ffmpeg, width * height, |gray| sharpness.push(sharpness_of(gray, width)))
+                .or_else(|error| refuse(format!("{error}. Is {} a video?", video.display())))
         })?;
         let chosen = sharpest(&sharpness, self.args.frames as usize);
         if chosen.len() < 3 {

@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::console::Console;
+use super::inputs::Kind;
 use super::output::Folder;
 use super::refuse;
 use super::signals::Signals;
@@ -26,7 +27,7 @@ const EXAMPLES: &str = "\
 Examples:
   organza capture garden.mp4 -o garden              from a video
   organza capture photographs/ -o garden            from a folder of photographs
-  organza train garden -o run
+  organza train garden -o garden-run
 
 Walk slowly around what you want to show, and look at it from many places: turning on the spot shows no depth. Keep the \
 light and the zoom as they are.
@@ -94,6 +95,10 @@ struct Job<'a> {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = Source::find(&args.inputs)?;
+    if Kind::from_path(&args.output) == Some(Kind::Run) {
+        let output = args.output.display();
+        return refuse(format!("{output} holds a training run; choose another folder"));
+    }
     let is_video = matches!(source, Source::Video(_));
     let mut needed = vec![programs::COLMAP];
     if is_video {
@@ -135,12 +140,13 @@ impl<'a> Source<'a> {
             }
         }
         if let Some(other) = inputs.iter().find(|path| !is_photograph(path)) {
-            let other = other.display();
-            return refuse(format!(
-                "{other} is neither JPEG nor PNG; expected one video, one folder, or photographs"
-            ));
+            let what = match other.is_dir() {
+                true => format!("{} is a folder among other inputs", other.display()),
+                false => format!("{} is neither JPEG nor PNG", other.display()),
+            };
+            return refuse(format!("{what}; expected one video, one folder, or photographs"));
         }
-        Self::photographs(inputs.to_vec())
+        Self::photographs(inputs.to_vec(), &inputs[0])
     }
 
     fn folder(path: &Path) -> Result<Self> {
@@ -155,10 +161,11 @@ impl<'a> Source<'a> {
                 "{path} has photographs as HEIC, which COLMAP does not read; convert them to JPEG first"
             ));
         }
-        Self::photographs(photographs)
+        Self::photographs(photographs, path)
     }
 
-    fn photographs(mut files: Vec<PathBuf>) -> Result<Self> {
+    /// Photographs of a folder, or those after the first that is `named`.
+    fn photographs(mut files: Vec<PathBuf>, named: &Path) -> Result<Self> {
         files.sort();
         let names: std::collections::BTreeSet<_> =
             files.iter().map(|path| path.file_name()).collect();
@@ -167,7 +174,10 @@ impl<'a> Source<'a> {
         }
         if files.len() < 3 {
             let photographs = count(files.len() as u64, "photograph");
-            return refuse(format!("{photographs}, expected 3 or more: JPEG or PNG files"));
+            let named = named.display();
+            return refuse(format!(
+                "{named}: {photographs}, expected 3 or more: JPEG or PNG files"
+            ));
         }
         Ok(Self::Photographs(files))
     }
@@ -287,7 +297,8 @@ impl Job<'_> {
 }
 
 fn finish(args: &Args, done: &Done, console: Console) -> Result<()> {
-    let output = args.output.display();
+    // without a slash at the end
+    let output = args.output.components().as_path().display();
     let Done { images, posed, .. } = done;
     if 2 * posed < *images {
         console.warn(&format!(
@@ -296,6 +307,6 @@ fn finish(args: &Args, done: &Done, console: Console) -> Result<()> {
         ));
     }
     console.note(&format!("wrote {output}: {posed} of {images} images have a pose"));
-    console.note(&format!("next: organza train {output} -o run"));
+    console.note(&format!("next: organza train {output} -o {output}-run"));
     Ok(())
 }

@@ -55,6 +55,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut pictures = Vec::new();
     {
         let progress = console.progress(walk.cameras().len() as u64, "photographs");
+        progress.say("ray tracing");
         for (index, camera) in walk.cameras().iter().enumerate() {
             let name = format!("{index:05}.jpg");
             write_jpeg(&walk.photograph(index)?, &unfinished.join(&name))?;

@@ -70,7 +70,8 @@ pub struct Args {
     #[arg(long, value_name = "F", default_value_t = 30)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=240))]
     fps: u32,
-    /// Show a channel instead of the color: depth from red (near) to blue, the others as in PNG images
+    /// Show a channel instead of the color: depth from red (near) to blue, alpha and visibility in gray, a normal as a
+    /// color
     #[arg(long, value_enum)]
     channel: Option<ChannelName>,
     /// Depths shown as red and as blue, in world units [default: from a few frames]
@@ -261,7 +262,7 @@ impl Film<'_> {
             }
         }
         if !todo.is_empty() {
-            console.note(&summary.line(&count(todo.len() as u64, "frame")));
+            summary.say(&count(todo.len() as u64, "frame"), console);
         }
         warn_not_finite(console, not_finite);
         Ok(Some(summary.cost(self.renderer, not_finite)))

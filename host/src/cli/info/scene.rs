@@ -9,7 +9,7 @@ use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
 use super::tensors::{self, TensorInfo};
-use crate::cli::summary::grouped;
+use crate::cli::summary::{count, grouped};
 use crate::cli::table::Table;
 
 #[derive(Debug, Serialize)]
@@ -64,6 +64,11 @@ impl SceneInfo {
     }
 }
 
+/// Whether a tensor of a checkpoint is for resuming the training.
+fn is_state(name: &str) -> bool {
+    ["adam.", "train."].iter().any(|prefix| name.starts_with(prefix))
+}
+
 fn levels(grid: &GridConfig) -> Vec<Level> {
     let level = |level: &organza::scene::GridLevelGeometry| Level {
         resolution: level.resolution,
@@ -86,12 +91,17 @@ impl fmt::Display for SceneInfo {
         for warning in &self.warnings {
             writeln!(f, "\nwarning: {warning}")?;
         }
-        if !self.unused_tensors.is_empty() {
+        let (state, unused): (Vec<_>, Vec<_>) =
+            self.unused_tensors.iter().map(String::as_str).partition(|name| is_state(name));
+        if !state.is_empty() {
             writeln!(
                 f,
-                "\nwarning: tensors that are not used: {}",
-                self.unused_tensors.join(", ")
+                "\nwith the state of training, in {}",
+                count(state.len() as u64, "tensor")
             )?;
+        }
+        if !unused.is_empty() {
+            writeln!(f, "\nwarning: tensors that are not used: {}", unused.join(", "))?;
         }
         Ok(())
     }

@@ -18,7 +18,7 @@ use crate::cli::summary::count;
 /// Options that say how to read a data set, and which of its frames to use.
 #[derive(Debug, Default, clap::Args)]
 pub struct DataArgs {
-    /// The frames of the data set to use [default: held-out for `eval`, all for other commands]
+    /// The frames of the data set to use [default: all]
     #[arg(long, value_enum, help_heading = "Data set")]
     split: Option<Split>,
     /// Hold out every Nth frame, starting with the first [default: as in the run, or 8]

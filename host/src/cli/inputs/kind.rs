@@ -6,6 +6,7 @@ use std::path::Path;
 
 use organza::train::{CHECKPOINT, CONFIG};
 use organza::{Error, Result, Scene, data};
+use organza_core::input::has_extension;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
@@ -87,15 +88,30 @@ impl Expected {
         match self {
             Self::Scene => "a scene (safetensors) or the folder of a training run was expected",
             Self::Cameras => "cameras (transforms.json) or a data set were expected",
-            Self::DataSet => "a data set was expected",
+            Self::DataSet => "a data set was expected, a folder or a transforms.json",
             Self::Tiles => "tiles (JSON) were expected",
         }
+    }
+
+    /// What is wrong with a file that another program has written.
+    fn foreign(self, path: &Path) -> Option<String> {
+        if self == Self::Scene && has_extension(path, &["ply", "spz"]) {
+            let path = path.display();
+            return Some(format!(
+                "this is a file of 3D Gaussian Splatting; `organza import {path} -o NEW.safetensors` makes a scene of it"
+            ));
+        }
+        format(path).is_err().then(|| format!("this is another kind of file; {}", self.as_str()))
     }
 }
 
 /// A better error than the loader's if the path holds something of another kind: then the arguments are probably in
-/// the wrong order.
+/// the wrong order, or it is no file of organza at all.
 pub fn told_apart(error: Error, path: &Path, expected: Expected) -> Error {
+    let is_unknown = matches!(error, Error::BadJson { .. } | Error::BadSafetensors { .. });
+    if is_unknown && let Some(reason) = expected.foreign(path) {
+        return Error::Invalid { origin: path.to_owned(), reason };
+    }
     match Kind::from_path(path) {
         Some(found) if !expected.accepts(found) => Error::Invalid {
             origin: path.to_owned(),

@@ -39,7 +39,7 @@ impl SceneSource {
         } else {
             format!(
                 "the folder has no {CHECKPOINT}, so it is not a training run's; name a scene file, or the \
-                 folder that training wrote to"
+                 folder that training wrote to. `organza capture` makes a data set of photographs"
             )
         };
         let error = Error::Invalid { origin: path.to_owned(), reason };

@@ -67,7 +67,7 @@ export class Explain {
     $("swatch").style.background = rgb(color);
     const hex = bits.map((value) => value.toString(16).padStart(2, "0")).join("");
     const count = `${all} ${all === 1 ? "Gaussian" : "Gaussians"}`;
-    const rule = divided ? "above 1, so the color is C / S." : `so ${((1 - sum) * 100).toFixed(1)} % is background.`;
+    const rule = divided ? "above 1, so the color is C / S." : `so ${((1 - sum) * 100).toFixed(1)}% is background.`;
     $("verdict").textContent = all ? `${count} · #${hex} · S = ${fixed(sum, 4)}, ${rule}` : "No Gaussian reaches this pixel: it is background.";
     const most = gaussians[0]?.alpha || 1;
     const row = (one) => {

@@ -115,8 +115,10 @@ function show(bitmap, about, blob, asked) {
 }
 
 function fail(message) {
-  $("message").hidden = !message;
-  $("message").textContent = message ?? "";
+  // the panel says that the program has ended
+  const said = training?.state?.ended ? null : message;
+  $("message").hidden = !said;
+  $("message").textContent = said ?? "";
 }
 
 // What is shown, how fast, and on what.
@@ -133,7 +135,7 @@ function say() {
   const larger = $("image").clientWidth / w;
   const facts = [`${w} × ${h}${larger > 1.5 ? `, enlarged ${larger.toFixed(1)} times` : ""}`, `${about.milliseconds.toFixed(0)} ms`];
   if (view.depth) facts.unshift(`depth ${view.depth.toPrecision(4)}`);
-  if (rate) facts.unshift(`${rate.toFixed(0)} frames/s`);
+  if (rate) facts.unshift(`${rate.toFixed(rate < 10 ? 1 : 0)} images/s`);
   facts.push(`${number.format(about.pairs)} Gaussians in view`);
   facts.push(about.samples ? `${number.format(about.samples)} samples${about.steps > 1 ? `, steps × ${about.steps}` : ""}${about.renewed < about.pairs ? `, ${Math.round(100 * about.renewed / about.pairs)}% new` : ""}` : "T and colors kept");
   $("numbers").textContent = facts.join(" · ");

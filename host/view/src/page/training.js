@@ -4,6 +4,7 @@ import { post } from "./frames.js";
 import { $, css, element } from "./page.js";
 
 const EVERY = 1000; // milliseconds
+const number = new Intl.NumberFormat("en");
 
 export class Training {
   constructor(frames) {
@@ -58,9 +59,9 @@ export class Training {
     const { step, steps, paused, stopping, ended, seconds, share, curve, evaluations } = this.state;
     const time = (value) => (value < 90 ? `${value.toFixed(0)} s` : `${Math.floor(value / 60)} min ${Math.floor(value % 60)} s`);
     const left = ended ? null : this.left(this.state);
-    const facts = [`step ${step} of ${steps}`, time(seconds ?? 0)];
+    const facts = [`step ${number.format(step)} of ${number.format(steps)}`, time(seconds ?? 0)];
     if (left != null) facts.push(`${time(left)} left`);
-    if (share > 0.005) facts.push(`images take ${(100 * share).toFixed(0)} %`);
+    if (share > 0.005) facts.push(`images take ${(100 * share).toFixed(0)}%`);
     $("progress").textContent = ended ?? facts.join(" · ");
     $("bar").firstElementChild.style.width = `${(100 * step) / Math.max(1, steps)}%`;
     $("pause").textContent = paused ? "Go on" : "Pause";

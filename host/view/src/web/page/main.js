@@ -286,7 +286,9 @@ class Viewer {
 
   tell() {
     const { quality, camera, plan, time, counts } = this.shown;
-    $("quality").textContent = $("quality").dataset.is = quality === "moving" ? "moving" : "exact";
+    const isEnlarged = $("view").clientWidth > 1.5 * camera.w;
+    $("quality").dataset.is = quality === "moving" ? "moving" : "exact";
+    $("quality").textContent = quality !== "moving" && isEnlarged ? "enlarged" : $("quality").dataset.is;
     const facts = [`${camera.w} × ${camera.h}`, `${time.toFixed(0)} ms`, `${number.format(counts[0])} Gaussians in view`];
     facts.push(`${number.format(counts[2])} samples${plan.steps > 1 ? `, steps × ${plan.steps}` : ""}`);
     $("numbers").textContent = facts.join(" · ");

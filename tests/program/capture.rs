@@ -40,7 +40,7 @@ fn the_poses_of_a_film_are_found() {
     let outcome = sandbox.run(&capture).assert_ok();
     assert!(outcome.stderr.contains("taking the 30 sharpest of 60 frames"), "{outcome:?}");
     assert!(outcome.stderr.contains("30 of 30 images have a pose"), "{outcome:?}");
-    assert!(outcome.stderr.contains("next: organza train data -o run"), "{outcome:?}");
+    assert!(outcome.stderr.contains("next: organza train data -o data-run"), "{outcome:?}");
 
     let film = Camera::load_all(sandbox.path("walk/transforms.json")).unwrap();
     let found = Poses::load(&sandbox.path("data"), &DatasetOptions::default()).unwrap();

@@ -182,6 +182,10 @@ fn what_cannot_be_is_refused() {
         sandbox.assert_refuses(&words, facts);
         assert!(!sandbox.path("new.safetensors").exists(), "{words}");
     }
+    // before a device is opened
+    let outcome = sandbox.run("edit scene.safetensors --box 9,9,9,10,10,10 -o new.safetensors");
+    outcome.assert_refused(&["nothing would be left"]);
+    assert_eq!(outcome.stderr.lines().count(), 1, "{outcome:?}");
     let words = "edit scene.safetensors --keep-largest -o scene.safetensors";
     sandbox.assert_refuses(words, &["would replace the input"]);
 }

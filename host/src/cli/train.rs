@@ -76,8 +76,8 @@ pub struct Args {
     /// The folder for the run; created if it does not exist
     #[arg(short, long, value_name = "RUN", required_unless_present_any = ["resume", "print_config"])]
     output: Option<PathBuf>,
-    /// Continue a run that was stopped, with its own settings; --steps, --minutes (more) and --max-gaussians extend it,
-    /// --evaluate-every, --checkpoint-every and --set run.log_every change what is written
+    /// Continue a run that was stopped, with its own settings; --steps and --max-gaussians extend it, --minutes goes on
+    /// for so many more, --evaluate-every, --checkpoint-every and --set run.log_every change what is written
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config"])]
     resume: Option<PathBuf>,
     #[command(flatten)]

@@ -183,7 +183,7 @@ pub fn encode_jpeg(image: &Image) -> Result<Vec<u8>> {
 
 #[cfg(test)]
 mod tests {
-    use super::round_up;
+    use super::*;
 
     #[test]
     fn scales_end_at_1_2_or_5_times_a_power_of_ten() {
@@ -191,5 +191,15 @@ mod tests {
             assert_eq!(round_up(value), end, "{value}");
         }
         assert_eq!(round_up(0.03), 0.05);
+    }
+
+    #[test]
+    fn near_is_red_far_is_blue_and_nothing_is_black() {
+        let range = Range { low: 1.0, high: 2.0 };
+        let image = scaled(Mode::Depth, [3, 1], [1.1, 1.9, 0.0].into_iter(), range);
+        let [near, far, nothing] = *image.pixels() else { panic!("three pixels") };
+        assert!(near[0] > near[2] && far[2] > far[0], "{near:?} {far:?}");
+        assert_eq!(nothing, [0; 3]);
+        assert_eq!(Mode::Depth.ramp().unwrap()[0], format!("#{:x}", colorous::TURBO.eval_rational(16, 17)));
     }
 }

@@ -22,6 +22,10 @@ fn a_log_file_has_steps_evaluations_and_the_end() {
     assert!(lines.len() < 20, "{lines:#?}");
     let outcome = sandbox.run(&format!("{TINY} quiet --quiet")).assert_ok();
     assert_eq!(outcome.stderr, "");
+    // a plan may change
+    let outcome = sandbox.run(&format!("{TINY} planned --minutes 0.01")).assert_ok();
+    assert!(outcome.stderr.contains("step 1 of about "), "{outcome:?}");
+    assert!(outcome.stderr.ends_with("next: organza view planned\n"), "{outcome:?}");
 }
 
 /// Later lines are due after some seconds. They give the speed and the remaining time.

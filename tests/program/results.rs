@@ -23,7 +23,7 @@ fn names() -> Vec<String> {
 #[test]
 fn tiles_are_those_of_the_reference() {
     let sandbox = Sandbox::new("basic");
-    let outcome = sandbox.run(&format!("{TILES} -o out.safetensors")).assert_ok();
+    let outcome = sandbox.run(&format!("{TILES} -o out.safetensors --verbose")).assert_ok();
     let found = read_tensors(sandbox.path("out.safetensors")).unwrap();
     let expected = read_tensors(cases::folder().join("basic/expected.safetensors")).unwrap();
     assert_eq!(found.keys().collect::<Vec<_>>(), ["tiles"]);

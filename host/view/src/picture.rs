@@ -200,6 +200,9 @@ mod tests {
         let [near, far, nothing] = *image.pixels() else { panic!("three pixels") };
         assert!(near[0] > near[2] && far[2] > far[0], "{near:?} {far:?}");
         assert_eq!(nothing, [0; 3]);
-        assert_eq!(Mode::Depth.ramp().unwrap()[0], format!("#{:x}", colorous::TURBO.eval_rational(16, 17)));
+        assert_eq!(
+            Mode::Depth.ramp().unwrap()[0],
+            format!("#{:x}", colorous::TURBO.eval_rational(16, 17))
+        );
     }
 }

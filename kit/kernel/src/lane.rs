@@ -16,7 +16,9 @@ use crate::memory::{ReadBuffer, WriteBuffer};
 use crate::{atomic, fixed};
 
 #[cfg(not(target_arch = "spirv"))]
-pub use crate::wide::{Wide, WideIndex, WideMask};
+pub use crate::wide::Wide;
+#[cfg(not(target_arch = "spirv"))]
+pub use crate::wide_index::{WideIndex, WideMask};
 
 /// Largest number of lanes in a [`Lane`]: workgroups are multiples of it.
 pub const MAX_WIDTH: u32 = 16;

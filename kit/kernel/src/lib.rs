@@ -158,9 +158,16 @@ pub mod shared_tile;
 mod stop;
 pub mod subgroup;
 #[cfg(not(target_arch = "spirv"))]
+#[macro_use]
+mod wide_macros;
+#[cfg(not(target_arch = "spirv"))]
 mod wide;
 #[cfg(not(target_arch = "spirv"))]
+mod wide_index;
+#[cfg(not(target_arch = "spirv"))]
 mod wide_math;
+#[cfg(all(not(target_arch = "spirv"), target_arch = "x86_64"))]
+mod wide_vectors;
 #[cfg(not(target_arch = "spirv"))]
 pub mod work;
 #[cfg(not(target_arch = "spirv"))]

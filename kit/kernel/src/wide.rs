@@ -1,40 +1,22 @@
-//! Lanes on the CPU: arrays that the compiler turns into vector instructions.
+//! Lanes on the CPU: arrays, and the vector instructions for them.
 
-use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::casts::check_cast;
 use crate::half::half_value;
-use crate::lane::{Lane, LaneIndex};
+use crate::lane::Lane;
 use crate::memory::{Read, Write};
-use crate::wide_math::{fma, pairwise, wholes};
+use crate::wide_index::{WideIndex, WideMask};
+use crate::wide_math::{fma, pairwise};
 use crate::{atomic, fixed};
-
-/// An array of what an expression gives for each lane.
-macro_rules! lanes {
-    (|$lane:ident| $value:expr) => {
-        core::array::from_fn(
-            #[inline(always)]
-            |$lane| $value,
-        )
-    };
-}
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
 ///
-/// The arithmetic is that of plain arrays. Inlined into a function with the right target features, the compiler turns
-/// it into vector instructions.
+/// Inlined into a function with the right target features, the operations are vector instructions: those of `wide_vectors` for AVX2 and
+/// AVX-512, and what the compiler makes of arrays otherwise.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct Wide<const N: usize, const FUSED: bool>(pub [f32; N]);
-
-/// `N` truth values.
-#[derive(Clone, Copy, Debug)]
-pub struct WideMask<const N: usize>(pub [bool; N]);
-
-/// `N` integers.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-pub struct WideIndex<const N: usize>(pub [u32; N]);
 
 macro_rules! elementwise {
     ($($trait:ident::$name:ident $op:tt;)*) => {$(
@@ -43,7 +25,7 @@ macro_rules! elementwise {
 
             #[inline(always)]
             fn $name(self, other: Self) -> Self {
-                Self(lanes!(|i| self.0[i] $op other.0[i]))
+                Self(vectors!($name(self.0, other.0), lanes!(|i| self.0[i] $op other.0[i])))
             }
         }
     )*};
@@ -61,25 +43,7 @@ impl<const N: usize, const FUSED: bool> Neg for Wide<N, FUSED> {
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(lanes!(|i| -self.0[i]))
-    }
-}
-
-impl<const N: usize> BitXor for WideIndex<N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn bitxor(self, other: Self) -> Self {
-        Self(lanes!(|i| self.0[i] ^ other.0[i]))
-    }
-}
-
-impl<const N: usize> BitAnd for WideIndex<N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        Self(lanes!(|i| self.0[i] & other.0[i]))
+        Self(vectors!(neg(self.0), lanes!(|i| -self.0[i])))
     }
 }
 
@@ -106,53 +70,71 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
-        Self(lanes!(|i| fma::<FUSED>(self.0[i], a.0[i], b.0[i])))
+        let sum = vectors!(
+            mul_add(self.0, a.0, b.0),
+            lanes!(|i| fma::<FUSED>(self.0[i], a.0[i], b.0[i]))
+        );
+        Self(sum)
     }
 
     #[inline(always)]
     fn min(self, other: Self) -> Self {
-        Self(lanes!(|i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] }))
+        let least = vectors!(
+            min(self.0, other.0),
+            lanes!(|i| if self.0[i] < other.0[i] { self.0[i] } else { other.0[i] })
+        );
+        Self(least)
     }
 
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        Self(lanes!(|i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] }))
+        let greatest = vectors!(
+            max(self.0, other.0),
+            lanes!(|i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] })
+        );
+        Self(greatest)
     }
 
     #[inline(always)]
     fn less(self, other: Self) -> Self::Mask {
-        WideMask(lanes!(|i| self.0[i] < other.0[i]))
+        WideMask(vectors!(less(self.0, other.0), mask!(|i| self.0[i] < other.0[i])))
     }
 
     #[inline(always)]
     fn less_equal(self, other: Self) -> Self::Mask {
-        WideMask(lanes!(|i| self.0[i] <= other.0[i]))
+        WideMask(vectors!(less_equal(self.0, other.0), mask!(|i| self.0[i] <= other.0[i])))
     }
 
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
-        Self(lanes!(|i| if mask.0[i] { yes.0[i] } else { no.0[i] }))
+        let chosen = vectors!(
+            select(mask.0, yes.0, no.0),
+            lanes!(|i| if mask.0[i] != 0 { yes.0[i] } else { no.0[i] })
+        );
+        Self(chosen)
     }
 
     #[inline(always)]
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask {
-        WideMask(lanes!(|i| a.0[i] & b.0[i]))
+        WideMask(vectors!(both(a.0, b.0), lanes!(|i| a.0[i] & b.0[i])))
     }
 
     #[inline(always)]
     fn any(mask: Self::Mask) -> bool {
-        let mut any = false;
-        let mut i = 0;
-        while i < N {
-            any |= mask.0[i];
-            i += 1;
-        }
-        any
+        vectors!(any(mask.0), {
+            let mut any = 0;
+            let mut i = 0;
+            while i < N {
+                any |= mask.0[i];
+                i += 1;
+            }
+            any != 0
+        })
     }
 
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(lanes!(|i| self.0[i].sqrt()))
+        Self(vectors!(sqrt(self.0), lanes!(|i| self.0[i].sqrt())))
     }
 
     #[inline(always)]
@@ -164,8 +146,8 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn truncate(self) -> Self {
-        let whole = wholes(self.0);
-        Self(lanes!(|i| whole[i] as f32))
+        let whole = self.wholes();
+        Self(sixteen!(number(whole), lanes!(|i| whole[i] as f32)))
     }
 
     #[inline(always)]
@@ -175,7 +157,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
         if cfg!(debug_assertions) && N == 1 {
             check_cast::<u32, _>(self.0[0]);
         }
-        let whole = wholes(self.0);
+        let whole = self.wholes();
         WideIndex(lanes!(|i| whole[i] as u32))
     }
 
@@ -273,47 +255,21 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[inline(always)]
     #[track_caller]
     fn flag(mask: Self::Mask, flags: Write<u32>, at: Self::Index, block: u32) {
-        let at = lanes!(|i| at.0[i] / block);
-        atomic::flag_lanes(flags, mask.0, at);
+        let at: [u32; N] = lanes!(|i| at.0[i] / block);
+        atomic::flag_lanes(flags, mask.0.map(|lane| lane != 0), at);
     }
 }
 
-impl<const N: usize> LaneIndex for WideIndex<N> {
-    type Mask = WideMask<N>;
-
+impl<const N: usize, const FUSED: bool> Wide<N, FUSED> {
+    /// Values without their fractions, clamped to the range of an integer.
     #[inline(always)]
-    fn splat(value: u32) -> Self {
-        Self([value; N])
-    }
-
-    #[inline(always)]
-    fn wrapping_add(self, other: Self) -> Self {
-        Self(lanes!(|i| self.0[i].wrapping_add(other.0[i])))
-    }
-
-    #[inline(always)]
-    fn wrapping_sub(self, other: Self) -> Self {
-        Self(lanes!(|i| self.0[i].wrapping_sub(other.0[i])))
-    }
-
-    #[inline(always)]
-    fn wrapping_mul(self, other: Self) -> Self {
-        Self(lanes!(|i| self.0[i].wrapping_mul(other.0[i])))
-    }
-
-    #[inline(always)]
-    fn less(self, other: Self) -> Self::Mask {
-        WideMask(lanes!(|i| self.0[i] < other.0[i]))
-    }
-
-    #[inline(always)]
-    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
-        Self(lanes!(|i| if mask.0[i] { yes.0[i] } else { no.0[i] }))
-    }
-
-    #[inline(always)]
-    fn lane(self, lane: u32) -> u32 {
-        self.0[lane as usize]
+    fn wholes(self) -> [i32; N] {
+        /// The largest number below 2^31.
+        const MOST: f32 = 2_147_483_520.0;
+        // what is no number is MOST
+        let x = self.min(Self::splat(MOST)).max(Self::splat(-MOST));
+        // SAFETY: it is limited
+        vectors!(whole(x.0), lanes!(|i| unsafe { x.0[i].to_int_unchecked() }))
     }
 }
 
@@ -338,14 +294,21 @@ fn exp<const N: usize, const FUSED: bool>(x: Wide<N, FUSED>) -> Wide<N, FUSED> {
     // 2^n in two factors: n may be 128
     let whole: [i32; N] = lanes!(|i| ((shifted.0[i].to_bits() as i32) << 9) >> 9);
     let half: [i32; N] = lanes!(|i| whole[i] >> 1);
-    let first = Wide(lanes!(|i| f32::from_bits(((half[i] + 127) as u32) << 23)));
-    let second = Wide(lanes!(|i| f32::from_bits(((whole[i] - half[i] + 127) as u32) << 23)));
-    p * first * second
+    let power = |n: i32| f32::from_bits(((n + 127) as u32) << 23);
+    let first = vectors!(first_power(shifted.0), lanes!(|i| power(half[i])));
+    let second = vectors!(second_power(shifted.0), lanes!(|i| power(whole[i] - half[i])));
+    p * Wide(first) * Wide(second)
 }
 
 #[cfg(test)]
 mod tests {
+    extern crate std;
+
+    use std::vec::Vec;
+
     use super::*;
+    use crate::kernel::InstructionSet;
+    use crate::lane::LaneIndex;
     use crate::math::TINY;
 
     #[test]
@@ -360,6 +323,64 @@ mod tests {
         let values = Wide::<4, false>([0.0, 0.99, 1.5, 16_777_215.0]);
         assert_eq!(values.index().0, [0, 0, 1, 16_777_215]);
         assert_eq!(values.truncate().0, [0.0, 0.0, 1.0, 16_777_215.0]);
+    }
+
+    /// The results of all operations: numbers, masks as 0 and 1, and integers as bits.
+    fn operations<const N: usize>(a: Wide<N, true>, b: Wide<N, true>) -> Vec<[f32; N]> {
+        let shown = |mask| Wide::select(mask, Wide::splat(1.0), Wide::splat(0.0));
+        let floats = [a + b, a - b, a * b, a / b, -a, a.mul_add(b, a), a.min(b), a.max(b)];
+        let more = [a.sqrt(), a.exp(), a.truncate(), Wide::select(a.less(b), a, b)];
+        let masks = [a.less(b), a.less_equal(b), Wide::<N, true>::both(a.less(b), b.less(-a))];
+        let first = WideIndex(a.0.map(f32::to_bits));
+        let second = WideIndex(b.0.map(f32::to_bits));
+        let integers = [
+            first ^ second,
+            first & second,
+            first.wrapping_add(second),
+            first.wrapping_sub(second),
+            first.wrapping_mul(second),
+            LaneIndex::select(first.less(second), first, second),
+            a.index(),
+        ];
+        let floats = floats.into_iter().chain(more).chain(masks.map(shown)).map(|lanes| lanes.0);
+        floats.chain(integers.map(|lanes| lanes.0.map(f32::from_bits))).collect()
+    }
+
+    /// Compares them with those of one lane, for all pairs of special values.
+    fn are_those_of_one_lane<const N: usize>() {
+        let values = [0.0, -0.0, 1.0, -1.5, 1e-40, f32::NAN, f32::INFINITY, -f32::INFINITY, 3e9];
+        let values = [&values[..], &[-3e9, 88.9, -87.4, 0.3]].concat();
+        let value = |at: usize| values[at % values.len()];
+        for (shift, &limit) in values.iter().enumerate() {
+            let found =
+                operations::<N>(Wide(lanes!(|i| value(i))), Wide(lanes!(|i| value(i + shift))));
+            for lane in 0..N {
+                let [a, b] = [value(lane), value(lane + shift)];
+                let expected = operations::<1>(Wide([a]), Wide([b]));
+                for (operation, (found, [expected])) in found.iter().zip(expected).enumerate() {
+                    let found = found[lane];
+                    let is_same = found.to_bits() == expected.to_bits();
+                    let is_nan = found.is_nan() && expected.is_nan();
+                    assert!(
+                        is_same || is_nan,
+                        "{operation} of {a} and {b}: {found}, not {expected}"
+                    );
+                }
+            }
+            let mask = Wide::<N, true>(lanes!(|i| value(i))).less(Wide::splat(limit));
+            assert_eq!(Wide::<N, true>::any(mask), mask.0.iter().any(|&lane| lane != 0));
+        }
+    }
+
+    #[test]
+    fn instructions_give_the_bits_of_one_lane() {
+        for set in [InstructionSet::Avx2, InstructionSet::Avx512] {
+            match set {
+                _ if !set.is_available() => {}
+                InstructionSet::Avx2 => are_those_of_one_lane::<8>(),
+                _ => are_those_of_one_lane::<16>(),
+            }
+        }
     }
 
     #[test]

@@ -16,23 +16,6 @@ pub fn pairwise<const N: usize>(values: &[f32; N]) -> f32 {
     values[0]
 }
 
-/// Values without their fractions, clamped to the range of an integer. A plain `as` does the same, but one by one.
-#[inline(always)]
-pub fn wholes<const N: usize>(mut x: [f32; N]) -> [i32; N] {
-    /// The largest number below 2^31.
-    const MOST: f32 = 2_147_483_520.0;
-    let mut whole = [0; N];
-    let mut i = 0;
-    while i < N {
-        x[i] = if x[i] < MOST { x[i] } else { MOST };
-        x[i] = if x[i] > -MOST { x[i] } else { -MOST };
-        // SAFETY: it is limited, and what was NaN is MOST
-        whole[i] = unsafe { x[i].to_int_unchecked() };
-        i += 1;
-    }
-    whole
-}
-
 /// `a b + c`, with one rounding if the instruction set has that.
 #[inline(always)]
 pub fn fma<const FUSED: bool>(a: f32, b: f32, c: f32) -> f32 {

@@ -50,7 +50,7 @@ impl Pace {
         let all = fields.gaussians as f64;
         let oldest = fields.gaussians.div_ceil(MAX_AGE);
         self.renewed = [FIELDS, LONGEST].map(|time| ((rate * time.max(draw)) as usize).max(oldest));
-        let affordable = rate * FIELDS.max(draw);
+        let affordable = rate * FIELDS;
         if affordable < all {
             self.steps = MAX_STEPS;
         } else if self.steps > 1 && affordable > 3.0 * all {

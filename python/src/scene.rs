@@ -108,11 +108,11 @@ impl Scene {
         self.0.gaussians.len()
     }
 
-    /// The picture for a notebook: the scene's box from outside, as PNG; `None` if it has no outside.
+    /// The picture for a notebook: the scene from outside, as PNG.
     fn _repr_png_<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyBytes>>> {
         let scene = Arc::clone(&self.0);
         let png = job::run(py, move || {
-            let Ok(cameras) = Orbit::from_box(scene.config.aabb, PICTURE).cameras(1) else {
+            let Ok(cameras) = Orbit::from_box(scene.visible_box(), PICTURE).cameras(1) else {
                 return Ok(None);
             };
             let renderer = organza::Renderer::new(organza::open_device(&DeviceOptions::default())?);

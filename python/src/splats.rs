@@ -54,7 +54,7 @@ pub fn export<'py>(
         let views = match (cameras, &dataset) {
             (Some(cameras), _) => Views::from_cameras(cameras),
             (None, Some(data)) => Views::from_data_set(data),
-            (None, None) => Views::around(scene.config.aabb)?,
+            (None, None) => Views::around(scene.visible_box())?,
         };
         let uploaded = &lock(&held).scene;
         let mut check_signals = |_| awaited();

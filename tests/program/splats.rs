@@ -35,6 +35,7 @@ fn a_scene_goes_out_and_comes_back() {
     let outcome = sandbox.run(&format!("{words} -o thin.ply --steps 120")).assert_ok();
     let [after, before] = decibels(&outcome.stderr)[..] else { panic!("{outcome:?}") };
     assert!(outcome.stderr.contains("2 views that the fit has not seen"), "{outcome:?}");
+    assert!(outcome.stderr.contains("organza import thin.ply around.json -o NEW"), "{outcome:?}");
     assert!(after > before + 2.0 && after > 26.0, "{outcome:?}");
     // the same bits for any number of threads
     let [one, two] = ["1", "2"].map(|threads| {
@@ -55,10 +56,20 @@ fn a_scene_goes_out_and_comes_back() {
     // without cameras: with views from all around
     let words =
         "import thin.ply -o round.safetensors --steps 1 --side 24 --background white --backend cpu";
-    sandbox.run(words).assert_ok();
+    let outcome = sandbox.run(words).assert_ok();
+    assert!(!outcome.stderr.contains("of the pixels"), "{outcome:?}");
     let round = Scene::load(sandbox.path("round.safetensors")).expect("a scene");
     assert_eq!(round.config.background, [1.0; 3]);
     assert_eq!(round.gaussians.len(), back.gaussians.len());
+    // from so far away that the images are nearly empty
+    let mut far = demo::turntable(2, SIDE);
+    for camera in &mut far {
+        (0..3).for_each(|row| camera.camera_to_world[row][3] *= 20.0);
+    }
+    Camera::save_all(sandbox.path("far.json"), &far).expect("cameras");
+    let words = "import thin.ply far.json -o far.safetensors --steps 1 --backend cpu";
+    let outcome = sandbox.run(words).assert_ok();
+    assert!(outcome.stderr.contains("of the pixels"), "{outcome:?}");
     // and as the start of a training
     let words = "train views -o run --start thin.ply --steps 1 --set growth.end=0 --backend cpu";
     sandbox.run(words).assert_ok();

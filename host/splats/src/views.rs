@@ -3,6 +3,7 @@
 use super::Splat;
 use organza_core::camera::{Camera, Orbit};
 use organza_core::error::Result;
+use organza_core::scene;
 use organza_data::{Dataset, Frame};
 
 /// Number of cameras on each circle around a box.
@@ -12,11 +13,6 @@ const ELEVATIONS: [f64; 3] = [-15.0, 17.0, 45.0];
 const SIZE: [u32; 2] = [640, 480];
 /// Without photographs, every Nth camera is only measured.
 const JUDGES: usize = 8;
-
-/// Part of the centers that [`bounds`] leaves out at each end of an axis.
-const LEFT_OUT: f64 = 0.01;
-/// Standard deviations that a Gaussian reaches.
-const SUPPORT: f64 = 3.0;
 
 /// The views of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,21 +66,11 @@ impl Views {
     }
 }
 
-/// The box of the centers, without the few that are farthest out on each axis. Where all centers are in one place, the
-/// Gaussians' own size makes the box.
+/// The box of nearly all of the opacity, as [`scene::bounds`] says.
 #[must_use]
 pub fn bounds(splats: &[Splat]) -> [[f64; 3]; 2] {
-    let left_out = (LEFT_OUT * splats.len() as f64) as usize;
-    let ends: [[f64; 2]; 3] = std::array::from_fn(|axis| {
-        let mut places: Vec<_> = splats.iter().map(|splat| splat.position[axis]).collect();
-        places.sort_unstable_by(f32::total_cmp);
-        let end = |place: Option<&f32>| place.copied().unwrap_or_default().into();
-        let places = &places[left_out..places.len() - left_out];
-        [end(places.first()), end(places.last())]
-    });
-    let longest = ends.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-    let scales = splats.iter().flat_map(|splat| splat.log_scale);
-    let largest = f64::from(scales.fold(f32::MIN, f32::max)).exp();
-    let margin = if longest < largest { SUPPORT * largest } else { 0.0 };
-    [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
+    let position: Vec<_> = splats.iter().map(|splat| splat.position).collect();
+    let log_scale: Vec<_> = splats.iter().map(|splat| splat.log_scale).collect();
+    let opacity: Vec<_> = splats.iter().map(|splat| splat.opacity).collect();
+    scene::bounds(&position, &log_scale, &opacity)
 }

@@ -38,7 +38,7 @@ pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
     /// The views to compare: nerfstudio's transforms.json, or a data set [default: those of the run, or views from
-    /// all around the scene's box]
+    /// all around the scene]
     cameras: Option<PathBuf>,
     /// The file. Its extension chooses the format: .ply and .glb have all values; .compressed.ply, .spz and .sog
     /// round them; .splat has
@@ -107,6 +107,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         args.output.display(),
         format_bytes(bytes)
     ));
+    if !matches!(format, Format::Sog | Format::Glb | Format::Splat) {
+        let [red, green, blue] = scene.config.background;
+        let file = args.output.display();
+        let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
+        let cameras = cameras.collect::<String>();
+        console.note(&format!(
+            "back to a scene: organza import {file}{cameras} -o NEW --background {red:.3},{green:.3},{blue:.3}"
+        ));
+    }
     Ok(())
 }
 
@@ -128,7 +137,7 @@ fn load_views(
             Some(_) => {
                 Views::from_cameras(Cameras::load(source, named, &args.data, USAGE, console)?.list)
             }
-            None => Views::around(scene.config.aabb)?,
+            None => Views::around(scene.visible_box())?,
         };
         return Ok((views, None));
     }

@@ -29,7 +29,7 @@ Examples:
 
 The page renders with the visitor's GPU. It needs a browser with WebGPU, and no program and no server: it also opens from \
 a folder. Until it is ready, and where there is no WebGPU, it shows a picture. Until the visitor touches it, it turns slowly \
-where the cameras stood; without cameras, around the scene's box.";
+where the cameras stood; without cameras, around the scene.";
 
 /// Write a page that renders a scene in a browser, by itself
 #[derive(Debug, clap::Args)]
@@ -39,7 +39,7 @@ pub struct Args {
     #[arg(required_unless_present = "gallery")]
     scene: Option<PathBuf>,
     /// The cameras to start from: nerfstudio's transforms.json, or a data set [default: those of the run, or views
-    /// around the scene's box]
+    /// around the scene]
     cameras: Option<PathBuf>,
     /// The folder of the page, created if it does not exist; with --single-file, the file
     #[arg(short, long, value_name = "PATH")]

@@ -12,6 +12,9 @@ use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::check_file;
 use super::summary::count;
 
+/// A scene in fewer of the pixels is seen from too far away, or not at all.
+const COVERED: f64 = 0.05;
+
 const EXAMPLES: &str = "\
 Examples:
   organza import scene.ply data/fox -o scene.safetensors    on the cameras that it was trained with
@@ -77,6 +80,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         splats::import(&renderer, &splats, &views, options, &mut progress)?
     };
     imported.scene.save(&args.output)?;
+    if imported.covered < COVERED {
+        console.warn(&format!(
+            "the Gaussians are in {:.1}% of the pixels, so the scene is hardly trained, and its PSNR means little: name \
+             cameras that see them",
+            100.0 * imported.covered
+        ));
+    }
     if let Some(psnr) = imported.psnr {
         console.note(&format!(
             "in {} that training has not seen, the scene is {psnr:.2} dB from the file's own images",

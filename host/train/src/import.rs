@@ -45,6 +45,8 @@ pub struct Imported {
     /// Mean PSNR, in dB, of its images compared with those of the file, over views that training has not seen. `None`
     /// without such views.
     pub psnr: Option<f64>,
+    /// Part of the pixels of all views in which the file shows anything but the background.
+    pub covered: f64,
 }
 
 /// Makes a scene with the same images as some Gaussians. Training adapts the networks, and moves all values of the
@@ -68,6 +70,10 @@ pub fn import(
         Ok(Frame { name: format!("view-{index:03}"), camera, image })
     };
     let frames = cameras.iter().chain(judges).enumerate().map(frame).collect::<Result<Vec<_>>>()?;
+    let background = options.background.map(to_8_bit);
+    let pixels = frames.iter().flat_map(|frame| frame.image.pixels());
+    let covered = pixels.clone().filter(|&&pixel| pixel != background).count() as f64;
+    let covered = covered / pixels.count() as f64;
     let mut dataset = Dataset::from_frames(frames, 0);
     dataset.held_out = dataset.train.split_off(cameras.len());
     dataset.background = options.background.map(f64::from);
@@ -81,7 +87,7 @@ pub fn import(
         progress(trainer.steps() as usize)?;
     }
     let psnr = trainer.evaluate()?.mean.psnr;
-    Ok(Imported { scene: trainer.shard().download(renderer.device())?, psnr })
+    Ok(Imported { scene: trainer.shard().download(renderer.device())?, psnr, covered })
 }
 
 /// The settings of training: the number of Gaussians is constant, and their positions and shapes change slowly.

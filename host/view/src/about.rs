@@ -7,6 +7,7 @@ use super::message::{CameraMessage, Mode};
 use crate::film::Kind;
 use organza_core::camera::{Camera, Orbit, upward};
 use organza_core::demo;
+use organza_core::scene::bounds;
 use organza_data::{Point, Pose};
 use organza_render::{DeviceScene, Renderer};
 
@@ -79,11 +80,14 @@ impl About {
         purpose: Purpose,
     ) -> Self {
         let config = scene.config();
-        let [low, high] = config.aabb.map(DVec3::from);
+        // data sets have views of their own to begin with
+        let visible = if poses.is_empty() { visible_box(renderer, scene) } else { None };
+        let visible = visible.unwrap_or(config.aabb);
+        let [low, high] = visible.map(DVec3::from);
         let center = (low + high) / 2.0;
         let up = upward(poses.iter().map(|pose| &pose.camera));
         let first = poses.iter().find(|pose| pose.held_out).or(poses.first());
-        let home = first.map_or_else(|| overview(config.aabb), |pose| pose.camera.clone());
+        let home = first.map_or_else(|| overview(visible), |pose| pose.camera.clone());
         let view = |(index, pose): (usize, &Pose)| View {
             name: pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}")),
             held_out: pose.held_out,
@@ -122,6 +126,16 @@ impl About {
     pub(super) fn points(&self) -> &[u8] {
         &self.points
     }
+}
+
+/// The box of nearly all of the opacity; `None` if the device fails.
+fn visible_box(renderer: &Renderer, scene: &DeviceScene) -> Option<[[f64; 3]; 2]> {
+    let gaussians = &scene.tensors().gaussians;
+    let read = |values| renderer.device().read(values).ok();
+    let position = read(&gaussians.position)?;
+    let log_scale = read(&gaussians.log_scale)?;
+    let opacity = read(&gaussians.opacity)?;
+    Some(bounds(position.as_chunks().0, log_scale.as_chunks().0, &opacity))
 }
 
 /// A camera that sees the whole box.

@@ -5,11 +5,13 @@ use organza_render::FieldWork;
 
 /// Target time for the other parts of a moving image, in seconds: projection, composite and encoding.
 const DRAW: f64 = 0.030;
-/// Target time for colors and transmittances of a moving image, in seconds.
+/// Target time for colors and transmittances of a moving image, in seconds. If the other parts take longer, so may these.
 const FIELDS: f64 = 0.060;
+/// Their longest time. A fast motion may ask for that much: an image that comes late is better than a wrong one.
+const LONGEST: f64 = 1.0;
 /// Longest of T's steps, as a multiple of sigma. Longer ones miss thin surfaces.
 const MAX_STEPS: u16 = 2;
-/// The values of a Gaussian are at most this many images old, however slow the device is.
+/// The values of a Gaussian are at most about this many images old, however slow the device is.
 const MAX_AGE: usize = 16;
 /// Largest divisor of the sides of moving images.
 const MAX_SHRINK: u32 = 4;
@@ -21,13 +23,13 @@ pub struct Pace {
     pub shrink: u32,
     /// Factor of the length of T's steps.
     pub steps: u16,
-    /// The number of Gaussians whose values are computed again for each image.
-    pub renewed: usize,
+    /// The smallest and the largest number of Gaussians whose values are computed again for each image.
+    pub renewed: [usize; 2],
 }
 
 impl Default for Pace {
     fn default() -> Self {
-        Self { shrink: 2, steps: MAX_STEPS, renewed: 1 << 12 }
+        Self { shrink: 2, steps: MAX_STEPS, renewed: [1 << 12, 1 << 16] }
     }
 }
 
@@ -44,15 +46,17 @@ impl Pace {
         if fields.evaluated == 0 {
             return;
         }
-        let affordable = fields.evaluated as f64 * FIELDS / fields.seconds.max(1e-9);
+        let rate = fields.evaluated as f64 / fields.seconds.max(1e-9);
         let all = fields.gaussians as f64;
-        self.renewed = (affordable as usize).max(fields.gaussians.div_ceil(MAX_AGE));
+        let oldest = fields.gaussians.div_ceil(MAX_AGE);
+        self.renewed = [FIELDS, LONGEST].map(|time| ((rate * time.max(draw)) as usize).max(oldest));
+        let affordable = rate * FIELDS;
         if affordable < all {
             self.steps = MAX_STEPS;
         } else if self.steps > 1 && affordable > 3.0 * all {
             // all of them at steps of half the length
             self.steps /= 2;
-            self.renewed /= 2;
+            self.renewed = self.renewed.map(|count| count / 2);
         }
     }
 }
@@ -70,7 +74,7 @@ mod tests {
             let mut seen = Vec::new();
             for _ in 0..40 {
                 let area = f64::from(pace.shrink * pace.shrink);
-                let evaluated = pace.renewed.min(GAUSSIANS);
+                let evaluated = pace.renewed[0].min(GAUSSIANS);
                 let part = evaluated as f64 / GAUSSIANS as f64;
                 let seconds = part * samples / f64::from(pace.steps);
                 pace.learn(FieldWork { seconds, gaussians: GAUSSIANS, evaluated }, whole / area);
@@ -79,13 +83,17 @@ mod tests {
             let settled: Vec<_> =
                 seen[20..].iter().map(|(pace, _)| (pace.shrink, pace.steps)).collect();
             assert!(settled.iter().all(|pace| *pace == settled[0]), "{whole}: {seen:?}");
-            let (Pace { shrink, steps, renewed }, seconds) = seen[39];
+            let (Pace { shrink, steps, renewed: [renewed, _] }, seconds) = seen[39];
             let area = f64::from(shrink * shrink);
             assert!(whole / area <= DRAW || shrink == MAX_SHRINK, "{whole}: {shrink}");
             let oldest = GAUSSIANS / MAX_AGE;
-            assert!(seconds <= 1.01 * FIELDS || renewed == oldest, "{samples}: {seconds}");
+            // less than the other parts take would make no image faster
+            let time = FIELDS.max(whole / area);
+            assert!(seconds <= 1.01 * time || renewed == oldest, "{samples}: {seconds}");
+            let is_used = seconds >= 0.99 * time || renewed >= GAUSSIANS;
+            assert!(is_used || renewed == oldest, "{samples}: {seconds}");
             // no device that has time for all of them leaves some out
-            assert!(renewed >= GAUSSIANS || samples / f64::from(steps) > FIELDS, "{samples}");
+            assert!(renewed >= GAUSSIANS || samples / f64::from(steps) > time, "{samples}");
             assert!(renewed >= oldest, "{samples}: {renewed}");
         }
     }

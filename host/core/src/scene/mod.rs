@@ -1,5 +1,6 @@
 //! A scene: Gaussians, two hash grids and two networks, and the file that holds them.
 
+mod bounds;
 mod config;
 mod file;
 mod gaussians;
@@ -16,6 +17,7 @@ mod warnings;
 #[cfg(test)]
 mod tests;
 
+pub use bounds::bounds;
 pub use config::{
     COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
     MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
@@ -68,6 +70,13 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The box of nearly all of the opacity, as [`bounds`] says: what to look at. `config.aabb` is larger.
+    #[must_use]
+    pub fn visible_box(&self) -> [[f64; 3]; 2] {
+        let Gaussians { position, log_scale, opacity, .. } = &self.gaussians;
+        bounds(position, log_scale, opacity)
+    }
+
     /// A scene of `gaussians` Gaussians in which every tensor is zero: a start to fill in, or storage for gradients.
     /// Zero quaternions are not rotations, so such a scene renders as background.
     ///

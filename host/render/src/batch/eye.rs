@@ -5,6 +5,7 @@
 use organza_core::{Channel, RenderReport, RenderedTiles};
 use std::time::Instant;
 
+use glam::Vec3;
 use organza_shaders::composite::splat_distance;
 use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
@@ -27,17 +28,22 @@ use organza_core::tile::TileBatch;
 /// second.
 const CPU_PAIRS: usize = 1 << 12;
 const GPU_PAIRS: usize = 1 << 17;
+/// While a camera moves, a Gaussian's values are computed again about once in this angle, which the eye moves as seen from
+/// the Gaussian: 4 degrees. With 0.12, blocks of 8 x 8 pixels of the built-in scene are up to 13 levels of 255 beside the exact
+/// image, with this up to 10.
+const ANGLE: f32 = 0.07;
 
 /// Colors c (Eq. 3) and transmittances T (Eq. 11) of a scene's Gaussians, as seen from one place. It belongs to one
 /// scene as it is: after the scene changes, begin with another.
 #[derive(Debug, Default)]
 pub struct EyeCache {
     /// The place in world space, as kernels have it.
-    eye: Option<[u32; 3]>,
-    /// The number of places so far: the current one's number.
-    place: u32,
-    /// For each Gaussian, the number of the place that its values are of; 0 where nothing is known.
-    places: Vec<u32>,
+    eye: Vec3,
+    /// That of the image before.
+    eye_before: Vec3,
+    position: Vec<Vec3>,
+    /// For each Gaussian, the place that its values are of; infinity where nothing is known.
+    eyes: Vec<Vec3>,
     /// For each Gaussian, the length of T's steps in multiples of sigma.
     steps: Vec<u16>,
     transmittance: Vec<f32>,
@@ -64,9 +70,10 @@ pub struct EyeOptions<'a> {
     pub channels: &'a [Channel],
     /// The length of T's steps in multiples of sigma, Eq. 8. With 1, the image is that of [`Renderer::render`].
     pub steps: u16,
-    /// With a number, an image may show values of another place: of those Gaussians it computes this many again, the
-    /// oldest first, beside all of which nothing is known. While a camera moves, values change little from image to image.
-    pub renewed: Option<usize>,
+    /// With two numbers, an image may show values of another place: of those Gaussians it computes some again, beside all of
+    /// which nothing is known. It computes at least as many as the first, as many as the eye's motion asks for, and at most
+    /// as many as the second.
+    pub renewed: Option<[usize; 2]>,
     /// Instead of the scene's background.
     pub background: Option<[f64; 3]>,
     /// Whether nobody waits for the image any more.
@@ -81,39 +88,50 @@ impl EyeCache {
     }
 
     /// What is known of another place is old from now on.
-    fn look_from(&mut self, eye: [f32; 3], gaussians: usize) -> Result<()> {
+    fn look_from(&mut self, eye: Vec3, scene: &DeviceScene) -> Result<()> {
+        let gaussians = scene.len();
         if self.steps.len() != gaussians {
-            self.places = memory::zeros(gaussians, "what is kept of one place")?;
+            self.position =
+                scene.device().read(&scene.tensors.gaussians.position.view::<Vec3>())?;
+            self.eyes = memory::zeros(gaussians, "what is kept of one place")?;
+            self.eyes.fill(Vec3::INFINITY);
             self.steps = memory::zeros(gaussians, "what is kept of one place")?;
             self.transmittance = memory::zeros(gaussians, "what is kept of one place")?;
             self.color = memory::zeros(gaussians, "what is kept of one place")?;
         }
-        let eye = Some(eye.map(f32::to_bits));
-        if self.eye != eye {
-            self.eye = eye;
-            self.place += 1;
-        }
+        self.eye_before = std::mem::replace(&mut self.eye, eye);
         self.work = FieldWork::default();
         Ok(())
     }
 
     /// Whether a Gaussian's color is of the current place.
     fn is_current(&self, gaussian: u32) -> bool {
-        self.places[gaussian as usize] == self.place
+        self.eyes[gaussian as usize] == self.eye
+    }
+
+    /// The angle between the eye and another place, seen from a Gaussian, in multiples of [`ANGLE`].
+    fn moved(&self, from: Vec3, gaussian: u32) -> f32 {
+        let distance = self.position[gaussian as usize].distance(self.eye);
+        self.eye.distance(from) / (ANGLE * distance.clamp(f32::MIN_POSITIVE, f32::MAX))
     }
 
     /// The Gaussians among some whose values are to be computed.
     fn missing(&self, gaussians: &[u32], options: &EyeOptions<'_>) -> Vec<u32> {
         let is_missing =
             |&at: &u32| !self.is_current(at) || self.steps[at as usize] > options.steps;
-        let mut missing: Vec<_> = gaussians.iter().copied().filter(is_missing).collect();
-        if let Some(renewed) = options.renewed {
-            // the place 0 is the oldest
-            missing.sort_by_key(|&at| self.places[at as usize]);
-            let unknown = missing.partition_point(|&at| self.places[at as usize] == 0);
-            missing.truncate(unknown + renewed);
-        }
-        missing
+        let missing = gaussians.iter().copied().filter(is_missing);
+        let Some([least, most]) = options.renewed else { return missing.collect() };
+        // neighbors take turns, so that what is old is faint noise and no hole
+        let scattered = |at: u32| 1.0 + at.wrapping_mul(0x9e37_79b9) as f32 / u32::MAX as f32;
+        let age = |at| self.moved(self.eyes[at as usize], at) * scattered(at);
+        let mut missing: Vec<_> = missing.map(|at| (age(at), at)).collect();
+        missing.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+        // what is not known has the age infinity
+        let unknown = missing.partition_point(|(age, _)| *age > f32::MAX);
+        let overdue = missing.partition_point(|(age, _)| *age > 2.0) - unknown;
+        let share: f32 = gaussians.iter().map(|&at| self.moved(self.eye_before, at).min(1.0)).sum();
+        missing.truncate(unknown + overdue.max(share as usize).max(least).min(most));
+        missing.into_iter().map(|(_, at)| at).collect()
     }
 
     /// Evaluates what is not known of some Gaussians. Returns the number of samples, or nothing where it was cancelled.
@@ -151,7 +169,7 @@ impl EyeCache {
             for (&at, t) in some.iter().zip(device.read(&evaluated.transmittance)?) {
                 self.transmittance[at as usize] = t;
                 self.steps[at as usize] = steps;
-                self.places[at as usize] = self.place;
+                self.eyes[at as usize] = self.eye;
             }
             self.work.evaluated += some.len();
             for (&at, color) in without.iter().zip(color.as_chunks().0) {
@@ -230,7 +248,7 @@ impl Renderer {
         options: &EyeOptions<'_>,
     ) -> Result<Option<RenderedTiles>> {
         batch.validate(std::slice::from_ref(camera))?;
-        cache.look_from(camera.for_kernels().eye.to_array(), scene.len())?;
+        cache.look_from(camera.for_kernels().eye, scene)?;
         let device = self.device();
         let channels = options.channels;
         self.render_parts(scene, batch, channels, &mut |_, _| {}, &mut |plan| {

@@ -104,7 +104,7 @@ impl PathArgs {
                 self.orbit(orbit, frames, size)?
             }
             None => {
-                let aabb = inputs.scene.config.aabb;
+                let aabb = inputs.scene.visible_box();
                 self.orbit(Orbit::from_box(aabb, self.size.unwrap_or(Orbit::SIZE)), frames, size)?
             }
         };

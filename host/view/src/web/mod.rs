@@ -91,7 +91,7 @@ impl WebPage {
         options: &PageOptions,
     ) -> Result<Self> {
         let orbit = match cameras {
-            [] => Orbit::from_box(scene.config.aabb, options.size),
+            [] => Orbit::from_box(scene.visible_box(), options.size),
             _ => Orbit { size: options.size, ..Orbit::around(cameras)? },
         };
         // a box without size has no outside, and cameras right above their center have no orbit

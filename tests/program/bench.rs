@@ -95,7 +95,7 @@ fn a_batch_is_measured() {
         assert_eq!(dispatches(&found["kernels"], name), Some(expected), "{name}");
     }
     // the counts are those of `organza tiles`
-    let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu";
+    let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --verbose";
     let said = sandbox.run(words).assert_ok().stderr.replace(',', "");
     for (key, thing) in
         [("tiles", "tiles of"), ("pairs", "pairs"), ("members", "members"), ("samples", "samples")]

@@ -151,7 +151,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         None => Ok(None),
     };
     let psnr_before = psnr(&scene)?;
-    args.clean(&mut edited, &cameras, &renderer, &mut removed, console)?;
+    if !cameras.is_empty() {
+        args.by_contribution(&mut edited, &cameras, &renderer, &mut removed, console)?;
+    }
+    removed.extend(args.keep_largest(&mut edited)?);
     edited.save(&args.output)?;
     let report = Report {
         scene: args.output.clone(),
@@ -195,24 +198,12 @@ impl Args {
         Ok(removed)
     }
 
-    /// Applies the other rules, one after the other.
-    fn clean(
-        &self,
-        scene: &mut Scene,
-        cameras: &[Camera],
-        renderer: &Renderer,
-        removed: &mut Vec<Removed>,
-        console: Console,
-    ) -> Result<()> {
-        if !cameras.is_empty() {
-            self.by_contribution(scene, cameras, renderer, removed, console)?;
-        }
-        if let Some(reach) = self.keep_largest {
-            let is_in_largest = largest_cluster(&scene.gaussians, reach as f32);
-            let rule = "outside the largest cluster".to_owned();
-            removed.push(keep(scene, rule, |i, _| is_in_largest[i])?);
-        }
-        Ok(())
+    /// Keeps the largest cluster, if asked.
+    fn keep_largest(&self, scene: &mut Scene) -> Result<Option<Removed>> {
+        let Some(reach) = self.keep_largest else { return Ok(None) };
+        let is_in_largest = largest_cluster(&scene.gaussians, reach as f32);
+        let rule = "outside the largest cluster".to_owned();
+        keep(scene, rule, |i, _| is_in_largest[i]).map(Some)
     }
 
     /// The rules for which views are rendered.

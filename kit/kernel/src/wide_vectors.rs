@@ -32,6 +32,38 @@ macro_rules! by_vectors {
     )*};
 }
 
+/// The factors of [`exp`](crate::lane::Lane::exp): 2^n as two powers, of a number that has n in its low bits.
+macro_rules! powers {
+    ($float:ty, $integer:ty: $left:ident, $right:ident, $add:ident, $sub:ident, $splat:ident) => {
+        by_vectors! {
+            $float:
+            first_power(shifted: f32) -> f32 => power(half(exponent(shifted)));
+            second_power(shifted: f32) -> f32 => {
+                let whole = exponent(shifted);
+                power($sub(whole, half(whole)))
+            };
+        }
+
+        #[inline(always)]
+        unsafe fn exponent(shifted: $float) -> $integer {
+            // SAFETY: the caller's
+            unsafe { $right::<9>($left::<9>(cast(shifted))) }
+        }
+
+        #[inline(always)]
+        unsafe fn half(exponent: $integer) -> $integer {
+            // SAFETY: the caller's
+            unsafe { $right::<1>(exponent) }
+        }
+
+        #[inline(always)]
+        unsafe fn power(exponent: $integer) -> $float {
+            // SAFETY: the caller's
+            unsafe { cast($left::<23>($add(exponent, $splat(127)))) }
+        }
+    };
+}
+
 /// Eight lanes. A mask is a vector whose lanes are all ones, or zero.
 pub mod avx2 {
     use super::*;
@@ -55,11 +87,6 @@ pub mod avx2 {
             _mm256_or_ps(_mm256_and_ps(mask, yes), _mm256_andnot_ps(mask, no))
         };
         whole(a: f32) -> i32 => _mm256_cvttps_epi32(a);
-        first_power(shifted: f32) -> f32 => power(half(exponent(shifted)));
-        second_power(shifted: f32) -> f32 => {
-            let whole = exponent(shifted);
-            power(_mm256_sub_epi32(whole, half(whole)))
-        };
     }
 
     #[inline(always)]
@@ -68,25 +95,9 @@ pub mod avx2 {
         unsafe { _mm256_movemask_ps(cast(mask)) != 0 }
     }
 
-    #[inline(always)]
-    unsafe fn exponent(shifted: __m256) -> __m256i {
-        // SAFETY: the caller's
-        unsafe { _mm256_srai_epi32::<9>(_mm256_slli_epi32::<9>(cast(shifted))) }
-    }
-
-    #[inline(always)]
-    unsafe fn half(exponent: __m256i) -> __m256i {
-        // SAFETY: the caller's
-        unsafe { _mm256_srai_epi32::<1>(exponent) }
-    }
-
-    #[inline(always)]
-    unsafe fn power(exponent: __m256i) -> __m256 {
-        // SAFETY: the caller's
-        unsafe {
-            let biased = _mm256_add_epi32(exponent, _mm256_set1_epi32(127));
-            cast(_mm256_slli_epi32::<23>(biased))
-        }
+    powers! {
+        __m256, __m256i:
+        _mm256_slli_epi32, _mm256_srai_epi32, _mm256_add_epi32, _mm256_sub_epi32, _mm256_set1_epi32
     }
 }
 
@@ -112,11 +123,6 @@ pub mod avx512 {
         both(a: u32, b: u32) -> u32 => _mm512_movm_epi32(mask(a) & mask(b));
         select(which: u32, yes: f32, no: f32) -> f32 => _mm512_mask_blend_ps(mask(which), no, yes);
         whole(a: f32) -> i32 => _mm512_cvttps_epi32(a);
-        first_power(shifted: f32) -> f32 => power(half(exponent(shifted)));
-        second_power(shifted: f32) -> f32 => {
-            let whole = exponent(shifted);
-            power(_mm512_sub_epi32(whole, half(whole)))
-        };
     }
 
     by_vectors! {
@@ -145,24 +151,8 @@ pub mod avx512 {
         unsafe { _mm512_movepi32_mask(cast(lanes)) }
     }
 
-    #[inline(always)]
-    unsafe fn exponent(shifted: __m512) -> __m512i {
-        // SAFETY: the caller's
-        unsafe { _mm512_srai_epi32::<9>(_mm512_slli_epi32::<9>(cast(shifted))) }
-    }
-
-    #[inline(always)]
-    unsafe fn half(exponent: __m512i) -> __m512i {
-        // SAFETY: the caller's
-        unsafe { _mm512_srai_epi32::<1>(exponent) }
-    }
-
-    #[inline(always)]
-    unsafe fn power(exponent: __m512i) -> __m512 {
-        // SAFETY: the caller's
-        unsafe {
-            let biased = _mm512_add_epi32(exponent, _mm512_set1_epi32(127));
-            cast(_mm512_slli_epi32::<23>(biased))
-        }
+    powers! {
+        __m512, __m512i:
+        _mm512_slli_epi32, _mm512_srai_epi32, _mm512_add_epi32, _mm512_sub_epi32, _mm512_set1_epi32
     }
 }

@@ -97,8 +97,10 @@ pub fn dense<S: Samples>(
         if S::COLUMNS == BLOCK_COLUMNS {
             four_columns::<S>(params, parameters, input, output, sample, first);
         } else {
-            two_columns::<S>(params, parameters, input, output, sample, first);
-            two_columns::<S>(params, parameters, input, output, sample, first + 2);
+            one_column::<S>(params, parameters, input, output, sample, first);
+            one_column::<S>(params, parameters, input, output, sample, first + 1);
+            one_column::<S>(params, parameters, input, output, sample, first + 2);
+            one_column::<S>(params, parameters, input, output, sample, first + 3);
         }
     }
 }
@@ -138,10 +140,10 @@ fn four_columns<S: Samples>(
     write_rectified(output, d, row + 12, params, sample);
 }
 
-/// Eight outputs of a hidden layer, from a column on.
+/// Four outputs of a hidden layer.
 #[loops]
 #[inline(always)]
-fn two_columns<S: Samples>(
+fn one_column<S: Samples>(
     params: &DenseParams,
     parameters: Read<Vec4>,
     input: ReadFours<f32>,
@@ -150,21 +152,18 @@ fn two_columns<S: Samples>(
     first: u32,
 ) {
     let mut a = LaneVec4::<S>::splat(parameters.read(params.bias + first));
-    let mut b = LaneVec4::<S>::splat(parameters.read(params.bias + first + 1));
     let mut weight = params.weight + first;
     let mut at = sample;
     let mut i = 0;
     while i < params.inputs {
         let x = S::read(input, at);
         a = a.add_product(parameters.read(weight), x);
-        b = b.add_product(parameters.read(weight + 1), x);
         weight += params.columns;
         at += params.stride;
         i += 1;
     }
     let row = first * 4;
     write_rectified(output, a, row, params, sample);
-    write_rectified(output, b, row + 4, params, sample);
 }
 
 /// Writes four rows of `max(value, 0)`, those of a layer's outputs from a row on.

@@ -105,44 +105,91 @@ pub fn dense_backward<S: Samples>(
     let sample = id.index();
     if sample < params.samples {
         let first = params.first_input + id.workgroup.z * INPUTS_PER_INVOCATION;
-        // inputs past the last repeat it, and are not written
-        let last = params.inputs - 1;
-        let weight = params.weight;
-        let columns = params.columns;
-        let at0 = weight + least(first, last) * columns;
-        let at1 = weight + least(first + 1, last) * columns;
-        let at2 = weight + least(first + 2, last) * columns;
-        let at3 = weight + least(first + 3, last) * columns;
-        let at4 = weight + least(first + 4, last) * columns;
-        let at5 = weight + least(first + 5, last) * columns;
-        let at6 = weight + least(first + 6, last) * columns;
-        let at7 = weight + least(first + 7, last) * columns;
-        let mut low = LaneVec4::<S>::splat(Vec4::ZERO);
-        let mut high = LaneVec4::<S>::splat(Vec4::ZERO);
-        let mut at = sample;
-        let mut c = 0;
-        while c < columns {
-            let g = read_column::<S>(output_gradient, at, params.stride);
-            let rows = [
-                parameters.read(at0 + c),
-                parameters.read(at1 + c),
-                parameters.read(at2 + c),
-                parameters.read(at3 + c),
-            ];
-            low = add_transposed(low, rows, g);
-            let rows = [
-                parameters.read(at4 + c),
-                parameters.read(at5 + c),
-                parameters.read(at6 + c),
-                parameters.read(at7 + c),
-            ];
-            high = add_transposed(high, rows, g);
-            at += 4 * params.stride;
-            c += 1;
+        if S::COLUMNS == 1 {
+            let low = four_inputs::<S>(params, parameters, output_gradient, first, sample);
+            write_gradient(params, input, input_gradient, low, first, sample);
+            let high = four_inputs::<S>(params, parameters, output_gradient, first + 4, sample);
+            write_gradient(params, input, input_gradient, high, first + 4, sample);
+        } else {
+            let [low, high] = eight_inputs::<S>(params, parameters, output_gradient, first, sample);
+            write_gradient(params, input, input_gradient, low, first, sample);
+            write_gradient(params, input, input_gradient, high, first + 4, sample);
         }
-        write_gradient(params, input, input_gradient, low, first, sample);
-        write_gradient(params, input, input_gradient, high, first + 4, sample);
     }
+}
+
+/// The gradients of four inputs, from one on.
+#[loops]
+#[inline(always)]
+fn four_inputs<S: Samples>(
+    params: &DenseBackwardParams,
+    parameters: Read<Vec4>,
+    output_gradient: ReadFours<f32>,
+    first: u32,
+    sample: u32,
+) -> LaneVec4<S> {
+    let rows = weight_rows(params, first);
+    let mut sum = LaneVec4::<S>::splat(Vec4::ZERO);
+    let mut at = sample;
+    let mut c = 0;
+    while c < params.columns {
+        let g = read_column::<S>(output_gradient, at, params.stride);
+        sum = add_transposed(sum, read_weights(parameters, rows, c), g);
+        at += 4 * params.stride;
+        c += 1;
+    }
+    sum
+}
+
+/// The gradients of eight inputs: each of the outputs' gradients is read once for all of them.
+#[loops]
+#[inline(always)]
+fn eight_inputs<S: Samples>(
+    params: &DenseBackwardParams,
+    parameters: Read<Vec4>,
+    output_gradient: ReadFours<f32>,
+    first: u32,
+    sample: u32,
+) -> [LaneVec4<S>; 2] {
+    let low_rows = weight_rows(params, first);
+    let high_rows = weight_rows(params, first + 4);
+    let mut low = LaneVec4::<S>::splat(Vec4::ZERO);
+    let mut high = LaneVec4::<S>::splat(Vec4::ZERO);
+    let mut at = sample;
+    let mut c = 0;
+    while c < params.columns {
+        let g = read_column::<S>(output_gradient, at, params.stride);
+        low = add_transposed(low, read_weights(parameters, low_rows, c), g);
+        high = add_transposed(high, read_weights(parameters, high_rows, c), g);
+        at += 4 * params.stride;
+        c += 1;
+    }
+    [low, high]
+}
+
+/// Where the weights of four inputs begin. Inputs past the last repeat it, and are not written.
+#[inline(always)]
+fn weight_rows(params: &DenseBackwardParams, first: u32) -> [u32; 4] {
+    let last = params.inputs - 1;
+    let weight = params.weight;
+    let columns = params.columns;
+    [
+        weight + least(first, last) * columns,
+        weight + least(first + 1, last) * columns,
+        weight + least(first + 2, last) * columns,
+        weight + least(first + 3, last) * columns,
+    ]
+}
+
+/// The weights of four inputs and a column of outputs.
+#[inline(always)]
+fn read_weights(parameters: Read<Vec4>, rows: [u32; 4], column: u32) -> [Vec4; 4] {
+    [
+        parameters.read(rows[0] + column),
+        parameters.read(rows[1] + column),
+        parameters.read(rows[2] + column),
+        parameters.read(rows[3] + column),
+    ]
 }
 
 /// Writes four rows of a gradient, as many of them as there are.

@@ -47,9 +47,9 @@ var<storage, read_write> global_7: type_14;
 
 fn function_() {
     var phi_113_: u32;
-    var phi_116_: u32;
+    var phi_116_: type_10;
     var phi_118_: type_10;
-    var phi_120_: type_10;
+    var phi_120_: u32;
     var local: type_10;
     var phi_559_: type_9;
     var local_1: type_10;
@@ -67,9 +67,9 @@ fn function_() {
     var local_7: type_10;
     var phi_973_: type_9;
     var local_8: u32;
-    var local_9: u32;
+    var local_9: type_10;
     var local_10: type_10;
-    var local_11: type_10;
+    var local_11: u32;
 
     let _e21 = global;
     let _e22 = global_1;
@@ -91,28 +91,28 @@ fn function_() {
         let _e82 = (_e42 + 6u);
         let _e87 = (_e42 + 7u);
         phi_113_ = 0u;
-        phi_116_ = _e32;
+        phi_116_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
         phi_118_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
-        phi_120_ = type_10(type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f), type_9(0f, 0f, 0f, 0f));
+        phi_120_ = _e32;
         loop {
             let _e93 = phi_113_;
             let _e95 = phi_116_;
             let _e97 = phi_118_;
             let _e99 = phi_120_;
-            local = _e99;
-            local_1 = _e99;
-            local_2 = _e99;
-            local_3 = _e99;
-            local_4 = _e97;
-            local_5 = _e97;
-            local_6 = _e97;
-            local_7 = _e97;
+            local = _e97;
+            local_1 = _e97;
+            local_2 = _e97;
+            local_3 = _e97;
+            local_4 = _e95;
+            local_5 = _e95;
+            local_6 = _e95;
+            local_7 = _e95;
             if (_e93 < _e52) {
                 let _e103 = global_3.member.member_1;
-                let _e107 = global_4.member[(_e95 / 4u)];
-                let _e116 = global_4.member[((_e95 + _e103) / 4u)];
-                let _e126 = global_4.member[((_e95 + (2u * _e103)) / 4u)];
-                let _e136 = global_4.member[((_e95 + (3u * _e103)) / 4u)];
+                let _e107 = global_4.member[(_e99 / 4u)];
+                let _e116 = global_4.member[((_e99 + _e103) / 4u)];
+                let _e126 = global_4.member[((_e99 + (2u * _e103)) / 4u)];
+                let _e136 = global_4.member[((_e99 + (3u * _e103)) / 4u)];
                 let _e144 = global_5.member[((_e49 + (select(_e46, _e42, (_e42 < _e46)) * _e52)) + _e93)];
                 let _e148 = global_5.member[((_e49 + (select(_e46, _e57, (_e57 < _e46)) * _e52)) + _e93)];
                 let _e152 = global_5.member[((_e49 + (select(_e46, _e62, (_e62 < _e46)) * _e52)) + _e93)];
@@ -122,9 +122,9 @@ fn function_() {
                 let _e337 = global_5.member[((_e49 + (select(_e46, _e82, (_e82 < _e46)) * _e52)) + _e93)];
                 let _e341 = global_5.member[((_e49 + (select(_e46, _e87, (_e87 < _e46)) * _e52)) + _e93)];
                 local_8 = (_e93 + 1u);
-                local_9 = (_e95 + (4u * _e103));
-                local_10 = type_10(type_9(((_e136.x * _e329.w) + ((_e126.x * _e329.z) + ((_e116.x * _e329.y) + ((_e107.x * _e329.x) + _e97.member.member)))), ((_e136.y * _e329.w) + ((_e126.y * _e329.z) + ((_e116.y * _e329.y) + ((_e107.y * _e329.x) + _e97.member.member_1)))), ((_e136.z * _e329.w) + ((_e126.z * _e329.z) + ((_e116.z * _e329.y) + ((_e107.z * _e329.x) + _e97.member.member_2)))), ((_e136.w * _e329.w) + ((_e126.w * _e329.z) + ((_e116.w * _e329.y) + ((_e107.w * _e329.x) + _e97.member.member_3))))), type_9(((_e136.x * _e333.w) + ((_e126.x * _e333.z) + ((_e116.x * _e333.y) + ((_e107.x * _e333.x) + _e97.member_1.member)))), ((_e136.y * _e333.w) + ((_e126.y * _e333.z) + ((_e116.y * _e333.y) + ((_e107.y * _e333.x) + _e97.member_1.member_1)))), ((_e136.z * _e333.w) + ((_e126.z * _e333.z) + ((_e116.z * _e333.y) + ((_e107.z * _e333.x) + _e97.member_1.member_2)))), ((_e136.w * _e333.w) + ((_e126.w * _e333.z) + ((_e116.w * _e333.y) + ((_e107.w * _e333.x) + _e97.member_1.member_3))))), type_9(((_e136.x * _e337.w) + ((_e126.x * _e337.z) + ((_e116.x * _e337.y) + ((_e107.x * _e337.x) + _e97.member_2.member)))), ((_e136.y * _e337.w) + ((_e126.y * _e337.z) + ((_e116.y * _e337.y) + ((_e107.y * _e337.x) + _e97.member_2.member_1)))), ((_e136.z * _e337.w) + ((_e126.z * _e337.z) + ((_e116.z * _e337.y) + ((_e107.z * _e337.x) + _e97.member_2.member_2)))), ((_e136.w * _e337.w) + ((_e126.w * _e337.z) + ((_e116.w * _e337.y) + ((_e107.w * _e337.x) + _e97.member_2.member_3))))), type_9(((_e136.x * _e341.w) + ((_e126.x * _e341.z) + ((_e116.x * _e341.y) + ((_e107.x * _e341.x) + _e97.member_3.member)))), ((_e136.y * _e341.w) + ((_e126.y * _e341.z) + ((_e116.y * _e341.y) + ((_e107.y * _e341.x) + _e97.member_3.member_1)))), ((_e136.z * _e341.w) + ((_e126.z * _e341.z) + ((_e116.z * _e341.y) + ((_e107.z * _e341.x) + _e97.member_3.member_2)))), ((_e136.w * _e341.w) + ((_e126.w * _e341.z) + ((_e116.w * _e341.y) + ((_e107.w * _e341.x) + _e97.member_3.member_3))))));
-                local_11 = type_10(type_9(((_e136.x * _e144.w) + ((_e126.x * _e144.z) + ((_e116.x * _e144.y) + ((_e107.x * _e144.x) + _e99.member.member)))), ((_e136.y * _e144.w) + ((_e126.y * _e144.z) + ((_e116.y * _e144.y) + ((_e107.y * _e144.x) + _e99.member.member_1)))), ((_e136.z * _e144.w) + ((_e126.z * _e144.z) + ((_e116.z * _e144.y) + ((_e107.z * _e144.x) + _e99.member.member_2)))), ((_e136.w * _e144.w) + ((_e126.w * _e144.z) + ((_e116.w * _e144.y) + ((_e107.w * _e144.x) + _e99.member.member_3))))), type_9(((_e136.x * _e148.w) + ((_e126.x * _e148.z) + ((_e116.x * _e148.y) + ((_e107.x * _e148.x) + _e99.member_1.member)))), ((_e136.y * _e148.w) + ((_e126.y * _e148.z) + ((_e116.y * _e148.y) + ((_e107.y * _e148.x) + _e99.member_1.member_1)))), ((_e136.z * _e148.w) + ((_e126.z * _e148.z) + ((_e116.z * _e148.y) + ((_e107.z * _e148.x) + _e99.member_1.member_2)))), ((_e136.w * _e148.w) + ((_e126.w * _e148.z) + ((_e116.w * _e148.y) + ((_e107.w * _e148.x) + _e99.member_1.member_3))))), type_9(((_e136.x * _e152.w) + ((_e126.x * _e152.z) + ((_e116.x * _e152.y) + ((_e107.x * _e152.x) + _e99.member_2.member)))), ((_e136.y * _e152.w) + ((_e126.y * _e152.z) + ((_e116.y * _e152.y) + ((_e107.y * _e152.x) + _e99.member_2.member_1)))), ((_e136.z * _e152.w) + ((_e126.z * _e152.z) + ((_e116.z * _e152.y) + ((_e107.z * _e152.x) + _e99.member_2.member_2)))), ((_e136.w * _e152.w) + ((_e126.w * _e152.z) + ((_e116.w * _e152.y) + ((_e107.w * _e152.x) + _e99.member_2.member_3))))), type_9(((_e136.x * _e156.w) + ((_e126.x * _e156.z) + ((_e116.x * _e156.y) + ((_e107.x * _e156.x) + _e99.member_3.member)))), ((_e136.y * _e156.w) + ((_e126.y * _e156.z) + ((_e116.y * _e156.y) + ((_e107.y * _e156.x) + _e99.member_3.member_1)))), ((_e136.z * _e156.w) + ((_e126.z * _e156.z) + ((_e116.z * _e156.y) + ((_e107.z * _e156.x) + _e99.member_3.member_2)))), ((_e136.w * _e156.w) + ((_e126.w * _e156.z) + ((_e116.w * _e156.y) + ((_e107.w * _e156.x) + _e99.member_3.member_3))))));
+                local_9 = type_10(type_9(((_e136.x * _e329.w) + ((_e126.x * _e329.z) + ((_e116.x * _e329.y) + ((_e107.x * _e329.x) + _e95.member.member)))), ((_e136.y * _e329.w) + ((_e126.y * _e329.z) + ((_e116.y * _e329.y) + ((_e107.y * _e329.x) + _e95.member.member_1)))), ((_e136.z * _e329.w) + ((_e126.z * _e329.z) + ((_e116.z * _e329.y) + ((_e107.z * _e329.x) + _e95.member.member_2)))), ((_e136.w * _e329.w) + ((_e126.w * _e329.z) + ((_e116.w * _e329.y) + ((_e107.w * _e329.x) + _e95.member.member_3))))), type_9(((_e136.x * _e333.w) + ((_e126.x * _e333.z) + ((_e116.x * _e333.y) + ((_e107.x * _e333.x) + _e95.member_1.member)))), ((_e136.y * _e333.w) + ((_e126.y * _e333.z) + ((_e116.y * _e333.y) + ((_e107.y * _e333.x) + _e95.member_1.member_1)))), ((_e136.z * _e333.w) + ((_e126.z * _e333.z) + ((_e116.z * _e333.y) + ((_e107.z * _e333.x) + _e95.member_1.member_2)))), ((_e136.w * _e333.w) + ((_e126.w * _e333.z) + ((_e116.w * _e333.y) + ((_e107.w * _e333.x) + _e95.member_1.member_3))))), type_9(((_e136.x * _e337.w) + ((_e126.x * _e337.z) + ((_e116.x * _e337.y) + ((_e107.x * _e337.x) + _e95.member_2.member)))), ((_e136.y * _e337.w) + ((_e126.y * _e337.z) + ((_e116.y * _e337.y) + ((_e107.y * _e337.x) + _e95.member_2.member_1)))), ((_e136.z * _e337.w) + ((_e126.z * _e337.z) + ((_e116.z * _e337.y) + ((_e107.z * _e337.x) + _e95.member_2.member_2)))), ((_e136.w * _e337.w) + ((_e126.w * _e337.z) + ((_e116.w * _e337.y) + ((_e107.w * _e337.x) + _e95.member_2.member_3))))), type_9(((_e136.x * _e341.w) + ((_e126.x * _e341.z) + ((_e116.x * _e341.y) + ((_e107.x * _e341.x) + _e95.member_3.member)))), ((_e136.y * _e341.w) + ((_e126.y * _e341.z) + ((_e116.y * _e341.y) + ((_e107.y * _e341.x) + _e95.member_3.member_1)))), ((_e136.z * _e341.w) + ((_e126.z * _e341.z) + ((_e116.z * _e341.y) + ((_e107.z * _e341.x) + _e95.member_3.member_2)))), ((_e136.w * _e341.w) + ((_e126.w * _e341.z) + ((_e116.w * _e341.y) + ((_e107.w * _e341.x) + _e95.member_3.member_3))))));
+                local_10 = type_10(type_9(((_e136.x * _e144.w) + ((_e126.x * _e144.z) + ((_e116.x * _e144.y) + ((_e107.x * _e144.x) + _e97.member.member)))), ((_e136.y * _e144.w) + ((_e126.y * _e144.z) + ((_e116.y * _e144.y) + ((_e107.y * _e144.x) + _e97.member.member_1)))), ((_e136.z * _e144.w) + ((_e126.z * _e144.z) + ((_e116.z * _e144.y) + ((_e107.z * _e144.x) + _e97.member.member_2)))), ((_e136.w * _e144.w) + ((_e126.w * _e144.z) + ((_e116.w * _e144.y) + ((_e107.w * _e144.x) + _e97.member.member_3))))), type_9(((_e136.x * _e148.w) + ((_e126.x * _e148.z) + ((_e116.x * _e148.y) + ((_e107.x * _e148.x) + _e97.member_1.member)))), ((_e136.y * _e148.w) + ((_e126.y * _e148.z) + ((_e116.y * _e148.y) + ((_e107.y * _e148.x) + _e97.member_1.member_1)))), ((_e136.z * _e148.w) + ((_e126.z * _e148.z) + ((_e116.z * _e148.y) + ((_e107.z * _e148.x) + _e97.member_1.member_2)))), ((_e136.w * _e148.w) + ((_e126.w * _e148.z) + ((_e116.w * _e148.y) + ((_e107.w * _e148.x) + _e97.member_1.member_3))))), type_9(((_e136.x * _e152.w) + ((_e126.x * _e152.z) + ((_e116.x * _e152.y) + ((_e107.x * _e152.x) + _e97.member_2.member)))), ((_e136.y * _e152.w) + ((_e126.y * _e152.z) + ((_e116.y * _e152.y) + ((_e107.y * _e152.x) + _e97.member_2.member_1)))), ((_e136.z * _e152.w) + ((_e126.z * _e152.z) + ((_e116.z * _e152.y) + ((_e107.z * _e152.x) + _e97.member_2.member_2)))), ((_e136.w * _e152.w) + ((_e126.w * _e152.z) + ((_e116.w * _e152.y) + ((_e107.w * _e152.x) + _e97.member_2.member_3))))), type_9(((_e136.x * _e156.w) + ((_e126.x * _e156.z) + ((_e116.x * _e156.y) + ((_e107.x * _e156.x) + _e97.member_3.member)))), ((_e136.y * _e156.w) + ((_e126.y * _e156.z) + ((_e116.y * _e156.y) + ((_e107.y * _e156.x) + _e97.member_3.member_1)))), ((_e136.z * _e156.w) + ((_e126.z * _e156.z) + ((_e116.z * _e156.y) + ((_e107.z * _e156.x) + _e97.member_3.member_2)))), ((_e136.w * _e156.w) + ((_e126.w * _e156.z) + ((_e116.w * _e156.y) + ((_e107.w * _e156.x) + _e97.member_3.member_3))))));
+                local_11 = (_e99 + (4u * _e103));
                 continue;
             } else {
                 break;

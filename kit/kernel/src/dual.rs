@@ -135,7 +135,6 @@ impl Neg for Dual {
 
 impl Lane for Dual {
     const WIDTH: u32 = 1;
-    const COLUMNS: u32 = f32::COLUMNS;
     const ADDS_TWO: bool = f32::ADDS_TWO;
     const READS_FOUR: bool = false;
     const GATHERS_TWO: bool = false;

@@ -280,54 +280,25 @@ impl InstructionSet {
     }
 }
 
-/// Compiles a function that is generic over lanes for each instruction set.
+/// Compiles a function that is generic over lanes for each instruction set; one that is generic over samples, too, for as many
+/// [`Vectors`](crate::samples::Vectors) as four sums of each fit into the registers, with their terms.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! lane_runs {
-    ($run:ident) => {{
-        // SAFETY: called as `CpuRun` says
-        unsafe fn scalar(
-            bindings: &[$crate::kernel::CpuBinding],
-            workgroup: $crate::dependencies::glam::UVec3,
-            workgroups: $crate::dependencies::glam::UVec3,
-            part: [$crate::dependencies::glam::UVec3; 2],
-        ) {
-            // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<1, false>>(bindings, workgroup, workgroups, part) }
-        }
-        // SAFETY: called as `CpuRun` says
-        unsafe fn plain(
-            bindings: &[$crate::kernel::CpuBinding],
-            workgroup: $crate::dependencies::glam::UVec3,
-            workgroups: $crate::dependencies::glam::UVec3,
-            part: [$crate::dependencies::glam::UVec3; 2],
-        ) {
-            // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<8, false>>(bindings, workgroup, workgroups, part) }
-        }
-        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::get`
+    ($run:ident $(, $vectors:ident)?) => {{
+        use $crate::lane::Wide;
+        $(use $crate::samples::$vectors;)?
+        $crate::kernel::lane_run!(scalar: $run, Wide<1, false> $(, $vectors<1, false, 1>)?);
+        $crate::kernel::lane_run!(plain: $run, Wide<8, false> $(, $vectors<8, false, 1>)?);
         #[cfg(target_arch = "x86_64")]
-        #[target_feature(enable = "avx2,fma")]
-        unsafe fn avx2(
-            bindings: &[$crate::kernel::CpuBinding],
-            workgroup: $crate::dependencies::glam::UVec3,
-            workgroups: $crate::dependencies::glam::UVec3,
-            part: [$crate::dependencies::glam::UVec3; 2],
-        ) {
-            // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<8, true>>(bindings, workgroup, workgroups, part) }
+        $crate::kernel::lane_run! {
+            #[target_feature(enable = "avx2,fma")]
+            avx2: $run, Wide<8, true> $(, $vectors<8, true, 2>)?
         }
-        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::get`
         #[cfg(target_arch = "x86_64")]
-        #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
-        unsafe fn avx512(
-            bindings: &[$crate::kernel::CpuBinding],
-            workgroup: $crate::dependencies::glam::UVec3,
-            workgroups: $crate::dependencies::glam::UVec3,
-            part: [$crate::dependencies::glam::UVec3; 2],
-        ) {
-            // SAFETY: the caller's
-            unsafe { $run::<$crate::lane::Wide<16, true>>(bindings, workgroup, workgroups, part) }
+        $crate::kernel::lane_run! {
+            #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
+            avx512: $run, Wide<16, true> $(, $vectors<16, true, 4>)?
         }
         #[cfg(target_arch = "x86_64")]
         let runs = $crate::kernel::LaneRuns::new([scalar, plain, avx2, avx512]);
@@ -337,6 +308,26 @@ macro_rules! lane_runs {
     }};
 }
 pub use crate::lane_runs;
+
+/// One function of [`lane_runs`].
+#[doc(hidden)]
+#[macro_export]
+macro_rules! lane_run {
+    ($(#[$attribute:meta])* $name:ident: $run:ident, $($lanes:ty),+) => {
+        // SAFETY: called as `CpuRun` says, on a CPU with these features: see `LaneRuns::get`
+        $(#[$attribute])*
+        unsafe fn $name(
+            bindings: &[$crate::kernel::CpuBinding],
+            workgroup: $crate::dependencies::glam::UVec3,
+            workgroups: $crate::dependencies::glam::UVec3,
+            part: [$crate::dependencies::glam::UVec3; 2],
+        ) {
+            // SAFETY: the caller's
+            unsafe { $run::<$($lanes),+>(bindings, workgroup, workgroups, part) }
+        }
+    };
+}
+pub use crate::lane_run;
 
 /// Memory of one binding.
 #[derive(Clone, Copy)]

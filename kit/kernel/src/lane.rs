@@ -34,8 +34,6 @@ pub trait Lane:
 {
     /// Number of lanes.
     const WIDTH: u32;
-    /// Number of columns of four sums that fit in the registers, together with the terms: 2 or 4.
-    const COLUMNS: u32;
     /// Whether adding two values to [fixed-point](crate::fixed) sums at once is faster than one after the other.
     const ADDS_TWO: bool;
     /// Whether four consecutive values are read as fast as one: on a GPU, where they begin at a multiple of four.
@@ -134,7 +132,6 @@ pub trait LaneIndex: Copy + BitXor<Output = Self> + BitAnd<Output = Self> {
 
 impl Lane for f32 {
     const WIDTH: u32 = 1;
-    const COLUMNS: u32 = 4;
     const ADDS_TWO: bool = false;
     const READS_FOUR: bool = true;
     const GATHERS_TWO: bool = false;

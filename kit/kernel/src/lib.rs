@@ -166,6 +166,8 @@ mod wide;
 mod wide_index;
 #[cfg(not(target_arch = "spirv"))]
 mod wide_math;
+#[cfg(not(target_arch = "spirv"))]
+mod wide_samples;
 #[cfg(all(not(target_arch = "spirv"), target_arch = "x86_64"))]
 mod wide_vectors;
 #[cfg(not(target_arch = "spirv"))]

@@ -2,7 +2,7 @@
 //!
 //! For one sample, a layer reads sixteen weights for sixteen multiply-adds. For four samples, the same weights serve
 //! sixty-four. So a kernel can be generic over [`Samples`] instead of [`Lane`]. A GPU runs it with [`Four`]: an
-//! invocation handles four consecutive samples. The CPU runs it with lanes, like other kernels.
+//! invocation handles four consecutive samples. The CPU runs it with several vectors of lanes, [`Vectors`], and the rest like other kernels.
 //!
 //! Rows of samples are [`ReadFours`] and [`WriteFours`]: on a GPU, buffers of vectors. So four samples are one load. Some
 //! drivers would make four loads of four numbers. A row begins at a multiple of four, and on the CPU the buffers
@@ -17,11 +17,17 @@ use glam::Vec4;
 #[cfg(target_arch = "spirv")]
 use spirv_std::arch::IndexUnchecked;
 
+#[cfg(not(target_arch = "spirv"))]
+pub use crate::wide_samples::Vectors;
+
+/// Largest number of samples in a [`Samples`]: workgroups are multiples of it.
+pub const MAX_WIDTH: u32 = 4 * crate::lane::MAX_WIDTH;
+
 /// One `f32` for each of several samples.
 pub trait Samples: Copy {
     /// Number of samples.
     const WIDTH: u32;
-    /// Same as [`Lane::COLUMNS`].
+    /// Number of columns of four sums that fit in the registers, together with the terms: 1 or 4.
     const COLUMNS: u32;
     /// The same value for every sample.
     fn splat(value: f32) -> Self;
@@ -42,7 +48,7 @@ pub trait Samples: Copy {
 /// If lanes are samples, the rest has one lane each, so there are never fewer than [`Lane::WIDTH`].
 impl<L: Lane> Samples for L {
     const WIDTH: u32 = L::WIDTH;
-    const COLUMNS: u32 = L::COLUMNS;
+    const COLUMNS: u32 = 4;
 
     #[inline(always)]
     fn splat(value: f32) -> Self {
@@ -233,5 +239,15 @@ mod tests {
                 assert_eq!(four, one, "{count} from {first}");
             }
         }
+    }
+
+    #[test]
+    fn vectors_of_samples_are_those_of_one() {
+        let input: [f32; 16] = core::array::from_fn(|i| (i * 37 % 11) as f32 - 5.0);
+        let mut vectors = [9.0; 12];
+        let mut one = [9.0; 12];
+        layer::<Vectors<4, true, 3>>(&input, &mut vectors, 0, 12);
+        (0..12).for_each(|at| layer::<f32>(&input, &mut one, at, 1));
+        assert_eq!(vectors, one);
     }
 }

@@ -49,8 +49,6 @@ impl<const N: usize, const FUSED: bool> Neg for Wide<N, FUSED> {
 
 impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     const WIDTH: u32 = N as u32;
-    // CPUs with eight lanes have 16 registers: too few for sixteen sums and their terms
-    const COLUMNS: u32 = if N == 8 { 2 } else { 4 };
     const ADDS_TWO: bool = N > 1;
     const READS_FOUR: bool = false;
     const GATHERS_TWO: bool = N > 1;

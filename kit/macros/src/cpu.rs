@@ -179,6 +179,15 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     let [x, y, z] = &kernel.threads;
     let uniform = kernel.uniform().map(|parameter| &parameter.name);
+    // several vectors of lanes, while there are as many samples
+    let more = kernel.samples.then(|| {
+        hygienic! {
+            if part_items >= S::WIDTH && part_at <= part_items - S::WIDTH {
+                self::#name::<S>(id, #(#names),*);
+                local_x += S::WIDTH;
+            } else
+        }
+    });
     let step = match lanes {
         Lanes::Inside => hygienic! {
             self::#name::<L>(id, #(#names),*);
@@ -189,7 +198,7 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
             hygienic! {
                 let part_items: u32 = #uniform.#end;
                 let part_at = #at;
-                if part_items >= L::WIDTH && part_at <= part_items - L::WIDTH {
+                #more if part_items >= L::WIDTH && part_at <= part_items - L::WIDTH {
                     self::#name::<L>(id, #(#names),*);
                     local_x += L::WIDTH;
                 } else {
@@ -200,20 +209,23 @@ fn lane_run(kernel: &Kernel, lanes: &Lanes, views: &[TokenStream]) -> TokenStrea
             }
         }
     };
+    let most = if kernel.samples { hygienic!(samples) } else { hygienic!(lane) };
     let whole = match lanes {
         Lanes::Inside => hygienic!(),
         Lanes::Invocations(_) => hygienic! {
-            const _: () = ::core::assert!((#x) % ::muslin::lane::MAX_WIDTH == 0, "lanes fill a workgroup");
+            const _: () = ::core::assert!((#x) % ::muslin::#most::MAX_WIDTH == 0, "lanes fill a workgroup");
         },
     };
     let body = workgroup(kernel, views, &step);
+    let generic = kernel.samples.then(|| hygienic!(, S: ::muslin::samples::Samples));
+    let vectors = kernel.samples.then(|| hygienic!(, Vectors));
     hygienic! {
         #whole
         // SAFETY: called as `CpuRun` says
         #[inline(always)]
-        unsafe fn run_lanes<L: ::muslin::lane::Lane> #body
+        unsafe fn run_lanes<L: ::muslin::lane::Lane #generic> #body
         const fn run() -> ::muslin::kernel::CpuRun {
-            ::muslin::kernel::lane_runs!(run_lanes)
+            ::muslin::kernel::lane_runs!(run_lanes #vectors)
         }
     }
 }

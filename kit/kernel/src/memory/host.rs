@@ -157,12 +157,23 @@ impl<T: Copy> Read<'_, T> {
     #[inline(always)]
     #[track_caller]
     pub fn read_lanes<const N: usize>(&self, first: u32) -> [T; N] {
-        if first as usize + N > self.len {
-            let indices = core::array::from_fn(|i| first + i as u32);
-            self.beyond::<N>(indices, first + N as u32 - 1);
+        let [values] = self.read_vectors(first);
+        values
+    }
+
+    /// The `K` times `N` values starting at `first`. Panics if they are out of range.
+    #[inline(always)]
+    #[track_caller]
+    pub fn read_vectors<const K: usize, const N: usize>(&self, first: u32) -> [[T; N]; K] {
+        let count = K * N;
+        if first as usize + count > self.len {
+            for vector in 0..K {
+                let indices = core::array::from_fn(|i| first + (vector * N + i) as u32);
+                self.beyond::<N>(indices, first + count as u32 - 1);
+            }
         }
         // SAFETY: checked above; an array is aligned as its elements
-        unsafe { *self.data.add(first as usize).cast::<[T; N]>() }
+        unsafe { *self.data.add(first as usize).cast::<[[T; N]; K]>() }
     }
 
     /// The values at `N` indices. Panics if one is out of range.

@@ -41,6 +41,7 @@
 pub mod bench;
 #[doc(hidden)]
 pub mod fuzz;
+pub mod ranks;
 
 pub use data::{Dataset, DatasetOptions};
 pub use muslin_device::{
@@ -49,7 +50,7 @@ pub use muslin_device::{
 use organza_core::input;
 pub use organza_core::{
     Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
-    TileBatch, camera, demo, edit, error, image, metrics, ranks, scene, still_life, tile,
+    TileBatch, camera, demo, edit, error, image, metrics, scene, still_life, tile,
 };
 pub use organza_data as data;
 #[cfg(feature = "ndarray")]

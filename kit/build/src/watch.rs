@@ -32,7 +32,7 @@ pub fn compile(project: &Project, validate: bool) -> Result<()> {
     cargo.args(["run", "--quiet", "--package", "xtask"]);
     if cfg!(windows) {
         // A running program cannot be replaced there, so the child has its own folder.
-        cargo.arg("--target-dir").arg(project.target.join("watch"));
+        cargo.env("CARGO_TARGET_DIR", project.target.join("watch"));
     }
     cargo.args(["--", "kernels"]);
     if validate {

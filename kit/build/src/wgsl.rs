@@ -17,7 +17,9 @@ pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
         Ok(module) => module,
         Err(error) => bail!("naga cannot read the module: {error}"),
     };
-    let validate = |offered| Validator::new(ValidationFlags::all(), offered).validate(&module);
+    let validate = |offered| {
+        Validator::new(ValidationFlags::all(), offered).validate(&module).map_err(Box::new)
+    };
     // browsers want to be told of subgroups, and naga does not tell them
     let (info, head) = match (validate(Capabilities::empty()), validate(Capabilities::SUBGROUP)) {
         (Ok(info), _) => (info, ""),
@@ -32,5 +34,5 @@ pub fn translate(spirv: &[u8]) -> Result<Option<String>> {
 /// Always fails, because the program was built without the feature `wgsl`.
 #[cfg(not(feature = "wgsl"))]
 pub fn translate(_: &[u8]) -> Result<Option<String>> {
-    bail!("this xtask was built without its feature `wgsl`; run it as `cargo xtask`")
+    bail!("this xtask was built without the feature `wgsl` of muslin-build")
 }

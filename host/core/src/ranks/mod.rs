@@ -6,10 +6,6 @@
 
 mod agreement;
 mod group;
-#[cfg(feature = "mpi")]
-mod mpi;
-#[cfg(any(test, feature = "mpi"))]
-mod rounds;
 mod threads;
 
 use std::fmt::Debug;
@@ -18,8 +14,6 @@ use crate::error::{Error, Result};
 
 pub use agreement::check_agreement;
 pub use group::Grid;
-#[cfg(feature = "mpi")]
-pub use mpi::MpiRanks;
 pub use threads::ThreadRanks;
 
 /// Communication between ranks. Every call waits for all ranks.

@@ -1,6 +1,6 @@
 //! Long messages in rounds: MPI counts the bytes of a call in 31 bits.
 
-use crate::error::Result;
+use crate::Result;
 
 /// The part of a message that is sent in the round that starts at byte `begin`: at most `most` bytes.
 pub fn part(bytes: &[u8], begin: usize, most: usize) -> &[u8] {

@@ -13,7 +13,7 @@ use mpi::{Count, Threading};
 
 use super::Ranks;
 use super::rounds::{part, receive};
-use crate::error::{Error, Result};
+use crate::{Error, Result};
 
 /// Most bytes in one MPI call: MPI counts bytes in 31 bits.
 const AT_ONCE: usize = 1 << 28;

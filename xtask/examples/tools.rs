@@ -1,0 +1,12 @@
+//! The kit's tools for organza's kernels. `cargo xtask` builds and runs them.
+
+muslin_build::xtask!(
+    organza_shaders in "shader-crate",
+    sources: ["kit/kernel", "kit/macros", "shader-crate"].map(String::from).into(),
+    kernels: "host/render/kernels".into(),
+    wgsl: true,
+    parity: "test --workspace --test kernels is_right_on_every_device -- --nocapture",
+    bench: "run --release -- bench --every-device",
+    coverage: "test --workspace --test kernels is_right_on_every_device",
+    snapshots: "test --workspace --test pictures snapshots",
+);

@@ -151,19 +151,18 @@ fn one_column<S: Samples>(
     sample: u32,
     first: u32,
 ) {
-    let mut a = LaneVec4::<S>::splat(parameters.read(params.bias + first));
+    let mut sum = LaneVec4::<S>::splat(parameters.read(params.bias + first));
     let mut weight = params.weight + first;
     let mut at = sample;
     let mut i = 0;
     while i < params.inputs {
         let x = S::read(input, at);
-        a = a.add_product(parameters.read(weight), x);
+        sum = sum.add_product(parameters.read(weight), x);
         weight += params.columns;
         at += params.stride;
         i += 1;
     }
-    let row = first * 4;
-    write_rectified(output, a, row, params, sample);
+    write_rectified(output, sum, first * 4, params, sample);
 }
 
 /// Writes four rows of `max(value, 0)`, those of a layer's outputs from a row on.

@@ -280,8 +280,8 @@ impl InstructionSet {
     }
 }
 
-/// Compiles a function that is generic over lanes for each instruction set; one that is generic over samples, too, for as many
-/// [`Vectors`](crate::samples::Vectors) as four sums of each fit into the registers, with their terms.
+/// Compiles a function that is generic over lanes for each instruction set. If it is also generic over samples, these are as many
+/// [`Vectors`](crate::samples::Vectors) as the registers hold four sums of, and their terms.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! lane_runs {

@@ -2,7 +2,8 @@
 //!
 //! For one sample, a layer reads sixteen weights for sixteen multiply-adds. For four samples, the same weights serve
 //! sixty-four. So a kernel can be generic over [`Samples`] instead of [`Lane`]. A GPU runs it with [`Four`]: an
-//! invocation handles four consecutive samples. The CPU runs it with several vectors of lanes, [`Vectors`], and the rest like other kernels.
+//! invocation handles four consecutive samples. The CPU runs it with several vectors of lanes, and with one vector where
+//! fewer samples are left.
 //!
 //! Rows of samples are [`ReadFours`] and [`WriteFours`]: on a GPU, buffers of vectors. So four samples are one load. Some
 //! drivers would make four loads of four numbers. A row begins at a multiple of four, and on the CPU the buffers

@@ -7,6 +7,9 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use crate::written::Written;
 
+/// Bytes of a large page of most CPUs.
+const LARGE_PAGE: usize = 2 << 20;
+
 /// Most unused memory that is kept, in bytes.
 const SPARE_BYTES: usize = 256 << 20;
 
@@ -43,7 +46,12 @@ impl MemoryPool {
     pub fn allocate(&self, bytes: u64) -> Option<CpuMemory> {
         let layout = layout(bytes)?;
         // SAFETY: the size is not zero
-        let data = NonNull::new(crate::memory::asking(|| unsafe { alloc::alloc_zeroed(layout) }))?;
+        let data = NonNull::new(crate::memory::asking(|| unsafe { alloc::alloc(layout) }))?;
+        if layout.align() == LARGE_PAGE {
+            ask_for_large_pages(data, layout.size());
+        }
+        // SAFETY: it has just been allocated, with this size
+        unsafe { data.write_bytes(0, layout.size()) };
         Some(CpuMemory::new(Allocation { data, layout }, self.clone()))
     }
 
@@ -66,8 +74,21 @@ impl MemoryPool {
 fn layout(bytes: u64) -> Option<Layout> {
     let bytes = usize::try_from(bytes).ok()?.max(64);
     let step = (bytes.checked_next_power_of_two()? / 8).max(64);
-    // a cache line, which is enough for every element type and for SIMD
-    Layout::from_size_align(bytes.checked_next_multiple_of(step)?, 64).ok()
+    // a cache line is enough for every element type and for SIMD
+    let align = if bytes < LARGE_PAGE { 64 } else { LARGE_PAGE };
+    Layout::from_size_align(bytes.checked_next_multiple_of(step)?, align).ok()
+}
+
+/// Asks the system for large pages, before anything is written. Kernels read and add up anywhere in a hash grid's table, where most accesses
+/// would have to look up a small page first. A system without large pages has small ones.
+fn ask_for_large_pages(data: NonNull<u8>, bytes: usize) {
+    #[cfg(target_os = "linux")]
+    // SAFETY: advice about memory that has just been allocated
+    unsafe {
+        libc::madvise(data.as_ptr().cast(), bytes, libc::MADV_HUGEPAGE);
+    }
+    #[cfg(not(target_os = "linux"))]
+    let _ = (data, bytes);
 }
 
 impl CpuMemory {

@@ -86,7 +86,7 @@ fn a_killed_rank_ends_all_and_another_number_goes_on() {
         .expect("mpirun");
     let begin = Instant::now();
     while !sandbox.path("run/checkpoint.safetensors").exists() {
-        assert!(begin.elapsed() < Duration::from_secs(60), "no checkpoint");
+        assert!(begin.elapsed() < Duration::from_secs(180), "no checkpoint");
         thread::sleep(Duration::from_millis(20));
     }
     let mut processes = children(child.id());
@@ -94,9 +94,10 @@ fn a_killed_rank_ends_all_and_another_number_goes_on() {
     assert!(processes.len() >= 3, "{processes:?}");
     // the process started last is not the first rank
     let last = processes.pop().expect("a process").to_string();
+    let killed = Instant::now();
     assert!(Command::new("kill").args(["-KILL", &last]).status().expect("kill").success());
     assert!(!child.wait().expect("mpirun").success());
-    assert!(begin.elapsed() < Duration::from_secs(60), "the others went on");
+    assert!(killed.elapsed() < Duration::from_secs(60), "the others went on");
 
     let resume = "train --resume run --backend cpu --threads 1";
     assert_ok(mpirun(&sandbox, &[(2, resume)]));

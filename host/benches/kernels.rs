@@ -25,7 +25,7 @@ mod flops {
     use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
     use organza_shaders::dense_backward::{
         DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel,
-        DenseWeightBackwardParams, INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
+        DenseWeightBackwardParams, INPUTS_PER_INVOCATION, weight_invocations,
     };
 
     use crate::common::{BACKWARD, Bench, FORWARD, sets};
@@ -132,7 +132,7 @@ mod flops {
             carry: &bench.zeros::<Vec4>(2 * PARAMETERS),
             sum: &bench.zeros::<u32>(2 * ROWS * 4 * PARAMETERS),
         };
-        let size = [(WIDTH / WEIGHT_ROWS_PER_INVOCATION + 1) * COLUMNS, 1];
+        let size = [weight_invocations(WIDTH, COLUMNS), 1];
         bench.run(bencher, operations(BACKWARD.samples), &kernel, size);
     }
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::camera::Camera;
 use crate::error::Result;
+use crate::image::Image;
 use crate::render::{DeviceScene, Renderer, SceneGradient};
 use crate::tile::TileBatch;
 use muslin_check::bench::{self, time};
@@ -22,6 +23,8 @@ pub struct BenchOptions {
     pub repeat: usize,
     /// Whether to measure the backward pass as well.
     pub backward: bool,
+    /// Whether the batch is the image of the first camera, which is painted in 8 bits.
+    pub frame: bool,
 }
 
 /// The measurements of a batch. Times are medians over whole batches, in seconds.
@@ -45,7 +48,7 @@ pub struct Benchmark {
     pub members: u64,
     /// Number of samples of the transmittance network.
     pub samples: u64,
-    /// Seconds from the scene on the device to the tiles on the host.
+    /// Seconds from the scene on the device to the tiles on the host, or to the image.
     pub forward_s: f64,
     /// Seconds from the scene on the device to the gradients of all its tensors on the device, for dLoss/dY = 1 at
     /// every value; `None` if it was not measured.
@@ -78,8 +81,17 @@ pub fn measure(
 ) -> Result<Benchmark> {
     let device = renderer.device();
     let mut report = RenderReport::default();
-    let mut pass = || renderer.render(scene, cameras, batch).map(|tiles| report = tiles.report);
-    let forward = time(device, options.repeat, progress, &mut pass)?;
+    let forward = if options.frame {
+        let mut image = Image::new(cameras[0].width, cameras[0].height)?;
+        let mut pass = || {
+            let painted = renderer.paint(&mut image, scene, cameras, batch, &mut |_, _| {});
+            painted.map(|found| report = found)
+        };
+        time(device, options.repeat, progress, &mut pass)?
+    } else {
+        let mut pass = || renderer.render(scene, cameras, batch).map(|tiles| report = tiles.report);
+        time(device, options.repeat, progress, &mut pass)?
+    };
     let forward_peak_memory_bytes = memory::peak();
     let backward = match options.backward {
         false => None,

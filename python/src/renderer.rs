@@ -172,7 +172,7 @@ impl Renderer {
         let renderer = self.0.clone();
         let cameras = cameras.0.clone();
         let batch = tiles.0.clone();
-        let options = BenchOptions { repeat, backward };
+        let options = BenchOptions { repeat, backward, frame: false };
         let found = job::run(py, move || {
             measure(&renderer, &lock(&held).scene, &cameras, &batch, options, &mut || ())
         })?;

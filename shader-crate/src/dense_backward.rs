@@ -17,7 +17,7 @@ use muslin::work::{NUMBER, Shape, Work, wide};
 pub const INPUTS_PER_INVOCATION: u32 = 8;
 
 /// Inputs of a layer that one invocation of [`dense_weight_backward`] takes; its outputs are a column of four.
-pub const WEIGHT_ROWS_PER_INVOCATION: u32 = 4;
+const WEIGHT_ROWS_PER_INVOCATION: u32 = 4;
 
 /// Parameters of [`dense_backward`].
 #[params]
@@ -403,9 +403,10 @@ pub fn dense_weight_backward<L: Lane>(
     let columns = params.columns;
     let slice = params.slice;
     let blocks = (params.inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
+    let place = place_of(index, columns);
     let end = params.first_sample + params.samples;
     let window = params.first_sample + id.workgroup.z * slice;
-    if index < (blocks + 1) * columns && window < end {
+    if place[0] <= blocks && window < end {
         let stop = least(window + slice, end);
         let mut camera = camera_of(params, first_pair, first_sample, window);
         let begin = first_of(params, first_pair, first_sample, camera);
@@ -420,10 +421,32 @@ pub fn dense_weight_backward<L: Lane>(
                 camera_end = first_of(params, first_pair, first_sample, camera + 1);
             } else {
                 let last = least(first + slice, camera_end);
-                add_slice::<L>(params, index, [first, last], input, output_gradient, carry, sum);
+                add_slice::<L>(params, place, [first, last], input, output_gradient, carry, sum);
                 first = last;
             }
         }
+    }
+}
+
+/// Invocations of [`dense_weight_backward`] for a layer: as many blocks as [`place_of`] puts together.
+#[cfg(not(target_arch = "spirv"))]
+pub fn weight_invocations(inputs: u32, columns: u32) -> u32 {
+    (inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1).next_multiple_of(BLOCKS_TOGETHER) * columns
+}
+
+/// Blocks of inputs of which neighboring invocations take eight columns each.
+const BLOCKS_TOGETHER: u32 = 4;
+
+/// The block of inputs and the column of outputs of an invocation. The 32 lanes of a subgroup take 4 blocks and 8 columns, where
+/// there are so many: their rows lie in 48 cache lines, and those of 2 blocks and 16 columns in 72.
+#[inline(always)]
+fn place_of(index: u32, columns: u32) -> [u32; 2] {
+    if columns % 8 == 0 {
+        let group = index / (BLOCKS_TOGETHER * columns);
+        let at = index % (BLOCKS_TOGETHER * columns);
+        [BLOCKS_TOGETHER * group + at / 8 % BLOCKS_TOGETHER, at / 32 * 8 + at % 8]
+    } else {
+        [index / columns, index % columns]
     }
 }
 
@@ -463,7 +486,7 @@ fn camera_of(
 #[inline(always)]
 fn add_slice<L: Lane>(
     params: &DenseWeightBackwardParams,
-    index: u32,
+    [block, column]: [u32; 2],
     [first, last]: [u32; 2],
     input: ReadFours<f32>,
     output_gradient: ReadFours<f32>,
@@ -474,8 +497,6 @@ fn add_slice<L: Lane>(
     let inputs = params.inputs;
     let chunk = params.first_sample;
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
-    let block = index / columns;
-    let column = index % columns;
     // counted from the chunk's first sample
     let begin = if first > chunk { first - chunk } else { 0 };
     let end = least(last - chunk, params.samples);
@@ -825,10 +846,11 @@ mod tests {
     /// As above: slices that begin and end anywhere, and what a GPU reads together.
     #[test]
     fn weights_are_summed_slice_by_slice() {
-        for (samples, slice) in [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7), (12, 1), (11, 3)] {
+        let sizes = [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7), (12, 1), (11, 3)];
+        for ((samples, slice), columns) in sizes.into_iter().flat_map(|size| [(size, 2), (size, 8)])
+        {
             let stride = (samples + 3_u32).next_multiple_of(4);
             let inputs = 6;
-            let columns = 2;
             let parameters = (inputs + 1) * columns;
             let params = DenseWeightBackwardParams {
                 samples,

@@ -1,7 +1,7 @@
 //! The kernels of organza, one file per stage. Each kernel is an ordinary function in the language of [`muslin`].
 //!
 //! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`segment`], [`transmittance`], [`color`] (both with
-//! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`]. Gradients run the other way, in the same
+//! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
 //! files or those named `_backward`; [`loss`], [`ssim`], [`distortion`], [`exposure`] and [`adam`] are for training. [`elementary`] and
 //! [`language`] test what no other kernel uses. `docs/architecture.md` has the map.
 //!
@@ -33,6 +33,7 @@ pub mod lens;
 pub mod limits;
 pub mod loss;
 pub mod pair;
+pub mod pixels;
 pub mod pose_backward;
 pub mod project;
 pub mod project_backward;

@@ -17,7 +17,7 @@ use png::{BitDepth, ColorType};
 
 use crate::error::{Error, Result};
 use crate::rendered::RenderedTiles;
-use crate::tile::TileBatch;
+use crate::tile::{Tile, TileBatch};
 use crate::write_atomic;
 use muslin_device::memory;
 
@@ -123,6 +123,30 @@ impl Image {
             self.pixels[place] = color.map(to_8_bit);
         });
         Ok(())
+    }
+
+    /// Copies tiles in, of words `[K, S, S]` as the kernel `pixels` writes them. Parts outside the image are cut off.
+    ///
+    /// # Panics
+    /// If there are fewer words than pixels in the tiles.
+    pub fn paste_words(&mut self, side: u32, tiles: impl Iterator<Item = Tile>, words: &[u32]) {
+        let [width, height] = self.size();
+        let side = side as usize;
+        for (tile, words) in tiles.zip(words.chunks(side * side)) {
+            let [left, top] = tile.origin.map(i64::from);
+            let columns = visible(left, side, width);
+            for y in visible(top, side, height) {
+                let first = (y - top) as usize * side;
+                let row = &words[first + (columns.start - left) as usize
+                    ..first + (columns.end - left) as usize];
+                let to = y as usize * width as usize + columns.start as usize;
+                for (pixel, word) in self.pixels[to..to + row.len()].iter_mut().zip(row) {
+                    let [r, g, b, is_finite] = word.to_le_bytes();
+                    *pixel = [r, g, b];
+                    self.not_finite += u64::from(is_finite == 0);
+                }
+            }
+        }
     }
 
     /// Copies `other` to column `left` and row `top`. Parts beyond the edge are cut off.

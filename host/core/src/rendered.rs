@@ -2,9 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use muslin_device::memory;
-
-use crate::error::Result;
 use crate::tile::TileBatch;
 
 /// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/conventions.md` has the
@@ -76,25 +73,15 @@ pub struct RenderReport {
 }
 
 impl RenderedTiles {
-    /// Black tiles, to fill in.
-    ///
-    /// # Errors
-    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
-    pub fn zeros(batch: &TileBatch, channels: &[Channel]) -> Result<Self> {
-        let area = (batch.side * batch.side) as usize;
-        let len = |planes: usize| batch.tiles.len() * planes * area;
-        let data = memory::zeros(len(3), "the rendered batch")?;
-        let beside = channels
-            .iter()
-            .map(|&channel| Ok((channel, memory::zeros(len(channel.planes()), channel.name())?)));
-        let channels = beside.collect::<Result<_>>()?;
-        Ok(Self {
+    /// The tiles of a batch, without values yet.
+    #[must_use]
+    pub fn new(batch: &TileBatch, channels: &[Channel]) -> Self {
+        Self {
             side: batch.side,
             count: batch.tiles.len(),
-            data,
-            channels,
-            report: RenderReport::default(),
-        })
+            channels: channels.iter().map(|&channel| (channel, Vec::new())).collect(),
+            ..Self::default()
+        }
     }
 
     /// Red, green and blue of a pixel: column `x` and row `y` of a tile. Values can be outside 0 to 1.

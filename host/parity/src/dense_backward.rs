@@ -6,7 +6,7 @@ use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
+    INPUTS_PER_INVOCATION, weight_invocations,
 };
 
 use super::binned::{with_sums, write_sums};
@@ -339,10 +339,10 @@ impl Parity for DenseWeightBackward {
             carry: &self.carry,
             sum: &write_sums(&self.before),
         };
-        let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
+        let invocations = weight_invocations(layer.inputs, layer.columns);
         // and behind the last window
         let windows = layer.samples.div_ceil(self.slice) + 1;
-        let outputs = runner.run(&kernel, blocks * layer.columns, windows)?;
+        let outputs = runner.run(&kernel, invocations, windows)?;
         Ok(outputs.into_iter().map(|output| with_sums(output, values)).collect())
     }
 

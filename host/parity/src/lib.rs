@@ -26,6 +26,7 @@ pub mod language;
 pub mod loss;
 pub mod pair;
 pub mod peak;
+pub mod pixels;
 pub mod pose_backward;
 pub mod project;
 pub mod project_backward;
@@ -72,6 +73,7 @@ pub fn cases() -> Vec<Case> {
         Case::new::<tile_cells::TileCells>(),
         Case::new::<composite::Composite>(),
         Case::new::<resolve::Resolve>(),
+        Case::new::<pixels::Pixels>(),
         Case::new::<exposure::Expose>(),
         Case::new::<loss::LossTerms>(),
         Case::new::<ssim::SsimRows>(),

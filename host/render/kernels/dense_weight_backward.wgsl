@@ -18,22 +18,22 @@ struct type_5 {
     member: type_4,
 }
 
-struct type_10 {
+struct type_11 {
     member: array<u32>,
 }
 
-struct type_16 {
+struct type_17 {
     member: array<vec4<f32>>,
 }
 
-struct type_18 {
+struct type_19 {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: f32,
 }
 
-struct type_19 {
+struct type_20 {
     member: u32,
     member_1: u32,
     member_2: u32,
@@ -49,1564 +49,1570 @@ var<private> global_2: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_3: type_5;
 @group(0) @binding(1) 
-var<storage> global_4: type_10;
+var<storage> global_4: type_11;
 @group(0) @binding(2) 
-var<storage> global_5: type_10;
+var<storage> global_5: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_16;
+var<storage, read_write> global_6: type_17;
 @group(0) @binding(4) 
-var<storage> global_7: type_16;
+var<storage> global_7: type_17;
 @group(0) @binding(6) 
 var<storage, read_write> global_8: type_24;
 @group(0) @binding(3) 
-var<storage> global_9: type_16;
+var<storage> global_9: type_17;
 
 fn function_() {
-    var phi_111_: u32;
-    var phi_114_: u32;
-    var phi_135_: u32;
+    var phi_118_: array<u32, 2>;
+    var phi_142_: u32;
+    var phi_145_: u32;
+    var phi_166_: u32;
     var local: u32;
-    var phi_150_: u32;
+    var phi_181_: u32;
     var local_1: u32;
-    var phi_159_: u32;
-    var phi_177_: u32;
-    var phi_178_: u32;
-    var phi_179_: bool;
-    var phi_184_: u32;
-    var phi_186_: u32;
-    var phi_189_: u32;
-    var phi_191_: u32;
-    var phi_215_: u32;
-    var phi_246_: vec4<f32>;
-    var phi_255_: type_19;
-    var phi_258_: type_18;
-    var phi_274_: bool;
-    var phi_362_: type_19;
-    var phi_365_: type_18;
-    var phi_432_: type_19;
-    var phi_435_: type_18;
-    var phi_451_: bool;
-    var local_2: type_18;
-    var local_3: type_18;
-    var local_4: type_18;
-    var local_5: type_18;
-    var phi_582_: u32;
-    var phi_584_: array<u32, 2>;
-    var phi_590_: array<u32, 2>;
-    var phi_643_: u32;
-    var phi_645_: array<u32, 2>;
-    var phi_651_: array<u32, 2>;
-    var phi_704_: u32;
-    var phi_706_: array<u32, 2>;
-    var phi_712_: array<u32, 2>;
-    var phi_765_: u32;
-    var phi_767_: array<u32, 2>;
-    var phi_773_: array<u32, 2>;
-    var phi_834_: vec4<f32>;
-    var phi_845_: vec4<f32>;
-    var phi_856_: vec4<f32>;
-    var phi_867_: vec4<f32>;
-    var phi_882_: type_18;
-    var phi_885_: type_18;
-    var phi_887_: type_18;
-    var phi_889_: type_18;
-    var phi_891_: type_19;
-    var phi_907_: bool;
-    var phi_1161_: type_18;
-    var phi_1164_: type_18;
-    var phi_1166_: type_18;
-    var phi_1168_: type_18;
-    var phi_1170_: type_19;
-    var phi_1387_: type_18;
-    var phi_1390_: type_18;
-    var phi_1392_: type_18;
-    var phi_1394_: type_18;
-    var phi_1396_: type_19;
-    var phi_1412_: bool;
-    var local_6: type_18;
-    var local_7: type_18;
-    var local_8: type_18;
-    var local_9: type_18;
-    var local_10: type_18;
-    var local_11: type_18;
-    var local_12: type_18;
-    var local_13: type_18;
-    var local_14: type_18;
-    var local_15: type_18;
-    var local_16: type_18;
-    var local_17: type_18;
-    var local_18: type_18;
-    var local_19: type_18;
-    var local_20: type_18;
-    var local_21: type_18;
-    var phi_1721_: u32;
-    var phi_1723_: array<u32, 2>;
-    var phi_1729_: array<u32, 2>;
-    var phi_1782_: u32;
-    var phi_1784_: array<u32, 2>;
-    var phi_1790_: array<u32, 2>;
-    var phi_1843_: u32;
-    var phi_1845_: array<u32, 2>;
-    var phi_1851_: array<u32, 2>;
-    var phi_1904_: u32;
-    var phi_1906_: array<u32, 2>;
-    var phi_1912_: array<u32, 2>;
-    var phi_1976_: u32;
-    var phi_1978_: array<u32, 2>;
-    var phi_1984_: array<u32, 2>;
-    var phi_2037_: u32;
-    var phi_2039_: array<u32, 2>;
-    var phi_2045_: array<u32, 2>;
-    var phi_2098_: u32;
-    var phi_2100_: array<u32, 2>;
-    var phi_2106_: array<u32, 2>;
-    var phi_2159_: u32;
-    var phi_2161_: array<u32, 2>;
-    var phi_2167_: array<u32, 2>;
-    var phi_2231_: u32;
-    var phi_2233_: array<u32, 2>;
-    var phi_2239_: array<u32, 2>;
-    var phi_2292_: u32;
-    var phi_2294_: array<u32, 2>;
-    var phi_2300_: array<u32, 2>;
-    var phi_2353_: u32;
-    var phi_2355_: array<u32, 2>;
-    var phi_2361_: array<u32, 2>;
-    var phi_2414_: u32;
-    var phi_2416_: array<u32, 2>;
-    var phi_2422_: array<u32, 2>;
-    var phi_2486_: u32;
-    var phi_2488_: array<u32, 2>;
-    var phi_2494_: array<u32, 2>;
-    var phi_2547_: u32;
-    var phi_2549_: array<u32, 2>;
-    var phi_2555_: array<u32, 2>;
-    var phi_2608_: u32;
-    var phi_2610_: array<u32, 2>;
-    var phi_2616_: array<u32, 2>;
-    var phi_2669_: u32;
-    var phi_2671_: array<u32, 2>;
-    var phi_2677_: array<u32, 2>;
-    var phi_2707_: u32;
-    var phi_187_: u32;
     var phi_190_: u32;
-    var phi_192_: u32;
-    var phi_2708_: bool;
+    var phi_208_: u32;
+    var phi_209_: u32;
+    var phi_210_: bool;
+    var phi_215_: u32;
+    var phi_217_: u32;
+    var phi_220_: u32;
+    var phi_222_: u32;
+    var phi_240_: u32;
+    var phi_271_: vec4<f32>;
+    var phi_280_: type_20;
+    var phi_283_: type_19;
+    var phi_299_: bool;
+    var phi_387_: type_20;
+    var phi_390_: type_19;
+    var phi_457_: type_20;
+    var phi_460_: type_19;
+    var phi_476_: bool;
+    var local_2: type_19;
+    var local_3: type_19;
+    var local_4: type_19;
+    var local_5: type_19;
+    var phi_607_: u32;
+    var phi_609_: array<u32, 2>;
+    var phi_615_: array<u32, 2>;
+    var phi_668_: u32;
+    var phi_670_: array<u32, 2>;
+    var phi_676_: array<u32, 2>;
+    var phi_729_: u32;
+    var phi_731_: array<u32, 2>;
+    var phi_737_: array<u32, 2>;
+    var phi_790_: u32;
+    var phi_792_: array<u32, 2>;
+    var phi_798_: array<u32, 2>;
+    var phi_859_: vec4<f32>;
+    var phi_870_: vec4<f32>;
+    var phi_881_: vec4<f32>;
+    var phi_892_: vec4<f32>;
+    var phi_907_: type_19;
+    var phi_910_: type_19;
+    var phi_912_: type_19;
+    var phi_914_: type_19;
+    var phi_916_: type_20;
+    var phi_932_: bool;
+    var phi_1186_: type_19;
+    var phi_1189_: type_19;
+    var phi_1191_: type_19;
+    var phi_1193_: type_19;
+    var phi_1195_: type_20;
+    var phi_1412_: type_19;
+    var phi_1415_: type_19;
+    var phi_1417_: type_19;
+    var phi_1419_: type_19;
+    var phi_1421_: type_20;
+    var phi_1437_: bool;
+    var local_6: type_19;
+    var local_7: type_19;
+    var local_8: type_19;
+    var local_9: type_19;
+    var local_10: type_19;
+    var local_11: type_19;
+    var local_12: type_19;
+    var local_13: type_19;
+    var local_14: type_19;
+    var local_15: type_19;
+    var local_16: type_19;
+    var local_17: type_19;
+    var local_18: type_19;
+    var local_19: type_19;
+    var local_20: type_19;
+    var local_21: type_19;
+    var phi_1746_: u32;
+    var phi_1748_: array<u32, 2>;
+    var phi_1754_: array<u32, 2>;
+    var phi_1807_: u32;
+    var phi_1809_: array<u32, 2>;
+    var phi_1815_: array<u32, 2>;
+    var phi_1868_: u32;
+    var phi_1870_: array<u32, 2>;
+    var phi_1876_: array<u32, 2>;
+    var phi_1929_: u32;
+    var phi_1931_: array<u32, 2>;
+    var phi_1937_: array<u32, 2>;
+    var phi_2001_: u32;
+    var phi_2003_: array<u32, 2>;
+    var phi_2009_: array<u32, 2>;
+    var phi_2062_: u32;
+    var phi_2064_: array<u32, 2>;
+    var phi_2070_: array<u32, 2>;
+    var phi_2123_: u32;
+    var phi_2125_: array<u32, 2>;
+    var phi_2131_: array<u32, 2>;
+    var phi_2184_: u32;
+    var phi_2186_: array<u32, 2>;
+    var phi_2192_: array<u32, 2>;
+    var phi_2256_: u32;
+    var phi_2258_: array<u32, 2>;
+    var phi_2264_: array<u32, 2>;
+    var phi_2317_: u32;
+    var phi_2319_: array<u32, 2>;
+    var phi_2325_: array<u32, 2>;
+    var phi_2378_: u32;
+    var phi_2380_: array<u32, 2>;
+    var phi_2386_: array<u32, 2>;
+    var phi_2439_: u32;
+    var phi_2441_: array<u32, 2>;
+    var phi_2447_: array<u32, 2>;
+    var phi_2511_: u32;
+    var phi_2513_: array<u32, 2>;
+    var phi_2519_: array<u32, 2>;
+    var phi_2572_: u32;
+    var phi_2574_: array<u32, 2>;
+    var phi_2580_: array<u32, 2>;
+    var phi_2633_: u32;
+    var phi_2635_: array<u32, 2>;
+    var phi_2641_: array<u32, 2>;
+    var phi_2694_: u32;
+    var phi_2696_: array<u32, 2>;
+    var phi_2702_: array<u32, 2>;
+    var phi_2732_: u32;
+    var phi_218_: u32;
+    var phi_221_: u32;
+    var phi_223_: u32;
     var local_22: u32;
     var local_23: u32;
     var local_24: u32;
     var local_25: u32;
     var local_26: u32;
     var local_27: u32;
-    var local_28: type_19;
-    var local_29: type_18;
-    var local_30: type_19;
-    var local_31: type_19;
-    var local_32: type_18;
-    var local_33: type_18;
-    var local_34: type_19;
-    var local_35: type_19;
-    var local_36: type_18;
-    var local_37: type_18;
-    var local_38: type_18;
-    var local_39: type_18;
-    var local_40: type_18;
-    var local_41: type_18;
-    var local_42: type_19;
-    var local_43: type_18;
-    var local_44: type_18;
-    var local_45: type_18;
-    var local_46: type_18;
-    var local_47: type_18;
-    var local_48: type_18;
-    var local_49: type_18;
-    var local_50: type_18;
-    var local_51: type_19;
-    var local_52: type_19;
-    var local_53: type_18;
-    var local_54: type_18;
-    var local_55: type_18;
-    var local_56: type_18;
-    var local_57: type_18;
-    var local_58: type_18;
-    var local_59: type_18;
-    var local_60: type_18;
-    var local_61: type_19;
-    var local_62: type_19;
+    var local_28: type_20;
+    var local_29: type_19;
+    var local_30: type_20;
+    var local_31: type_20;
+    var local_32: type_19;
+    var local_33: type_19;
+    var local_34: type_20;
+    var local_35: type_20;
+    var local_36: type_19;
+    var local_37: type_19;
+    var local_38: type_19;
+    var local_39: type_19;
+    var local_40: type_19;
+    var local_41: type_19;
+    var local_42: type_20;
+    var local_43: type_19;
+    var local_44: type_19;
+    var local_45: type_19;
+    var local_46: type_19;
+    var local_47: type_19;
+    var local_48: type_19;
+    var local_49: type_19;
+    var local_50: type_19;
+    var local_51: type_20;
+    var local_52: type_20;
+    var local_53: type_19;
+    var local_54: type_19;
+    var local_55: type_19;
+    var local_56: type_19;
+    var local_57: type_19;
+    var local_58: type_19;
+    var local_59: type_19;
+    var local_60: type_19;
+    var local_61: type_20;
+    var local_62: type_20;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e39 = global;
-            let _e40 = global_1;
-            let _e41 = global_2;
-            let _e49 = (((_e40.x + (_e40.y * _e41.x)) * 64u) + _e39.x);
-            let _e52 = global_3.member.member_4;
-            let _e55 = global_3.member.member_10;
-            let _e58 = global_3.member.member_3;
-            let _e59 = (_e58 - 1u);
-            let _e60 = (_e59 / 4u);
-            let _e64 = global_3.member.member_1;
-            let _e67 = global_3.member.member;
-            let _e68 = (_e64 + _e67);
-            let _e71 = (_e64 + (_e40.z * _e55));
-            if (_e49 < ((_e60 + 2u) * _e52)) {
-                if (_e71 < _e68) {
-                    let _e76 = (_e71 + _e55);
-                    let _e81 = global_3.member.member_7;
-                    phi_111_ = _e81;
-                    phi_114_ = 0u;
+            let _e40 = global;
+            let _e41 = global_1;
+            let _e42 = global_2;
+            let _e50 = (((_e41.x + (_e41.y * _e42.x)) * 64u) + _e40.x);
+            let _e53 = global_3.member.member_4;
+            let _e56 = global_3.member.member_10;
+            let _e59 = global_3.member.member_3;
+            let _e60 = (_e59 - 1u);
+            let _e62 = ((_e60 / 4u) + 1u);
+            if ((_e53 % 8u) == 0u) {
+                let _e69 = (4u * _e53);
+                let _e70 = (_e69 == 0u);
+                if _e70 {
+                    break;
+                }
+                if _e70 {
+                    break;
+                }
+                let _e72 = (_e50 % _e69);
+                phi_118_ = array<u32, 2>(((4u * (_e50 / _e69)) + ((_e72 / 8u) % 4u)), (((_e72 / 32u) * 8u) + (_e72 % 8u)));
+            } else {
+                let _e65 = (_e53 == 0u);
+                if _e65 {
+                    break;
+                }
+                if _e65 {
+                    break;
+                }
+                phi_118_ = array<u32, 2>((_e50 / _e53), (_e50 % _e53));
+            }
+            let _e83 = phi_118_;
+            let _e86 = global_3.member.member_1;
+            let _e89 = global_3.member.member;
+            let _e90 = (_e86 + _e89);
+            let _e93 = (_e86 + (_e41.z * _e56));
+            if (_e83[0] <= _e62) {
+                if (_e93 < _e90) {
+                    let _e97 = (_e93 + _e56);
+                    let _e102 = global_3.member.member_7;
+                    phi_142_ = _e102;
+                    phi_145_ = 0u;
                     loop {
-                        let _e83 = phi_111_;
-                        let _e85 = phi_114_;
-                        let _e86 = (_e85 + 1u);
-                        local = _e85;
-                        local_1 = _e86;
-                        local_26 = _e85;
-                        if (_e86 < _e83) {
-                            let _e89 = ((_e85 + _e83) / 2u);
-                            let _e92 = global_3.member.member_8;
-                            let _e96 = global_4.member[(_e89 * _e92)];
-                            let _e99 = global_3.member.member_9;
-                            if (_e99 == 0u) {
-                                phi_135_ = _e96;
+                        let _e104 = phi_142_;
+                        let _e106 = phi_145_;
+                        let _e107 = (_e106 + 1u);
+                        local = _e106;
+                        local_1 = _e107;
+                        local_26 = _e106;
+                        if (_e107 < _e104) {
+                            let _e110 = ((_e106 + _e104) / 2u);
+                            let _e113 = global_3.member.member_8;
+                            let _e117 = global_4.member[(_e110 * _e113)];
+                            let _e120 = global_3.member.member_9;
+                            if (_e120 == 0u) {
+                                phi_166_ = _e117;
                             } else {
-                                let _e103 = global_5.member[_e96];
-                                phi_135_ = _e103;
+                                let _e124 = global_5.member[_e117];
+                                phi_166_ = _e124;
                             }
-                            let _e105 = phi_135_;
-                            let _e106 = (_e105 <= _e71);
-                            local_22 = select(_e89, _e83, _e106);
-                            local_23 = select(_e85, _e89, _e106);
+                            let _e126 = phi_166_;
+                            let _e127 = (_e126 <= _e93);
+                            local_22 = select(_e110, _e104, _e127);
+                            local_23 = select(_e106, _e110, _e127);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2613 = local_22;
-                            phi_111_ = _e2613;
-                            let _e2616 = local_23;
-                            phi_114_ = _e2616;
+                            let _e2631 = local_22;
+                            phi_142_ = _e2631;
+                            let _e2634 = local_23;
+                            phi_145_ = _e2634;
                         }
                     }
-                    let _e111 = global_3.member.member_8;
-                    let _e113 = local;
-                    let _e117 = global_4.member[(_e113 * _e111)];
-                    let _e120 = global_3.member.member_9;
-                    let _e121 = (_e120 == 0u);
-                    if _e121 {
-                        phi_150_ = _e117;
+                    let _e132 = global_3.member.member_8;
+                    let _e134 = local;
+                    let _e138 = global_4.member[(_e134 * _e132)];
+                    let _e141 = global_3.member.member_9;
+                    let _e142 = (_e141 == 0u);
+                    if _e142 {
+                        phi_181_ = _e138;
                     } else {
-                        let _e124 = global_5.member[_e117];
-                        phi_150_ = _e124;
+                        let _e145 = global_5.member[_e138];
+                        phi_181_ = _e145;
                     }
-                    let _e126 = phi_150_;
-                    let _e128 = local_1;
-                    let _e132 = global_4.member[(_e128 * _e111)];
-                    if _e121 {
-                        phi_159_ = _e132;
+                    let _e147 = phi_181_;
+                    let _e149 = local_1;
+                    let _e153 = global_4.member[(_e149 * _e132)];
+                    if _e142 {
+                        phi_190_ = _e153;
                     } else {
-                        let _e135 = global_5.member[_e132];
-                        phi_159_ = _e135;
+                        let _e156 = global_5.member[_e153];
+                        phi_190_ = _e156;
                     }
-                    let _e137 = phi_159_;
-                    if (_e55 == 0u) {
+                    let _e158 = phi_190_;
+                    if (_e56 == 0u) {
                         break;
                     }
-                    let _e140 = ((_e71 - _e126) % _e55);
-                    if (_e40.z == 0u) {
-                        phi_178_ = u32();
-                        phi_179_ = true;
+                    let _e161 = ((_e93 - _e147) % _e56);
+                    if (_e41.z == 0u) {
+                        phi_209_ = u32();
+                        phi_210_ = true;
                     } else {
-                        let _e142 = (_e140 == 0u);
-                        if _e142 {
-                            phi_177_ = u32();
+                        let _e163 = (_e161 == 0u);
+                        if _e163 {
+                            phi_208_ = u32();
                         } else {
-                            let _e144 = ((_e71 - _e140) + _e55);
-                            phi_177_ = select(_e137, _e144, (_e144 < _e137));
+                            let _e165 = ((_e93 - _e161) + _e56);
+                            phi_208_ = select(_e158, _e165, (_e165 < _e158));
                         }
-                        let _e148 = phi_177_;
-                        phi_178_ = _e148;
-                        phi_179_ = _e142;
+                        let _e169 = phi_208_;
+                        phi_209_ = _e169;
+                        phi_210_ = _e163;
                     }
-                    let _e150 = phi_178_;
-                    let _e152 = phi_179_;
-                    if _e152 {
-                        phi_184_ = (_e71 - _e140);
+                    let _e171 = phi_209_;
+                    let _e173 = phi_210_;
+                    if _e173 {
+                        phi_215_ = (_e93 - _e161);
                     } else {
-                        phi_184_ = _e150;
+                        phi_215_ = _e171;
                     }
-                    let _e155 = phi_184_;
-                    phi_186_ = _e137;
-                    phi_189_ = _e155;
-                    let _e2634 = local_26;
-                    phi_191_ = _e2634;
+                    let _e176 = phi_215_;
+                    phi_217_ = _e158;
+                    phi_220_ = _e176;
+                    let _e2652 = local_26;
+                    phi_222_ = _e2652;
                     loop {
-                        let _e157 = phi_186_;
-                        let _e159 = phi_189_;
-                        let _e161 = phi_191_;
-                        phi_2708_ = false;
-                        if (_e159 < select(_e68, _e76, (_e76 < _e68))) {
-                            if (_e159 == _e157) {
-                                let _e2597 = global_4.member[((_e161 + 2u) * _e111)];
-                                if _e121 {
-                                    phi_2707_ = _e2597;
+                        let _e178 = phi_217_;
+                        let _e180 = phi_220_;
+                        let _e182 = phi_222_;
+                        if (_e180 < select(_e90, _e97, (_e97 < _e90))) {
+                            if (_e180 == _e178) {
+                                let _e2616 = global_4.member[((_e182 + 2u) * _e132)];
+                                if _e142 {
+                                    phi_2732_ = _e2616;
                                 } else {
-                                    let _e2600 = global_5.member[_e2597];
-                                    phi_2707_ = _e2600;
+                                    let _e2619 = global_5.member[_e2616];
+                                    phi_2732_ = _e2619;
                                 }
-                                let _e2602 = phi_2707_;
-                                phi_187_ = _e2602;
-                                phi_190_ = _e159;
-                                phi_192_ = (_e161 + 1u);
+                                let _e2621 = phi_2732_;
+                                phi_218_ = _e2621;
+                                phi_221_ = _e180;
+                                phi_223_ = (_e182 + 1u);
                             } else {
-                                let _e164 = (_e159 + _e55);
-                                let _e166 = select(_e157, _e164, (_e164 < _e157));
-                                let _e167 = (_e52 == 0u);
-                                if _e167 {
-                                    phi_2708_ = true;
-                                    break;
-                                }
-                                let _e168 = (_e49 / _e52);
-                                if _e167 {
-                                    phi_2708_ = true;
-                                    break;
-                                }
-                                let _e169 = (_e49 % _e52);
-                                if (_e159 > _e64) {
-                                    phi_215_ = (_e159 - _e64);
+                                let _e185 = (_e180 + _e56);
+                                let _e187 = select(_e178, _e185, (_e185 < _e178));
+                                if (_e180 > _e86) {
+                                    phi_240_ = (_e180 - _e86);
                                 } else {
-                                    phi_215_ = 0u;
+                                    phi_240_ = 0u;
                                 }
-                                let _e173 = phi_215_;
-                                let _e174 = (_e166 - _e64);
-                                let _e176 = select(_e67, _e174, (_e174 < _e67));
-                                let _e179 = global_3.member.member_12;
-                                let _e182 = global_3.member.member_11;
-                                let _e183 = (_e179 * _e182);
-                                let _e185 = ((1u - _e179) * _e182);
-                                let _e186 = (_e166 <= _e68);
-                                let _e188 = select(false, true, (_e159 < _e64));
-                                let _e191 = global_3.member.member_2;
-                                let _e193 = ((4u * _e169) * _e191);
-                                if (_e168 < (_e60 + 1u)) {
-                                    let _e742 = (_e168 * 4u);
-                                    let _e745 = global_3.member.member_5;
-                                    let _e748 = ((_e745 + (_e742 * _e52)) + _e169);
-                                    let _e749 = (_e59 - _e742);
-                                    let _e753 = (_e748 + (select(_e749, 1u, (1u < _e749)) * _e52));
-                                    let _e757 = (_e748 + (select(_e749, 2u, (2u < _e749)) * _e52));
-                                    let _e761 = (_e748 + (select(_e749, 3u, (3u < _e749)) * _e52));
-                                    let _e767 = (_e742 + 1u);
-                                    let _e771 = (_e742 + 2u);
-                                    let _e775 = (_e742 + 3u);
-                                    if _e188 {
-                                        let _e781 = global_6.member[(_e183 + _e748)];
-                                        phi_834_ = _e781;
+                                let _e192 = phi_240_;
+                                let _e193 = (_e187 - _e86);
+                                let _e195 = select(_e89, _e193, (_e193 < _e89));
+                                let _e198 = global_3.member.member_12;
+                                let _e201 = global_3.member.member_11;
+                                let _e202 = (_e198 * _e201);
+                                let _e204 = ((1u - _e198) * _e201);
+                                let _e205 = (_e187 <= _e90);
+                                let _e207 = select(false, true, (_e180 < _e86));
+                                let _e210 = global_3.member.member_2;
+                                let _e212 = ((4u * _e83[1]) * _e210);
+                                if (_e83[0] < _e62) {
+                                    let _e761 = (_e83[0] * 4u);
+                                    let _e764 = global_3.member.member_5;
+                                    let _e767 = ((_e764 + (_e761 * _e53)) + _e83[1]);
+                                    let _e768 = (_e60 - _e761);
+                                    let _e772 = (_e767 + (select(_e768, 1u, (1u < _e768)) * _e53));
+                                    let _e776 = (_e767 + (select(_e768, 2u, (2u < _e768)) * _e53));
+                                    let _e780 = (_e767 + (select(_e768, 3u, (3u < _e768)) * _e53));
+                                    let _e786 = (_e761 + 1u);
+                                    let _e790 = (_e761 + 2u);
+                                    let _e794 = (_e761 + 3u);
+                                    if _e207 {
+                                        let _e800 = global_6.member[(_e202 + _e767)];
+                                        phi_859_ = _e800;
                                     } else {
-                                        phi_834_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_859_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e783 = phi_834_;
-                                    if _e188 {
-                                        let _e791 = global_6.member[(_e183 + _e753)];
-                                        phi_845_ = _e791;
+                                    let _e802 = phi_859_;
+                                    if _e207 {
+                                        let _e810 = global_6.member[(_e202 + _e772)];
+                                        phi_870_ = _e810;
                                     } else {
-                                        phi_845_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_870_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e793 = phi_845_;
-                                    if _e188 {
-                                        let _e801 = global_6.member[(_e183 + _e757)];
-                                        phi_856_ = _e801;
+                                    let _e812 = phi_870_;
+                                    if _e207 {
+                                        let _e820 = global_6.member[(_e202 + _e776)];
+                                        phi_881_ = _e820;
                                     } else {
-                                        phi_856_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_881_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e803 = phi_856_;
-                                    if _e188 {
-                                        let _e811 = global_6.member[(_e183 + _e761)];
-                                        phi_867_ = _e811;
+                                    let _e822 = phi_881_;
+                                    if _e207 {
+                                        let _e830 = global_6.member[(_e202 + _e780)];
+                                        phi_892_ = _e830;
                                     } else {
-                                        phi_867_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_892_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e813 = phi_867_;
-                                    let _e821 = ((_e742 * _e191) / 4u);
-                                    let _e822 = ((select(_e59, _e767, (_e767 < _e59)) * _e191) / 4u);
-                                    let _e823 = ((select(_e59, _e771, (_e771 < _e59)) * _e191) / 4u);
-                                    let _e824 = ((select(_e59, _e775, (_e775 < _e59)) * _e191) / 4u);
-                                    let _e825 = (_e193 / 4u);
-                                    let _e826 = (_e191 / 4u);
-                                    phi_882_ = type_18(_e813.x, _e813.y, _e813.z, _e813.w);
-                                    phi_885_ = type_18(_e803.x, _e803.y, _e803.z, _e803.w);
-                                    phi_887_ = type_18(_e793.x, _e793.y, _e793.z, _e793.w);
-                                    phi_889_ = type_18(_e783.x, _e783.y, _e783.z, _e783.w);
-                                    phi_891_ = type_19((_e173 / 4u), _e173, _e176);
+                                    let _e832 = phi_892_;
+                                    let _e840 = ((_e761 * _e210) / 4u);
+                                    let _e841 = ((select(_e60, _e786, (_e786 < _e60)) * _e210) / 4u);
+                                    let _e842 = ((select(_e60, _e790, (_e790 < _e60)) * _e210) / 4u);
+                                    let _e843 = ((select(_e60, _e794, (_e794 < _e60)) * _e210) / 4u);
+                                    let _e844 = (_e212 / 4u);
+                                    let _e845 = (_e210 / 4u);
+                                    phi_907_ = type_19(_e832.x, _e832.y, _e832.z, _e832.w);
+                                    phi_910_ = type_19(_e822.x, _e822.y, _e822.z, _e822.w);
+                                    phi_912_ = type_19(_e812.x, _e812.y, _e812.z, _e812.w);
+                                    phi_914_ = type_19(_e802.x, _e802.y, _e802.z, _e802.w);
+                                    phi_916_ = type_20((_e192 / 4u), _e192, _e195);
                                     loop {
-                                        let _e828 = phi_882_;
-                                        let _e830 = phi_885_;
-                                        let _e832 = phi_887_;
-                                        let _e834 = phi_889_;
-                                        let _e836 = phi_891_;
-                                        local_43 = _e828;
-                                        local_45 = _e830;
-                                        local_47 = _e832;
-                                        local_49 = _e834;
-                                        local_51 = _e836;
-                                        let _e838 = (4u * _e836.member);
-                                        if (_e838 < _e836.member_2) {
-                                            phi_907_ = select(((_e838 + 4u) > _e836.member_2), true, (_e838 < _e836.member_1));
-                                        } else {
-                                            phi_907_ = false;
-                                        }
                                         let _e847 = phi_907_;
-                                        if _e847 {
-                                            let _e851 = global_7.member[(_e825 + _e836.member)];
-                                            let _e858 = (_e836.member_2 - _e836.member_1);
-                                            let _e859 = ((_e838 - _e836.member_1) < _e858);
-                                            let _e860 = select(0f, _e851.x, _e859);
-                                            let _e863 = (((_e838 + 1u) - _e836.member_1) < _e858);
-                                            let _e864 = select(0f, _e851.y, _e863);
-                                            let _e867 = (((_e838 + 2u) - _e836.member_1) < _e858);
-                                            let _e868 = select(0f, _e851.z, _e867);
-                                            let _e871 = (((_e838 + 3u) - _e836.member_1) < _e858);
-                                            let _e872 = select(0f, _e851.w, _e871);
-                                            let _e877 = global_7.member[((_e825 + _e826) + _e836.member)];
-                                            let _e882 = select(0f, _e877.x, _e859);
-                                            let _e883 = select(0f, _e877.y, _e863);
-                                            let _e884 = select(0f, _e877.z, _e867);
-                                            let _e885 = select(0f, _e877.w, _e871);
-                                            let _e891 = global_7.member[((_e825 + (2u * _e826)) + _e836.member)];
-                                            let _e896 = select(0f, _e891.x, _e859);
-                                            let _e897 = select(0f, _e891.y, _e863);
-                                            let _e898 = select(0f, _e891.z, _e867);
-                                            let _e899 = select(0f, _e891.w, _e871);
-                                            let _e905 = global_7.member[((_e825 + (3u * _e826)) + _e836.member)];
-                                            let _e910 = select(0f, _e905.x, _e859);
-                                            let _e911 = select(0f, _e905.y, _e863);
-                                            let _e912 = select(0f, _e905.z, _e867);
-                                            let _e913 = select(0f, _e905.w, _e871);
-                                            let _e917 = global_9.member[(_e821 + _e836.member)];
-                                            let _e922 = select(0f, _e917.x, _e859);
-                                            let _e923 = select(0f, _e917.y, _e863);
-                                            let _e924 = select(0f, _e917.z, _e867);
-                                            let _e925 = select(0f, _e917.w, _e871);
-                                            let _e929 = global_9.member[(_e822 + _e836.member)];
-                                            let _e934 = select(0f, _e929.x, _e859);
-                                            let _e935 = select(0f, _e929.y, _e863);
-                                            let _e936 = select(0f, _e929.z, _e867);
-                                            let _e937 = select(0f, _e929.w, _e871);
-                                            let _e941 = global_9.member[(_e823 + _e836.member)];
-                                            let _e946 = select(0f, _e941.x, _e859);
-                                            let _e947 = select(0f, _e941.y, _e863);
-                                            let _e948 = select(0f, _e941.z, _e867);
-                                            let _e949 = select(0f, _e941.w, _e871);
-                                            let _e953 = global_9.member[(_e824 + _e836.member)];
-                                            let _e958 = select(0f, _e953.x, _e859);
-                                            let _e959 = select(0f, _e953.y, _e863);
-                                            let _e960 = select(0f, _e953.z, _e867);
-                                            let _e961 = select(0f, _e953.w, _e871);
-                                            local_38 = type_18(((_e961 * _e872) + ((_e960 * _e868) + ((_e959 * _e864) + ((_e958 * _e860) + _e828.member)))), ((_e961 * _e885) + ((_e960 * _e884) + ((_e959 * _e883) + ((_e958 * _e882) + _e828.member_1)))), ((_e961 * _e899) + ((_e960 * _e898) + ((_e959 * _e897) + ((_e958 * _e896) + _e828.member_2)))), ((_e961 * _e913) + ((_e960 * _e912) + ((_e959 * _e911) + ((_e958 * _e910) + _e828.member_3)))));
-                                            local_39 = type_18(((_e949 * _e872) + ((_e948 * _e868) + ((_e947 * _e864) + ((_e946 * _e860) + _e830.member)))), ((_e949 * _e885) + ((_e948 * _e884) + ((_e947 * _e883) + ((_e946 * _e882) + _e830.member_1)))), ((_e949 * _e899) + ((_e948 * _e898) + ((_e947 * _e897) + ((_e946 * _e896) + _e830.member_2)))), ((_e949 * _e913) + ((_e948 * _e912) + ((_e947 * _e911) + ((_e946 * _e910) + _e830.member_3)))));
-                                            local_40 = type_18(((_e937 * _e872) + ((_e936 * _e868) + ((_e935 * _e864) + ((_e934 * _e860) + _e832.member)))), ((_e937 * _e885) + ((_e936 * _e884) + ((_e935 * _e883) + ((_e934 * _e882) + _e832.member_1)))), ((_e937 * _e899) + ((_e936 * _e898) + ((_e935 * _e897) + ((_e934 * _e896) + _e832.member_2)))), ((_e937 * _e913) + ((_e936 * _e912) + ((_e935 * _e911) + ((_e934 * _e910) + _e832.member_3)))));
-                                            local_41 = type_18(((_e925 * _e872) + ((_e924 * _e868) + ((_e923 * _e864) + ((_e922 * _e860) + _e834.member)))), ((_e925 * _e885) + ((_e924 * _e884) + ((_e923 * _e883) + ((_e922 * _e882) + _e834.member_1)))), ((_e925 * _e899) + ((_e924 * _e898) + ((_e923 * _e897) + ((_e922 * _e896) + _e834.member_2)))), ((_e925 * _e913) + ((_e924 * _e912) + ((_e923 * _e911) + ((_e922 * _e910) + _e834.member_3)))));
-                                            local_42 = type_19((_e836.member + 1u), _e836.member_1, _e836.member_2);
+                                        let _e849 = phi_910_;
+                                        let _e851 = phi_912_;
+                                        let _e853 = phi_914_;
+                                        let _e855 = phi_916_;
+                                        local_43 = _e847;
+                                        local_45 = _e849;
+                                        local_47 = _e851;
+                                        local_49 = _e853;
+                                        local_51 = _e855;
+                                        let _e857 = (4u * _e855.member);
+                                        if (_e857 < _e855.member_2) {
+                                            phi_932_ = select(((_e857 + 4u) > _e855.member_2), true, (_e857 < _e855.member_1));
+                                        } else {
+                                            phi_932_ = false;
+                                        }
+                                        let _e866 = phi_932_;
+                                        if _e866 {
+                                            let _e870 = global_7.member[(_e844 + _e855.member)];
+                                            let _e877 = (_e855.member_2 - _e855.member_1);
+                                            let _e878 = ((_e857 - _e855.member_1) < _e877);
+                                            let _e879 = select(0f, _e870.x, _e878);
+                                            let _e882 = (((_e857 + 1u) - _e855.member_1) < _e877);
+                                            let _e883 = select(0f, _e870.y, _e882);
+                                            let _e886 = (((_e857 + 2u) - _e855.member_1) < _e877);
+                                            let _e887 = select(0f, _e870.z, _e886);
+                                            let _e890 = (((_e857 + 3u) - _e855.member_1) < _e877);
+                                            let _e891 = select(0f, _e870.w, _e890);
+                                            let _e896 = global_7.member[((_e844 + _e845) + _e855.member)];
+                                            let _e901 = select(0f, _e896.x, _e878);
+                                            let _e902 = select(0f, _e896.y, _e882);
+                                            let _e903 = select(0f, _e896.z, _e886);
+                                            let _e904 = select(0f, _e896.w, _e890);
+                                            let _e910 = global_7.member[((_e844 + (2u * _e845)) + _e855.member)];
+                                            let _e915 = select(0f, _e910.x, _e878);
+                                            let _e916 = select(0f, _e910.y, _e882);
+                                            let _e917 = select(0f, _e910.z, _e886);
+                                            let _e918 = select(0f, _e910.w, _e890);
+                                            let _e924 = global_7.member[((_e844 + (3u * _e845)) + _e855.member)];
+                                            let _e929 = select(0f, _e924.x, _e878);
+                                            let _e930 = select(0f, _e924.y, _e882);
+                                            let _e931 = select(0f, _e924.z, _e886);
+                                            let _e932 = select(0f, _e924.w, _e890);
+                                            let _e936 = global_9.member[(_e840 + _e855.member)];
+                                            let _e941 = select(0f, _e936.x, _e878);
+                                            let _e942 = select(0f, _e936.y, _e882);
+                                            let _e943 = select(0f, _e936.z, _e886);
+                                            let _e944 = select(0f, _e936.w, _e890);
+                                            let _e948 = global_9.member[(_e841 + _e855.member)];
+                                            let _e953 = select(0f, _e948.x, _e878);
+                                            let _e954 = select(0f, _e948.y, _e882);
+                                            let _e955 = select(0f, _e948.z, _e886);
+                                            let _e956 = select(0f, _e948.w, _e890);
+                                            let _e960 = global_9.member[(_e842 + _e855.member)];
+                                            let _e965 = select(0f, _e960.x, _e878);
+                                            let _e966 = select(0f, _e960.y, _e882);
+                                            let _e967 = select(0f, _e960.z, _e886);
+                                            let _e968 = select(0f, _e960.w, _e890);
+                                            let _e972 = global_9.member[(_e843 + _e855.member)];
+                                            let _e977 = select(0f, _e972.x, _e878);
+                                            let _e978 = select(0f, _e972.y, _e882);
+                                            let _e979 = select(0f, _e972.z, _e886);
+                                            let _e980 = select(0f, _e972.w, _e890);
+                                            local_38 = type_19(((_e980 * _e891) + ((_e979 * _e887) + ((_e978 * _e883) + ((_e977 * _e879) + _e847.member)))), ((_e980 * _e904) + ((_e979 * _e903) + ((_e978 * _e902) + ((_e977 * _e901) + _e847.member_1)))), ((_e980 * _e918) + ((_e979 * _e917) + ((_e978 * _e916) + ((_e977 * _e915) + _e847.member_2)))), ((_e980 * _e932) + ((_e979 * _e931) + ((_e978 * _e930) + ((_e977 * _e929) + _e847.member_3)))));
+                                            local_39 = type_19(((_e968 * _e891) + ((_e967 * _e887) + ((_e966 * _e883) + ((_e965 * _e879) + _e849.member)))), ((_e968 * _e904) + ((_e967 * _e903) + ((_e966 * _e902) + ((_e965 * _e901) + _e849.member_1)))), ((_e968 * _e918) + ((_e967 * _e917) + ((_e966 * _e916) + ((_e965 * _e915) + _e849.member_2)))), ((_e968 * _e932) + ((_e967 * _e931) + ((_e966 * _e930) + ((_e965 * _e929) + _e849.member_3)))));
+                                            local_40 = type_19(((_e956 * _e891) + ((_e955 * _e887) + ((_e954 * _e883) + ((_e953 * _e879) + _e851.member)))), ((_e956 * _e904) + ((_e955 * _e903) + ((_e954 * _e902) + ((_e953 * _e901) + _e851.member_1)))), ((_e956 * _e918) + ((_e955 * _e917) + ((_e954 * _e916) + ((_e953 * _e915) + _e851.member_2)))), ((_e956 * _e932) + ((_e955 * _e931) + ((_e954 * _e930) + ((_e953 * _e929) + _e851.member_3)))));
+                                            local_41 = type_19(((_e944 * _e891) + ((_e943 * _e887) + ((_e942 * _e883) + ((_e941 * _e879) + _e853.member)))), ((_e944 * _e904) + ((_e943 * _e903) + ((_e942 * _e902) + ((_e941 * _e901) + _e853.member_1)))), ((_e944 * _e918) + ((_e943 * _e917) + ((_e942 * _e916) + ((_e941 * _e915) + _e853.member_2)))), ((_e944 * _e932) + ((_e943 * _e931) + ((_e942 * _e930) + ((_e941 * _e929) + _e853.member_3)))));
+                                            local_42 = type_20((_e855.member + 1u), _e855.member_1, _e855.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2689 = local_38;
-                                            phi_882_ = _e2689;
-                                            let _e2692 = local_39;
-                                            phi_885_ = _e2692;
-                                            let _e2695 = local_40;
-                                            phi_887_ = _e2695;
-                                            let _e2698 = local_41;
-                                            phi_889_ = _e2698;
-                                            let _e2701 = local_42;
-                                            phi_891_ = _e2701;
+                                            let _e2707 = local_38;
+                                            phi_907_ = _e2707;
+                                            let _e2710 = local_39;
+                                            phi_910_ = _e2710;
+                                            let _e2713 = local_40;
+                                            phi_912_ = _e2713;
+                                            let _e2716 = local_41;
+                                            phi_914_ = _e2716;
+                                            let _e2719 = local_42;
+                                            phi_916_ = _e2719;
                                         }
                                     }
-                                    let _e2705 = local_43;
-                                    phi_1161_ = _e2705;
-                                    let _e2710 = local_45;
-                                    phi_1164_ = _e2710;
-                                    let _e2715 = local_47;
-                                    phi_1166_ = _e2715;
-                                    let _e2720 = local_49;
-                                    phi_1168_ = _e2720;
-                                    let _e2725 = local_51;
-                                    phi_1170_ = _e2725;
+                                    let _e2723 = local_43;
+                                    phi_1186_ = _e2723;
+                                    let _e2728 = local_45;
+                                    phi_1189_ = _e2728;
+                                    let _e2733 = local_47;
+                                    phi_1191_ = _e2733;
+                                    let _e2738 = local_49;
+                                    phi_1193_ = _e2738;
+                                    let _e2743 = local_51;
+                                    phi_1195_ = _e2743;
                                     loop {
-                                        let _e1116 = phi_1161_;
-                                        let _e1118 = phi_1164_;
-                                        let _e1120 = phi_1166_;
-                                        let _e1122 = phi_1168_;
-                                        let _e1124 = phi_1170_;
-                                        local_53 = _e1116;
-                                        local_55 = _e1118;
-                                        local_57 = _e1120;
-                                        local_59 = _e1122;
-                                        local_61 = _e1124;
-                                        if !((((4u * _e1124.member) + 4u) > _e1124.member_2)) {
-                                            let _e1134 = global_7.member[(_e825 + _e1124.member)];
-                                            let _e1143 = global_7.member[((_e825 + _e826) + _e1124.member)];
-                                            let _e1153 = global_7.member[((_e825 + (2u * _e826)) + _e1124.member)];
-                                            let _e1163 = global_7.member[((_e825 + (3u * _e826)) + _e1124.member)];
-                                            let _e1171 = global_9.member[(_e821 + _e1124.member)];
-                                            let _e1179 = global_9.member[(_e822 + _e1124.member)];
-                                            let _e1187 = global_9.member[(_e823 + _e1124.member)];
-                                            let _e1195 = global_9.member[(_e824 + _e1124.member)];
-                                            local_44 = type_18(((_e1195.w * _e1134.w) + ((_e1195.z * _e1134.z) + ((_e1195.y * _e1134.y) + ((_e1195.x * _e1134.x) + _e1116.member)))), ((_e1195.w * _e1143.w) + ((_e1195.z * _e1143.z) + ((_e1195.y * _e1143.y) + ((_e1195.x * _e1143.x) + _e1116.member_1)))), ((_e1195.w * _e1153.w) + ((_e1195.z * _e1153.z) + ((_e1195.y * _e1153.y) + ((_e1195.x * _e1153.x) + _e1116.member_2)))), ((_e1195.w * _e1163.w) + ((_e1195.z * _e1163.z) + ((_e1195.y * _e1163.y) + ((_e1195.x * _e1163.x) + _e1116.member_3)))));
-                                            local_46 = type_18(((_e1187.w * _e1134.w) + ((_e1187.z * _e1134.z) + ((_e1187.y * _e1134.y) + ((_e1187.x * _e1134.x) + _e1118.member)))), ((_e1187.w * _e1143.w) + ((_e1187.z * _e1143.z) + ((_e1187.y * _e1143.y) + ((_e1187.x * _e1143.x) + _e1118.member_1)))), ((_e1187.w * _e1153.w) + ((_e1187.z * _e1153.z) + ((_e1187.y * _e1153.y) + ((_e1187.x * _e1153.x) + _e1118.member_2)))), ((_e1187.w * _e1163.w) + ((_e1187.z * _e1163.z) + ((_e1187.y * _e1163.y) + ((_e1187.x * _e1163.x) + _e1118.member_3)))));
-                                            local_48 = type_18(((_e1179.w * _e1134.w) + ((_e1179.z * _e1134.z) + ((_e1179.y * _e1134.y) + ((_e1179.x * _e1134.x) + _e1120.member)))), ((_e1179.w * _e1143.w) + ((_e1179.z * _e1143.z) + ((_e1179.y * _e1143.y) + ((_e1179.x * _e1143.x) + _e1120.member_1)))), ((_e1179.w * _e1153.w) + ((_e1179.z * _e1153.z) + ((_e1179.y * _e1153.y) + ((_e1179.x * _e1153.x) + _e1120.member_2)))), ((_e1179.w * _e1163.w) + ((_e1179.z * _e1163.z) + ((_e1179.y * _e1163.y) + ((_e1179.x * _e1163.x) + _e1120.member_3)))));
-                                            local_50 = type_18(((_e1171.w * _e1134.w) + ((_e1171.z * _e1134.z) + ((_e1171.y * _e1134.y) + ((_e1171.x * _e1134.x) + _e1122.member)))), ((_e1171.w * _e1143.w) + ((_e1171.z * _e1143.z) + ((_e1171.y * _e1143.y) + ((_e1171.x * _e1143.x) + _e1122.member_1)))), ((_e1171.w * _e1153.w) + ((_e1171.z * _e1153.z) + ((_e1171.y * _e1153.y) + ((_e1171.x * _e1153.x) + _e1122.member_2)))), ((_e1171.w * _e1163.w) + ((_e1171.z * _e1163.z) + ((_e1171.y * _e1163.y) + ((_e1171.x * _e1163.x) + _e1122.member_3)))));
-                                            local_52 = type_19((_e1124.member + 1u), _e1124.member_1, _e1124.member_2);
+                                        let _e1135 = phi_1186_;
+                                        let _e1137 = phi_1189_;
+                                        let _e1139 = phi_1191_;
+                                        let _e1141 = phi_1193_;
+                                        let _e1143 = phi_1195_;
+                                        local_53 = _e1135;
+                                        local_55 = _e1137;
+                                        local_57 = _e1139;
+                                        local_59 = _e1141;
+                                        local_61 = _e1143;
+                                        if !((((4u * _e1143.member) + 4u) > _e1143.member_2)) {
+                                            let _e1153 = global_7.member[(_e844 + _e1143.member)];
+                                            let _e1162 = global_7.member[((_e844 + _e845) + _e1143.member)];
+                                            let _e1172 = global_7.member[((_e844 + (2u * _e845)) + _e1143.member)];
+                                            let _e1182 = global_7.member[((_e844 + (3u * _e845)) + _e1143.member)];
+                                            let _e1190 = global_9.member[(_e840 + _e1143.member)];
+                                            let _e1198 = global_9.member[(_e841 + _e1143.member)];
+                                            let _e1206 = global_9.member[(_e842 + _e1143.member)];
+                                            let _e1214 = global_9.member[(_e843 + _e1143.member)];
+                                            local_44 = type_19(((_e1214.w * _e1153.w) + ((_e1214.z * _e1153.z) + ((_e1214.y * _e1153.y) + ((_e1214.x * _e1153.x) + _e1135.member)))), ((_e1214.w * _e1162.w) + ((_e1214.z * _e1162.z) + ((_e1214.y * _e1162.y) + ((_e1214.x * _e1162.x) + _e1135.member_1)))), ((_e1214.w * _e1172.w) + ((_e1214.z * _e1172.z) + ((_e1214.y * _e1172.y) + ((_e1214.x * _e1172.x) + _e1135.member_2)))), ((_e1214.w * _e1182.w) + ((_e1214.z * _e1182.z) + ((_e1214.y * _e1182.y) + ((_e1214.x * _e1182.x) + _e1135.member_3)))));
+                                            local_46 = type_19(((_e1206.w * _e1153.w) + ((_e1206.z * _e1153.z) + ((_e1206.y * _e1153.y) + ((_e1206.x * _e1153.x) + _e1137.member)))), ((_e1206.w * _e1162.w) + ((_e1206.z * _e1162.z) + ((_e1206.y * _e1162.y) + ((_e1206.x * _e1162.x) + _e1137.member_1)))), ((_e1206.w * _e1172.w) + ((_e1206.z * _e1172.z) + ((_e1206.y * _e1172.y) + ((_e1206.x * _e1172.x) + _e1137.member_2)))), ((_e1206.w * _e1182.w) + ((_e1206.z * _e1182.z) + ((_e1206.y * _e1182.y) + ((_e1206.x * _e1182.x) + _e1137.member_3)))));
+                                            local_48 = type_19(((_e1198.w * _e1153.w) + ((_e1198.z * _e1153.z) + ((_e1198.y * _e1153.y) + ((_e1198.x * _e1153.x) + _e1139.member)))), ((_e1198.w * _e1162.w) + ((_e1198.z * _e1162.z) + ((_e1198.y * _e1162.y) + ((_e1198.x * _e1162.x) + _e1139.member_1)))), ((_e1198.w * _e1172.w) + ((_e1198.z * _e1172.z) + ((_e1198.y * _e1172.y) + ((_e1198.x * _e1172.x) + _e1139.member_2)))), ((_e1198.w * _e1182.w) + ((_e1198.z * _e1182.z) + ((_e1198.y * _e1182.y) + ((_e1198.x * _e1182.x) + _e1139.member_3)))));
+                                            local_50 = type_19(((_e1190.w * _e1153.w) + ((_e1190.z * _e1153.z) + ((_e1190.y * _e1153.y) + ((_e1190.x * _e1153.x) + _e1141.member)))), ((_e1190.w * _e1162.w) + ((_e1190.z * _e1162.z) + ((_e1190.y * _e1162.y) + ((_e1190.x * _e1162.x) + _e1141.member_1)))), ((_e1190.w * _e1172.w) + ((_e1190.z * _e1172.z) + ((_e1190.y * _e1172.y) + ((_e1190.x * _e1172.x) + _e1141.member_2)))), ((_e1190.w * _e1182.w) + ((_e1190.z * _e1182.z) + ((_e1190.y * _e1182.y) + ((_e1190.x * _e1182.x) + _e1141.member_3)))));
+                                            local_52 = type_20((_e1143.member + 1u), _e1143.member_1, _e1143.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2707 = local_44;
-                                            phi_1161_ = _e2707;
-                                            let _e2712 = local_46;
-                                            phi_1164_ = _e2712;
-                                            let _e2717 = local_48;
-                                            phi_1166_ = _e2717;
-                                            let _e2722 = local_50;
-                                            phi_1168_ = _e2722;
-                                            let _e2727 = local_52;
-                                            phi_1170_ = _e2727;
+                                            let _e2725 = local_44;
+                                            phi_1186_ = _e2725;
+                                            let _e2730 = local_46;
+                                            phi_1189_ = _e2730;
+                                            let _e2735 = local_48;
+                                            phi_1191_ = _e2735;
+                                            let _e2740 = local_50;
+                                            phi_1193_ = _e2740;
+                                            let _e2745 = local_52;
+                                            phi_1195_ = _e2745;
                                         }
                                     }
-                                    let _e2730 = local_53;
-                                    phi_1387_ = _e2730;
-                                    let _e2735 = local_55;
-                                    phi_1390_ = _e2735;
-                                    let _e2740 = local_57;
-                                    phi_1392_ = _e2740;
-                                    let _e2745 = local_59;
-                                    phi_1394_ = _e2745;
-                                    let _e2750 = local_61;
-                                    phi_1396_ = _e2750;
+                                    let _e2748 = local_53;
+                                    phi_1412_ = _e2748;
+                                    let _e2753 = local_55;
+                                    phi_1415_ = _e2753;
+                                    let _e2758 = local_57;
+                                    phi_1417_ = _e2758;
+                                    let _e2763 = local_59;
+                                    phi_1419_ = _e2763;
+                                    let _e2768 = local_61;
+                                    phi_1421_ = _e2768;
                                     loop {
-                                        let _e1354 = phi_1387_;
-                                        let _e1356 = phi_1390_;
-                                        let _e1358 = phi_1392_;
-                                        let _e1360 = phi_1394_;
-                                        let _e1362 = phi_1396_;
-                                        local_6 = _e1360;
-                                        local_7 = _e1360;
-                                        local_8 = _e1360;
-                                        local_9 = _e1360;
-                                        local_10 = _e1358;
-                                        local_11 = _e1358;
-                                        local_12 = _e1358;
-                                        local_13 = _e1358;
-                                        local_14 = _e1356;
-                                        local_15 = _e1356;
-                                        local_16 = _e1356;
-                                        local_17 = _e1356;
-                                        local_18 = _e1354;
-                                        local_19 = _e1354;
-                                        local_20 = _e1354;
-                                        local_21 = _e1354;
-                                        let _e1364 = (4u * _e1362.member);
-                                        if (_e1364 < _e1362.member_2) {
-                                            phi_1412_ = select(((_e1364 + 4u) > _e1362.member_2), true, (_e1364 < _e1362.member_1));
-                                        } else {
-                                            phi_1412_ = false;
-                                        }
                                         let _e1373 = phi_1412_;
-                                        if _e1373 {
-                                            let _e1377 = global_7.member[(_e825 + _e1362.member)];
-                                            let _e1384 = (_e1362.member_2 - _e1362.member_1);
-                                            let _e1385 = ((_e1364 - _e1362.member_1) < _e1384);
-                                            let _e1386 = select(0f, _e1377.x, _e1385);
-                                            let _e1389 = (((_e1364 + 1u) - _e1362.member_1) < _e1384);
-                                            let _e1390 = select(0f, _e1377.y, _e1389);
-                                            let _e1393 = (((_e1364 + 2u) - _e1362.member_1) < _e1384);
-                                            let _e1394 = select(0f, _e1377.z, _e1393);
-                                            let _e1397 = (((_e1364 + 3u) - _e1362.member_1) < _e1384);
-                                            let _e1398 = select(0f, _e1377.w, _e1397);
-                                            let _e1403 = global_7.member[((_e825 + _e826) + _e1362.member)];
-                                            let _e1408 = select(0f, _e1403.x, _e1385);
-                                            let _e1409 = select(0f, _e1403.y, _e1389);
-                                            let _e1410 = select(0f, _e1403.z, _e1393);
-                                            let _e1411 = select(0f, _e1403.w, _e1397);
-                                            let _e1417 = global_7.member[((_e825 + (2u * _e826)) + _e1362.member)];
-                                            let _e1422 = select(0f, _e1417.x, _e1385);
-                                            let _e1423 = select(0f, _e1417.y, _e1389);
-                                            let _e1424 = select(0f, _e1417.z, _e1393);
-                                            let _e1425 = select(0f, _e1417.w, _e1397);
-                                            let _e1431 = global_7.member[((_e825 + (3u * _e826)) + _e1362.member)];
-                                            let _e1436 = select(0f, _e1431.x, _e1385);
-                                            let _e1437 = select(0f, _e1431.y, _e1389);
-                                            let _e1438 = select(0f, _e1431.z, _e1393);
-                                            let _e1439 = select(0f, _e1431.w, _e1397);
-                                            let _e1443 = global_9.member[(_e821 + _e1362.member)];
-                                            let _e1448 = select(0f, _e1443.x, _e1385);
-                                            let _e1449 = select(0f, _e1443.y, _e1389);
-                                            let _e1450 = select(0f, _e1443.z, _e1393);
-                                            let _e1451 = select(0f, _e1443.w, _e1397);
-                                            let _e1455 = global_9.member[(_e822 + _e1362.member)];
-                                            let _e1460 = select(0f, _e1455.x, _e1385);
-                                            let _e1461 = select(0f, _e1455.y, _e1389);
-                                            let _e1462 = select(0f, _e1455.z, _e1393);
-                                            let _e1463 = select(0f, _e1455.w, _e1397);
-                                            let _e1467 = global_9.member[(_e823 + _e1362.member)];
-                                            let _e1472 = select(0f, _e1467.x, _e1385);
-                                            let _e1473 = select(0f, _e1467.y, _e1389);
-                                            let _e1474 = select(0f, _e1467.z, _e1393);
-                                            let _e1475 = select(0f, _e1467.w, _e1397);
-                                            let _e1479 = global_9.member[(_e824 + _e1362.member)];
-                                            let _e1484 = select(0f, _e1479.x, _e1385);
-                                            let _e1485 = select(0f, _e1479.y, _e1389);
-                                            let _e1486 = select(0f, _e1479.z, _e1393);
-                                            let _e1487 = select(0f, _e1479.w, _e1397);
-                                            local_54 = type_18(((_e1487 * _e1398) + ((_e1486 * _e1394) + ((_e1485 * _e1390) + ((_e1484 * _e1386) + _e1354.member)))), ((_e1487 * _e1411) + ((_e1486 * _e1410) + ((_e1485 * _e1409) + ((_e1484 * _e1408) + _e1354.member_1)))), ((_e1487 * _e1425) + ((_e1486 * _e1424) + ((_e1485 * _e1423) + ((_e1484 * _e1422) + _e1354.member_2)))), ((_e1487 * _e1439) + ((_e1486 * _e1438) + ((_e1485 * _e1437) + ((_e1484 * _e1436) + _e1354.member_3)))));
-                                            local_56 = type_18(((_e1475 * _e1398) + ((_e1474 * _e1394) + ((_e1473 * _e1390) + ((_e1472 * _e1386) + _e1356.member)))), ((_e1475 * _e1411) + ((_e1474 * _e1410) + ((_e1473 * _e1409) + ((_e1472 * _e1408) + _e1356.member_1)))), ((_e1475 * _e1425) + ((_e1474 * _e1424) + ((_e1473 * _e1423) + ((_e1472 * _e1422) + _e1356.member_2)))), ((_e1475 * _e1439) + ((_e1474 * _e1438) + ((_e1473 * _e1437) + ((_e1472 * _e1436) + _e1356.member_3)))));
-                                            local_58 = type_18(((_e1463 * _e1398) + ((_e1462 * _e1394) + ((_e1461 * _e1390) + ((_e1460 * _e1386) + _e1358.member)))), ((_e1463 * _e1411) + ((_e1462 * _e1410) + ((_e1461 * _e1409) + ((_e1460 * _e1408) + _e1358.member_1)))), ((_e1463 * _e1425) + ((_e1462 * _e1424) + ((_e1461 * _e1423) + ((_e1460 * _e1422) + _e1358.member_2)))), ((_e1463 * _e1439) + ((_e1462 * _e1438) + ((_e1461 * _e1437) + ((_e1460 * _e1436) + _e1358.member_3)))));
-                                            local_60 = type_18(((_e1451 * _e1398) + ((_e1450 * _e1394) + ((_e1449 * _e1390) + ((_e1448 * _e1386) + _e1360.member)))), ((_e1451 * _e1411) + ((_e1450 * _e1410) + ((_e1449 * _e1409) + ((_e1448 * _e1408) + _e1360.member_1)))), ((_e1451 * _e1425) + ((_e1450 * _e1424) + ((_e1449 * _e1423) + ((_e1448 * _e1422) + _e1360.member_2)))), ((_e1451 * _e1439) + ((_e1450 * _e1438) + ((_e1449 * _e1437) + ((_e1448 * _e1436) + _e1360.member_3)))));
-                                            local_62 = type_19((_e1362.member + 1u), _e1362.member_1, _e1362.member_2);
+                                        let _e1375 = phi_1415_;
+                                        let _e1377 = phi_1417_;
+                                        let _e1379 = phi_1419_;
+                                        let _e1381 = phi_1421_;
+                                        local_6 = _e1379;
+                                        local_7 = _e1379;
+                                        local_8 = _e1379;
+                                        local_9 = _e1379;
+                                        local_10 = _e1377;
+                                        local_11 = _e1377;
+                                        local_12 = _e1377;
+                                        local_13 = _e1377;
+                                        local_14 = _e1375;
+                                        local_15 = _e1375;
+                                        local_16 = _e1375;
+                                        local_17 = _e1375;
+                                        local_18 = _e1373;
+                                        local_19 = _e1373;
+                                        local_20 = _e1373;
+                                        local_21 = _e1373;
+                                        let _e1383 = (4u * _e1381.member);
+                                        if (_e1383 < _e1381.member_2) {
+                                            phi_1437_ = select(((_e1383 + 4u) > _e1381.member_2), true, (_e1383 < _e1381.member_1));
+                                        } else {
+                                            phi_1437_ = false;
+                                        }
+                                        let _e1392 = phi_1437_;
+                                        if _e1392 {
+                                            let _e1396 = global_7.member[(_e844 + _e1381.member)];
+                                            let _e1403 = (_e1381.member_2 - _e1381.member_1);
+                                            let _e1404 = ((_e1383 - _e1381.member_1) < _e1403);
+                                            let _e1405 = select(0f, _e1396.x, _e1404);
+                                            let _e1408 = (((_e1383 + 1u) - _e1381.member_1) < _e1403);
+                                            let _e1409 = select(0f, _e1396.y, _e1408);
+                                            let _e1412 = (((_e1383 + 2u) - _e1381.member_1) < _e1403);
+                                            let _e1413 = select(0f, _e1396.z, _e1412);
+                                            let _e1416 = (((_e1383 + 3u) - _e1381.member_1) < _e1403);
+                                            let _e1417 = select(0f, _e1396.w, _e1416);
+                                            let _e1422 = global_7.member[((_e844 + _e845) + _e1381.member)];
+                                            let _e1427 = select(0f, _e1422.x, _e1404);
+                                            let _e1428 = select(0f, _e1422.y, _e1408);
+                                            let _e1429 = select(0f, _e1422.z, _e1412);
+                                            let _e1430 = select(0f, _e1422.w, _e1416);
+                                            let _e1436 = global_7.member[((_e844 + (2u * _e845)) + _e1381.member)];
+                                            let _e1441 = select(0f, _e1436.x, _e1404);
+                                            let _e1442 = select(0f, _e1436.y, _e1408);
+                                            let _e1443 = select(0f, _e1436.z, _e1412);
+                                            let _e1444 = select(0f, _e1436.w, _e1416);
+                                            let _e1450 = global_7.member[((_e844 + (3u * _e845)) + _e1381.member)];
+                                            let _e1455 = select(0f, _e1450.x, _e1404);
+                                            let _e1456 = select(0f, _e1450.y, _e1408);
+                                            let _e1457 = select(0f, _e1450.z, _e1412);
+                                            let _e1458 = select(0f, _e1450.w, _e1416);
+                                            let _e1462 = global_9.member[(_e840 + _e1381.member)];
+                                            let _e1467 = select(0f, _e1462.x, _e1404);
+                                            let _e1468 = select(0f, _e1462.y, _e1408);
+                                            let _e1469 = select(0f, _e1462.z, _e1412);
+                                            let _e1470 = select(0f, _e1462.w, _e1416);
+                                            let _e1474 = global_9.member[(_e841 + _e1381.member)];
+                                            let _e1479 = select(0f, _e1474.x, _e1404);
+                                            let _e1480 = select(0f, _e1474.y, _e1408);
+                                            let _e1481 = select(0f, _e1474.z, _e1412);
+                                            let _e1482 = select(0f, _e1474.w, _e1416);
+                                            let _e1486 = global_9.member[(_e842 + _e1381.member)];
+                                            let _e1491 = select(0f, _e1486.x, _e1404);
+                                            let _e1492 = select(0f, _e1486.y, _e1408);
+                                            let _e1493 = select(0f, _e1486.z, _e1412);
+                                            let _e1494 = select(0f, _e1486.w, _e1416);
+                                            let _e1498 = global_9.member[(_e843 + _e1381.member)];
+                                            let _e1503 = select(0f, _e1498.x, _e1404);
+                                            let _e1504 = select(0f, _e1498.y, _e1408);
+                                            let _e1505 = select(0f, _e1498.z, _e1412);
+                                            let _e1506 = select(0f, _e1498.w, _e1416);
+                                            local_54 = type_19(((_e1506 * _e1417) + ((_e1505 * _e1413) + ((_e1504 * _e1409) + ((_e1503 * _e1405) + _e1373.member)))), ((_e1506 * _e1430) + ((_e1505 * _e1429) + ((_e1504 * _e1428) + ((_e1503 * _e1427) + _e1373.member_1)))), ((_e1506 * _e1444) + ((_e1505 * _e1443) + ((_e1504 * _e1442) + ((_e1503 * _e1441) + _e1373.member_2)))), ((_e1506 * _e1458) + ((_e1505 * _e1457) + ((_e1504 * _e1456) + ((_e1503 * _e1455) + _e1373.member_3)))));
+                                            local_56 = type_19(((_e1494 * _e1417) + ((_e1493 * _e1413) + ((_e1492 * _e1409) + ((_e1491 * _e1405) + _e1375.member)))), ((_e1494 * _e1430) + ((_e1493 * _e1429) + ((_e1492 * _e1428) + ((_e1491 * _e1427) + _e1375.member_1)))), ((_e1494 * _e1444) + ((_e1493 * _e1443) + ((_e1492 * _e1442) + ((_e1491 * _e1441) + _e1375.member_2)))), ((_e1494 * _e1458) + ((_e1493 * _e1457) + ((_e1492 * _e1456) + ((_e1491 * _e1455) + _e1375.member_3)))));
+                                            local_58 = type_19(((_e1482 * _e1417) + ((_e1481 * _e1413) + ((_e1480 * _e1409) + ((_e1479 * _e1405) + _e1377.member)))), ((_e1482 * _e1430) + ((_e1481 * _e1429) + ((_e1480 * _e1428) + ((_e1479 * _e1427) + _e1377.member_1)))), ((_e1482 * _e1444) + ((_e1481 * _e1443) + ((_e1480 * _e1442) + ((_e1479 * _e1441) + _e1377.member_2)))), ((_e1482 * _e1458) + ((_e1481 * _e1457) + ((_e1480 * _e1456) + ((_e1479 * _e1455) + _e1377.member_3)))));
+                                            local_60 = type_19(((_e1470 * _e1417) + ((_e1469 * _e1413) + ((_e1468 * _e1409) + ((_e1467 * _e1405) + _e1379.member)))), ((_e1470 * _e1430) + ((_e1469 * _e1429) + ((_e1468 * _e1428) + ((_e1467 * _e1427) + _e1379.member_1)))), ((_e1470 * _e1444) + ((_e1469 * _e1443) + ((_e1468 * _e1442) + ((_e1467 * _e1441) + _e1379.member_2)))), ((_e1470 * _e1458) + ((_e1469 * _e1457) + ((_e1468 * _e1456) + ((_e1467 * _e1455) + _e1379.member_3)))));
+                                            local_62 = type_20((_e1381.member + 1u), _e1381.member_1, _e1381.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2732 = local_54;
-                                            phi_1387_ = _e2732;
-                                            let _e2737 = local_56;
-                                            phi_1390_ = _e2737;
-                                            let _e2742 = local_58;
-                                            phi_1392_ = _e2742;
-                                            let _e2747 = local_60;
-                                            phi_1394_ = _e2747;
-                                            let _e2752 = local_62;
-                                            phi_1396_ = _e2752;
+                                            let _e2750 = local_54;
+                                            phi_1412_ = _e2750;
+                                            let _e2755 = local_56;
+                                            phi_1415_ = _e2755;
+                                            let _e2760 = local_58;
+                                            phi_1417_ = _e2760;
+                                            let _e2765 = local_60;
+                                            phi_1419_ = _e2765;
+                                            let _e2770 = local_62;
+                                            phi_1421_ = _e2770;
                                         }
                                     }
-                                    let _e1642 = local_6;
-                                    let _e1645 = local_7;
-                                    let _e1648 = local_8;
-                                    let _e1651 = local_9;
-                                    let _e1654 = local_10;
-                                    let _e1657 = local_11;
-                                    let _e1660 = local_12;
-                                    let _e1663 = local_13;
-                                    let _e1666 = local_14;
-                                    let _e1669 = local_15;
-                                    let _e1672 = local_16;
-                                    let _e1675 = local_17;
-                                    let _e1678 = local_18;
-                                    let _e1681 = local_19;
-                                    let _e1684 = local_20;
-                                    let _e1687 = local_21;
-                                    if _e186 {
-                                        let _e1693 = (4u * _e182);
-                                        let _e1694 = (4u * _e748);
-                                        let _e1695 = bitcast<u32>(_e1642.member);
-                                        let _e1698 = ((_e1695 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1698 == 0u) {
+                                    let _e1661 = local_6;
+                                    let _e1664 = local_7;
+                                    let _e1667 = local_8;
+                                    let _e1670 = local_9;
+                                    let _e1673 = local_10;
+                                    let _e1676 = local_11;
+                                    let _e1679 = local_12;
+                                    let _e1682 = local_13;
+                                    let _e1685 = local_14;
+                                    let _e1688 = local_15;
+                                    let _e1691 = local_16;
+                                    let _e1694 = local_17;
+                                    let _e1697 = local_18;
+                                    let _e1700 = local_19;
+                                    let _e1703 = local_20;
+                                    let _e1706 = local_21;
+                                    if _e205 {
+                                        let _e1712 = (4u * _e201);
+                                        let _e1713 = (4u * _e767);
+                                        let _e1714 = bitcast<u32>(_e1661.member);
+                                        let _e1717 = ((_e1714 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1717 == 0u) {
                                         } else {
-                                            let _e1701 = (_e1698 % 16u);
-                                            let _e1703 = ((_e1695 & 8388607u) | 8388608u);
-                                            let _e1706 = (_e1703 << bitcast<u32>((_e1701 & 31u)));
-                                            let _e1712 = ((_e1703 >> bitcast<u32>(((31u - _e1701) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1695 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1723_ = array<u32, 2>(_e1706, _e1712);
+                                            let _e1720 = (_e1717 % 16u);
+                                            let _e1722 = ((_e1714 & 8388607u) | 8388608u);
+                                            let _e1725 = (_e1722 << bitcast<u32>((_e1720 & 31u)));
+                                            let _e1731 = ((_e1722 >> bitcast<u32>(((31u - _e1720) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1714 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1748_ = array<u32, 2>(_e1725, _e1731);
                                             } else {
-                                                let _e1718 = (~(_e1706) + 1u);
-                                                if (_e1718 == 0u) {
-                                                    phi_1721_ = (~(_e1712) + 1u);
+                                                let _e1737 = (~(_e1725) + 1u);
+                                                if (_e1737 == 0u) {
+                                                    phi_1746_ = (~(_e1731) + 1u);
                                                 } else {
-                                                    phi_1721_ = ~(_e1712);
+                                                    phi_1746_ = ~(_e1731);
                                                 }
-                                                let _e1724 = phi_1721_;
-                                                phi_1723_ = array<u32, 2>(_e1718, _e1724);
+                                                let _e1743 = phi_1746_;
+                                                phi_1748_ = array<u32, 2>(_e1737, _e1743);
                                             }
-                                            let _e1727 = phi_1723_;
-                                            let _e1728 = (_e1698 < 255u);
-                                            if _e1728 {
-                                                phi_1729_ = _e1727;
+                                            let _e1746 = phi_1748_;
+                                            let _e1747 = (_e1717 < 255u);
+                                            if _e1747 {
+                                                phi_1754_ = _e1746;
                                             } else {
-                                                phi_1729_ = array<u32, 2>(1u, 0u);
+                                                phi_1754_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1731 = phi_1729_;
-                                            let _e1736 = (2u * ((select(16u, (_e1698 / 16u), _e1728) * _e1693) + _e1694));
-                                            let _e1739 = atomicAdd((&global_8.member[_e1736]), _e1731[0]);
-                                            let _e1743 = (_e1731[1] + select(0u, 1u, ((_e1739 + _e1731[0]) < _e1731[0])));
-                                            if (_e1743 == 0u) {
+                                            let _e1750 = phi_1754_;
+                                            let _e1755 = (2u * ((select(16u, (_e1717 / 16u), _e1747) * _e1712) + _e1713));
+                                            let _e1758 = atomicAdd((&global_8.member[_e1755]), _e1750[0]);
+                                            let _e1762 = (_e1750[1] + select(0u, 1u, ((_e1758 + _e1750[0]) < _e1750[0])));
+                                            if (_e1762 == 0u) {
                                             } else {
-                                                let _e1748 = atomicAdd((&global_8.member[(_e1736 + 1u)]), _e1743);
+                                                let _e1767 = atomicAdd((&global_8.member[(_e1755 + 1u)]), _e1762);
                                             }
                                         }
-                                        let _e1750 = bitcast<u32>(_e1645.member_1);
-                                        let _e1753 = ((_e1750 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1753 == 0u) {
+                                        let _e1769 = bitcast<u32>(_e1664.member_1);
+                                        let _e1772 = ((_e1769 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1772 == 0u) {
                                         } else {
-                                            let _e1756 = (_e1753 % 16u);
-                                            let _e1758 = ((_e1750 & 8388607u) | 8388608u);
-                                            let _e1761 = (_e1758 << bitcast<u32>((_e1756 & 31u)));
-                                            let _e1767 = ((_e1758 >> bitcast<u32>(((31u - _e1756) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1750 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1784_ = array<u32, 2>(_e1761, _e1767);
+                                            let _e1775 = (_e1772 % 16u);
+                                            let _e1777 = ((_e1769 & 8388607u) | 8388608u);
+                                            let _e1780 = (_e1777 << bitcast<u32>((_e1775 & 31u)));
+                                            let _e1786 = ((_e1777 >> bitcast<u32>(((31u - _e1775) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1769 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1809_ = array<u32, 2>(_e1780, _e1786);
                                             } else {
-                                                let _e1773 = (~(_e1761) + 1u);
-                                                if (_e1773 == 0u) {
-                                                    phi_1782_ = (~(_e1767) + 1u);
+                                                let _e1792 = (~(_e1780) + 1u);
+                                                if (_e1792 == 0u) {
+                                                    phi_1807_ = (~(_e1786) + 1u);
                                                 } else {
-                                                    phi_1782_ = ~(_e1767);
+                                                    phi_1807_ = ~(_e1786);
                                                 }
-                                                let _e1779 = phi_1782_;
-                                                phi_1784_ = array<u32, 2>(_e1773, _e1779);
+                                                let _e1798 = phi_1807_;
+                                                phi_1809_ = array<u32, 2>(_e1792, _e1798);
                                             }
-                                            let _e1782 = phi_1784_;
-                                            let _e1783 = (_e1753 < 255u);
-                                            if _e1783 {
-                                                phi_1790_ = _e1782;
+                                            let _e1801 = phi_1809_;
+                                            let _e1802 = (_e1772 < 255u);
+                                            if _e1802 {
+                                                phi_1815_ = _e1801;
                                             } else {
-                                                phi_1790_ = array<u32, 2>(1u, 0u);
+                                                phi_1815_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1786 = phi_1790_;
-                                            let _e1791 = (2u * ((select(16u, (_e1753 / 16u), _e1783) * _e1693) + (_e1694 + 1u)));
-                                            let _e1794 = atomicAdd((&global_8.member[_e1791]), _e1786[0]);
-                                            let _e1798 = (_e1786[1] + select(0u, 1u, ((_e1794 + _e1786[0]) < _e1786[0])));
-                                            if (_e1798 == 0u) {
+                                            let _e1805 = phi_1815_;
+                                            let _e1810 = (2u * ((select(16u, (_e1772 / 16u), _e1802) * _e1712) + (_e1713 + 1u)));
+                                            let _e1813 = atomicAdd((&global_8.member[_e1810]), _e1805[0]);
+                                            let _e1817 = (_e1805[1] + select(0u, 1u, ((_e1813 + _e1805[0]) < _e1805[0])));
+                                            if (_e1817 == 0u) {
                                             } else {
-                                                let _e1803 = atomicAdd((&global_8.member[(_e1791 + 1u)]), _e1798);
+                                                let _e1822 = atomicAdd((&global_8.member[(_e1810 + 1u)]), _e1817);
                                             }
                                         }
-                                        let _e1805 = bitcast<u32>(_e1648.member_2);
-                                        let _e1808 = ((_e1805 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1808 == 0u) {
+                                        let _e1824 = bitcast<u32>(_e1667.member_2);
+                                        let _e1827 = ((_e1824 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1827 == 0u) {
                                         } else {
-                                            let _e1811 = (_e1808 % 16u);
-                                            let _e1813 = ((_e1805 & 8388607u) | 8388608u);
-                                            let _e1816 = (_e1813 << bitcast<u32>((_e1811 & 31u)));
-                                            let _e1822 = ((_e1813 >> bitcast<u32>(((31u - _e1811) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1805 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1845_ = array<u32, 2>(_e1816, _e1822);
+                                            let _e1830 = (_e1827 % 16u);
+                                            let _e1832 = ((_e1824 & 8388607u) | 8388608u);
+                                            let _e1835 = (_e1832 << bitcast<u32>((_e1830 & 31u)));
+                                            let _e1841 = ((_e1832 >> bitcast<u32>(((31u - _e1830) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1824 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1870_ = array<u32, 2>(_e1835, _e1841);
                                             } else {
-                                                let _e1828 = (~(_e1816) + 1u);
-                                                if (_e1828 == 0u) {
-                                                    phi_1843_ = (~(_e1822) + 1u);
+                                                let _e1847 = (~(_e1835) + 1u);
+                                                if (_e1847 == 0u) {
+                                                    phi_1868_ = (~(_e1841) + 1u);
                                                 } else {
-                                                    phi_1843_ = ~(_e1822);
+                                                    phi_1868_ = ~(_e1841);
                                                 }
-                                                let _e1834 = phi_1843_;
-                                                phi_1845_ = array<u32, 2>(_e1828, _e1834);
+                                                let _e1853 = phi_1868_;
+                                                phi_1870_ = array<u32, 2>(_e1847, _e1853);
                                             }
-                                            let _e1837 = phi_1845_;
-                                            let _e1838 = (_e1808 < 255u);
-                                            if _e1838 {
-                                                phi_1851_ = _e1837;
+                                            let _e1856 = phi_1870_;
+                                            let _e1857 = (_e1827 < 255u);
+                                            if _e1857 {
+                                                phi_1876_ = _e1856;
                                             } else {
-                                                phi_1851_ = array<u32, 2>(1u, 0u);
+                                                phi_1876_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1841 = phi_1851_;
-                                            let _e1846 = (2u * ((select(16u, (_e1808 / 16u), _e1838) * _e1693) + (_e1694 + 2u)));
-                                            let _e1849 = atomicAdd((&global_8.member[_e1846]), _e1841[0]);
-                                            let _e1853 = (_e1841[1] + select(0u, 1u, ((_e1849 + _e1841[0]) < _e1841[0])));
-                                            if (_e1853 == 0u) {
+                                            let _e1860 = phi_1876_;
+                                            let _e1865 = (2u * ((select(16u, (_e1827 / 16u), _e1857) * _e1712) + (_e1713 + 2u)));
+                                            let _e1868 = atomicAdd((&global_8.member[_e1865]), _e1860[0]);
+                                            let _e1872 = (_e1860[1] + select(0u, 1u, ((_e1868 + _e1860[0]) < _e1860[0])));
+                                            if (_e1872 == 0u) {
                                             } else {
-                                                let _e1858 = atomicAdd((&global_8.member[(_e1846 + 1u)]), _e1853);
+                                                let _e1877 = atomicAdd((&global_8.member[(_e1865 + 1u)]), _e1872);
                                             }
                                         }
-                                        let _e1860 = bitcast<u32>(_e1651.member_3);
-                                        let _e1863 = ((_e1860 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1863 == 0u) {
+                                        let _e1879 = bitcast<u32>(_e1670.member_3);
+                                        let _e1882 = ((_e1879 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1882 == 0u) {
                                         } else {
-                                            let _e1866 = (_e1863 % 16u);
-                                            let _e1868 = ((_e1860 & 8388607u) | 8388608u);
-                                            let _e1871 = (_e1868 << bitcast<u32>((_e1866 & 31u)));
-                                            let _e1877 = ((_e1868 >> bitcast<u32>(((31u - _e1866) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1860 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1906_ = array<u32, 2>(_e1871, _e1877);
+                                            let _e1885 = (_e1882 % 16u);
+                                            let _e1887 = ((_e1879 & 8388607u) | 8388608u);
+                                            let _e1890 = (_e1887 << bitcast<u32>((_e1885 & 31u)));
+                                            let _e1896 = ((_e1887 >> bitcast<u32>(((31u - _e1885) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1879 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1931_ = array<u32, 2>(_e1890, _e1896);
                                             } else {
-                                                let _e1883 = (~(_e1871) + 1u);
-                                                if (_e1883 == 0u) {
-                                                    phi_1904_ = (~(_e1877) + 1u);
+                                                let _e1902 = (~(_e1890) + 1u);
+                                                if (_e1902 == 0u) {
+                                                    phi_1929_ = (~(_e1896) + 1u);
                                                 } else {
-                                                    phi_1904_ = ~(_e1877);
+                                                    phi_1929_ = ~(_e1896);
                                                 }
-                                                let _e1889 = phi_1904_;
-                                                phi_1906_ = array<u32, 2>(_e1883, _e1889);
+                                                let _e1908 = phi_1929_;
+                                                phi_1931_ = array<u32, 2>(_e1902, _e1908);
                                             }
-                                            let _e1892 = phi_1906_;
-                                            let _e1893 = (_e1863 < 255u);
-                                            if _e1893 {
-                                                phi_1912_ = _e1892;
+                                            let _e1911 = phi_1931_;
+                                            let _e1912 = (_e1882 < 255u);
+                                            if _e1912 {
+                                                phi_1937_ = _e1911;
                                             } else {
-                                                phi_1912_ = array<u32, 2>(1u, 0u);
+                                                phi_1937_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1896 = phi_1912_;
-                                            let _e1901 = (2u * ((select(16u, (_e1863 / 16u), _e1893) * _e1693) + (_e1694 + 3u)));
-                                            let _e1904 = atomicAdd((&global_8.member[_e1901]), _e1896[0]);
-                                            let _e1908 = (_e1896[1] + select(0u, 1u, ((_e1904 + _e1896[0]) < _e1896[0])));
-                                            if (_e1908 == 0u) {
+                                            let _e1915 = phi_1937_;
+                                            let _e1920 = (2u * ((select(16u, (_e1882 / 16u), _e1912) * _e1712) + (_e1713 + 3u)));
+                                            let _e1923 = atomicAdd((&global_8.member[_e1920]), _e1915[0]);
+                                            let _e1927 = (_e1915[1] + select(0u, 1u, ((_e1923 + _e1915[0]) < _e1915[0])));
+                                            if (_e1927 == 0u) {
                                             } else {
-                                                let _e1913 = atomicAdd((&global_8.member[(_e1901 + 1u)]), _e1908);
+                                                let _e1932 = atomicAdd((&global_8.member[(_e1920 + 1u)]), _e1927);
                                             }
                                         }
                                     } else {
-                                        global_6.member[(_e185 + _e748)] = vec4<f32>(_e1642.member, _e1645.member_1, _e1648.member_2, _e1651.member_3);
+                                        global_6.member[(_e204 + _e767)] = vec4<f32>(_e1661.member, _e1664.member_1, _e1667.member_2, _e1670.member_3);
                                     }
-                                    if (_e767 < _e58) {
-                                        if _e186 {
-                                            let _e1919 = (4u * _e182);
-                                            let _e1920 = (4u * _e753);
-                                            let _e1921 = bitcast<u32>(_e1654.member);
-                                            let _e1924 = ((_e1921 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1924 == 0u) {
+                                    if (_e786 < _e59) {
+                                        if _e205 {
+                                            let _e1938 = (4u * _e201);
+                                            let _e1939 = (4u * _e772);
+                                            let _e1940 = bitcast<u32>(_e1673.member);
+                                            let _e1943 = ((_e1940 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1943 == 0u) {
                                             } else {
-                                                let _e1927 = (_e1924 % 16u);
-                                                let _e1929 = ((_e1921 & 8388607u) | 8388608u);
-                                                let _e1932 = (_e1929 << bitcast<u32>((_e1927 & 31u)));
-                                                let _e1938 = ((_e1929 >> bitcast<u32>(((31u - _e1927) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1921 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1978_ = array<u32, 2>(_e1932, _e1938);
+                                                let _e1946 = (_e1943 % 16u);
+                                                let _e1948 = ((_e1940 & 8388607u) | 8388608u);
+                                                let _e1951 = (_e1948 << bitcast<u32>((_e1946 & 31u)));
+                                                let _e1957 = ((_e1948 >> bitcast<u32>(((31u - _e1946) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1940 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2003_ = array<u32, 2>(_e1951, _e1957);
                                                 } else {
-                                                    let _e1944 = (~(_e1932) + 1u);
-                                                    if (_e1944 == 0u) {
-                                                        phi_1976_ = (~(_e1938) + 1u);
+                                                    let _e1963 = (~(_e1951) + 1u);
+                                                    if (_e1963 == 0u) {
+                                                        phi_2001_ = (~(_e1957) + 1u);
                                                     } else {
-                                                        phi_1976_ = ~(_e1938);
+                                                        phi_2001_ = ~(_e1957);
                                                     }
-                                                    let _e1950 = phi_1976_;
-                                                    phi_1978_ = array<u32, 2>(_e1944, _e1950);
+                                                    let _e1969 = phi_2001_;
+                                                    phi_2003_ = array<u32, 2>(_e1963, _e1969);
                                                 }
-                                                let _e1953 = phi_1978_;
-                                                let _e1954 = (_e1924 < 255u);
-                                                if _e1954 {
-                                                    phi_1984_ = _e1953;
+                                                let _e1972 = phi_2003_;
+                                                let _e1973 = (_e1943 < 255u);
+                                                if _e1973 {
+                                                    phi_2009_ = _e1972;
                                                 } else {
-                                                    phi_1984_ = array<u32, 2>(1u, 0u);
+                                                    phi_2009_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1957 = phi_1984_;
-                                                let _e1962 = (2u * ((select(16u, (_e1924 / 16u), _e1954) * _e1919) + _e1920));
-                                                let _e1965 = atomicAdd((&global_8.member[_e1962]), _e1957[0]);
-                                                let _e1969 = (_e1957[1] + select(0u, 1u, ((_e1965 + _e1957[0]) < _e1957[0])));
-                                                if (_e1969 == 0u) {
+                                                let _e1976 = phi_2009_;
+                                                let _e1981 = (2u * ((select(16u, (_e1943 / 16u), _e1973) * _e1938) + _e1939));
+                                                let _e1984 = atomicAdd((&global_8.member[_e1981]), _e1976[0]);
+                                                let _e1988 = (_e1976[1] + select(0u, 1u, ((_e1984 + _e1976[0]) < _e1976[0])));
+                                                if (_e1988 == 0u) {
                                                 } else {
-                                                    let _e1974 = atomicAdd((&global_8.member[(_e1962 + 1u)]), _e1969);
+                                                    let _e1993 = atomicAdd((&global_8.member[(_e1981 + 1u)]), _e1988);
                                                 }
                                             }
-                                            let _e1976 = bitcast<u32>(_e1657.member_1);
-                                            let _e1979 = ((_e1976 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1979 == 0u) {
+                                            let _e1995 = bitcast<u32>(_e1676.member_1);
+                                            let _e1998 = ((_e1995 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1998 == 0u) {
                                             } else {
-                                                let _e1982 = (_e1979 % 16u);
-                                                let _e1984 = ((_e1976 & 8388607u) | 8388608u);
-                                                let _e1987 = (_e1984 << bitcast<u32>((_e1982 & 31u)));
-                                                let _e1993 = ((_e1984 >> bitcast<u32>(((31u - _e1982) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1976 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2039_ = array<u32, 2>(_e1987, _e1993);
+                                                let _e2001 = (_e1998 % 16u);
+                                                let _e2003 = ((_e1995 & 8388607u) | 8388608u);
+                                                let _e2006 = (_e2003 << bitcast<u32>((_e2001 & 31u)));
+                                                let _e2012 = ((_e2003 >> bitcast<u32>(((31u - _e2001) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1995 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2064_ = array<u32, 2>(_e2006, _e2012);
                                                 } else {
-                                                    let _e1999 = (~(_e1987) + 1u);
-                                                    if (_e1999 == 0u) {
-                                                        phi_2037_ = (~(_e1993) + 1u);
+                                                    let _e2018 = (~(_e2006) + 1u);
+                                                    if (_e2018 == 0u) {
+                                                        phi_2062_ = (~(_e2012) + 1u);
                                                     } else {
-                                                        phi_2037_ = ~(_e1993);
+                                                        phi_2062_ = ~(_e2012);
                                                     }
-                                                    let _e2005 = phi_2037_;
-                                                    phi_2039_ = array<u32, 2>(_e1999, _e2005);
+                                                    let _e2024 = phi_2062_;
+                                                    phi_2064_ = array<u32, 2>(_e2018, _e2024);
                                                 }
-                                                let _e2008 = phi_2039_;
-                                                let _e2009 = (_e1979 < 255u);
-                                                if _e2009 {
-                                                    phi_2045_ = _e2008;
+                                                let _e2027 = phi_2064_;
+                                                let _e2028 = (_e1998 < 255u);
+                                                if _e2028 {
+                                                    phi_2070_ = _e2027;
                                                 } else {
-                                                    phi_2045_ = array<u32, 2>(1u, 0u);
+                                                    phi_2070_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2012 = phi_2045_;
-                                                let _e2017 = (2u * ((select(16u, (_e1979 / 16u), _e2009) * _e1919) + (_e1920 + 1u)));
-                                                let _e2020 = atomicAdd((&global_8.member[_e2017]), _e2012[0]);
-                                                let _e2024 = (_e2012[1] + select(0u, 1u, ((_e2020 + _e2012[0]) < _e2012[0])));
-                                                if (_e2024 == 0u) {
+                                                let _e2031 = phi_2070_;
+                                                let _e2036 = (2u * ((select(16u, (_e1998 / 16u), _e2028) * _e1938) + (_e1939 + 1u)));
+                                                let _e2039 = atomicAdd((&global_8.member[_e2036]), _e2031[0]);
+                                                let _e2043 = (_e2031[1] + select(0u, 1u, ((_e2039 + _e2031[0]) < _e2031[0])));
+                                                if (_e2043 == 0u) {
                                                 } else {
-                                                    let _e2029 = atomicAdd((&global_8.member[(_e2017 + 1u)]), _e2024);
+                                                    let _e2048 = atomicAdd((&global_8.member[(_e2036 + 1u)]), _e2043);
                                                 }
                                             }
-                                            let _e2031 = bitcast<u32>(_e1660.member_2);
-                                            let _e2034 = ((_e2031 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2034 == 0u) {
+                                            let _e2050 = bitcast<u32>(_e1679.member_2);
+                                            let _e2053 = ((_e2050 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2053 == 0u) {
                                             } else {
-                                                let _e2037 = (_e2034 % 16u);
-                                                let _e2039 = ((_e2031 & 8388607u) | 8388608u);
-                                                let _e2042 = (_e2039 << bitcast<u32>((_e2037 & 31u)));
-                                                let _e2048 = ((_e2039 >> bitcast<u32>(((31u - _e2037) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2031 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2100_ = array<u32, 2>(_e2042, _e2048);
+                                                let _e2056 = (_e2053 % 16u);
+                                                let _e2058 = ((_e2050 & 8388607u) | 8388608u);
+                                                let _e2061 = (_e2058 << bitcast<u32>((_e2056 & 31u)));
+                                                let _e2067 = ((_e2058 >> bitcast<u32>(((31u - _e2056) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2050 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2125_ = array<u32, 2>(_e2061, _e2067);
                                                 } else {
-                                                    let _e2054 = (~(_e2042) + 1u);
-                                                    if (_e2054 == 0u) {
-                                                        phi_2098_ = (~(_e2048) + 1u);
+                                                    let _e2073 = (~(_e2061) + 1u);
+                                                    if (_e2073 == 0u) {
+                                                        phi_2123_ = (~(_e2067) + 1u);
                                                     } else {
-                                                        phi_2098_ = ~(_e2048);
+                                                        phi_2123_ = ~(_e2067);
                                                     }
-                                                    let _e2060 = phi_2098_;
-                                                    phi_2100_ = array<u32, 2>(_e2054, _e2060);
+                                                    let _e2079 = phi_2123_;
+                                                    phi_2125_ = array<u32, 2>(_e2073, _e2079);
                                                 }
-                                                let _e2063 = phi_2100_;
-                                                let _e2064 = (_e2034 < 255u);
-                                                if _e2064 {
-                                                    phi_2106_ = _e2063;
+                                                let _e2082 = phi_2125_;
+                                                let _e2083 = (_e2053 < 255u);
+                                                if _e2083 {
+                                                    phi_2131_ = _e2082;
                                                 } else {
-                                                    phi_2106_ = array<u32, 2>(1u, 0u);
+                                                    phi_2131_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2067 = phi_2106_;
-                                                let _e2072 = (2u * ((select(16u, (_e2034 / 16u), _e2064) * _e1919) + (_e1920 + 2u)));
-                                                let _e2075 = atomicAdd((&global_8.member[_e2072]), _e2067[0]);
-                                                let _e2079 = (_e2067[1] + select(0u, 1u, ((_e2075 + _e2067[0]) < _e2067[0])));
-                                                if (_e2079 == 0u) {
+                                                let _e2086 = phi_2131_;
+                                                let _e2091 = (2u * ((select(16u, (_e2053 / 16u), _e2083) * _e1938) + (_e1939 + 2u)));
+                                                let _e2094 = atomicAdd((&global_8.member[_e2091]), _e2086[0]);
+                                                let _e2098 = (_e2086[1] + select(0u, 1u, ((_e2094 + _e2086[0]) < _e2086[0])));
+                                                if (_e2098 == 0u) {
                                                 } else {
-                                                    let _e2084 = atomicAdd((&global_8.member[(_e2072 + 1u)]), _e2079);
+                                                    let _e2103 = atomicAdd((&global_8.member[(_e2091 + 1u)]), _e2098);
                                                 }
                                             }
-                                            let _e2086 = bitcast<u32>(_e1663.member_3);
-                                            let _e2089 = ((_e2086 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2089 == 0u) {
+                                            let _e2105 = bitcast<u32>(_e1682.member_3);
+                                            let _e2108 = ((_e2105 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2108 == 0u) {
                                             } else {
-                                                let _e2092 = (_e2089 % 16u);
-                                                let _e2094 = ((_e2086 & 8388607u) | 8388608u);
-                                                let _e2097 = (_e2094 << bitcast<u32>((_e2092 & 31u)));
-                                                let _e2103 = ((_e2094 >> bitcast<u32>(((31u - _e2092) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2086 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2161_ = array<u32, 2>(_e2097, _e2103);
+                                                let _e2111 = (_e2108 % 16u);
+                                                let _e2113 = ((_e2105 & 8388607u) | 8388608u);
+                                                let _e2116 = (_e2113 << bitcast<u32>((_e2111 & 31u)));
+                                                let _e2122 = ((_e2113 >> bitcast<u32>(((31u - _e2111) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2105 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2186_ = array<u32, 2>(_e2116, _e2122);
                                                 } else {
-                                                    let _e2109 = (~(_e2097) + 1u);
-                                                    if (_e2109 == 0u) {
-                                                        phi_2159_ = (~(_e2103) + 1u);
+                                                    let _e2128 = (~(_e2116) + 1u);
+                                                    if (_e2128 == 0u) {
+                                                        phi_2184_ = (~(_e2122) + 1u);
                                                     } else {
-                                                        phi_2159_ = ~(_e2103);
+                                                        phi_2184_ = ~(_e2122);
                                                     }
-                                                    let _e2115 = phi_2159_;
-                                                    phi_2161_ = array<u32, 2>(_e2109, _e2115);
+                                                    let _e2134 = phi_2184_;
+                                                    phi_2186_ = array<u32, 2>(_e2128, _e2134);
                                                 }
-                                                let _e2118 = phi_2161_;
-                                                let _e2119 = (_e2089 < 255u);
-                                                if _e2119 {
-                                                    phi_2167_ = _e2118;
+                                                let _e2137 = phi_2186_;
+                                                let _e2138 = (_e2108 < 255u);
+                                                if _e2138 {
+                                                    phi_2192_ = _e2137;
                                                 } else {
-                                                    phi_2167_ = array<u32, 2>(1u, 0u);
+                                                    phi_2192_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2122 = phi_2167_;
-                                                let _e2127 = (2u * ((select(16u, (_e2089 / 16u), _e2119) * _e1919) + (_e1920 + 3u)));
-                                                let _e2130 = atomicAdd((&global_8.member[_e2127]), _e2122[0]);
-                                                let _e2134 = (_e2122[1] + select(0u, 1u, ((_e2130 + _e2122[0]) < _e2122[0])));
-                                                if (_e2134 == 0u) {
+                                                let _e2141 = phi_2192_;
+                                                let _e2146 = (2u * ((select(16u, (_e2108 / 16u), _e2138) * _e1938) + (_e1939 + 3u)));
+                                                let _e2149 = atomicAdd((&global_8.member[_e2146]), _e2141[0]);
+                                                let _e2153 = (_e2141[1] + select(0u, 1u, ((_e2149 + _e2141[0]) < _e2141[0])));
+                                                if (_e2153 == 0u) {
                                                 } else {
-                                                    let _e2139 = atomicAdd((&global_8.member[(_e2127 + 1u)]), _e2134);
+                                                    let _e2158 = atomicAdd((&global_8.member[(_e2146 + 1u)]), _e2153);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e753)] = vec4<f32>(_e1654.member, _e1657.member_1, _e1660.member_2, _e1663.member_3);
+                                            global_6.member[(_e204 + _e772)] = vec4<f32>(_e1673.member, _e1676.member_1, _e1679.member_2, _e1682.member_3);
                                         }
                                     }
-                                    if (_e771 < _e58) {
-                                        if _e186 {
-                                            let _e2145 = (4u * _e182);
-                                            let _e2146 = (4u * _e757);
-                                            let _e2147 = bitcast<u32>(_e1666.member);
-                                            let _e2150 = ((_e2147 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2150 == 0u) {
+                                    if (_e790 < _e59) {
+                                        if _e205 {
+                                            let _e2164 = (4u * _e201);
+                                            let _e2165 = (4u * _e776);
+                                            let _e2166 = bitcast<u32>(_e1685.member);
+                                            let _e2169 = ((_e2166 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2169 == 0u) {
                                             } else {
-                                                let _e2153 = (_e2150 % 16u);
-                                                let _e2155 = ((_e2147 & 8388607u) | 8388608u);
-                                                let _e2158 = (_e2155 << bitcast<u32>((_e2153 & 31u)));
-                                                let _e2164 = ((_e2155 >> bitcast<u32>(((31u - _e2153) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2147 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2233_ = array<u32, 2>(_e2158, _e2164);
+                                                let _e2172 = (_e2169 % 16u);
+                                                let _e2174 = ((_e2166 & 8388607u) | 8388608u);
+                                                let _e2177 = (_e2174 << bitcast<u32>((_e2172 & 31u)));
+                                                let _e2183 = ((_e2174 >> bitcast<u32>(((31u - _e2172) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2166 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2258_ = array<u32, 2>(_e2177, _e2183);
                                                 } else {
-                                                    let _e2170 = (~(_e2158) + 1u);
-                                                    if (_e2170 == 0u) {
-                                                        phi_2231_ = (~(_e2164) + 1u);
+                                                    let _e2189 = (~(_e2177) + 1u);
+                                                    if (_e2189 == 0u) {
+                                                        phi_2256_ = (~(_e2183) + 1u);
                                                     } else {
-                                                        phi_2231_ = ~(_e2164);
+                                                        phi_2256_ = ~(_e2183);
                                                     }
-                                                    let _e2176 = phi_2231_;
-                                                    phi_2233_ = array<u32, 2>(_e2170, _e2176);
+                                                    let _e2195 = phi_2256_;
+                                                    phi_2258_ = array<u32, 2>(_e2189, _e2195);
                                                 }
-                                                let _e2179 = phi_2233_;
-                                                let _e2180 = (_e2150 < 255u);
-                                                if _e2180 {
-                                                    phi_2239_ = _e2179;
+                                                let _e2198 = phi_2258_;
+                                                let _e2199 = (_e2169 < 255u);
+                                                if _e2199 {
+                                                    phi_2264_ = _e2198;
                                                 } else {
-                                                    phi_2239_ = array<u32, 2>(1u, 0u);
+                                                    phi_2264_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2183 = phi_2239_;
-                                                let _e2188 = (2u * ((select(16u, (_e2150 / 16u), _e2180) * _e2145) + _e2146));
-                                                let _e2191 = atomicAdd((&global_8.member[_e2188]), _e2183[0]);
-                                                let _e2195 = (_e2183[1] + select(0u, 1u, ((_e2191 + _e2183[0]) < _e2183[0])));
-                                                if (_e2195 == 0u) {
+                                                let _e2202 = phi_2264_;
+                                                let _e2207 = (2u * ((select(16u, (_e2169 / 16u), _e2199) * _e2164) + _e2165));
+                                                let _e2210 = atomicAdd((&global_8.member[_e2207]), _e2202[0]);
+                                                let _e2214 = (_e2202[1] + select(0u, 1u, ((_e2210 + _e2202[0]) < _e2202[0])));
+                                                if (_e2214 == 0u) {
                                                 } else {
-                                                    let _e2200 = atomicAdd((&global_8.member[(_e2188 + 1u)]), _e2195);
+                                                    let _e2219 = atomicAdd((&global_8.member[(_e2207 + 1u)]), _e2214);
                                                 }
                                             }
-                                            let _e2202 = bitcast<u32>(_e1669.member_1);
-                                            let _e2205 = ((_e2202 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2205 == 0u) {
+                                            let _e2221 = bitcast<u32>(_e1688.member_1);
+                                            let _e2224 = ((_e2221 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2224 == 0u) {
                                             } else {
-                                                let _e2208 = (_e2205 % 16u);
-                                                let _e2210 = ((_e2202 & 8388607u) | 8388608u);
-                                                let _e2213 = (_e2210 << bitcast<u32>((_e2208 & 31u)));
-                                                let _e2219 = ((_e2210 >> bitcast<u32>(((31u - _e2208) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2202 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2294_ = array<u32, 2>(_e2213, _e2219);
+                                                let _e2227 = (_e2224 % 16u);
+                                                let _e2229 = ((_e2221 & 8388607u) | 8388608u);
+                                                let _e2232 = (_e2229 << bitcast<u32>((_e2227 & 31u)));
+                                                let _e2238 = ((_e2229 >> bitcast<u32>(((31u - _e2227) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2221 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2319_ = array<u32, 2>(_e2232, _e2238);
                                                 } else {
-                                                    let _e2225 = (~(_e2213) + 1u);
-                                                    if (_e2225 == 0u) {
-                                                        phi_2292_ = (~(_e2219) + 1u);
+                                                    let _e2244 = (~(_e2232) + 1u);
+                                                    if (_e2244 == 0u) {
+                                                        phi_2317_ = (~(_e2238) + 1u);
                                                     } else {
-                                                        phi_2292_ = ~(_e2219);
+                                                        phi_2317_ = ~(_e2238);
                                                     }
-                                                    let _e2231 = phi_2292_;
-                                                    phi_2294_ = array<u32, 2>(_e2225, _e2231);
+                                                    let _e2250 = phi_2317_;
+                                                    phi_2319_ = array<u32, 2>(_e2244, _e2250);
                                                 }
-                                                let _e2234 = phi_2294_;
-                                                let _e2235 = (_e2205 < 255u);
-                                                if _e2235 {
-                                                    phi_2300_ = _e2234;
+                                                let _e2253 = phi_2319_;
+                                                let _e2254 = (_e2224 < 255u);
+                                                if _e2254 {
+                                                    phi_2325_ = _e2253;
                                                 } else {
-                                                    phi_2300_ = array<u32, 2>(1u, 0u);
+                                                    phi_2325_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2238 = phi_2300_;
-                                                let _e2243 = (2u * ((select(16u, (_e2205 / 16u), _e2235) * _e2145) + (_e2146 + 1u)));
-                                                let _e2246 = atomicAdd((&global_8.member[_e2243]), _e2238[0]);
-                                                let _e2250 = (_e2238[1] + select(0u, 1u, ((_e2246 + _e2238[0]) < _e2238[0])));
-                                                if (_e2250 == 0u) {
+                                                let _e2257 = phi_2325_;
+                                                let _e2262 = (2u * ((select(16u, (_e2224 / 16u), _e2254) * _e2164) + (_e2165 + 1u)));
+                                                let _e2265 = atomicAdd((&global_8.member[_e2262]), _e2257[0]);
+                                                let _e2269 = (_e2257[1] + select(0u, 1u, ((_e2265 + _e2257[0]) < _e2257[0])));
+                                                if (_e2269 == 0u) {
                                                 } else {
-                                                    let _e2255 = atomicAdd((&global_8.member[(_e2243 + 1u)]), _e2250);
+                                                    let _e2274 = atomicAdd((&global_8.member[(_e2262 + 1u)]), _e2269);
                                                 }
                                             }
-                                            let _e2257 = bitcast<u32>(_e1672.member_2);
-                                            let _e2260 = ((_e2257 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2260 == 0u) {
+                                            let _e2276 = bitcast<u32>(_e1691.member_2);
+                                            let _e2279 = ((_e2276 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2279 == 0u) {
                                             } else {
-                                                let _e2263 = (_e2260 % 16u);
-                                                let _e2265 = ((_e2257 & 8388607u) | 8388608u);
-                                                let _e2268 = (_e2265 << bitcast<u32>((_e2263 & 31u)));
-                                                let _e2274 = ((_e2265 >> bitcast<u32>(((31u - _e2263) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2257 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2355_ = array<u32, 2>(_e2268, _e2274);
+                                                let _e2282 = (_e2279 % 16u);
+                                                let _e2284 = ((_e2276 & 8388607u) | 8388608u);
+                                                let _e2287 = (_e2284 << bitcast<u32>((_e2282 & 31u)));
+                                                let _e2293 = ((_e2284 >> bitcast<u32>(((31u - _e2282) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2276 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2380_ = array<u32, 2>(_e2287, _e2293);
                                                 } else {
-                                                    let _e2280 = (~(_e2268) + 1u);
-                                                    if (_e2280 == 0u) {
-                                                        phi_2353_ = (~(_e2274) + 1u);
+                                                    let _e2299 = (~(_e2287) + 1u);
+                                                    if (_e2299 == 0u) {
+                                                        phi_2378_ = (~(_e2293) + 1u);
                                                     } else {
-                                                        phi_2353_ = ~(_e2274);
+                                                        phi_2378_ = ~(_e2293);
                                                     }
-                                                    let _e2286 = phi_2353_;
-                                                    phi_2355_ = array<u32, 2>(_e2280, _e2286);
+                                                    let _e2305 = phi_2378_;
+                                                    phi_2380_ = array<u32, 2>(_e2299, _e2305);
                                                 }
-                                                let _e2289 = phi_2355_;
-                                                let _e2290 = (_e2260 < 255u);
-                                                if _e2290 {
-                                                    phi_2361_ = _e2289;
+                                                let _e2308 = phi_2380_;
+                                                let _e2309 = (_e2279 < 255u);
+                                                if _e2309 {
+                                                    phi_2386_ = _e2308;
                                                 } else {
-                                                    phi_2361_ = array<u32, 2>(1u, 0u);
+                                                    phi_2386_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2293 = phi_2361_;
-                                                let _e2298 = (2u * ((select(16u, (_e2260 / 16u), _e2290) * _e2145) + (_e2146 + 2u)));
-                                                let _e2301 = atomicAdd((&global_8.member[_e2298]), _e2293[0]);
-                                                let _e2305 = (_e2293[1] + select(0u, 1u, ((_e2301 + _e2293[0]) < _e2293[0])));
-                                                if (_e2305 == 0u) {
+                                                let _e2312 = phi_2386_;
+                                                let _e2317 = (2u * ((select(16u, (_e2279 / 16u), _e2309) * _e2164) + (_e2165 + 2u)));
+                                                let _e2320 = atomicAdd((&global_8.member[_e2317]), _e2312[0]);
+                                                let _e2324 = (_e2312[1] + select(0u, 1u, ((_e2320 + _e2312[0]) < _e2312[0])));
+                                                if (_e2324 == 0u) {
                                                 } else {
-                                                    let _e2310 = atomicAdd((&global_8.member[(_e2298 + 1u)]), _e2305);
+                                                    let _e2329 = atomicAdd((&global_8.member[(_e2317 + 1u)]), _e2324);
                                                 }
                                             }
-                                            let _e2312 = bitcast<u32>(_e1675.member_3);
-                                            let _e2315 = ((_e2312 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2315 == 0u) {
+                                            let _e2331 = bitcast<u32>(_e1694.member_3);
+                                            let _e2334 = ((_e2331 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2334 == 0u) {
                                             } else {
-                                                let _e2318 = (_e2315 % 16u);
-                                                let _e2320 = ((_e2312 & 8388607u) | 8388608u);
-                                                let _e2323 = (_e2320 << bitcast<u32>((_e2318 & 31u)));
-                                                let _e2329 = ((_e2320 >> bitcast<u32>(((31u - _e2318) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2312 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2416_ = array<u32, 2>(_e2323, _e2329);
+                                                let _e2337 = (_e2334 % 16u);
+                                                let _e2339 = ((_e2331 & 8388607u) | 8388608u);
+                                                let _e2342 = (_e2339 << bitcast<u32>((_e2337 & 31u)));
+                                                let _e2348 = ((_e2339 >> bitcast<u32>(((31u - _e2337) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2331 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2441_ = array<u32, 2>(_e2342, _e2348);
                                                 } else {
-                                                    let _e2335 = (~(_e2323) + 1u);
-                                                    if (_e2335 == 0u) {
-                                                        phi_2414_ = (~(_e2329) + 1u);
+                                                    let _e2354 = (~(_e2342) + 1u);
+                                                    if (_e2354 == 0u) {
+                                                        phi_2439_ = (~(_e2348) + 1u);
                                                     } else {
-                                                        phi_2414_ = ~(_e2329);
+                                                        phi_2439_ = ~(_e2348);
                                                     }
-                                                    let _e2341 = phi_2414_;
-                                                    phi_2416_ = array<u32, 2>(_e2335, _e2341);
+                                                    let _e2360 = phi_2439_;
+                                                    phi_2441_ = array<u32, 2>(_e2354, _e2360);
                                                 }
-                                                let _e2344 = phi_2416_;
-                                                let _e2345 = (_e2315 < 255u);
-                                                if _e2345 {
-                                                    phi_2422_ = _e2344;
+                                                let _e2363 = phi_2441_;
+                                                let _e2364 = (_e2334 < 255u);
+                                                if _e2364 {
+                                                    phi_2447_ = _e2363;
                                                 } else {
-                                                    phi_2422_ = array<u32, 2>(1u, 0u);
+                                                    phi_2447_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2348 = phi_2422_;
-                                                let _e2353 = (2u * ((select(16u, (_e2315 / 16u), _e2345) * _e2145) + (_e2146 + 3u)));
-                                                let _e2356 = atomicAdd((&global_8.member[_e2353]), _e2348[0]);
-                                                let _e2360 = (_e2348[1] + select(0u, 1u, ((_e2356 + _e2348[0]) < _e2348[0])));
-                                                if (_e2360 == 0u) {
+                                                let _e2367 = phi_2447_;
+                                                let _e2372 = (2u * ((select(16u, (_e2334 / 16u), _e2364) * _e2164) + (_e2165 + 3u)));
+                                                let _e2375 = atomicAdd((&global_8.member[_e2372]), _e2367[0]);
+                                                let _e2379 = (_e2367[1] + select(0u, 1u, ((_e2375 + _e2367[0]) < _e2367[0])));
+                                                if (_e2379 == 0u) {
                                                 } else {
-                                                    let _e2365 = atomicAdd((&global_8.member[(_e2353 + 1u)]), _e2360);
+                                                    let _e2384 = atomicAdd((&global_8.member[(_e2372 + 1u)]), _e2379);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e757)] = vec4<f32>(_e1666.member, _e1669.member_1, _e1672.member_2, _e1675.member_3);
+                                            global_6.member[(_e204 + _e776)] = vec4<f32>(_e1685.member, _e1688.member_1, _e1691.member_2, _e1694.member_3);
                                         }
                                     }
-                                    if (_e775 < _e58) {
-                                        if _e186 {
-                                            let _e2371 = (4u * _e182);
-                                            let _e2372 = (4u * _e761);
-                                            let _e2373 = bitcast<u32>(_e1678.member);
-                                            let _e2376 = ((_e2373 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2376 == 0u) {
+                                    if (_e794 < _e59) {
+                                        if _e205 {
+                                            let _e2390 = (4u * _e201);
+                                            let _e2391 = (4u * _e780);
+                                            let _e2392 = bitcast<u32>(_e1697.member);
+                                            let _e2395 = ((_e2392 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2395 == 0u) {
                                             } else {
-                                                let _e2379 = (_e2376 % 16u);
-                                                let _e2381 = ((_e2373 & 8388607u) | 8388608u);
-                                                let _e2384 = (_e2381 << bitcast<u32>((_e2379 & 31u)));
-                                                let _e2390 = ((_e2381 >> bitcast<u32>(((31u - _e2379) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2373 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2488_ = array<u32, 2>(_e2384, _e2390);
+                                                let _e2398 = (_e2395 % 16u);
+                                                let _e2400 = ((_e2392 & 8388607u) | 8388608u);
+                                                let _e2403 = (_e2400 << bitcast<u32>((_e2398 & 31u)));
+                                                let _e2409 = ((_e2400 >> bitcast<u32>(((31u - _e2398) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2392 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2513_ = array<u32, 2>(_e2403, _e2409);
                                                 } else {
-                                                    let _e2396 = (~(_e2384) + 1u);
-                                                    if (_e2396 == 0u) {
-                                                        phi_2486_ = (~(_e2390) + 1u);
+                                                    let _e2415 = (~(_e2403) + 1u);
+                                                    if (_e2415 == 0u) {
+                                                        phi_2511_ = (~(_e2409) + 1u);
                                                     } else {
-                                                        phi_2486_ = ~(_e2390);
+                                                        phi_2511_ = ~(_e2409);
                                                     }
-                                                    let _e2402 = phi_2486_;
-                                                    phi_2488_ = array<u32, 2>(_e2396, _e2402);
+                                                    let _e2421 = phi_2511_;
+                                                    phi_2513_ = array<u32, 2>(_e2415, _e2421);
                                                 }
-                                                let _e2405 = phi_2488_;
-                                                let _e2406 = (_e2376 < 255u);
-                                                if _e2406 {
-                                                    phi_2494_ = _e2405;
+                                                let _e2424 = phi_2513_;
+                                                let _e2425 = (_e2395 < 255u);
+                                                if _e2425 {
+                                                    phi_2519_ = _e2424;
                                                 } else {
-                                                    phi_2494_ = array<u32, 2>(1u, 0u);
+                                                    phi_2519_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2409 = phi_2494_;
-                                                let _e2414 = (2u * ((select(16u, (_e2376 / 16u), _e2406) * _e2371) + _e2372));
-                                                let _e2417 = atomicAdd((&global_8.member[_e2414]), _e2409[0]);
-                                                let _e2421 = (_e2409[1] + select(0u, 1u, ((_e2417 + _e2409[0]) < _e2409[0])));
-                                                if (_e2421 == 0u) {
+                                                let _e2428 = phi_2519_;
+                                                let _e2433 = (2u * ((select(16u, (_e2395 / 16u), _e2425) * _e2390) + _e2391));
+                                                let _e2436 = atomicAdd((&global_8.member[_e2433]), _e2428[0]);
+                                                let _e2440 = (_e2428[1] + select(0u, 1u, ((_e2436 + _e2428[0]) < _e2428[0])));
+                                                if (_e2440 == 0u) {
                                                 } else {
-                                                    let _e2426 = atomicAdd((&global_8.member[(_e2414 + 1u)]), _e2421);
+                                                    let _e2445 = atomicAdd((&global_8.member[(_e2433 + 1u)]), _e2440);
                                                 }
                                             }
-                                            let _e2428 = bitcast<u32>(_e1681.member_1);
-                                            let _e2431 = ((_e2428 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2431 == 0u) {
+                                            let _e2447 = bitcast<u32>(_e1700.member_1);
+                                            let _e2450 = ((_e2447 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2450 == 0u) {
                                             } else {
-                                                let _e2434 = (_e2431 % 16u);
-                                                let _e2436 = ((_e2428 & 8388607u) | 8388608u);
-                                                let _e2439 = (_e2436 << bitcast<u32>((_e2434 & 31u)));
-                                                let _e2445 = ((_e2436 >> bitcast<u32>(((31u - _e2434) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2428 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2549_ = array<u32, 2>(_e2439, _e2445);
+                                                let _e2453 = (_e2450 % 16u);
+                                                let _e2455 = ((_e2447 & 8388607u) | 8388608u);
+                                                let _e2458 = (_e2455 << bitcast<u32>((_e2453 & 31u)));
+                                                let _e2464 = ((_e2455 >> bitcast<u32>(((31u - _e2453) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2447 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2574_ = array<u32, 2>(_e2458, _e2464);
                                                 } else {
-                                                    let _e2451 = (~(_e2439) + 1u);
-                                                    if (_e2451 == 0u) {
-                                                        phi_2547_ = (~(_e2445) + 1u);
+                                                    let _e2470 = (~(_e2458) + 1u);
+                                                    if (_e2470 == 0u) {
+                                                        phi_2572_ = (~(_e2464) + 1u);
                                                     } else {
-                                                        phi_2547_ = ~(_e2445);
+                                                        phi_2572_ = ~(_e2464);
                                                     }
-                                                    let _e2457 = phi_2547_;
-                                                    phi_2549_ = array<u32, 2>(_e2451, _e2457);
+                                                    let _e2476 = phi_2572_;
+                                                    phi_2574_ = array<u32, 2>(_e2470, _e2476);
                                                 }
-                                                let _e2460 = phi_2549_;
-                                                let _e2461 = (_e2431 < 255u);
-                                                if _e2461 {
-                                                    phi_2555_ = _e2460;
+                                                let _e2479 = phi_2574_;
+                                                let _e2480 = (_e2450 < 255u);
+                                                if _e2480 {
+                                                    phi_2580_ = _e2479;
                                                 } else {
-                                                    phi_2555_ = array<u32, 2>(1u, 0u);
+                                                    phi_2580_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2464 = phi_2555_;
-                                                let _e2469 = (2u * ((select(16u, (_e2431 / 16u), _e2461) * _e2371) + (_e2372 + 1u)));
-                                                let _e2472 = atomicAdd((&global_8.member[_e2469]), _e2464[0]);
-                                                let _e2476 = (_e2464[1] + select(0u, 1u, ((_e2472 + _e2464[0]) < _e2464[0])));
-                                                if (_e2476 == 0u) {
+                                                let _e2483 = phi_2580_;
+                                                let _e2488 = (2u * ((select(16u, (_e2450 / 16u), _e2480) * _e2390) + (_e2391 + 1u)));
+                                                let _e2491 = atomicAdd((&global_8.member[_e2488]), _e2483[0]);
+                                                let _e2495 = (_e2483[1] + select(0u, 1u, ((_e2491 + _e2483[0]) < _e2483[0])));
+                                                if (_e2495 == 0u) {
                                                 } else {
-                                                    let _e2481 = atomicAdd((&global_8.member[(_e2469 + 1u)]), _e2476);
+                                                    let _e2500 = atomicAdd((&global_8.member[(_e2488 + 1u)]), _e2495);
                                                 }
                                             }
-                                            let _e2483 = bitcast<u32>(_e1684.member_2);
-                                            let _e2486 = ((_e2483 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2486 == 0u) {
+                                            let _e2502 = bitcast<u32>(_e1703.member_2);
+                                            let _e2505 = ((_e2502 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2505 == 0u) {
                                             } else {
-                                                let _e2489 = (_e2486 % 16u);
-                                                let _e2491 = ((_e2483 & 8388607u) | 8388608u);
-                                                let _e2494 = (_e2491 << bitcast<u32>((_e2489 & 31u)));
-                                                let _e2500 = ((_e2491 >> bitcast<u32>(((31u - _e2489) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2483 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2610_ = array<u32, 2>(_e2494, _e2500);
+                                                let _e2508 = (_e2505 % 16u);
+                                                let _e2510 = ((_e2502 & 8388607u) | 8388608u);
+                                                let _e2513 = (_e2510 << bitcast<u32>((_e2508 & 31u)));
+                                                let _e2519 = ((_e2510 >> bitcast<u32>(((31u - _e2508) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2502 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2635_ = array<u32, 2>(_e2513, _e2519);
                                                 } else {
-                                                    let _e2506 = (~(_e2494) + 1u);
-                                                    if (_e2506 == 0u) {
-                                                        phi_2608_ = (~(_e2500) + 1u);
+                                                    let _e2525 = (~(_e2513) + 1u);
+                                                    if (_e2525 == 0u) {
+                                                        phi_2633_ = (~(_e2519) + 1u);
                                                     } else {
-                                                        phi_2608_ = ~(_e2500);
+                                                        phi_2633_ = ~(_e2519);
                                                     }
-                                                    let _e2512 = phi_2608_;
-                                                    phi_2610_ = array<u32, 2>(_e2506, _e2512);
+                                                    let _e2531 = phi_2633_;
+                                                    phi_2635_ = array<u32, 2>(_e2525, _e2531);
                                                 }
-                                                let _e2515 = phi_2610_;
-                                                let _e2516 = (_e2486 < 255u);
-                                                if _e2516 {
-                                                    phi_2616_ = _e2515;
+                                                let _e2534 = phi_2635_;
+                                                let _e2535 = (_e2505 < 255u);
+                                                if _e2535 {
+                                                    phi_2641_ = _e2534;
                                                 } else {
-                                                    phi_2616_ = array<u32, 2>(1u, 0u);
+                                                    phi_2641_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2519 = phi_2616_;
-                                                let _e2524 = (2u * ((select(16u, (_e2486 / 16u), _e2516) * _e2371) + (_e2372 + 2u)));
-                                                let _e2527 = atomicAdd((&global_8.member[_e2524]), _e2519[0]);
-                                                let _e2531 = (_e2519[1] + select(0u, 1u, ((_e2527 + _e2519[0]) < _e2519[0])));
-                                                if (_e2531 == 0u) {
+                                                let _e2538 = phi_2641_;
+                                                let _e2543 = (2u * ((select(16u, (_e2505 / 16u), _e2535) * _e2390) + (_e2391 + 2u)));
+                                                let _e2546 = atomicAdd((&global_8.member[_e2543]), _e2538[0]);
+                                                let _e2550 = (_e2538[1] + select(0u, 1u, ((_e2546 + _e2538[0]) < _e2538[0])));
+                                                if (_e2550 == 0u) {
                                                 } else {
-                                                    let _e2536 = atomicAdd((&global_8.member[(_e2524 + 1u)]), _e2531);
+                                                    let _e2555 = atomicAdd((&global_8.member[(_e2543 + 1u)]), _e2550);
                                                 }
                                             }
-                                            let _e2538 = bitcast<u32>(_e1687.member_3);
-                                            let _e2541 = ((_e2538 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2541 == 0u) {
+                                            let _e2557 = bitcast<u32>(_e1706.member_3);
+                                            let _e2560 = ((_e2557 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2560 == 0u) {
                                             } else {
-                                                let _e2544 = (_e2541 % 16u);
-                                                let _e2546 = ((_e2538 & 8388607u) | 8388608u);
-                                                let _e2549 = (_e2546 << bitcast<u32>((_e2544 & 31u)));
-                                                let _e2555 = ((_e2546 >> bitcast<u32>(((31u - _e2544) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2538 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2671_ = array<u32, 2>(_e2549, _e2555);
+                                                let _e2563 = (_e2560 % 16u);
+                                                let _e2565 = ((_e2557 & 8388607u) | 8388608u);
+                                                let _e2568 = (_e2565 << bitcast<u32>((_e2563 & 31u)));
+                                                let _e2574 = ((_e2565 >> bitcast<u32>(((31u - _e2563) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2557 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2696_ = array<u32, 2>(_e2568, _e2574);
                                                 } else {
-                                                    let _e2561 = (~(_e2549) + 1u);
-                                                    if (_e2561 == 0u) {
-                                                        phi_2669_ = (~(_e2555) + 1u);
+                                                    let _e2580 = (~(_e2568) + 1u);
+                                                    if (_e2580 == 0u) {
+                                                        phi_2694_ = (~(_e2574) + 1u);
                                                     } else {
-                                                        phi_2669_ = ~(_e2555);
+                                                        phi_2694_ = ~(_e2574);
                                                     }
-                                                    let _e2567 = phi_2669_;
-                                                    phi_2671_ = array<u32, 2>(_e2561, _e2567);
+                                                    let _e2586 = phi_2694_;
+                                                    phi_2696_ = array<u32, 2>(_e2580, _e2586);
                                                 }
-                                                let _e2570 = phi_2671_;
-                                                let _e2571 = (_e2541 < 255u);
-                                                if _e2571 {
-                                                    phi_2677_ = _e2570;
+                                                let _e2589 = phi_2696_;
+                                                let _e2590 = (_e2560 < 255u);
+                                                if _e2590 {
+                                                    phi_2702_ = _e2589;
                                                 } else {
-                                                    phi_2677_ = array<u32, 2>(1u, 0u);
+                                                    phi_2702_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2574 = phi_2677_;
-                                                let _e2579 = (2u * ((select(16u, (_e2541 / 16u), _e2571) * _e2371) + (_e2372 + 3u)));
-                                                let _e2582 = atomicAdd((&global_8.member[_e2579]), _e2574[0]);
-                                                let _e2586 = (_e2574[1] + select(0u, 1u, ((_e2582 + _e2574[0]) < _e2574[0])));
-                                                if (_e2586 == 0u) {
+                                                let _e2593 = phi_2702_;
+                                                let _e2598 = (2u * ((select(16u, (_e2560 / 16u), _e2590) * _e2390) + (_e2391 + 3u)));
+                                                let _e2601 = atomicAdd((&global_8.member[_e2598]), _e2593[0]);
+                                                let _e2605 = (_e2593[1] + select(0u, 1u, ((_e2601 + _e2593[0]) < _e2593[0])));
+                                                if (_e2605 == 0u) {
                                                 } else {
-                                                    let _e2591 = atomicAdd((&global_8.member[(_e2579 + 1u)]), _e2586);
+                                                    let _e2610 = atomicAdd((&global_8.member[(_e2598 + 1u)]), _e2605);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e761)] = vec4<f32>(_e1678.member, _e1681.member_1, _e1684.member_2, _e1687.member_3);
+                                            global_6.member[(_e204 + _e780)] = vec4<f32>(_e1697.member, _e1700.member_1, _e1703.member_2, _e1706.member_3);
                                         }
                                     }
                                 } else {
-                                    let _e197 = global_3.member.member_6;
-                                    let _e198 = (_e197 + _e169);
-                                    if _e188 {
-                                        let _e202 = global_6.member[(_e183 + _e198)];
-                                        phi_246_ = _e202;
+                                    let _e216 = global_3.member.member_6;
+                                    let _e217 = (_e216 + _e83[1]);
+                                    if _e207 {
+                                        let _e221 = global_6.member[(_e202 + _e217)];
+                                        phi_271_ = _e221;
                                     } else {
-                                        phi_246_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_271_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e204 = phi_246_;
-                                    phi_255_ = type_19((_e173 / 4u), _e173, _e176);
-                                    phi_258_ = type_18(_e204.x, _e204.y, _e204.z, _e204.w);
+                                    let _e223 = phi_271_;
+                                    phi_280_ = type_20((_e192 / 4u), _e192, _e195);
+                                    phi_283_ = type_19(_e223.x, _e223.y, _e223.z, _e223.w);
                                     loop {
-                                        let _e213 = phi_255_;
-                                        let _e215 = phi_258_;
-                                        local_30 = _e213;
-                                        local_32 = _e215;
-                                        let _e217 = (4u * _e213.member);
-                                        if (_e217 < _e213.member_2) {
-                                            phi_274_ = select(((_e217 + 4u) > _e213.member_2), true, (_e217 < _e213.member_1));
+                                        let _e232 = phi_280_;
+                                        let _e234 = phi_283_;
+                                        local_30 = _e232;
+                                        local_32 = _e234;
+                                        let _e236 = (4u * _e232.member);
+                                        if (_e236 < _e232.member_2) {
+                                            phi_299_ = select(((_e236 + 4u) > _e232.member_2), true, (_e236 < _e232.member_1));
                                         } else {
-                                            phi_274_ = false;
+                                            phi_299_ = false;
                                         }
-                                        let _e226 = phi_274_;
-                                        if _e226 {
-                                            let _e227 = (_e193 / 4u);
-                                            let _e228 = (_e191 / 4u);
-                                            let _e232 = global_7.member[(_e227 + _e213.member)];
-                                            let _e239 = (_e213.member_2 - _e213.member_1);
-                                            let _e240 = ((_e217 - _e213.member_1) < _e239);
-                                            let _e244 = (((_e217 + 1u) - _e213.member_1) < _e239);
-                                            let _e248 = (((_e217 + 2u) - _e213.member_1) < _e239);
-                                            let _e252 = (((_e217 + 3u) - _e213.member_1) < _e239);
-                                            let _e258 = global_7.member[((_e227 + _e228) + _e213.member)];
-                                            let _e272 = global_7.member[((_e227 + (2u * _e228)) + _e213.member)];
-                                            let _e286 = global_7.member[((_e227 + (3u * _e228)) + _e213.member)];
-                                            local_28 = type_19((_e213.member + 1u), _e213.member_1, _e213.member_2);
-                                            local_29 = type_18(((((_e215.member + select(0f, _e232.x, _e240)) + select(0f, _e232.y, _e244)) + select(0f, _e232.z, _e248)) + select(0f, _e232.w, _e252)), ((((_e215.member_1 + select(0f, _e258.x, _e240)) + select(0f, _e258.y, _e244)) + select(0f, _e258.z, _e248)) + select(0f, _e258.w, _e252)), ((((_e215.member_2 + select(0f, _e272.x, _e240)) + select(0f, _e272.y, _e244)) + select(0f, _e272.z, _e248)) + select(0f, _e272.w, _e252)), ((((_e215.member_3 + select(0f, _e286.x, _e240)) + select(0f, _e286.y, _e244)) + select(0f, _e286.z, _e248)) + select(0f, _e286.w, _e252)));
+                                        let _e245 = phi_299_;
+                                        if _e245 {
+                                            let _e246 = (_e212 / 4u);
+                                            let _e247 = (_e210 / 4u);
+                                            let _e251 = global_7.member[(_e246 + _e232.member)];
+                                            let _e258 = (_e232.member_2 - _e232.member_1);
+                                            let _e259 = ((_e236 - _e232.member_1) < _e258);
+                                            let _e263 = (((_e236 + 1u) - _e232.member_1) < _e258);
+                                            let _e267 = (((_e236 + 2u) - _e232.member_1) < _e258);
+                                            let _e271 = (((_e236 + 3u) - _e232.member_1) < _e258);
+                                            let _e277 = global_7.member[((_e246 + _e247) + _e232.member)];
+                                            let _e291 = global_7.member[((_e246 + (2u * _e247)) + _e232.member)];
+                                            let _e305 = global_7.member[((_e246 + (3u * _e247)) + _e232.member)];
+                                            local_28 = type_20((_e232.member + 1u), _e232.member_1, _e232.member_2);
+                                            local_29 = type_19(((((_e234.member + select(0f, _e251.x, _e259)) + select(0f, _e251.y, _e263)) + select(0f, _e251.z, _e267)) + select(0f, _e251.w, _e271)), ((((_e234.member_1 + select(0f, _e277.x, _e259)) + select(0f, _e277.y, _e263)) + select(0f, _e277.z, _e267)) + select(0f, _e277.w, _e271)), ((((_e234.member_2 + select(0f, _e291.x, _e259)) + select(0f, _e291.y, _e263)) + select(0f, _e291.z, _e267)) + select(0f, _e291.w, _e271)), ((((_e234.member_3 + select(0f, _e305.x, _e259)) + select(0f, _e305.y, _e263)) + select(0f, _e305.z, _e267)) + select(0f, _e305.w, _e271)));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2641 = local_28;
-                                            phi_255_ = _e2641;
-                                            let _e2644 = local_29;
-                                            phi_258_ = _e2644;
+                                            let _e2659 = local_28;
+                                            phi_280_ = _e2659;
+                                            let _e2662 = local_29;
+                                            phi_283_ = _e2662;
                                         }
                                     }
-                                    let _e2648 = local_30;
-                                    phi_362_ = _e2648;
-                                    let _e2653 = local_32;
-                                    phi_365_ = _e2653;
+                                    let _e2666 = local_30;
+                                    phi_387_ = _e2666;
+                                    let _e2671 = local_32;
+                                    phi_390_ = _e2671;
                                     loop {
-                                        let _e322 = phi_362_;
-                                        let _e324 = phi_365_;
-                                        local_34 = _e322;
-                                        local_36 = _e324;
-                                        if !((((4u * _e322.member) + 4u) > _e322.member_2)) {
-                                            let _e331 = (_e193 / 4u);
-                                            let _e332 = (_e191 / 4u);
-                                            let _e336 = global_7.member[(_e331 + _e322.member)];
-                                            let _e345 = global_7.member[((_e331 + _e332) + _e322.member)];
-                                            let _e355 = global_7.member[((_e331 + (2u * _e332)) + _e322.member)];
-                                            let _e365 = global_7.member[((_e331 + (3u * _e332)) + _e322.member)];
-                                            local_31 = type_19((_e322.member + 1u), _e322.member_1, _e322.member_2);
-                                            local_33 = type_18(((((_e324.member + _e336.x) + _e336.y) + _e336.z) + _e336.w), ((((_e324.member_1 + _e345.x) + _e345.y) + _e345.z) + _e345.w), ((((_e324.member_2 + _e355.x) + _e355.y) + _e355.z) + _e355.w), ((((_e324.member_3 + _e365.x) + _e365.y) + _e365.z) + _e365.w));
+                                        let _e341 = phi_387_;
+                                        let _e343 = phi_390_;
+                                        local_34 = _e341;
+                                        local_36 = _e343;
+                                        if !((((4u * _e341.member) + 4u) > _e341.member_2)) {
+                                            let _e350 = (_e212 / 4u);
+                                            let _e351 = (_e210 / 4u);
+                                            let _e355 = global_7.member[(_e350 + _e341.member)];
+                                            let _e364 = global_7.member[((_e350 + _e351) + _e341.member)];
+                                            let _e374 = global_7.member[((_e350 + (2u * _e351)) + _e341.member)];
+                                            let _e384 = global_7.member[((_e350 + (3u * _e351)) + _e341.member)];
+                                            local_31 = type_20((_e341.member + 1u), _e341.member_1, _e341.member_2);
+                                            local_33 = type_19(((((_e343.member + _e355.x) + _e355.y) + _e355.z) + _e355.w), ((((_e343.member_1 + _e364.x) + _e364.y) + _e364.z) + _e364.w), ((((_e343.member_2 + _e374.x) + _e374.y) + _e374.z) + _e374.w), ((((_e343.member_3 + _e384.x) + _e384.y) + _e384.z) + _e384.w));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2650 = local_31;
-                                            phi_362_ = _e2650;
-                                            let _e2655 = local_33;
-                                            phi_365_ = _e2655;
+                                            let _e2668 = local_31;
+                                            phi_387_ = _e2668;
+                                            let _e2673 = local_33;
+                                            phi_390_ = _e2673;
                                         }
                                     }
-                                    let _e2658 = local_34;
-                                    phi_432_ = _e2658;
-                                    let _e2663 = local_36;
-                                    phi_435_ = _e2663;
+                                    let _e2676 = local_34;
+                                    phi_457_ = _e2676;
+                                    let _e2681 = local_36;
+                                    phi_460_ = _e2681;
                                     loop {
-                                        let _e397 = phi_432_;
-                                        let _e399 = phi_435_;
-                                        local_2 = _e399;
-                                        local_3 = _e399;
-                                        local_4 = _e399;
-                                        local_5 = _e399;
-                                        let _e401 = (4u * _e397.member);
-                                        if (_e401 < _e397.member_2) {
-                                            phi_451_ = select(((_e401 + 4u) > _e397.member_2), true, (_e401 < _e397.member_1));
+                                        let _e416 = phi_457_;
+                                        let _e418 = phi_460_;
+                                        local_2 = _e418;
+                                        local_3 = _e418;
+                                        local_4 = _e418;
+                                        local_5 = _e418;
+                                        let _e420 = (4u * _e416.member);
+                                        if (_e420 < _e416.member_2) {
+                                            phi_476_ = select(((_e420 + 4u) > _e416.member_2), true, (_e420 < _e416.member_1));
                                         } else {
-                                            phi_451_ = false;
+                                            phi_476_ = false;
                                         }
-                                        let _e410 = phi_451_;
-                                        if _e410 {
-                                            let _e411 = (_e193 / 4u);
-                                            let _e412 = (_e191 / 4u);
-                                            let _e416 = global_7.member[(_e411 + _e397.member)];
-                                            let _e423 = (_e397.member_2 - _e397.member_1);
-                                            let _e424 = ((_e401 - _e397.member_1) < _e423);
-                                            let _e428 = (((_e401 + 1u) - _e397.member_1) < _e423);
-                                            let _e432 = (((_e401 + 2u) - _e397.member_1) < _e423);
-                                            let _e436 = (((_e401 + 3u) - _e397.member_1) < _e423);
-                                            let _e442 = global_7.member[((_e411 + _e412) + _e397.member)];
-                                            let _e456 = global_7.member[((_e411 + (2u * _e412)) + _e397.member)];
-                                            let _e470 = global_7.member[((_e411 + (3u * _e412)) + _e397.member)];
-                                            local_35 = type_19((_e397.member + 1u), _e397.member_1, _e397.member_2);
-                                            local_37 = type_18(((((_e399.member + select(0f, _e416.x, _e424)) + select(0f, _e416.y, _e428)) + select(0f, _e416.z, _e432)) + select(0f, _e416.w, _e436)), ((((_e399.member_1 + select(0f, _e442.x, _e424)) + select(0f, _e442.y, _e428)) + select(0f, _e442.z, _e432)) + select(0f, _e442.w, _e436)), ((((_e399.member_2 + select(0f, _e456.x, _e424)) + select(0f, _e456.y, _e428)) + select(0f, _e456.z, _e432)) + select(0f, _e456.w, _e436)), ((((_e399.member_3 + select(0f, _e470.x, _e424)) + select(0f, _e470.y, _e428)) + select(0f, _e470.z, _e432)) + select(0f, _e470.w, _e436)));
+                                        let _e429 = phi_476_;
+                                        if _e429 {
+                                            let _e430 = (_e212 / 4u);
+                                            let _e431 = (_e210 / 4u);
+                                            let _e435 = global_7.member[(_e430 + _e416.member)];
+                                            let _e442 = (_e416.member_2 - _e416.member_1);
+                                            let _e443 = ((_e420 - _e416.member_1) < _e442);
+                                            let _e447 = (((_e420 + 1u) - _e416.member_1) < _e442);
+                                            let _e451 = (((_e420 + 2u) - _e416.member_1) < _e442);
+                                            let _e455 = (((_e420 + 3u) - _e416.member_1) < _e442);
+                                            let _e461 = global_7.member[((_e430 + _e431) + _e416.member)];
+                                            let _e475 = global_7.member[((_e430 + (2u * _e431)) + _e416.member)];
+                                            let _e489 = global_7.member[((_e430 + (3u * _e431)) + _e416.member)];
+                                            local_35 = type_20((_e416.member + 1u), _e416.member_1, _e416.member_2);
+                                            local_37 = type_19(((((_e418.member + select(0f, _e435.x, _e443)) + select(0f, _e435.y, _e447)) + select(0f, _e435.z, _e451)) + select(0f, _e435.w, _e455)), ((((_e418.member_1 + select(0f, _e461.x, _e443)) + select(0f, _e461.y, _e447)) + select(0f, _e461.z, _e451)) + select(0f, _e461.w, _e455)), ((((_e418.member_2 + select(0f, _e475.x, _e443)) + select(0f, _e475.y, _e447)) + select(0f, _e475.z, _e451)) + select(0f, _e475.w, _e455)), ((((_e418.member_3 + select(0f, _e489.x, _e443)) + select(0f, _e489.y, _e447)) + select(0f, _e489.z, _e451)) + select(0f, _e489.w, _e455)));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2660 = local_35;
-                                            phi_432_ = _e2660;
-                                            let _e2665 = local_37;
-                                            phi_435_ = _e2665;
+                                            let _e2678 = local_35;
+                                            phi_457_ = _e2678;
+                                            let _e2683 = local_37;
+                                            phi_460_ = _e2683;
                                         }
                                     }
-                                    let _e506 = local_2;
-                                    let _e509 = local_3;
-                                    let _e512 = local_4;
-                                    let _e515 = local_5;
-                                    if _e186 {
-                                        let _e521 = (4u * _e182);
-                                        let _e522 = (4u * _e198);
-                                        let _e523 = bitcast<u32>(_e506.member);
-                                        let _e526 = ((_e523 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e526 == 0u) {
+                                    let _e525 = local_2;
+                                    let _e528 = local_3;
+                                    let _e531 = local_4;
+                                    let _e534 = local_5;
+                                    if _e205 {
+                                        let _e540 = (4u * _e201);
+                                        let _e541 = (4u * _e217);
+                                        let _e542 = bitcast<u32>(_e525.member);
+                                        let _e545 = ((_e542 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e545 == 0u) {
                                         } else {
-                                            let _e529 = (_e526 % 16u);
-                                            let _e531 = ((_e523 & 8388607u) | 8388608u);
-                                            let _e534 = (_e531 << bitcast<u32>((_e529 & 31u)));
-                                            let _e540 = ((_e531 >> bitcast<u32>(((31u - _e529) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e523 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_584_ = array<u32, 2>(_e534, _e540);
+                                            let _e548 = (_e545 % 16u);
+                                            let _e550 = ((_e542 & 8388607u) | 8388608u);
+                                            let _e553 = (_e550 << bitcast<u32>((_e548 & 31u)));
+                                            let _e559 = ((_e550 >> bitcast<u32>(((31u - _e548) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e542 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_609_ = array<u32, 2>(_e553, _e559);
                                             } else {
-                                                let _e546 = (~(_e534) + 1u);
-                                                if (_e546 == 0u) {
-                                                    phi_582_ = (~(_e540) + 1u);
+                                                let _e565 = (~(_e553) + 1u);
+                                                if (_e565 == 0u) {
+                                                    phi_607_ = (~(_e559) + 1u);
                                                 } else {
-                                                    phi_582_ = ~(_e540);
+                                                    phi_607_ = ~(_e559);
                                                 }
-                                                let _e552 = phi_582_;
-                                                phi_584_ = array<u32, 2>(_e546, _e552);
+                                                let _e571 = phi_607_;
+                                                phi_609_ = array<u32, 2>(_e565, _e571);
                                             }
-                                            let _e555 = phi_584_;
-                                            let _e556 = (_e526 < 255u);
-                                            if _e556 {
-                                                phi_590_ = _e555;
+                                            let _e574 = phi_609_;
+                                            let _e575 = (_e545 < 255u);
+                                            if _e575 {
+                                                phi_615_ = _e574;
                                             } else {
-                                                phi_590_ = array<u32, 2>(1u, 0u);
+                                                phi_615_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e559 = phi_590_;
-                                            let _e564 = (2u * ((select(16u, (_e526 / 16u), _e556) * _e521) + _e522));
-                                            let _e567 = atomicAdd((&global_8.member[_e564]), _e559[0]);
-                                            let _e571 = (_e559[1] + select(0u, 1u, ((_e567 + _e559[0]) < _e559[0])));
-                                            if (_e571 == 0u) {
+                                            let _e578 = phi_615_;
+                                            let _e583 = (2u * ((select(16u, (_e545 / 16u), _e575) * _e540) + _e541));
+                                            let _e586 = atomicAdd((&global_8.member[_e583]), _e578[0]);
+                                            let _e590 = (_e578[1] + select(0u, 1u, ((_e586 + _e578[0]) < _e578[0])));
+                                            if (_e590 == 0u) {
                                             } else {
-                                                let _e576 = atomicAdd((&global_8.member[(_e564 + 1u)]), _e571);
+                                                let _e595 = atomicAdd((&global_8.member[(_e583 + 1u)]), _e590);
                                             }
                                         }
-                                        let _e578 = bitcast<u32>(_e509.member_1);
-                                        let _e581 = ((_e578 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e581 == 0u) {
+                                        let _e597 = bitcast<u32>(_e528.member_1);
+                                        let _e600 = ((_e597 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e600 == 0u) {
                                         } else {
-                                            let _e584 = (_e581 % 16u);
-                                            let _e586 = ((_e578 & 8388607u) | 8388608u);
-                                            let _e589 = (_e586 << bitcast<u32>((_e584 & 31u)));
-                                            let _e595 = ((_e586 >> bitcast<u32>(((31u - _e584) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e578 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_645_ = array<u32, 2>(_e589, _e595);
+                                            let _e603 = (_e600 % 16u);
+                                            let _e605 = ((_e597 & 8388607u) | 8388608u);
+                                            let _e608 = (_e605 << bitcast<u32>((_e603 & 31u)));
+                                            let _e614 = ((_e605 >> bitcast<u32>(((31u - _e603) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e597 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_670_ = array<u32, 2>(_e608, _e614);
                                             } else {
-                                                let _e601 = (~(_e589) + 1u);
-                                                if (_e601 == 0u) {
-                                                    phi_643_ = (~(_e595) + 1u);
+                                                let _e620 = (~(_e608) + 1u);
+                                                if (_e620 == 0u) {
+                                                    phi_668_ = (~(_e614) + 1u);
                                                 } else {
-                                                    phi_643_ = ~(_e595);
+                                                    phi_668_ = ~(_e614);
                                                 }
-                                                let _e607 = phi_643_;
-                                                phi_645_ = array<u32, 2>(_e601, _e607);
+                                                let _e626 = phi_668_;
+                                                phi_670_ = array<u32, 2>(_e620, _e626);
                                             }
-                                            let _e610 = phi_645_;
-                                            let _e611 = (_e581 < 255u);
-                                            if _e611 {
-                                                phi_651_ = _e610;
+                                            let _e629 = phi_670_;
+                                            let _e630 = (_e600 < 255u);
+                                            if _e630 {
+                                                phi_676_ = _e629;
                                             } else {
-                                                phi_651_ = array<u32, 2>(1u, 0u);
+                                                phi_676_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e614 = phi_651_;
-                                            let _e619 = (2u * ((select(16u, (_e581 / 16u), _e611) * _e521) + (_e522 + 1u)));
-                                            let _e622 = atomicAdd((&global_8.member[_e619]), _e614[0]);
-                                            let _e626 = (_e614[1] + select(0u, 1u, ((_e622 + _e614[0]) < _e614[0])));
-                                            if (_e626 == 0u) {
+                                            let _e633 = phi_676_;
+                                            let _e638 = (2u * ((select(16u, (_e600 / 16u), _e630) * _e540) + (_e541 + 1u)));
+                                            let _e641 = atomicAdd((&global_8.member[_e638]), _e633[0]);
+                                            let _e645 = (_e633[1] + select(0u, 1u, ((_e641 + _e633[0]) < _e633[0])));
+                                            if (_e645 == 0u) {
                                             } else {
-                                                let _e631 = atomicAdd((&global_8.member[(_e619 + 1u)]), _e626);
+                                                let _e650 = atomicAdd((&global_8.member[(_e638 + 1u)]), _e645);
                                             }
                                         }
-                                        let _e633 = bitcast<u32>(_e512.member_2);
-                                        let _e636 = ((_e633 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e636 == 0u) {
+                                        let _e652 = bitcast<u32>(_e531.member_2);
+                                        let _e655 = ((_e652 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e655 == 0u) {
                                         } else {
-                                            let _e639 = (_e636 % 16u);
-                                            let _e641 = ((_e633 & 8388607u) | 8388608u);
-                                            let _e644 = (_e641 << bitcast<u32>((_e639 & 31u)));
-                                            let _e650 = ((_e641 >> bitcast<u32>(((31u - _e639) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e633 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_706_ = array<u32, 2>(_e644, _e650);
+                                            let _e658 = (_e655 % 16u);
+                                            let _e660 = ((_e652 & 8388607u) | 8388608u);
+                                            let _e663 = (_e660 << bitcast<u32>((_e658 & 31u)));
+                                            let _e669 = ((_e660 >> bitcast<u32>(((31u - _e658) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e652 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_731_ = array<u32, 2>(_e663, _e669);
                                             } else {
-                                                let _e656 = (~(_e644) + 1u);
-                                                if (_e656 == 0u) {
-                                                    phi_704_ = (~(_e650) + 1u);
+                                                let _e675 = (~(_e663) + 1u);
+                                                if (_e675 == 0u) {
+                                                    phi_729_ = (~(_e669) + 1u);
                                                 } else {
-                                                    phi_704_ = ~(_e650);
+                                                    phi_729_ = ~(_e669);
                                                 }
-                                                let _e662 = phi_704_;
-                                                phi_706_ = array<u32, 2>(_e656, _e662);
+                                                let _e681 = phi_729_;
+                                                phi_731_ = array<u32, 2>(_e675, _e681);
                                             }
-                                            let _e665 = phi_706_;
-                                            let _e666 = (_e636 < 255u);
-                                            if _e666 {
-                                                phi_712_ = _e665;
+                                            let _e684 = phi_731_;
+                                            let _e685 = (_e655 < 255u);
+                                            if _e685 {
+                                                phi_737_ = _e684;
                                             } else {
-                                                phi_712_ = array<u32, 2>(1u, 0u);
+                                                phi_737_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e669 = phi_712_;
-                                            let _e674 = (2u * ((select(16u, (_e636 / 16u), _e666) * _e521) + (_e522 + 2u)));
-                                            let _e677 = atomicAdd((&global_8.member[_e674]), _e669[0]);
-                                            let _e681 = (_e669[1] + select(0u, 1u, ((_e677 + _e669[0]) < _e669[0])));
-                                            if (_e681 == 0u) {
+                                            let _e688 = phi_737_;
+                                            let _e693 = (2u * ((select(16u, (_e655 / 16u), _e685) * _e540) + (_e541 + 2u)));
+                                            let _e696 = atomicAdd((&global_8.member[_e693]), _e688[0]);
+                                            let _e700 = (_e688[1] + select(0u, 1u, ((_e696 + _e688[0]) < _e688[0])));
+                                            if (_e700 == 0u) {
                                             } else {
-                                                let _e686 = atomicAdd((&global_8.member[(_e674 + 1u)]), _e681);
+                                                let _e705 = atomicAdd((&global_8.member[(_e693 + 1u)]), _e700);
                                             }
                                         }
-                                        let _e688 = bitcast<u32>(_e515.member_3);
-                                        let _e691 = ((_e688 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e691 == 0u) {
+                                        let _e707 = bitcast<u32>(_e534.member_3);
+                                        let _e710 = ((_e707 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e710 == 0u) {
                                         } else {
-                                            let _e694 = (_e691 % 16u);
-                                            let _e696 = ((_e688 & 8388607u) | 8388608u);
-                                            let _e699 = (_e696 << bitcast<u32>((_e694 & 31u)));
-                                            let _e705 = ((_e696 >> bitcast<u32>(((31u - _e694) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e688 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_767_ = array<u32, 2>(_e699, _e705);
+                                            let _e713 = (_e710 % 16u);
+                                            let _e715 = ((_e707 & 8388607u) | 8388608u);
+                                            let _e718 = (_e715 << bitcast<u32>((_e713 & 31u)));
+                                            let _e724 = ((_e715 >> bitcast<u32>(((31u - _e713) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e707 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_792_ = array<u32, 2>(_e718, _e724);
                                             } else {
-                                                let _e711 = (~(_e699) + 1u);
-                                                if (_e711 == 0u) {
-                                                    phi_765_ = (~(_e705) + 1u);
+                                                let _e730 = (~(_e718) + 1u);
+                                                if (_e730 == 0u) {
+                                                    phi_790_ = (~(_e724) + 1u);
                                                 } else {
-                                                    phi_765_ = ~(_e705);
+                                                    phi_790_ = ~(_e724);
                                                 }
-                                                let _e717 = phi_765_;
-                                                phi_767_ = array<u32, 2>(_e711, _e717);
+                                                let _e736 = phi_790_;
+                                                phi_792_ = array<u32, 2>(_e730, _e736);
                                             }
-                                            let _e720 = phi_767_;
-                                            let _e721 = (_e691 < 255u);
-                                            if _e721 {
-                                                phi_773_ = _e720;
+                                            let _e739 = phi_792_;
+                                            let _e740 = (_e710 < 255u);
+                                            if _e740 {
+                                                phi_798_ = _e739;
                                             } else {
-                                                phi_773_ = array<u32, 2>(1u, 0u);
+                                                phi_798_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e724 = phi_773_;
-                                            let _e729 = (2u * ((select(16u, (_e691 / 16u), _e721) * _e521) + (_e522 + 3u)));
-                                            let _e732 = atomicAdd((&global_8.member[_e729]), _e724[0]);
-                                            let _e736 = (_e724[1] + select(0u, 1u, ((_e732 + _e724[0]) < _e724[0])));
-                                            if (_e736 == 0u) {
+                                            let _e743 = phi_798_;
+                                            let _e748 = (2u * ((select(16u, (_e710 / 16u), _e740) * _e540) + (_e541 + 3u)));
+                                            let _e751 = atomicAdd((&global_8.member[_e748]), _e743[0]);
+                                            let _e755 = (_e743[1] + select(0u, 1u, ((_e751 + _e743[0]) < _e743[0])));
+                                            if (_e755 == 0u) {
                                             } else {
-                                                let _e741 = atomicAdd((&global_8.member[(_e729 + 1u)]), _e736);
+                                                let _e760 = atomicAdd((&global_8.member[(_e748 + 1u)]), _e755);
                                             }
                                         }
                                     } else {
-                                        global_6.member[(_e185 + _e198)] = vec4<f32>(_e506.member, _e509.member_1, _e512.member_2, _e515.member_3);
+                                        global_6.member[(_e204 + _e217)] = vec4<f32>(_e525.member, _e528.member_1, _e531.member_2, _e534.member_3);
                                     }
                                 }
-                                phi_187_ = _e157;
-                                phi_190_ = _e166;
-                                phi_192_ = _e161;
+                                phi_218_ = _e178;
+                                phi_221_ = _e187;
+                                phi_223_ = _e182;
                             }
-                            let _e2604 = phi_187_;
-                            let _e2606 = phi_190_;
-                            let _e2608 = phi_192_;
-                            local_24 = _e2604;
-                            local_25 = _e2606;
-                            local_27 = _e2608;
+                            let _e2623 = phi_218_;
+                            let _e2625 = phi_221_;
+                            let _e2627 = phi_223_;
+                            local_24 = _e2623;
+                            local_25 = _e2625;
+                            local_27 = _e2627;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2628 = local_24;
-                            phi_186_ = _e2628;
-                            let _e2631 = local_25;
-                            phi_189_ = _e2631;
-                            let _e2636 = local_27;
-                            phi_191_ = _e2636;
+                            let _e2646 = local_24;
+                            phi_217_ = _e2646;
+                            let _e2649 = local_25;
+                            phi_220_ = _e2649;
+                            let _e2654 = local_27;
+                            phi_222_ = _e2654;
                         }
-                    }
-                    let _e2610 = phi_2708_;
-                    if _e2610 {
-                        break;
                     }
                 }
             }

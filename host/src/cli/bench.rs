@@ -4,16 +4,18 @@ use std::path::PathBuf;
 
 use muslin_check::bench::{self, table};
 use organza::bench::{BenchOptions, Benchmark, Peaks, Synthetic, measure, passes};
+use organza::camera::Orbit;
 use organza::error::{DeviceError, chain};
+use organza::image::TILE_SIDE;
 use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 
 use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::refuse;
 use super::summary::{count, grouped};
 use super::table::Table;
 use super::tiles::{load_batch, with_origin};
+use super::{image_size, refuse};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,6 +24,7 @@ Examples:
   organza bench scene.safetensors cameras.json tiles.json
   organza bench scene.safetensors cameras.json tiles.json --backend cpu --threads 1 --json
   organza bench scene.safetensors cameras.json tiles.json --forward --repeat 20
+  organza bench run --frame --size 1280x720                 one image of a training's scene
 
 Times are medians over the passes, after one pass that warms up. `forward` ends when the tiles are on the host. \
 `forward and backward` is one pass for the gradient of the tiles' sum (dLoss/dY = 1 everywhere); it ends when the \
@@ -37,7 +40,7 @@ memory is that of the process, including reading the scene, but not a GPU's memo
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run [default: synthetic, 20,000 Gaussians in 64 tiles]
-    #[arg(requires = "tiles")]
+    #[arg(required_if_eq("frame", "true"))]
     scene: Option<PathBuf>,
     /// The cameras: nerfstudio's transforms.json, or a data set
     cameras: Option<PathBuf>,
@@ -50,6 +53,12 @@ pub struct Args {
     /// Measure only the forward pass
     #[arg(long)]
     forward: bool,
+    /// Measure an image instead of tiles: of the first camera, or of an orbit around the scene
+    #[arg(long, conflicts_with = "tiles")]
+    frame: bool,
+    /// Size of the image, in pixels
+    #[arg(long, value_name = "WxH", value_parser = image_size, default_value = "1920x1080", requires = "frame")]
+    size: [u32; 2],
     /// Measure the CPU and then each GPU; `--json` then prints a list
     #[arg(long, conflicts_with_all = ["backend", "adapter"])]
     every_device: bool,
@@ -73,19 +82,39 @@ struct Workload {
 
 impl Args {
     fn workload(&self, console: Console) -> Result<Workload> {
-        let (Some(scene), Some(cameras), Some(tiles)) = (&self.scene, &self.cameras, &self.tiles)
-        else {
+        let Some(scene) = &self.scene else {
             let synthetic = Synthetic::new()?;
             let cameras = synthetic.cameras.clone();
             let batch = synthetic.batch.clone();
             return Ok(Workload { scene: Box::new(move || synthetic.scene()), cameras, batch });
         };
-        let batch = load_batch(tiles)?;
         let source = SceneSource::find(scene)?;
         let usage = "organza bench SCENE CAMERAS TILES";
+        if self.frame {
+            return self.frame(source, console);
+        }
+        let (Some(cameras), Some(tiles)) = (&self.cameras, &self.tiles) else {
+            return refuse(format!("cameras and tiles are missing: `{usage}`, or add `--frame`"));
+        };
+        let batch = load_batch(tiles)?;
         let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;
         batch.validate(&cameras).map_err(|error| with_origin(error, tiles))?;
         Ok(Workload { scene: Box::new(move || source.load(console)), cameras, batch })
+    }
+
+    /// One image.
+    fn frame(&self, source: SceneSource, console: Console) -> Result<Workload> {
+        let usage = "organza bench SCENE CAMERAS --frame";
+        let camera = if self.cameras.is_some() || source.settings()?.is_some() {
+            let cameras =
+                Cameras::load(&source, self.cameras.as_deref(), &self.data, usage, console)?;
+            cameras.list[0].with_size(self.size)
+        } else {
+            Orbit::from_box(source.load(console)?.visible_box(), self.size).cameras(1)?.remove(0)
+        };
+        let [width, height] = self.size;
+        let batch = TileBatch::cover(0, width, height, TILE_SIDE)?;
+        Ok(Workload { scene: Box::new(move || source.load(console)), cameras: vec![camera], batch })
     }
 
     /// Measures the workload on one device.
@@ -99,7 +128,8 @@ impl Args {
         let renderer = self.device.open_as(device, console)?;
         // the host's copy is dropped: rendering does not need it
         let scene = self.scene_args.upload(&renderer, &{ scene })?;
-        let options = BenchOptions { repeat: self.repeat as usize, backward: !self.forward };
+        let backward = !self.forward && !self.frame;
+        let options = BenchOptions { repeat: self.repeat as usize, backward, frame: self.frame };
         let progress = console.progress(passes(renderer.device(), options) as u64, "passes");
         progress.say("measuring");
         let cameras = &workload.cameras;
@@ -125,7 +155,7 @@ impl Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    if args.scene_args.half_grids && !args.forward {
+    if args.scene_args.half_grids && !args.forward && !args.frame {
         return refuse("`--half-grids` has no gradients; add `--forward`");
     }
     let workload = args.workload(console)?;

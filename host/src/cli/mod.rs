@@ -44,6 +44,7 @@ use std::sync::Mutex;
 
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
+use organza::camera::MAX_IMAGE_SIDE;
 use organza::{Result, error};
 
 use console::Console;
@@ -199,6 +200,11 @@ fn size(text: &str, sides: RangeInclusive<u32>) -> Result<[u32; 2], String> {
     let least = sides.start();
     let most = sides.end();
     size.ok_or_else(|| format!("expected pixels such as 1280x720, each side {least} to {most}"))
+}
+
+/// [`size`] of an image.
+fn image_size(text: &str) -> Result<[u32; 2], String> {
+    size(text, 1..=MAX_IMAGE_SIDE)
 }
 
 /// `N` finite numbers with commas between them, such as `0,0,1.5`.

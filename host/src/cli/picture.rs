@@ -68,6 +68,11 @@ impl Pictures<'_> {
             let cameras = self.cameras;
             let advance = &mut progress.part();
             let tiles = match self.shown {
+                Shown::Scene(scene) if channels.is_empty() => {
+                    let report = renderer.paint(&mut picture, scene, cameras, &batch, advance)?;
+                    summary.add(&report);
+                    continue;
+                }
                 Shown::Scene(scene) => {
                     renderer.render_channels(scene, cameras, &batch, channels, advance)?
                 }

@@ -312,6 +312,8 @@ impl Trainer {
         }
         device.run_in_pool(|| optimizer.step(device, shard, gradient, settings, now))?;
         gradient.fields.clear_touched(device);
+        // a GPU moves the scene while the host draws the next tiles
+        device.submit();
         self.step += 1;
         let grows = is_time_to_grow(&self.config, self.step);
         let grown = grows.then(|| self.grow()).transpose()?;

@@ -363,6 +363,13 @@ impl Device {
         Some(watch.as_ref()?.writer?.to_array())
     }
 
+    /// Gives a GPU everything that is recorded, so that it works while the host goes on.
+    pub fn submit(&self) {
+        if let Kind::Gpu(gpu) = &self.kind {
+            gpu.submit();
+        }
+    }
+
     /// Number of times that the host has waited to read from a GPU; 0 on a CPU.
     #[doc(hidden)]
     #[must_use]

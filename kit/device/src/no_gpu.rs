@@ -47,11 +47,12 @@ methods! {
     max_buffer_bytes() -> u64;
     allocate(&'static str, u64, bool) -> Result<GpuBuffer>;
     write(&GpuBuffer, &[u8]) -> ();
-    read(&mut [(&GpuBuffer, u64, &mut [u8])]) -> Result<()>;
+    read(&[(&GpuBuffer, u64, usize)], impl FnMut(&[u8]) -> Result<()>) -> Result<()>;
     dispatch(&'static KernelInfo, &[u8], &[(usize, &Count)], &[&RawBuffer], [u32; 3]) -> Result<()>;
     clear(&GpuBuffer, u64, u64) -> ();
     copy(&GpuBuffer, Range<u64>, &GpuBuffer, u64) -> ();
     publish_counts() -> ();
+    submit() -> ();
     wait() -> Result<()>;
     time_dispatches(bool) -> bool;
     take_times() -> Vec<(&'static str, Duration)>;

@@ -256,7 +256,10 @@ impl Device {
                 Ok(())
             }
             (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
-                gpu.read(&mut [(memory, begin as u64, target)])
+                gpu.read(&[(memory, begin as u64, target.len())], |bytes| {
+                    target.copy_from_slice(bytes);
+                    Ok(())
+                })
             }
             (Kind::Planner(_), _) => Err(Error::Argument {
                 reason: format!("`{label}` cannot be read: a planner runs nothing"),
@@ -270,17 +273,23 @@ impl Device {
         let Kind::Gpu(gpu) = &self.kind else {
             return buffers.iter().map(|buffer| self.read(buffer)).collect();
         };
-        let zeros = |buffer: &Buffer<u32>| crate::memory::zeros(buffer.len(), buffer.raw().label);
-        let mut values: Vec<Vec<u32>> = buffers.iter().map(zeros).collect::<Result<_>>()?;
-        let mut ranges = Vec::with_capacity(buffers.len());
-        for (buffer, values) in buffers.iter().zip(&mut values) {
-            let raw = buffer.raw();
-            let Memory::Gpu(memory) = &raw.memory else {
-                panic!("the buffer `{}` belongs to another device", raw.label)
-            };
-            ranges.push((memory, raw.begin, bytemuck::cast_slice_mut(values)));
-        }
-        gpu.read(&mut ranges)?;
+        let ranges: Vec<_> = buffers
+            .iter()
+            .map(|buffer| match &buffer.raw().memory {
+                Memory::Gpu(memory) => (memory, buffer.raw().begin, buffer.raw().bytes as usize),
+                _ => panic!("the buffer `{}` belongs to another device", buffer.raw().label),
+            })
+            .collect();
+        let mut values = Vec::with_capacity(buffers.len());
+        gpu.read(&ranges, |bytes| {
+            let words = bytemuck::cast_slice(bytes);
+            // not zeros: these would take as long as the copy
+            let mut copied =
+                crate::memory::reserve(words.len(), buffers[values.len()].raw().label)?;
+            copied.extend_from_slice(words);
+            values.push(copied);
+            Ok(())
+        })?;
         Ok(values)
     }
 }

@@ -4,7 +4,7 @@
 use glam::Vec4;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
-    INPUTS_PER_INVOCATION, WEIGHT_ROWS_PER_INVOCATION,
+    INPUTS_PER_INVOCATION, weight_invocations,
 };
 
 use super::gradient::FieldGradient;
@@ -227,8 +227,8 @@ impl DeviceField {
             carry: &group.carry,
             sum,
         };
-        let blocks = layer.inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
+        let invocations = weight_invocations(layer.inputs, layer.columns);
         let windows = chunk.samples.div_ceil(slice);
-        device.run(&kernel.counted(&chunk.count), blocks * layer.columns, windows)
+        device.run(&kernel.counted(&chunk.count), invocations, windows)
     }
 }

@@ -54,7 +54,7 @@ impl Renderer {
     ///
     /// With `ranks`, each has the same scene and the same batch, and then the same gradient.
     ///
-    /// On a GPU a batch of one part is one submission and one wait, for the losses, after a first one that has found
+    /// On a GPU a batch of one part is one wait, for the losses, after a first one that has found
     /// out what such batches need. `gradient` is that of a step: but for the statistics, zero before. `loss` is kept
     /// from step to step.
     ///

@@ -12,6 +12,7 @@ use rayon::prelude::*;
 
 use super::plan::PartTiles;
 use super::renderer::Renderer;
+use super::results::place;
 use crate::forward::bin::{Bins, Pairs, project};
 use crate::forward::channels::Seen;
 use crate::forward::color::Color;
@@ -251,9 +252,14 @@ impl Renderer {
         cache.look_from(camera.for_kernels().eye, scene)?;
         let device = self.device();
         let channels = options.channels;
-        self.render_parts(scene, batch, channels, &mut |_, _| {}, &mut |plan| {
-            device.run_in_pool(|| cache.render(scene, camera, plan, options))
-        })
+        let mut tiles = RenderedTiles::new(batch, channels);
+        let is_whole = self.render_parts(scene, batch, &mut |_, _| {}, &mut |plan| {
+            let part = device.run_in_pool(|| cache.render(scene, camera, plan, options))?;
+            let Some(part) = part else { return Ok(false) };
+            place(&mut tiles, plan, part, channels)?;
+            Ok(true)
+        })?;
+        Ok(is_whole.then_some(tiles))
     }
 
     /// How many Gaussians each pixel sums up, row by row: those whose support reaches the pixel's center.

@@ -99,7 +99,7 @@ impl Renderer {
         scene.require_gradients()?;
         let version = version(from_ref(scene));
         let (parts, tiles) = self.in_parts(scene, batch, |plans| {
-            let mut tiles = RenderedTiles::zeros(batch, channels)?;
+            let mut tiles = RenderedTiles::new(batch, channels);
             let mut parts: Vec<KeptPart> = Vec::with_capacity(plans.len());
             let mut most = KEPT_PARTS;
             for plan in plans {
@@ -113,9 +113,9 @@ impl Renderer {
                     }
                     rendered => rendered?,
                 };
-                place(&mut tiles, plan, &rendered, channels);
-                let part = (parts.len() < most).then_some(part);
                 let samples = [rendered.report.pairs, rendered.report.samples];
+                place(&mut tiles, plan, rendered, channels)?;
+                let part = (parts.len() < most).then_some(part);
                 parts.push(KeptPart { plan: plan.clone(), samples, part });
             }
             Ok((parts, tiles))

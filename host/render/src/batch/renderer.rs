@@ -1,13 +1,14 @@
 //! Renders batches of tiles, part by part.
 
-use organza_core::{Channel, RenderedTiles};
+use organza_core::{Channel, RenderReport, RenderedTiles};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::capacity::CapacityPredictor;
 use super::plan::{Limits, PART_BYTES, PartTiles};
 use super::results::place;
-use crate::forward::part::{self, Part, RenderedPart};
+use crate::forward::composite::pixels;
+use crate::forward::part::{self, Part, RenderedPart, report_of_part};
 use crate::forward::part_counts::{Capacity, Needed};
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::Device;
@@ -119,30 +120,62 @@ impl Renderer {
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
-        let rendered = self.render_parts(scene, batch, channels, progress, &mut |plan| {
+        let mut tiles = RenderedTiles::new(batch, channels);
+        self.render_parts(scene, batch, progress, &mut |plan| {
             let (_, part) = self.render_part(scene, cameras, plan, channels, false)?;
-            Ok(Some(part))
+            place(&mut tiles, plan, part, channels)?;
+            Ok(true)
         })?;
-        Ok(rendered.expect("every part is rendered"))
+        Ok(tiles)
     }
 
-    /// Renders a batch part by part; nothing where `render` gives none.
+    /// Renders tiles of one camera into its image, in 8 bits: values are clamped to 0 to 1 and rounded on the device.
+    /// `progress` is that of [`Renderer::render_with_progress`].
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`].
+    pub fn paint(
+        &self,
+        image: &mut Image,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<RenderReport> {
+        batch.validate(cameras)?;
+        let device = self.device();
+        let mut report = RenderReport::default();
+        self.render_parts(scene, batch, progress, &mut |plan| {
+            let paint = |capacity| {
+                let part = Part::evaluate(scene, cameras, plan, false, capacity)?;
+                let pixels = pixels(device, plan.side, &part.composite.image)?;
+                let buffers = vec![pixels, part.bins.degenerate.view()];
+                let (words, needed) = part.read(device, buffers)?;
+                Ok(((words, needed), needed))
+            };
+            let (words, needed) =
+                device.run_in_pool(|| self.with_predicted_capacity(scene, plan, paint))?;
+            image.paste_words(plan.side, plan.tiles.iter().map(|planned| planned.tile), &words[0]);
+            report.add(&report_of_part(words[1][0], needed));
+            Ok(true)
+        })?;
+        Ok(report)
+    }
+
+    /// Does something for a batch part by part, as long as `render` is true. Returns whether it was to the end.
     pub(crate) fn render_parts(
         &self,
         scene: &DeviceScene,
         batch: &TileBatch,
-        channels: &[Channel],
         progress: &mut dyn FnMut(usize, usize),
-        render: &mut dyn FnMut(&PartTiles) -> Result<Option<RenderedPart>>,
-    ) -> Result<Option<RenderedTiles>> {
-        let mut tiles = RenderedTiles::zeros(batch, channels)?;
+        render: &mut dyn FnMut(&PartTiles) -> Result<bool>,
+    ) -> Result<bool> {
         let mut done = 0;
         let mut plans = self.plans(scene, batch)?;
         while let Some(plan) = plans.pop() {
             match render(&plan) {
-                Ok(None) => return Ok(None),
-                Ok(Some(part)) => {
-                    place(&mut tiles, &plan, &part, channels);
+                Ok(false) => return Ok(false),
+                Ok(true) => {
                     done += plan.tiles.len();
                     progress(done, batch.tiles.len());
                 }
@@ -153,7 +186,7 @@ impl Renderer {
                 Err(error) => return Err(error),
             }
         }
-        Ok(Some(tiles))
+        Ok(true)
     }
 
     /// Renders a part; `keep` says whether it will be gone back through.
@@ -180,8 +213,8 @@ impl Renderer {
         let size = [camera.width, camera.height];
         let mut image = Image::new(size[0], size[1])?;
         for batch in image::bands(0, size, image::TILE_SIDE) {
-            let batch = batch?;
-            image.paste(&batch, &self.render(scene, std::slice::from_ref(camera), &batch)?)?;
+            let cameras = std::slice::from_ref(camera);
+            self.paint(&mut image, scene, cameras, &batch?, &mut |_, _| {})?;
         }
         Ok(image)
     }

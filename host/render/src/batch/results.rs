@@ -2,27 +2,45 @@
 
 use super::plan::PartTiles;
 use crate::forward::part::RenderedPart;
+use muslin_device::{Result, memory};
 use organza_core::{Channel, RenderReport, RenderedTiles};
 
 /// Puts the tiles of a part in their places; `channels` are those of the part.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](muslin_device::Error::OutOfMemory).
 pub fn place(
     tiles: &mut RenderedTiles,
     plan: &PartTiles,
-    part: &RenderedPart,
+    part: RenderedPart,
     channels: &[Channel],
-) {
+) -> Result<()> {
     let area = (tiles.side * tiles.side) as usize;
-    let place = |values: &[f32], len: usize, batch: &mut [f32]| {
+    let count = tiles.count;
+    let is_in_order = plan.tiles.iter().enumerate().all(|(place, tile)| tile.place == place);
+    // New memory costs more than the copy: a batch of one part takes what was read.
+    let is_whole = plan.tiles.len() == count && is_in_order;
+    let place = |values: Vec<f32>, planes: usize, batch: &mut Vec<f32>| {
+        if is_whole {
+            *batch = values;
+            return Ok(());
+        }
+        let len = planes * area;
+        if batch.is_empty() {
+            *batch = memory::zeros(count * len, "the rendered batch")?;
+        }
         for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
             batch[tile.place * len..][..len].copy_from_slice(values);
         }
+        Ok(())
     };
-    place(&part.pixels, 3 * area, &mut tiles.data);
-    for (channel, values) in channels.iter().zip(&part.channels) {
-        let all = tiles.channels.get_mut(channel).expect("made by `zeros`");
-        place(values, channel.planes() * area, all);
+    place(part.pixels, 3, &mut tiles.data)?;
+    for (channel, values) in channels.iter().zip(part.channels) {
+        let all = tiles.channels.get_mut(channel).expect("`RenderedTiles::new` has made it");
+        place(values, channel.planes(), all)?;
     }
     tiles.report.add(&part.report);
+    Ok(())
 }
 
 /// How many numbers a report has.

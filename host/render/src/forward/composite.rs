@@ -4,6 +4,7 @@ use glam::Vec4;
 use organza_shaders::composite_backward::{
     CompositeBackwardKernel, CompositeBackwardParams, band_rows,
 };
+use organza_shaders::pixels::{PixelsKernel, PixelsParams};
 use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
 use organza_shaders::splat::{SplatBackwardKernel, SplatBackwardParams, VECTORS};
 use organza_shaders::tile::Tile;
@@ -156,6 +157,14 @@ pub fn resolve(
     let params = resolve_params(background, divide_above, side);
     device.run_over(&ResolveKernel { params, tile, sum, image: &image }, [side, side, tiles])?;
     Ok(image)
+}
+
+/// `[tiles, S, S]`: tiles in 8 bits.
+pub fn pixels(device: &Device, side: u32, image: &Buffer<f32>) -> Result<Buffer<u32>> {
+    let rgba = device.unwritten("pixels", image.len() / 3)?;
+    let params = PixelsParams { count: rgba.len() as u32, area: side * side };
+    device.run(&PixelsKernel { params, image, rgba: &rgba }, params.count, 1)?;
+    Ok(rgba)
 }
 
 fn resolve_params(background: [f64; 3], divide_above: f32, side: u32) -> ResolveParams {

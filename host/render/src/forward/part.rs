@@ -118,7 +118,8 @@ pub fn read_tiles<R>(
     buffers.extend(sums.buffers());
     let (mut values, more) = read(buffers)?;
     let channels = sums.resolve(&values.split_off(2), plan.side, channels);
-    let pixels = bytemuck::pod_collect_to_vec(&values[0]);
+    let degenerate = values[1][0];
+    let pixels = bytemuck::cast_vec(values.swap_remove(0));
     let report = RenderReport::default();
-    Ok((RenderedPart { pixels, channels, report }, values[1][0], more))
+    Ok((RenderedPart { pixels, channels, report }, degenerate, more))
 }

@@ -3,15 +3,14 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use organza::camera::{CameraPath, MAX_IMAGE_SIDE, Orbit};
+use organza::camera::{CameraPath, Orbit};
 use organza::{Camera, Result, Scene};
 
 use crate::cli::console::Console;
 use crate::cli::inputs::{Cameras, DataArgs, SceneSource};
-use crate::cli::numbers;
-use crate::cli::refuse;
 use crate::cli::summary::count;
 use crate::cli::views::ViewList;
+use crate::cli::{image_size, numbers, refuse};
 
 const USAGE: &str = "organza film SCENE CAMERAS -o FILE";
 /// Longer side of a film by default, in pixels: photographs may be several times as large.
@@ -51,7 +50,7 @@ pub struct PathArgs {
     #[arg(long, value_name = "DEGREES", value_parser = field_of_view, requires = "orbit")]
     field_of_view: Option<f64>,
     /// Width and height in pixels, such as 1280x720 [default: the first camera's, if that has at most 1920 pixels a side]
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    #[arg(long, value_name = "WxH", value_parser = image_size)]
     size: Option<[u32; 2]>,
 }
 
@@ -197,10 +196,6 @@ fn within(text: &str, range: RangeInclusive<f64>) -> Option<f64> {
     text.trim().parse().ok().filter(|value| range.contains(value))
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
-    super::super::size(text, 1..=MAX_IMAGE_SIDE)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -208,12 +203,12 @@ mod tests {
     #[test]
     fn arguments_are_read_or_refused() {
         assert_eq!(vector(" 1,-2.5, 3e1"), Ok([1.0, -2.5, 30.0]));
-        assert_eq!(size("1280x720"), Ok([1280, 720]));
+        assert_eq!(image_size("1280x720"), Ok([1280, 720]));
         for bad in ["", "1,2", "1,2,3,4", "1,,2", "nan,0,0", "inf,0,0"] {
             assert!(vector(bad).is_err(), "{bad}");
         }
         for bad in ["", "640", "640x", "0x480", "70000x8", "-1x4", "1.5x2", "6 40x2"] {
-            assert!(size(bad).is_err(), "{bad}");
+            assert!(image_size(bad).is_err(), "{bad}");
         }
         assert!(elevation("90").is_err() && elevation("-89").is_ok() && elevation("nan").is_err());
         assert!(distance("0").is_err() && distance("inf").is_err() && distance("0.1").is_ok());

@@ -166,19 +166,23 @@ impl Gpu {
         }
     }
 
-    /// Waits for all queued work, and copies bytes of each buffer, starting at an offset.
-    pub fn read(&self, ranges: &mut [(&GpuMemory, u64, &mut [u8])]) -> Result<()> {
+    /// Waits for all queued work, and gives the bytes of each range to `take`: a buffer, an offset, and a length.
+    pub fn read(
+        &self,
+        ranges: &[(&GpuMemory, u64, usize)],
+        mut take: impl FnMut(&[u8]) -> Result<()>,
+    ) -> Result<()> {
         self.waits.fetch_add(1, Ordering::Relaxed);
         // wgpu copies whole words
-        let words = |(_, begin, target): &(&GpuMemory, u64, &mut [u8])| {
-            begin / 4 * 4..(begin + target.len() as u64).next_multiple_of(4)
+        let words = |&(_, begin, len): &(&GpuMemory, u64, usize)| {
+            begin / 4 * 4..(begin + len as u64).next_multiple_of(4)
         };
         let size: u64 = ranges.iter().map(words).map(|words| words.end - words.start).sum();
         let staging = self.take_staging(size);
         {
             let mut recorder = self.recorder();
             let mut at = 0;
-            for range in ranges.iter() {
+            for range in ranges {
                 let words = words(range);
                 recorder.copy(&self.device, range.0, words.clone(), &staging, at);
                 at += words.end - words.start;
@@ -197,22 +201,22 @@ impl Gpu {
             .recv()
             .map_err(|_| Error::DeviceLost { reason: "it did not answer".into() })?;
         mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
-        let range = staging.slice(..size).get_mapped_range();
-        let range = range.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let mapped = staging.slice(..size).get_mapped_range();
+        let mapped = mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
         let mut at = 0;
-        for copied in ranges {
-            let words = words(copied);
-            let (_, begin, target) = copied;
-            let first = at + (*begin - words.start) as usize;
-            target.copy_from_slice(&range[first..first + target.len()]);
+        let mut taken = Ok(());
+        for range in ranges {
+            let words = words(range);
+            let first = at + (range.1 - words.start) as usize;
+            taken = taken.and_then(|()| take(&mapped[first..first + range.2]));
             at += (words.end - words.start) as usize;
         }
-        drop(range);
+        drop(mapped);
         staging.unmap();
         if staging.size() <= MAX_STAGING {
             *self.staging.lock().unwrap_or_else(PoisonError::into_inner) = Some(staging);
         }
-        Ok(())
+        taken
     }
 
     /// A buffer that the host can read, of at least `size` bytes.
@@ -284,9 +288,14 @@ impl Gpu {
         self.recorder().publish_counts(&self.device);
     }
 
+    /// Submits what is recorded.
+    pub fn submit(&self) {
+        self.recorder().submit(&self.device, &self.queue);
+    }
+
     /// Waits for all queued work.
     pub fn wait(&self) -> Result<()> {
-        self.recorder().submit(&self.device, &self.queue);
+        self.submit();
         let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
         self.check()?;
         polled.map(drop).map_err(|error| Error::DeviceLost { reason: error.to_string() })

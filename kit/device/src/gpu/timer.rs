@@ -2,9 +2,8 @@
 
 use std::time::Duration;
 
-/// Most dispatches in one submission: each keeps its slot until then. This is enough for a training step, and as many
-/// timestamps as a query set allows.
-pub const SLOTS: u64 = 2048;
+/// Most dispatches in one submission: each keeps its slot until then. The device works on them while the host records the next.
+pub const SLOTS: u64 = 32;
 
 /// Size of a timestamp, in bytes.
 const STAMP: u64 = size_of::<u64>() as u64;

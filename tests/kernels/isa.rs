@@ -1,4 +1,4 @@
-//! The machine code that a GPU's compiler makes of the kernels: docs/snapshots.md.
+//! The machine code that a GPU's compiler makes of the kernels: docs/correctness.md.
 
 use std::env;
 use std::fs;

@@ -216,7 +216,7 @@ fn naga_drops_no_contraction() {
     .unwrap();
     let options = naga::back::spv::Options::default();
     let written = naga::back::spv::write_vec(&module, &info, &options, None).unwrap();
-    assert_eq!(decorated(&written), 0, "naga keeps it now: docs/kernels.md, docs/numerics.md");
+    assert_eq!(decorated(&written), 0, "naga keeps it now: docs/kernels.md, docs/correctness.md");
 }
 
 /// The trap: Rust-GPU's own library panics on a CPU.

@@ -75,27 +75,6 @@ fn the_number_of_threads_changes_no_bit() {
     }
 }
 
-/// The table of docs/parity.md must have the cases, in their order, with the same numbers.
-#[test]
-fn the_page_has_every_tolerance() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parity.md");
-    let page = std::fs::read_to_string(page).expect("docs/parity.md");
-    let (_, tables) = page.split_once("## Tolerances\n").expect("a chapter of tolerances");
-    let table = tables.split("\n## ").next().unwrap_or_default();
-    let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
-    let rows: Vec<Vec<_>> =
-        rows.map(|row| row.trim_matches('|').split(" | ").map(str::trim).collect()).collect();
-    let cases = organza_parity::cases();
-    for (row, case) in rows.iter().zip(&cases) {
-        let [kernel, tolerance, why] = row[..] else { panic!("a row of {} columns", row.len()) };
-        let remedy = "`organza parity --markdown` prints the table";
-        assert_eq!((kernel, why), (case.kernel, case.why), "docs/parity.md: {remedy}");
-        let written = if tolerance == "equal" { Ok(0.0) } else { tolerance.parse() };
-        assert_eq!(written, Ok(case.tolerance), "docs/parity.md, {kernel}: {remedy}");
-    }
-    assert_eq!(rows.len(), cases.len(), "docs/parity.md has another number of kernels");
-}
-
 /// All integers in an output of a kernel, over all sets.
 fn all_of<P: Parity>(output: &str) -> BTreeSet<u32> {
     let cpu = devices::cpu(None);

@@ -1,4 +1,4 @@
-//! Changes of single characters in the kernels that no other test detects: `docs/mutations.md`.
+//! Changes of single characters in the kernels that no other test detects: `docs/correctness.md`.
 
 use glam::Vec2;
 use organza::{Renderer, Scene, Tile, TileBatch};

@@ -1,4 +1,4 @@
-//! Snapshots of A, B and C, alone and together: `docs/snapshots.md` says how to read and accept them.
+//! Snapshots of A, B and C, alone and together: `docs/correctness.md` says how to read and accept them.
 //!
 //! A snapshot locks a value but does not prove it. So every scene is also compared with the equations in f64.
 

@@ -17,7 +17,7 @@ const OUT_OF_TOLERANCE: u8 = 1;
 
 const NOTES: &str = "\
 Columns: the largest absolute, relative and ULP (units in the last place) difference from the CPU;
-the tolerance, in units of each output's scale (docs/parity.md); and how much of the tolerance the
+the tolerance, in units of each output's scale (docs/correctness.md); and how much of the tolerance the
 worst value uses. Integers must be equal.
 
 Exit code: 0; 1 if a kernel is out of tolerance; 2, with a message on stderr, after any other error,
@@ -41,7 +41,7 @@ pub struct Args {
     /// Print JSON, with the place of each largest difference
     #[arg(long)]
     json: bool,
-    /// Print Markdown, with the reason for each tolerance: the tables of docs/parity.md
+    /// Print Markdown, with the reason for each tolerance
     #[arg(long, conflicts_with = "json")]
     markdown: bool,
 }

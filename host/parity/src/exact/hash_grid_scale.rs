@@ -1,4 +1,4 @@
-//! The unit of the hash grids' gradient, as docs/numerics.md defines it.
+//! The unit of the hash grids' gradient, as docs/correctness.md defines it.
 
 /// A bound of |dL/dlogit| of a color (Eq. 3): a sigmoid's slope is at most 1/4.
 pub fn color_bound(gradient: [f64; 3]) -> f64 {

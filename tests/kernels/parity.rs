@@ -1,7 +1,6 @@
 //! Compares every kernel on every device with the CPU, and the CPU with the equations in f64.
 
 use std::collections::BTreeSet;
-use std::path::Path;
 
 use muslin::kernels;
 use muslin::subgroup::SIZES;

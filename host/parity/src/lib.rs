@@ -40,8 +40,6 @@ pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
-#[cfg(test)]
-mod transpose;
 
 use muslin_check::Case;
 

@@ -84,7 +84,6 @@ pub mod runner;
 pub mod skip;
 #[cfg(feature = "snapshots")]
 pub mod snapshot;
-mod transpose;
 
 pub use assert::assert_parity;
 pub use canary::{Canary, unwritten};
@@ -96,4 +95,3 @@ pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use parity::{Parity, Rounding};
 pub use report::{Report, Row};
 pub use runner::KernelRunner;
-pub use transpose::assert_transpose;

@@ -128,14 +128,11 @@ pub mod binned;
 #[cfg(not(target_arch = "spirv"))]
 mod casts;
 pub mod count;
-#[cfg(not(target_arch = "spirv"))]
-pub mod dual;
 pub mod fixed;
 #[cfg(not(target_arch = "spirv"))]
 mod fused;
 #[cfg(not(target_arch = "spirv"))]
 pub mod given;
-pub mod gradient;
 pub mod half;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]

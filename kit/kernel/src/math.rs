@@ -13,7 +13,6 @@ use glam::Vec3;
 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
 use crate::casts::check_cast;
 use crate::lane::Lane;
-use muslin_macros::gradient;
 
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
 pub const HUGE: f32 = 3.402_823_5e38;
@@ -111,14 +110,12 @@ pub fn max(a: f32, b: f32) -> f32 {
 }
 
 /// x, clamped to `[low, high]`.
-#[gradient]
 #[inline(always)]
 pub fn clamp(x: f32, low: f32, high: f32) -> f32 {
     min(max(x, low), high)
 }
 
 /// a + t (b - a): a for t = 0, and b for t = 1, but for a rounding of both sizes.
-#[gradient]
 #[inline(always)]
 pub fn mix<L: Lane>(a: L, b: L, t: L) -> L {
     a + t * (b - a)
@@ -207,7 +204,6 @@ pub fn ln(x: f32) -> f32 {
 }
 
 /// x^y for positive x from [`TINY`] on, to 1e-6 (1 + |y ln x|) of its size, as long as it is from [`TINY`] to [`HUGE`].
-#[gradient]
 #[inline(always)]
 pub fn pow(x: f32, y: f32) -> f32 {
     exp(y * ln(x))
@@ -253,72 +249,25 @@ fn ln_1p<L: Lane>(x: L) -> L {
     number(2.0) * s * (number(1.0) + t * (number(1.0 / 3.0) + t * series))
 }
 
-/// Of [`abs`], by the sign bit of x.
-#[inline(always)]
-pub fn abs_backward(x: f32, gradient: f32) -> f32 {
-    f32::from_bits(gradient.to_bits() ^ (x.to_bits() & 0x8000_0000))
-}
-
-/// Of [`sin`].
-#[inline(always)]
-pub fn sin_backward<L: Lane>(x: L, gradient: L) -> L {
-    gradient * cos(x)
-}
-
-/// Of [`cos`].
-#[inline(always)]
-pub fn cos_backward<L: Lane>(x: L, gradient: L) -> L {
-    -(gradient * sin(x))
-}
-
-/// Of [`tan`].
-#[inline(always)]
-pub fn tan_backward<L: Lane>(x: L, gradient: L) -> L {
-    let value = tan(x);
-    gradient * (L::splat(1.0) + value * value)
-}
-
-/// Of [`ln`].
-#[inline(always)]
-pub fn ln_backward(x: f32, gradient: f32) -> f32 {
-    gradient / x
-}
-
-/// Of [`sigmoid`]. 1 - sigmoid(x) = sigmoid(-x), without its cancellation.
-#[inline(always)]
-pub fn sigmoid_backward<L: Lane>(x: L, gradient: L) -> L {
-    gradient * sigmoid(x) * sigmoid(-x)
-}
-
-/// Of [`log_sigmoid`].
-#[inline(always)]
-pub fn log_sigmoid_backward<L: Lane>(x: L, gradient: L) -> L {
-    gradient * sigmoid(-x)
-}
-
 /// Dot product.
-#[gradient]
 #[inline(always)]
 pub fn dot(a: Vec3, b: Vec3) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
 /// Cross product.
-#[gradient]
 #[inline(always)]
 pub fn cross(a: Vec3, b: Vec3) -> Vec3 {
     Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
 }
 
 /// Euclidean length.
-#[gradient]
 #[inline(always)]
 pub fn length(v: Vec3) -> f32 {
     sqrt(dot(v, v))
 }
 
 /// v / |v|. Shorter than 1 where the square of |v| is below [`TINY`], as a GPU can flush that; zero for zero.
-#[gradient]
 #[inline(always)]
 pub fn normalize(v: Vec3) -> Vec3 {
     v * (1.0 / sqrt(max(dot(v, v), TINY)))
@@ -333,12 +282,11 @@ mod tests {
     fn a_denormal_has_a_sign_and_no_direction() {
         let denormal = TINY / 2.0;
         assert_eq!([denormal, -denormal].map(abs), [denormal; 2]);
-        assert_eq!([denormal, -denormal].map(|x| abs_backward(x, 3.0)), [3.0, -3.0]);
         for size in [1e-30, 1e-20, 1e-19] {
             let found = length(normalize(Vec3::new(size, -size, 0.0)));
             assert!(found <= 1.0 + 1e-6, "{found} of {size}");
         }
-        assert!(normalize_backward(Vec3::ZERO, Vec3::ONE).is_finite());
+        assert_eq!(normalize(Vec3::ZERO), Vec3::ZERO);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 pub use bytemuck::{Pod, Zeroable};
 pub use glam::{UVec2, UVec3, UVec4, Vec2, Vec3, Vec4};
-pub use muslin_macros::{gradient, kernel, loops, params};
+pub use muslin_macros::{kernel, loops, params};
 
 #[cfg(target_arch = "spirv")]
 pub use crate::atomic::AtomicBuffer;

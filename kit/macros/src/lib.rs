@@ -49,7 +49,6 @@ mod checks;
 mod cpu;
 mod expand;
 mod fused;
-mod gradient;
 mod inputs;
 mod parse;
 #[cfg(test)]
@@ -74,15 +73,6 @@ pub fn loops(_: TokenStream, item: TokenStream) -> TokenStream {
     let has_barriers = checks::takes_invocation(&function).then(|| syn::parse_quote!(true));
     checks::add(&mut function.block, has_barriers);
     quote::quote!(#function).into()
-}
-
-/// Of a straight-line function: writes its backward function, `NAME_backward`, by reverse mode. Of a struct with named fields: it can be
-/// a value in such a function. `muslin::gradient` has the rules.
-#[proc_macro_attribute]
-pub fn gradient(attribute: TokenStream, item: TokenStream) -> TokenStream {
-    gradient::gradient(attribute.into(), item.into())
-        .unwrap_or_else(syn::Error::into_compile_error)
-        .into()
 }
 
 /// Parameters of a kernel: a struct of plain numbers that the host fills and a GPU reads, field after field.

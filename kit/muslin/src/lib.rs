@@ -12,7 +12,3 @@ pub use muslin_check as check;
 /// Devices, which run kernels. With the feature `device`.
 #[cfg(feature = "device")]
 pub use muslin_device as device;
-
-#[cfg(doctest)]
-#[doc = include_str!("../gradients.md")]
-struct Guide;

@@ -78,11 +78,6 @@ macro_rules! impl_named {
             pub const fn named(self, name: &'static str) -> Self {
                 Self { name, ..self }
             }
-
-            /// The address of an element.
-            pub(crate) fn place(&self, index: u32) -> usize {
-                self.data.addr() + index as usize * size_of::<T>()
-            }
         }
     )*};
 }

@@ -119,14 +119,21 @@ fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
     Some(path.components().enumerate().map(replace).collect())
 }
 
-/// The file `path` below `folder`, with an extension if it lacks one; `None` if it does not exist.
+/// The file `path` below `folder`, with an extension if it lacks one, or with another, because tools convert photographs;
+/// `None` if it does not exist.
 fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
     let with = |extension: &&str| {
         let mut name = path.as_os_str().to_owned();
         name.push(extension);
         PathBuf::from(name)
     };
-    EXTENSIONS.iter().map(with).find(|path| is_there(&folder.join(path)))
+    let replaced = EXTENSIONS[1..].iter().filter_map(|extension| {
+        let known =
+            |old: &OsStr| EXTENSIONS.iter().any(|new| new.strip_prefix('.') == old.to_str());
+        path.extension().filter(|old| known(old))?;
+        Some(path.with_extension(&extension[1..]))
+    });
+    EXTENSIONS.iter().map(with).chain(replaced).find(|path| is_there(&folder.join(path)))
 }
 
 /// Whether there is something to read. If it is a pipe or a device, reading it reports that.

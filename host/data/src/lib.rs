@@ -96,7 +96,7 @@ pub struct Dataset {
     pub prepared: usize,
     /// Files outside of the data set's folder, as the data set names them.
     pub outside: Vec<PathBuf>,
-    /// What else was found and is not used, and why.
+    /// Warnings: clouds, masks and models that are not used, and cameras or photographs that cannot be right.
     pub notes: Vec<String>,
     /// Folder of the temporary file with the photographs, if they are not in memory.
     pub kept_in: Option<PathBuf>,
@@ -324,11 +324,13 @@ fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
     }
     let split = pairs.iter().find(|(a, b)| a.held_out != b.held_out);
     let (a, b) = split.or(pairs.first())?;
-    let count = pairs.len();
+    let others = match pairs.len() {
+        1 => String::new(),
+        count => format!(", and {} more such pairs", count - 1),
+    };
     let a = a.path.display();
     let b = b.path.display();
-    let mut note =
-        format!("the same photograph is there twice: {a} and {b}, and {count} such pairs in all");
+    let mut note = format!("the same photograph is there twice: {a} and {b}{others}");
     if split.is_some() {
         note += "; one of these is held out and the other trained on, so measurements are too good";
     }
@@ -392,7 +394,7 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
             let reason = format!(
                 "no data set was found here; looked for transforms.json (nerfstudio), \
                  transforms_train.json (Blender), and cameras.bin or cameras.txt of a sparse model (COLMAP) in \
-                 {folders}the folder itself, and numbered folders in these such as sparse/0{hint}"
+                 {folders}numbered folders in these such as sparse/0, and the folder itself{hint}"
             );
             invalid(path, reason)
         }

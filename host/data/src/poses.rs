@@ -18,7 +18,7 @@ pub struct Poses {
     pub missing: Vec<PathBuf>,
     /// Files outside of the data set's folder, as the data set names them.
     pub outside: Vec<PathBuf>,
-    /// What else was found and is not used, and why.
+    /// Warnings: clouds, masks and models that are not used, and cameras or photographs that cannot be right.
     pub notes: Vec<String>,
     /// Format of the data set.
     pub kind: DatasetKind,

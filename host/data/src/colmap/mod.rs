@@ -24,6 +24,8 @@ pub(super) const FOLDERS: [&str; 6] =
 const POINTS_PLY: &str = "points3D.ply";
 
 type Cameras = HashMap<u32, Intrinsics>;
+/// Cameras and their lenses.
+type Lensed = Vec<(Camera, Lens)>;
 /// Points by their ids.
 type Points = Vec<(u64, Point)>;
 
@@ -112,7 +114,8 @@ impl Model {
 pub(super) fn find(folder: &Path) -> Option<Model> {
     FOLDERS.iter().find_map(|name| {
         let root = folder.join(name);
-        let mut models = numbered(&root);
+        // a number in the data set's own folder may be anything
+        let mut models = if name.is_empty() { Vec::new() } else { numbered(&root) };
         models.push(root);
         let mut models: Vec<_> = models.into_iter().filter_map(Model::within).collect();
         if models.len() < 2 {
@@ -172,7 +175,7 @@ pub(super) fn list(
 
 /// A model's cameras by the names of their images, and its points by id, because COLMAP writes both in no particular
 /// order. A camera's `file_path` is the name.
-pub(super) fn read(model: &Model) -> Result<(Vec<(Camera, Lens)>, Vec<Point>)> {
+pub(super) fn read(model: &Model) -> Result<(Lensed, Vec<Point>)> {
     let path = &model.file("cameras");
     let (file, length) = open_regular(path)?;
     let cameras = match model.is_binary {

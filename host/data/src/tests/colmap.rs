@@ -151,24 +151,17 @@ fn parameters_are_where_colmap_has_them() {
 
 #[test]
 fn models_and_images_are_found_where_they_may_be() {
-    let places = [
-        "sparse/0",
-        "sparse",
-        "colmap/sparse/0",
-        "colmap_sparse/0",
-        "colmap_text",
-        "colmap",
-        "0",
-        "",
-    ];
+    let places =
+        ["sparse/0", "sparse", "colmap/sparse/0", "colmap_sparse/0", "colmap_text", "colmap", ""];
     for place in places {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
         write(root, &sample(), true);
         fs::remove_dir_all(root.join("sparse")).unwrap();
         write_model(&root.join(place), &sample(), false);
-        // Photographs may be in the folder itself.
+        // Photographs may be in the folder itself, and in another format than they had.
         fs::rename(root.join("images/a.png"), root.join("a.png")).unwrap();
+        fs::rename(root.join("images/sub/c.png"), root.join("images/sub/c.JPG")).unwrap();
         fs::remove_file(root.join("images/b c.png")).unwrap();
         let dataset = load(root).unwrap();
         assert_eq!(dataset.frames.len(), 2, "{place}");

@@ -40,9 +40,12 @@ fn paths_may_lack_an_extension_or_come_from_windows() {
     let folder = nerfstudio_folder(&file);
     file["frames"][0]["file_path"] = json!("./images/0");
     file["frames"][1]["file_path"] = json!("images\\1.png");
+    file["frames"][1]["mask_path"] = json!("hidden\\1.png");
+    write_image(&folder.path().join("hidden/1.png"), [6, 4], [255; 3]);
     write_json(&folder.path().join("transforms.json"), &file);
     let dataset = load(folder.path()).unwrap();
     assert_eq!(dataset.frames[1].name, "images\\1.png");
+    assert_eq!(dataset.masked, 1);
     assert_eq!(dataset.frames[1].image.color(0, 0)[0], 1.0 / 255.0);
 }
 

@@ -185,8 +185,10 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
         return invalid(path, reason);
     }
     let mut splats = Vec::new();
+    let count = file.json["nodes"].as_array().map_or(0, Vec::len);
+    let mut seen = vec![false; count];
     for root in file.roots() {
-        file.add_node(root, DMat4::IDENTITY, 0, &mut splats)?;
+        file.add_node(root, DMat4::IDENTITY, &mut seen, &mut splats)?;
     }
     if splats.is_empty() {
         return invalid(path, format!("it has no Gaussians of {EXTENSION}"));
@@ -220,18 +222,20 @@ impl File<'_> {
         (0..nodes.len()).filter(|node| !inner.contains(node)).collect()
     }
 
-    /// Adds the Gaussians of a node, and of those within. `parent` maps the space around the node to the world.
+    /// Adds the Gaussians of a node, and of those within. `parent` maps the space around the node to the world. A node is in
+    /// one other at most, so `seen` must not have it.
     fn add_node(
         &self,
         index: usize,
         parent: DMat4,
-        depth: usize,
+        seen: &mut [bool],
         splats: &mut Vec<Splat>,
     ) -> Result<()> {
-        let nodes = self.json["nodes"].as_array().map(Vec::as_slice).unwrap_or_default();
-        let Some(node) = nodes.get(index).filter(|_| depth < nodes.len()) else {
-            return damaged(self.path, "a node is missing, or is in itself");
-        };
+        if seen.get(index) != Some(&false) {
+            return damaged(self.path, "a node is missing, or is there twice");
+        }
+        seen[index] = true;
+        let node = &self.json["nodes"][index];
         let to_world = parent * local(node);
         let is_own = |name: &str| name.starts_with(OWN);
         let is_own = self.json["asset"]["generator"].as_str().is_some_and(is_own);
@@ -240,6 +244,8 @@ impl File<'_> {
             if primitive["extensions"].get(EXTENSION).is_none() {
                 continue;
             }
+            let bytes = (splats.len() * size_of::<Splat>()) as u64;
+            memory::check(bytes, "the Gaussians of a glTF file")?;
             let mut found = self.primitive(primitive)?;
             if !is_own {
                 self.place(&mut found, to_world)?;
@@ -247,7 +253,7 @@ impl File<'_> {
             splats.append(&mut found);
         }
         indices(&node["children"])
-            .try_for_each(|child| self.add_node(child, to_world, depth + 1, splats))
+            .try_for_each(|child| self.add_node(child, to_world, seen, splats))
     }
 
     /// Moves Gaussians into the world.
@@ -488,6 +494,7 @@ mod tests {
         }
         // harmonics have values of both signs, as logarithms of scales do
         let bytes = with(|json| {
+            json["nodes"][0] = json!({"mesh": 0});
             let attributes = &mut json["meshes"][0]["primitives"][0]["attributes"];
             attributes["KHR_gaussian_splatting:SCALE"] =
                 attributes["KHR_gaussian_splatting:SH_DEGREE_1_COEF_0"].clone();
@@ -502,7 +509,7 @@ mod tests {
         let refused = |edit: fn(&mut Value), facts: &[&str]| assert_refused(&with(edit), facts);
         refused(|json| json["nodes"][0]["scale"] = json!([1, 2, 1]), &["axes differently"]);
         refused(|json| json["nodes"][0]["scale"] = json!([0, 0, 0]), &["axes differently"]);
-        refused(|json| json["nodes"][0]["children"] = json!([0]), &["in itself"]);
+        refused(|json| json["nodes"][0]["children"] = json!([0]), &["there twice"]);
         refused(|json| json["scenes"][0]["nodes"] = json!([9]), &["node is missing"]);
         refused(|json| json["nodes"][0]["mesh"] = json!(9), &["no Gaussians of KHR"]);
         refused(|json| json["extensionsRequired"] = json!(["EXT_x"]), &["EXT_x"]);

@@ -90,7 +90,11 @@ pub fn save(
         Format::Splat => dot_splat::write(splats, &mut bytes),
     };
     encoded.map_err(|error| Error::write(path, error))?;
-    let read = read_from(&bytes[..], bytes.len() as u64, path)?;
+    let length = bytes.len() as u64;
+    let read = match format {
+        Format::Splat => dot_splat::read(&bytes[..], length, path)?,
+        _ => read_from(&bytes[..], length, path)?,
+    };
     write_atomic(path, |file| file.write_all(&bytes))?;
     Ok(read)
 }

@@ -170,6 +170,9 @@ fn rows(count: usize) -> usize {
     (1 << (count / ROW).max(1).ilog2()).min(MOST_ROWS)
 }
 
+/// Most pixels of an image for each byte of the whole archive: a few bytes can claim any number of equal pixels.
+const MOST_PIXELS: usize = 1024;
+
 /// A level as it is read: a pixel of an image.
 type Pixel = [u8; 4];
 
@@ -179,13 +182,15 @@ struct Files<'a> {
     meta: Value,
     /// Number of Gaussians.
     count: usize,
+    /// Bytes of the archive.
+    length: usize,
     path: &'a Path,
 }
 
 pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let archive = ZipArchive::new(Cursor::new(whole(source, length, path)?));
     let archive = archive.or_else(|error| damaged(path, error))?;
-    let mut files = Files { archive, meta: Value::Null, count: 0, path };
+    let mut files = Files { archive, meta: Value::Null, count: 0, length: length as usize, path };
     if files.archive.index_for_name(META).is_none() {
         let reason = format!(
             "it is a ZIP archive without {META}, so it is no SOG file; unpack it, and name a file in it"
@@ -215,7 +220,9 @@ impl Files<'_> {
         let file = self.archive.by_name(name);
         let mut file = file.or_else(|error| damaged(path, format!("{name}: {error}")))?;
         let size = file.size();
-        let mut bytes = memory::reserve(size as usize, "a file of a SOG archive")?;
+        memory::check(size, "a file of a SOG archive")?;
+        // memory grows with what is there, whatever the archive says
+        let mut bytes = Vec::new();
         let read = file.by_ref().take(size).read_to_end(&mut bytes);
         read.or_else(|error| damaged(path, format!("{name}: {error}")))?;
         Ok(bytes)
@@ -237,8 +244,12 @@ impl Files<'_> {
         let decoder = WebPDecoder::new(Cursor::new(bytes));
         let mut decoder = decoder.or_else(|error| damaged(path, broken(error)))?;
         let [width, height] = <[u32; 2]>::from(decoder.dimensions()).map(|side| side as usize);
-        if width * height < least {
-            let reason = format!("{name} has {width} x {height} pixels, and {least} are needed");
+        let most = MOST_PIXELS * self.length.max(64);
+        if !(least..=most).contains(&(width * height)) {
+            let reason = format!(
+                "{name} has {width} x {height} pixels, expected {least} at least, and {most} at most in an archive of its \
+                 size"
+            );
             return damaged(path, reason);
         }
         let has_alpha = decoder.has_alpha();
@@ -312,17 +323,17 @@ impl Files<'_> {
 
     /// All harmonics but the first. A palette has a row of [`ROW`] sets of them.
     fn add_harmonics(&mut self, splats: &mut [Splat]) -> Result<()> {
-        let bands = self.number("/shN/bands")?;
-        if ![1.0, 2.0, 3.0].contains(&bands) {
-            return damaged(
-                self.path,
-                format!("its harmonics have degree {bands}, expected 1 to 3"),
-            );
-        }
-        let others = (bands as usize + 1).pow(2) - 1;
         let sets = self.number("/shN/count")? as usize;
         let book = self.book("shN")?;
-        let (palette, width) = self.image("/shN/files/0", others)?;
+        // some programs write no number of bands, or 0, so the image's width decides
+        let (palette, width) = self.image("/shN/files/0", 1)?;
+        let others = width / ROW;
+        if ![3, 8, 15].contains(&others) || width % ROW > 0 {
+            let reason = format!(
+                "the palette of its harmonics is {width} pixels wide, expected {ROW} times 3, 8 or 15"
+            );
+            return damaged(self.path, reason);
+        }
         let (labels, _) = self.image("/shN/files/1", splats.len())?;
         for (splat, label) in splats.iter_mut().zip(labels) {
             let set = usize::from(u16::from_le_bytes([label[0], label[1]]));
@@ -465,9 +476,12 @@ mod tests {
         }
         assert_refused(&with(|meta| meta["version"] = json!(3)), &["version 3"]);
         assert_refused(&with(|meta| drop(meta["version"].take())), &["version null"]);
-        assert_refused(&with(|meta| meta["count"] = json!(1e12)), &["pixels", "are needed"]);
+        assert_refused(&with(|meta| meta["count"] = json!(1e12)), &["pixels", "at least"]);
         assert_refused(&with(|meta| meta["shN"]["count"] = json!(1)), &["set", "of 1"]);
-        assert_refused(&with(|meta| meta["shN"]["bands"] = json!(4)), &["degree 4"]);
+        // the labels' image is no palette
+        let labels = |meta: &mut Value| meta["shN"]["files"][0] = meta["shN"]["files"][1].clone();
+        assert_refused(&with(labels), &["pixels wide", "64 times"]);
+        assert_eq!(read_bytes(&with(|meta| meta["shN"]["bands"] = json!(0))).unwrap(), all);
         assert_refused(&with(|meta| meta["sh0"]["codebook"] = json!([1])), &["`sh0`", "code book"]);
         assert_refused(&with(|meta| meta["means"]["mins"] = json!(0)), &["/means/mins/0"]);
         assert_refused(&with(|meta| meta["quats"]["files"] = json!(["x.webp"])), &["x.webp"]);

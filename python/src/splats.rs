@@ -50,7 +50,7 @@ pub fn export<'py>(
     let scene = Arc::clone(&scene.0);
     let dataset = dataset.map(|data| Arc::clone(&data.dataset));
     let cameras = cameras.map(|cameras| cameras.0.clone());
-    let (found, beside) = job::run_while_awaited(py, move |awaited| {
+    let (psnr, gaussians, first_psnr, beside) = job::run_while_awaited(py, move |awaited| {
         let views = match (cameras, &dataset) {
             (Some(cameras), _) => Views::from_cameras(cameras),
             (None, Some(data)) => Views::from_data_set(data),
@@ -60,15 +60,16 @@ pub fn export<'py>(
         let mut check_signals = |_| awaited();
         let found = splats::distill(&renderer, &scene, uploaded, &views, fit, &mut check_signals)?;
         let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
-        let beside = splats::compare_splats(&renderer, uploaded, &found.splats, &frames)?;
         awaited()?;
-        splats::save(&found.splats, &path, format, Orbit::around(&views.fitted)?.up)?;
-        Ok((found, beside))
+        let up = Orbit::around(&views.fitted)?.up;
+        let written = splats::save(&found.splats, &path, format, up)?;
+        let beside = splats::compare_splats(&renderer, uploaded, &written, &frames)?;
+        Ok((found.psnr_of(&written), written.len(), found.first_psnr, beside))
     })?;
     let dict = PyDict::new(py);
-    dict.set_item("gaussians", found.splats.len())?;
-    dict.set_item("psnr", found.psnr)?;
-    dict.set_item("first_psnr", found.first_psnr)?;
+    dict.set_item("gaussians", gaussians)?;
+    dict.set_item("psnr", psnr)?;
+    dict.set_item("first_psnr", first_psnr)?;
     dict.set_item("scene_psnr", beside.map(|beside| beside.scene))?;
     dict.set_item("file_psnr", beside.map(|beside| beside.splats))?;
     Ok(dict)

@@ -181,10 +181,24 @@ fn every_command_takes_a_run_for_a_scene() {
     assert_eq!(run, file);
     let data = json("info data --json");
     assert_eq!([&data["kind"], &data["format"]], ["data set", "nerfstudio"]);
+    assert_eq!((&data["cameras"][1]["distorted"], data.get("missing")), (&json!(false), None));
     assert_eq!(
         [0, 1].map(|view| data["cameras"][view]["held_out"].clone()),
         [json!(true), json!(false)]
     );
+    // a lens, and a photograph that is lost
+    let kept = fs::read(sandbox.path("data/transforms.json")).unwrap();
+    let mut bent: Value = serde_json::from_slice(&kept).unwrap();
+    bent["k1"] = json!(0.1);
+    bent["camera_model"] = json!("OPENCV");
+    bent["frames"][0]["file_path"] = json!("images/lost.png");
+    fs::write(sandbox.path("data/transforms.json"), bent.to_string()).unwrap();
+    let bent = json("info data --json");
+    assert_eq!(bent["cameras"][0]["distorted"], true);
+    assert_eq!(bent["missing"].as_array().map(Vec::len), Some(1));
+    let text = sandbox.run("info data").assert_ok().stdout;
+    assert!(text.contains("1 photograph missing") && text.contains("distorting lens"), "{text}");
+    fs::write(sandbox.path("data/transforms.json"), kept).unwrap();
     let explain = |words: &str| json(&format!("explain {words} --pixel 20,20 --json"));
     let seen = explain("run --split train");
     assert_eq!(seen["color"], explain("run --view 1")["color"]);

@@ -79,6 +79,40 @@ fn a_scene_goes_out_and_comes_back() {
     sandbox.assert_refuses(&few, &["thin.ply", "more than the 9", "--max-gaussians"]);
 }
 
+/// What rounding costs is the difference to a file that rounds nothing. Without most harmonics, it may cost nothing, but the
+/// images are others.
+#[test]
+fn the_printed_psnr_is_that_of_the_file() {
+    let sandbox = sandbox();
+    let export = |scene: &str, file: &str| {
+        let words = format!("export {scene} around.json -o {file} --steps 20 --backend cpu");
+        sandbox.run(&words).assert_ok().stderr
+    };
+    let exact = export("thin.safetensors", "thin.ply");
+    assert!(!exact.contains("costs"), "{exact}");
+    let exact = decibels(&exact)[0];
+    for file in ["thin.splat", "thin.spz", "thin.sog", "thin.glb", "thin.compressed.ply"] {
+        let text = export("thin.safetensors", file);
+        let cost = exact - decibels(&text)[0];
+        assert_eq!(text.contains("costs"), cost > 0.1, "{exact} {text}");
+        assert!(text.contains(&format!("organza import {file} around.json -o NEW")), "{text}");
+        assert!(!file.ends_with(".splat") || cost.abs() > 0.1, "{exact} {text}");
+        assert!(!file.ends_with(".glb") || cost.abs() < 0.011, "{exact} {text}");
+        // every format comes back with all Gaussians, and with their places
+        let load = |name: &str| {
+            let mut splats = splats::load(sandbox.path(name)).expect("Gaussians");
+            splats.sort_by(|a, b| a.position[0].total_cmp(&b.position[0]));
+            splats
+        };
+        let found = load(file);
+        let expected = load("thin.ply");
+        assert_eq!(found.len(), expected.len());
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found.position[0] - expected.position[0]).abs() < 2e-3, "{file}");
+        }
+    }
+}
+
 /// Parses glTF: the header, the JSON, and the bytes that it describes.
 #[test]
 fn a_glb_has_the_attributes_of_the_extension() {
@@ -251,7 +285,10 @@ fn what_cannot_be_is_refused() {
     sandbox.assert_refuses(&words, &["--spz-version", "ends in .spz"]);
     fs::rename(sandbox.path("thin.safetensors"), sandbox.path("thin.ply")).unwrap();
     sandbox.assert_refuses("export thin.ply -o thin.ply", &["would replace the input"]);
-    sandbox.assert_refuses("import thin.ply -o new.safetensors", &["thin.ply", "neither a PLY"]);
+    sandbox.assert_refuses(
+        "import thin.ply -o new.safetensors",
+        &["thin.ply", "no file of Gaussians"],
+    );
     sandbox.assert_refuses("import none.ply -o new.safetensors", &["none.ply", "no such file"]);
     fs::write(
         sandbox.path("points.ply"),

@@ -323,8 +323,21 @@ impl Error {
             // Writing to a String does not fail.
             let _ = write!(reason, ", after `{before}`");
         }
+        if is_no_number(text, line, column) {
+            reason += "; JSON has no NaN and no Infinity, but Python writes them: write a number or null in its place, or \
+                       leave the key out";
+        }
         Self::BadJson { origin: origin.to_owned(), what, line, column, reason }
     }
+}
+
+/// Whether a parser stopped at NaN or Infinity.
+fn is_no_number(text: &[u8], line: usize, column: usize) -> bool {
+    let rest = text.split(|&byte| byte == b'\n').nth(line.saturating_sub(1)).unwrap_or_default();
+    // a parser stops at the first letter, or behind a sign
+    let rest = rest.get(column.saturating_sub(2)..).unwrap_or_default().trim_ascii_start();
+    let rest = rest.strip_prefix(b"-").unwrap_or(rest);
+    rest.starts_with(b"NaN") || rest.starts_with(b"Infinity")
 }
 
 /// The end of the text before a parser's position. serde names no field, so this shows which one it is.

@@ -153,6 +153,18 @@ mod tests {
     }
 
     #[test]
+    fn numbers_that_json_does_not_have_are_explained() {
+        for number in ["NaN", "Infinity", "-Infinity", "-NaN"] {
+            for text in [format!("{{\"a\": {number}}}"), format!("[1,\n{number},2]")] {
+                let error = chain(&parse_json(text.as_bytes(), Path::new("a.json")).unwrap_err());
+                assert!(error.contains("no NaN and no Infinity"), "{text}: {error}");
+            }
+        }
+        let error = chain(&parse_json(b"[1, Nobody]", Path::new("a.json")).unwrap_err());
+        assert!(!error.contains("Infinity"), "{error}");
+    }
+
+    #[test]
     fn deep_nesting_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("deep.json");

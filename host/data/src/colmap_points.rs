@@ -5,46 +5,77 @@ use std::path::Path;
 
 use glam::{DMat3, DVec3};
 
-use super::access::Access;
-use super::{DatasetOptions, Listing, Point, colmap};
+use super::{Listing, Point, colmap};
 use organza_core::camera::Camera;
-use organza_core::error::Result;
+use organza_core::error::chain;
 
 /// Least number of cameras that must agree.
 const LEAST: usize = 3;
 /// Largest distance of a camera from its place, relative to the distances between cameras.
 const CLOSE: f64 = 0.02;
 
-/// The model's points, in the world of a listing's cameras. `None` if there is no model, or if its cameras are
-/// elsewhere.
+/// The model's points, in the world of a listing's cameras. None if there is no model; the error says why one that is
+/// there is not used.
 ///
 /// Poses often come from such a model, but nerfstudio and instant-ngp rotate, move and scale them. Photographs of the
-/// same name determine the transformation.
-pub(super) fn points(
-    folder: &Path,
-    listing: &Listing,
-    options: &DatasetOptions,
-    access: &mut Access,
-) -> Result<Vec<Point>> {
+/// same name determine the transformation. They need not be where the model expects them.
+pub(super) fn points(folder: &Path, listing: &Listing) -> Result<Vec<Point>, String> {
     let Some(model) = colmap::find(folder) else { return Ok(Vec::new()) };
-    let Ok(found) = colmap::list(folder, &model, options, access) else { return Ok(Vec::new()) };
-    let by_name: HashMap<&str, &Camera> =
-        found.shots.iter().map(|shot| (file_name(&shot.name), &shot.camera)).collect();
-    let pairs: Vec<(&Camera, &Camera)> = listing
-        .shots
-        .iter()
-        .filter_map(|shot| Some((*by_name.get(file_name(&shot.name))?, &shot.camera)))
-        .collect();
-    let Some(similarity) = Similarity::between(&pairs) else { return Ok(Vec::new()) };
+    let unused = |reason: String| {
+        let folder = model.folder.display();
+        format!("the points of {folder} are not used, because {reason}")
+    };
+    let (cameras, points) = colmap::read(&model)
+        .map_err(|error| unused(format!("the model cannot be read: {}", chain(&error))))?;
+    let mut by_name: HashMap<&str, Vec<&Camera>> = HashMap::new();
+    for (camera, _) in &cameras {
+        by_name.entry(file_name(name(camera))).or_default().push(camera);
+    }
+    let pair = |camera| Some((most_alike(by_name.get(file_name(name(camera)))?, camera)?, camera));
+    let pairs: Vec<(&Camera, &Camera)> =
+        listing.shots.iter().filter_map(|shot| pair(&shot.camera)).collect();
+    if pairs.len() < LEAST {
+        return Err(unused(format!(
+            "only {} of its {} photographs have the names of photographs in the data set, and {LEAST} are needed \
+             to compare their cameras",
+            pairs.len(),
+            cameras.len()
+        )));
+    }
+    let Some(similarity) = Similarity::between(&pairs) else {
+        return Err(unused(format!(
+            "its cameras stand elsewhere: moved, turned and scaled alike, they are more than {}% of their distances \
+             away from the cameras of the data set",
+            100.0 * CLOSE
+        )));
+    };
     let moved =
         |point: Point| Point { position: similarity.apply(point.position).to_array(), ..point };
-    Ok(found.points.into_iter().map(moved).collect())
+    Ok(points.into_iter().map(moved).collect())
+}
+
+fn name(camera: &Camera) -> &str {
+    camera.file_path.as_deref().unwrap_or_default()
 }
 
 /// The last part of a path, without its extension, because tools convert photographs.
 fn file_name(path: &str) -> &str {
     let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
     name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+}
+
+/// Of a model's cameras whose photographs have one name, the one in the same folders. `None` if that is more than one.
+fn most_alike<'a>(cameras: &[&'a Camera], camera: &Camera) -> Option<&'a Camera> {
+    let most = cameras.iter().map(|other| likeness(other, camera)).max()?;
+    let mut best = cameras.iter().filter(|other| likeness(other, camera) == most);
+    best.next().filter(|_| best.next().is_none()).copied()
+}
+
+/// Whether a photograph's path is the end of another's, and the number of folders that they share.
+fn likeness(end: &Camera, whole: &Camera) -> (bool, usize) {
+    let folders = |camera| name(camera).rsplit(['/', '\\']).skip(1);
+    let shared = folders(end).zip(folders(whole)).take_while(|(a, b)| a == b).count();
+    (shared == folders(end).count(), shared)
 }
 
 /// A rotation, a scale and a translation.
@@ -58,9 +89,6 @@ struct Similarity {
 impl Similarity {
     /// The similarity that maps the first camera of each pair to the second; `None` if there is none.
     fn between(pairs: &[(&Camera, &Camera)]) -> Option<Self> {
-        if pairs.len() < LEAST {
-            return None;
-        }
         let count = pairs.len() as f64;
         let from = pairs.iter().map(|pair| eye(pair.0)).sum::<DVec3>() / count;
         let to = pairs.iter().map(|pair| eye(pair.1)).sum::<DVec3>() / count;

@@ -12,6 +12,9 @@ use muslin_device::memory;
 use organza_core::error::{Error, Result};
 use organza_core::input::{open_regular, read_file};
 
+/// What a file is, for messages.
+pub(super) const PHOTOGRAPH: &str = "photograph";
+pub(super) const MASK: &str = "mask";
 /// Bytes per pixel that decoding may take: 8 for the widest pixel (RGBA of 16 bits), or else 3 and the 16-bit
 /// coefficients of a progressive JPEG's four components.
 const BYTES_A_PIXEL: u64 = 3 + 4 * 2;
@@ -101,22 +104,22 @@ fn reader<R: BufRead + Seek>(source: R, length: u64, path: &Path) -> Result<Imag
     Ok(reader)
 }
 
-/// Decodes a photograph, which should have `expected` pixels, width and height.
-pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path) -> Result<Decoded> {
+/// Decodes a photograph or a mask, as `what` says, which should have `expected` pixels, width and height.
+pub(super) fn decode(bytes: &[u8], expected: [u32; 2], path: &Path, what: &str) -> Result<Decoded> {
     let reader = reader(Cursor::new(bytes), bytes.len() as u64, path)?;
     let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
     let decoder = reader.into_decoder().map_err(|error| broken(path, &error))?;
     let (width, height) = decoder.dimensions();
     if [width, height] != expected {
-        return wrong_size(path, [width, height], expected);
+        return wrong_size(path, what, [width, height], expected);
     }
     // The decoder silently fills missing parts of a JPEG with gray.
     let is_whole = !is_jpeg || has_jpeg_end(bytes);
     if !is_whole || (bytes.len() as u64) < fewest_bytes(is_jpeg, expected) {
-        return invalid(path, "the photograph was cut short; copy it again".to_owned());
+        return invalid(path, format!("the {what} was cut short; copy it again"));
     }
     if !is_jpeg && !has_whole_palette(bytes) {
-        return invalid(path, "the photograph's palette is damaged; copy it again".to_owned());
+        return invalid(path, format!("the {what}'s palette is damaged; copy it again"));
     }
     let color = decoder.color_type();
     if !is_read(color) {
@@ -197,11 +200,13 @@ fn broken(path: &Path, error: &ImageError) -> Error {
     Error::Invalid { origin: path.to_owned(), reason }
 }
 
-fn wrong_size<T>(path: &Path, found: [u32; 2], expected: [u32; 2]) -> Result<T> {
+fn wrong_size<T>(path: &Path, what: &str, found: [u32; 2], expected: [u32; 2]) -> Result<T> {
     let [width, height] = found;
     let [w, h] = expected;
     let [across, down] = [(width, w), (height, h)].map(|(a, b)| f64::from(a) / f64::from(b));
-    let hint = if [height, width] == expected {
+    let hint = if what == MASK {
+        "a mask has the size of its photograph"
+    } else if [height, width] == expected {
         "was it rotated?"
     } else if (across - down).abs() < 0.01 * across {
         "was it resized? Take the original, or scale the camera's intrinsics; `downscale` makes \
@@ -210,7 +215,7 @@ fn wrong_size<T>(path: &Path, found: [u32; 2], expected: [u32; 2]) -> Result<T> 
         "is it the right photograph?"
     };
     let reason =
-        format!("the photograph is {width} x {height} pixels, but its camera {w} x {h}; {hint}");
+        format!("the {what} is {width} x {height} pixels, but its camera {w} x {h}; {hint}");
     invalid(path, reason)
 }
 

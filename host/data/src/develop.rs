@@ -46,7 +46,7 @@ impl Shot {
         let (bytes, _share) = decode::read(&self.path, mask, [width, height], budget)?;
         let mask = mask.map(|path| self.read_mask(path)).transpose()?;
         let digest = Digest::new(&bytes, mask.as_ref().map(|mask| &*mask.file));
-        let decoded = decode::decode(&bytes, [width, height], &self.path)?;
+        let decoded = decode::decode(&bytes, [width, height], &self.path, decode::PHOTOGRAPH)?;
         let alpha_hides = options.alpha == Alpha::Mask && decoded.has_alpha();
         let is_used = |x: u32, y: u32, alpha: f32| {
             let is_hidden = |mask: &Mask| !mask.used[(y * width + x) as usize];
@@ -102,7 +102,7 @@ impl Shot {
     fn read_mask(&self, path: &Path) -> Result<Mask> {
         let size = [self.camera.width, self.camera.height];
         let file = read_file(path, u64::MAX, "a mask")?;
-        let decoded = decode::decode(&file, size, path)?;
+        let decoded = decode::decode(&file, size, path, decode::MASK)?;
         let count = size[0] as usize * size[1] as usize;
         let mut used = memory::zeros::<bool>(count, "a photograph's mask")?;
         for (index, used) in used.iter_mut().enumerate() {

@@ -4,13 +4,18 @@
 //! tail of its path, or smaller in `images_N`.
 
 use std::ffi::OsStr;
+use std::fs;
 use std::path::{Component, Path, PathBuf};
+
+use organza_core::input::has_extension;
 
 /// Name of the folder of photographs. `masks`, `images_2` and so on are beside it.
 const IMAGES: &str = "images";
-const MASKS: &str = "masks";
+pub(super) const MASKS: &str = "masks";
 /// Most folders in a photograph's path whose tails are tried: a path may be of any length.
 const DEEPEST: usize = 32;
+/// Most files that are named as not used.
+const MOST_NAMED: usize = 3;
 /// Extensions that a name may lack.
 const EXTENSIONS: [&str; 6] = ["", ".png", ".jpg", ".jpeg", ".JPG", ".JPEG"];
 
@@ -42,8 +47,10 @@ pub(super) fn photograph(
         let [images, masks] = [IMAGES, MASKS].map(|whole| format!("{whole}_{downscale}"));
         let mut smaller = paths().filter_map(|path| sibling(&path, IMAGES, &images));
         if let Some(path) = smaller.find_map(|path| with_extension(folder, &path)) {
-            let named = mask.and_then(|mask| sibling(Path::new(mask), MASKS, &masks));
-            let found = mask_of(folder, &path, named.as_deref(), &images, &masks);
+            let smaller = |mask: &str| sibling(Path::new(&mask.replace('\\', "/")), MASKS, &masks);
+            let name = mask.and_then(smaller);
+            let name = name.as_ref().and_then(|name| name.to_str());
+            let found = mask_of(folder, &path, name, &images, &masks);
             let whole = sibling(&path, &images, IMAGES);
             let whole_mask = whole.and_then(|whole| mask_of(folder, &whole, None, IMAGES, MASKS));
             // Without a mask, the smaller photograph would show what the mask hides.
@@ -54,11 +61,36 @@ pub(super) fn photograph(
     }
     match paths().find_map(|path| with_extension(folder, &path)) {
         Some(path) => {
-            let mask = mask_of(folder, &path, mask.map(Path::new), IMAGES, MASKS);
+            let mask = mask_of(folder, &path, mask, IMAGES, MASKS);
             Ok(Found { path: folder.join(path), prepared: false, mask })
         }
         None => Err(folder.join(name)),
     }
+}
+
+/// The file in `folder` that a data set calls `name`: at its path, or at a tail of it. If there is none, it is where the
+/// path says, and reading it reports that.
+pub(super) fn named(folder: &Path, name: &str) -> PathBuf {
+    // Files written on Windows have backslashes.
+    let names = [name.to_owned(), name.replace('\\', "/")];
+    let last = names[1].rsplit('/').next().map(PathBuf::from);
+    let paths = names.iter().flat_map(|name| tails(Path::new(name))).chain(last);
+    let mut paths = paths.map(|path| folder.join(path));
+    paths.find(|path| is_there(path)).unwrap_or_else(|| folder.join(name))
+}
+
+/// What to say of PLY files in a data set's folders, if it has no points to start from.
+pub(super) fn unused_clouds(folder: &Path, reason: &str) -> Vec<String> {
+    let folders = ["", "sparse", "sparse/0", "colmap", "colmap/sparse/0"];
+    let files =
+        folders.iter().flat_map(|name| fs::read_dir(folder.join(name)).into_iter().flatten());
+    let mut files: Vec<_> = files.flatten().map(|file| file.path()).collect();
+    files.retain(|file| has_extension(file, &["ply"]) && is_there(file));
+    files.sort();
+    let say = |file: &PathBuf| {
+        format!("{} is not used as points to start from: {reason}", file.display())
+    };
+    files.iter().take(MOST_NAMED).map(say).collect()
 }
 
 /// A path and its tails, the longest first: some programs write paths that start in a folder above the data set. A
@@ -87,14 +119,21 @@ fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
     Some(path.components().enumerate().map(replace).collect())
 }
 
-/// The file `path` below `folder`, with an extension if it lacks one; `None` if it does not exist.
+/// The file `path` below `folder`, with an extension if it lacks one, or with another, because tools convert photographs;
+/// `None` if it does not exist.
 fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
     let with = |extension: &&str| {
         let mut name = path.as_os_str().to_owned();
         name.push(extension);
         PathBuf::from(name)
     };
-    EXTENSIONS.iter().map(with).find(|path| is_there(&folder.join(path)))
+    let replaced = EXTENSIONS[1..].iter().filter_map(|extension| {
+        let known =
+            |old: &OsStr| EXTENSIONS.iter().any(|new| new.strip_prefix('.') == old.to_str());
+        path.extension().filter(|old| known(old))?;
+        Some(path.with_extension(&extension[1..]))
+    });
+    EXTENSIONS.iter().map(with).chain(replaced).find(|path| is_there(&folder.join(path)))
 }
 
 /// Whether there is something to read. If it is a pipe or a device, reading it reports that.
@@ -107,14 +146,12 @@ fn is_there(path: &Path) -> bool {
 fn mask_of(
     folder: &Path,
     photograph: &Path,
-    named: Option<&Path>,
+    name: Option<&str>,
     images: &str,
     masks: &str,
 ) -> Option<PathBuf> {
-    if let Some(named) = named {
-        // If it does not exist, reading it reports that.
-        let found = tails(named).into_iter().find(|path| folder.join(path).exists());
-        return Some(folder.join(found.as_deref().unwrap_or(named)));
+    if let Some(name) = name {
+        return Some(named(folder, name));
     }
     let beside = sibling(photograph, images, masks)?;
     let mut appended = beside.clone().into_os_string();

@@ -9,7 +9,7 @@ use organza_core::camera::Camera;
 use organza_core::hex;
 
 /// SHA-256 of a photograph's file, and of its mask if it has one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Digest([u8; 32]);
 
 impl Digest {

@@ -45,7 +45,7 @@ pub fn photograph(bytes: &[u8], path: &Path) {
     let budget = Budget::new(PHOTOGRAPH_BYTES);
     let needed = decode::bytes_to_decode(length, size);
     let Ok(_share) = budget.take(needed, String::new) else { return };
-    if let Ok(decoded) = decode::decode(bytes, size, path) {
+    if let Ok(decoded) = decode::decode(bytes, size, path, decode::PHOTOGRAPH) {
         let _ = decoded.rgba(size[0] - 1, size[1] - 1);
     }
 }

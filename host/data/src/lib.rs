@@ -25,7 +25,9 @@ pub mod sweep;
 mod tests;
 mod transforms;
 
+use std::collections::HashMap;
 use std::fs;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -37,6 +39,7 @@ use budget::Budget;
 use develop::Shot;
 pub use develop::mean;
 use find::Found;
+use fingerprint::Digest;
 pub use fingerprint::Fingerprint;
 pub use frame::{DatasetKind, Frame, Point};
 pub use keep::Keep;
@@ -49,6 +52,9 @@ use organza_core::error::Result;
 use organza_core::input::has_extension;
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
+
+/// Focal lengths of lenses, as multiples of an image's longer side: 160 degrees to half a degree.
+const LIKELY_FOCALS: RangeInclusive<f64> = 0.08..=100.0;
 
 /// Photographs with poses.
 ///
@@ -90,6 +96,8 @@ pub struct Dataset {
     pub prepared: usize,
     /// Files outside of the data set's folder, as the data set names them.
     pub outside: Vec<PathBuf>,
+    /// Warnings: clouds, masks and models that are not used, and cameras or photographs that cannot be right.
+    pub notes: Vec<String>,
     /// Folder of the temporary file with the photographs, if they are not in memory.
     pub kept_in: Option<PathBuf>,
     /// Identifies the data set.
@@ -107,11 +115,12 @@ struct Listing {
     missing: Vec<PathBuf>,
     points: Vec<Point>,
     prepared: usize,
+    notes: Vec<String>,
 }
 
 impl Listing {
     fn new(kind: DatasetKind) -> Self {
-        Self { kind, shots: vec![], missing: vec![], points: vec![], prepared: 0 }
+        Self { kind, shots: vec![], missing: vec![], points: vec![], prepared: 0, notes: vec![] }
     }
 
     /// Adds a photograph that was found. `camera` is that of the whole photograph, and has its name.
@@ -140,12 +149,45 @@ impl Listing {
         self.shots.push(Shot { name, path, mask, camera, lens, factor, held_out });
         Ok(())
     }
+
+    /// What to say if a camera sees much less than any lens, or nearly everything.
+    fn unlikely_lens(&self) -> Option<String> {
+        let focal = |shot: &Shot| {
+            let Camera { fl_x, width, height, .. } = shot.camera;
+            fl_x / f64::from(width.max(height))
+        };
+        let unlikely = |shot: &&Shot| !shot.lens.fisheye && !LIKELY_FOCALS.contains(&focal(shot));
+        let shot = self.shots.iter().find(unlikely)?;
+        Some(format!(
+            "the camera of {} has a focal length of {:.0} pixels, {} times the longer side of its image; are `fl_x` in \
+             pixels and `camera_angle_x` in radians?",
+            shot.path.display(),
+            shot.camera.fl_x,
+            significant(focal(shot))
+        ))
+    }
+
+    /// What to say if there are masks, and none is that of a photograph.
+    fn unused_masks(&self, path: &Path) -> Option<String> {
+        let folder = if path.is_dir() { path } else { path.parent()? }.join(find::MASKS);
+        let first = self.shots.first()?;
+        let is_empty = fs::read_dir(&folder).ok()?.next().is_none();
+        if is_empty || self.shots.iter().any(|shot| shot.mask.is_some()) {
+            return None;
+        }
+        let name = first.path.file_name()?.to_string_lossy();
+        Some(format!(
+            "no file in {} is the mask of a photograph, so none is used; that of {} would be {name}.png, in the same \
+             folders as in `images`, or named by the data set",
+            folder.display(),
+            first.path.display()
+        ))
+    }
 }
 
 impl Dataset {
     /// Reads a data set: a folder, or a `transforms.json`. In a folder, the first of these is used:
-    /// `transforms.json`, `transforms_train.json`, or a sparse model of COLMAP in `sparse/0`, `sparse`,
-    /// `colmap/sparse/0` or the folder itself.
+    /// `transforms.json`, `transforms_train.json`, or a sparse model of COLMAP: `docs/data.md` has its places.
     ///
     /// If a photograph does not exist, it is listed in `missing` and its frame is left out. It still counts in the
     /// choice of held-out frames, so this choice does not change.
@@ -175,6 +217,7 @@ impl Dataset {
     fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
         let background = poses.background()?;
         let Poses { missing, outside, kind, path, listing, options, is_part, .. } = poses;
+        let mut notes = poses.notes;
         let Listing { points, shots, prepared, .. } = listing;
         let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
@@ -209,6 +252,7 @@ impl Dataset {
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
         let fingerprint = Fingerprint::new(known, &digests, &points);
+        notes.extend(repeated(&shots, &digests));
         let background = background.map(f64::from);
         Ok(Self {
             frames,
@@ -220,6 +264,7 @@ impl Dataset {
             masked,
             prepared,
             outside,
+            notes,
             kept_in: store.map(|store| store.folder().to_owned()),
             fingerprint,
             kind,
@@ -258,12 +303,43 @@ impl Dataset {
             masked: 0,
             prepared: 0,
             outside: Vec::new(),
+            notes: Vec::new(),
             kept_in: None,
             fingerprint,
             kind: DatasetKind::Generated,
             path: PathBuf::new(),
         }
     }
+}
+
+/// What to say if photographs are equal.
+fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
+    let mut first = HashMap::new();
+    let mut pairs = Vec::new();
+    for (shot, digest) in shots.iter().zip(digests) {
+        let earlier = *first.entry(digest).or_insert(shot);
+        if !std::ptr::eq(earlier, shot) {
+            pairs.push((earlier, shot));
+        }
+    }
+    let split = pairs.iter().find(|(a, b)| a.held_out != b.held_out);
+    let (a, b) = split.or(pairs.first())?;
+    let others = match pairs.len() {
+        1 => String::new(),
+        count => format!(", and {} more such pairs", count - 1),
+    };
+    let a = a.path.display();
+    let b = b.path.display();
+    let mut note = format!("the same photograph is there twice: {a} and {b}{others}");
+    if split.is_some() {
+        note += "; one of these is held out and the other trained on, so measurements are too good";
+    }
+    Some(note)
+}
+
+/// A number with two digits.
+fn significant(number: f64) -> String {
+    if number < 10.0 { format!("{number:.2}") } else { format!("{number:.0}") }
 }
 
 /// Whether the frame at a position in the data set's order is held out.
@@ -313,10 +389,12 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
         Some(Layout::Colmap(model)) => colmap::list(path, &model, options, access),
         None => {
             let hint = hint(path).unwrap_or_default();
+            let folders = colmap::FOLDERS.iter().filter(|folder| !folder.is_empty());
+            let folders = folders.map(|folder| format!("{folder}, ")).collect::<String>();
             let reason = format!(
                 "no data set was found here; looked for transforms.json (nerfstudio), \
                  transforms_train.json (Blender), and cameras.bin or cameras.txt of a sparse model (COLMAP) in \
-                 sparse/0, sparse, colmap/sparse/0 and the folder itself{hint}"
+                 {folders}numbered folders in these such as sparse/0, and the folder itself{hint}"
             );
             invalid(path, reason)
         }

@@ -18,6 +18,8 @@ pub struct Poses {
     pub missing: Vec<PathBuf>,
     /// Files outside of the data set's folder, as the data set names them.
     pub outside: Vec<PathBuf>,
+    /// Warnings: clouds, masks and models that are not used, and cameras or photographs that cannot be right.
+    pub notes: Vec<String>,
     /// Format of the data set.
     pub kind: DatasetKind,
     /// Path of the data set.
@@ -39,6 +41,8 @@ pub struct Pose {
     pub held_out: bool,
     /// Path of the photograph; `None` if the frame has no file.
     pub photograph: Option<PathBuf>,
+    /// Whether the photograph's lens is no pinhole, so that the photograph is undistorted when it is read.
+    pub distorted: bool,
 }
 
 impl Poses {
@@ -53,6 +57,9 @@ impl Poses {
         let mut access = Access::new(path, options.allow_outside)?;
         let mut listing = list(path, options, &mut access)?;
         let missing = std::mem::take(&mut listing.missing);
+        listing.notes.extend(listing.unlikely_lens());
+        listing.notes.extend(listing.unused_masks(path));
+        let notes = std::mem::take(&mut listing.notes);
         if let ([], [first, ..]) = (&*listing.shots, &*missing) {
             let all = missing.len();
             let first = first.display();
@@ -67,7 +74,7 @@ impl Poses {
         let kind = listing.kind;
         let background = OnceLock::new();
         let is_part = false;
-        Ok(Self { missing, outside, kind, path, listing, options, is_part, background })
+        Ok(Self { missing, outside, notes, kind, path, listing, options, is_part, background })
     }
 
     /// Keeps only the held-out frames, or only those to train on. Nothing else is read. Photographs look the same as
@@ -93,6 +100,7 @@ impl Poses {
                 camera: Camera { file_path: Some(shot.name.clone()), ..camera },
                 held_out: shot.held_out,
                 photograph: Some(shot.path.clone()),
+                distorted: !shot.lens.is_pinhole(),
             })
         };
         self.listing.shots.iter().map(pose).collect()

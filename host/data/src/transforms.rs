@@ -43,19 +43,34 @@ pub(super) fn nerfstudio(
     let file = read_json(path)?;
     let held_out = |position| is_held_out(position, options.hold_out_every);
     add_frames(&file, path, &mut listing, held_out, options, access, &ON_DISK)?;
-    listing.points = match file.get("ply_file_path") {
-        None | Some(Value::Null) => colmap_points::points(folder(path), &listing, options, access)?,
+    add_points(&file, path, &mut listing, access)?;
+    Ok(listing)
+}
+
+/// Adds the points to start from: those of the file's point cloud, or else those of a COLMAP model.
+fn add_points(file: &Value, path: &Path, listing: &mut Listing, access: &mut Access) -> Result<()> {
+    match file.get("ply_file_path") {
+        None | Some(Value::Null) => {}
         Some(Value::String(points)) => {
-            let points = folder(path).join(points);
+            let points = find::named(folder(path), points);
             access.check(&points)?;
-            ply::read(&points)?
+            listing.points = ply::read(&points)?;
+            return Ok(());
         }
         Some(other) => {
             let reason = format!("`ply_file_path` is {}, expected a path", kind(other));
             return invalid(path, reason);
         }
-    };
-    Ok(listing)
+    }
+    match colmap_points::points(folder(path), listing) {
+        Ok(points) => listing.points = points,
+        Err(reason) => listing.notes.push(reason),
+    }
+    if listing.points.is_empty() {
+        let reason = format!("{} does not name it as `ply_file_path`", path.display());
+        listing.notes.extend(find::unused_clouds(folder(path), &reason));
+    }
+    Ok(())
 }
 
 /// Reads Blender's files; `train` is the first of them.
@@ -68,7 +83,9 @@ pub(super) fn blender(
     let test = train.with_file_name(BLENDER_TEST);
     let has_test = test.exists();
     let held_out = |position| !has_test && is_held_out(position, options.hold_out_every);
-    add_frames(&read_json(train)?, train, &mut listing, held_out, options, access, &ON_DISK)?;
+    let file = read_json(train)?;
+    add_frames(&file, train, &mut listing, held_out, options, access, &ON_DISK)?;
+    add_points(&file, train, &mut listing, access)?;
     if has_test {
         add_frames(&read_json(&test)?, &test, &mut listing, |_| true, options, access, &ON_DISK)?;
     }

@@ -81,9 +81,37 @@ pub struct Distilled {
     pub psnr: f64,
     /// The same PSNR before the first step.
     pub first_psnr: f64,
+    judges: Judges,
+}
+
+/// Views in which Gaussians are measured.
+#[derive(Clone, Debug)]
+struct Judges {
+    targets: Vec<Target>,
+    background: [f32; 3],
+}
+
+impl Judges {
+    /// The mean PSNR of Gaussians' images, compared with the scene's own.
+    fn psnr(&self, splats: &[Splat]) -> f64 {
+        let of = |Target { camera, image }: &Target| {
+            let psnr = psnr(splats, camera, self.background, image.pixels(), None);
+            psnr.unwrap_or(BEST_PSNR).min(BEST_PSNR)
+        };
+        self.targets.iter().map(of).sum::<f64>() / self.targets.len() as f64
+    }
+}
+
+impl Distilled {
+    /// The PSNR of other Gaussians in the views of [`Self::psnr`], such as those that a file has rounded.
+    #[must_use]
+    pub fn psnr_of(&self, splats: &[Splat]) -> f64 {
+        self.judges.psnr(splats)
+    }
 }
 
 /// A camera, with the scene's image.
+#[derive(Clone, Debug)]
 struct Target {
     camera: Camera,
     image: Image,
@@ -115,15 +143,9 @@ pub fn distill(
         Ok(Target { camera, image })
     };
     let judges = if judges.is_empty() { cameras } else { judges };
-    let judges = judges.iter().map(target).collect::<Result<Vec<_>>>()?;
-    let mean = |splats: &[Splat]| {
-        let of = |Target { camera, image }: &Target| {
-            let psnr = psnr(splats, camera, background, image.pixels(), None);
-            psnr.unwrap_or(BEST_PSNR).min(BEST_PSNR)
-        };
-        judges.iter().map(of).sum::<f64>() / judges.len() as f64
-    };
-    let first_psnr = mean(&splats);
+    let targets = judges.iter().map(target).collect::<Result<Vec<_>>>()?;
+    let judges = Judges { targets, background };
+    let first_psnr = judges.psnr(&splats);
     let steps = options.steps as usize;
     // views that no step will see need no image
     let others = between(cameras, VIEWS.min(steps).saturating_sub(cameras.len()))?;
@@ -144,8 +166,8 @@ pub fn distill(
         progress(step + 1)?;
     }
     splats.retain(|splat| sigmoid(splat.opacity) >= 1.0 / 255.0);
-    let psnr = mean(&splats);
-    Ok(Distilled { splats, psnr, first_psnr })
+    let psnr = judges.psnr(&splats);
+    Ok(Distilled { splats, psnr, first_psnr, judges })
 }
 
 /// PSNR of the image that a viewer shows, compared with an 8-bit image, over its valid pixels. See [`metrics::psnr`].

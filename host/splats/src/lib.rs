@@ -10,6 +10,7 @@ mod files;
 mod harmonics;
 mod sorted;
 mod sorted_backward;
+mod turned;
 mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use organza::camera::Orbit;
 use organza::data::{Dataset, Frame};
 use organza::error::format_bytes;
-use organza::splats::{self, Distilled, Fit, Format, SplatComparison, Views};
+use organza::splats::{self, Distilled, Fit, Format, Splat, SplatComparison, Views};
 use organza::{Renderer, Result, Scene};
 
 use super::console::Console;
@@ -16,6 +16,9 @@ use super::refuse;
 use super::summary::count;
 
 const USAGE: &str = "organza export SCENE CAMERAS -o FILE";
+
+/// Loss of PSNR by rounding that is worth a warning, in dB.
+const NOTICED: f64 = 0.1;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -86,36 +89,28 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut progress)?
     };
     let up = Orbit::around(&views.fitted)?.up;
-    splats::save(&distilled.splats, &args.output, format, up)?;
-    say_psnr(&views, &distilled, args.steps, console);
+    let written = splats::save(&distilled.splats, &args.output, format, up)?;
+    say_psnr(&views, &distilled, &written, args.steps, console);
     if let Some(data) = data {
         let frames: Vec<_> = data.held_out_frames().collect();
-        if let Some(found) =
-            splats::compare_splats(&renderer, &uploaded, &distilled.splats, &frames)?
-        {
+        if let Some(found) = splats::compare_splats(&renderer, &uploaded, &written, &frames)? {
             say_photographs(found, console);
         }
-    }
-    if format == Format::Splat {
-        console
-            .note("a .splat file has one color for all directions, so its images are less close");
     }
     let bytes = std::fs::metadata(&args.output).map_or(0, |file| file.len());
     console.note(&format!(
         "wrote {} to {}, {}",
-        count(distilled.splats.len() as u64, "Gaussian"),
+        count(written.len() as u64, "Gaussian"),
         args.output.display(),
         format_bytes(bytes)
     ));
-    if !matches!(format, Format::Sog | Format::Glb | Format::Splat) {
-        let [red, green, blue] = scene.config.background;
-        let file = args.output.display();
-        let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
-        let cameras = cameras.collect::<String>();
-        console.note(&format!(
-            "back to a scene: organza import {file}{cameras} -o NEW --background {red:.3},{green:.3},{blue:.3}"
-        ));
-    }
+    let [red, green, blue] = scene.config.background;
+    let file = args.output.display();
+    let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
+    let cameras = cameras.collect::<String>();
+    console.note(&format!(
+        "back to a scene: organza import {file}{cameras} -o NEW --background {red:.3},{green:.3},{blue:.3}"
+    ));
     Ok(())
 }
 
@@ -155,18 +150,26 @@ fn load_views(
     Ok((views, Some(data)))
 }
 
-fn say_psnr(views: &Views, distilled: &Distilled, steps: u32, console: Console) {
+/// Reports how close the file's images are to the scene's, and what rounding in the file costs.
+fn say_psnr(views: &Views, distilled: &Distilled, written: &[Splat], steps: u32, console: Console) {
     let (views, which) = match views.judges.len() {
         0 => (views.fitted.len(), ""),
         judges => (judges, " that the fit has not seen"),
     };
+    let psnr = distilled.psnr_of(written);
     console.note(&format!(
-        "in {}{which}, PSNR against the scene's own images: {:.2} dB ({:.2} dB before {})",
+        "in {}{which}, PSNR of the file against the scene's own images: {psnr:.2} dB ({:.2} dB before {})",
         count(views as u64, "view"),
-        distilled.psnr,
         distilled.first_psnr,
         count(u64::from(steps), "step")
     ));
+    let cost = distilled.psnr - psnr;
+    if cost > NOTICED {
+        console.warn(&format!(
+            "what this format rounds or leaves out costs {cost:.2} dB of {:.2} dB; a .ply has all values",
+            distilled.psnr
+        ));
+    }
 }
 
 /// Reports the file's loss on photographs that training has not seen.

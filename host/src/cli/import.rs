@@ -25,11 +25,11 @@ The file is one of 3D Gaussian Splatting. A scene needs networks for color and v
 command renders the Gaussians as a viewer that sorts, and trains the scene on these images. It prints how close it came, in \
 views that training has not seen. If you have the photographs, `organza train --start scene.ply` trains on them instead.";
 
-/// Make a scene from a file of 3D Gaussian Splatting: .ply or .spz
+/// Make a scene from a file of 3D Gaussian Splatting: .ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The Gaussians: a .ply, a .compressed.ply or an .spz file
+    /// The Gaussians: a .ply, .compressed.ply, .spz, .sog, .glb or .splat file
     file: PathBuf,
     /// The views to train on: nerfstudio's transforms.json, or a data set, whose photographs are not read [default:
     /// views from all around the Gaussians]

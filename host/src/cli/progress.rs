@@ -93,9 +93,8 @@ impl TrainingProgress {
         let speed = self.pace.steps_per_second();
         self.bar.set(self.step as usize);
         self.bar.say(&format!(
-            "loss {:.4}, PSNR {:.1} dB, {}{}",
-            report.loss,
-            report.psnr,
+            "{}, {}{}",
+            error(report.loss, report.psnr),
             self.gaussian_count(),
             speed.map_or(String::new(), |speed| format!(", {} steps/s", rounded(speed))),
         ));
@@ -109,10 +108,11 @@ impl TrainingProgress {
             format!(", {} steps/s, {:#} left", rounded(speed), HumanDuration(self.left(speed)))
         });
         self.console.note(&format!(
-            "step {} of {}{}: loss {loss:.4}, PSNR {psnr:.1} dB, {}{rest}",
+            "step {} of {}{}: {}, {}{rest}",
             grouped(self.step.into()),
             if self.is_planned { "about " } else { "" },
             grouped(self.steps.into()),
+            error(loss, psnr),
             self.gaussian_count(),
         ));
     }
@@ -215,6 +215,14 @@ impl Lines {
         self.sums = [0.0; 2];
         self.count = 0.0;
         Some([loss, psnr_of(squared)])
+    }
+}
+
+/// Formats a loss and a PSNR. Of equal images, the latter is infinite.
+fn error(loss: f64, psnr: f64) -> String {
+    match psnr.is_infinite() {
+        true => format!("loss {loss:.4}, all pixels are equal to the photographs'"),
+        false => format!("loss {loss:.4}, PSNR {psnr:.1} dB"),
     }
 }
 

@@ -215,7 +215,12 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
         let cameras = Cameras::load(source, Some(file), &args.data_args, usage, console)?;
         // a data set's file means that data set; another file has just cameras
         if !cameras.has_photographs() {
-            let pose = |camera: Camera| Pose { camera, held_out: false, photograph: None };
+            let pose = |camera: Camera| Pose {
+                camera,
+                held_out: false,
+                photograph: None,
+                distorted: false,
+            };
             let poses = cameras.list.into_iter().map(pose).collect();
             return Ok(Surroundings { poses, ..nothing() });
         }

@@ -55,6 +55,7 @@ pub fn cameras(views: u32, side: u32, hold_out_every: usize) -> Vec<Pose> {
         camera: Camera { file_path: Some(name(index)), ..camera },
         held_out: is_held_out(index, hold_out_every),
         photograph: None,
+        distorted: false,
     };
     cameras.map(pose).collect()
 }

@@ -7,8 +7,9 @@ use std::borrow::Cow;
 use super::config::RunConfig;
 use super::sampler::Sampler;
 use organza_core::camera::Camera;
-use organza_core::error::Result;
+use organza_core::error::{Error, Result};
 use organza_core::tile::TileBatch;
+use organza_data::Frame;
 
 /// Factor by which photographs are smaller in coarse steps.
 const FACTOR: u32 = 2;
@@ -19,7 +20,8 @@ const RAY_STEPS: u32 = 2;
 #[derive(Debug)]
 pub struct Batches {
     whole: Sampler,
-    /// Draws tiles of smaller photographs. `None` if some photograph would be less than a tile wide or high.
+    /// Draws tiles of smaller photographs. `None` if some photograph would be less than a tile wide or high, or if no pixel
+    /// of them would be valid.
     smaller: Option<Sampler>,
 }
 
@@ -35,36 +37,41 @@ pub struct Drawn {
 }
 
 impl Batches {
-    /// Batches for the photographs of these cameras.
+    /// Batches for photographs.
     ///
     /// # Errors
-    /// The same errors as [`Sampler::from_cameras`].
-    pub fn from_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
-        let whole = Sampler::from_cameras(cameras, run)?;
+    /// [`Error::Argument`] if no pixel of them is valid; the other errors of [`Sampler::new`].
+    pub fn new(frames: &[&Frame], run: &RunConfig) -> Result<Self> {
+        let Some(whole) = Sampler::new(frames, 1, run)? else {
+            let reason = "no pixel of the photographs to train on is valid".to_owned();
+            return Err(Error::Argument { reason });
+        };
         let holds_a_tile =
-            |camera: &Camera| camera.width.min(camera.height) / FACTOR >= run.tile_size;
-        let smaller = cameras
-            .iter()
-            .all(holds_a_tile)
-            .then(|| Sampler::from_cameras(&Drawn::cameras_of(cameras, FACTOR), run));
-        Ok(Self { whole, smaller: smaller.transpose()? })
+            |frame: &&Frame| frame.camera.width.min(frame.camera.height) / FACTOR >= run.tile_size;
+        let smaller = match frames.iter().all(holds_a_tile) {
+            true => Sampler::new(frames, FACTOR, run)?,
+            false => None,
+        };
+        Ok(Self { whole, smaller })
     }
 
-    /// Draws the tiles of a step.
-    pub fn draw(&mut self, run: &RunConfig, step: u32) -> Drawn {
+    /// Draws the tiles of a step from the photographs of [`Self::new`].
+    pub fn draw(&mut self, run: &RunConfig, step: u32, frames: &[&Frame]) -> Drawn {
         if run.fraction(step) >= run.coarse {
-            return self.whole(step);
+            return self.whole(step, frames);
         }
         let ray_steps = RAY_STEPS;
         match &mut self.smaller {
-            Some(smaller) => Drawn { batch: smaller.batch(step), factor: FACTOR, ray_steps },
-            None => Drawn { ray_steps, ..self.whole(step) },
+            Some(smaller) => {
+                Drawn { batch: smaller.batch(step, frames), factor: FACTOR, ray_steps }
+            }
+            None => Drawn { ray_steps, ..self.whole(step, frames) },
         }
     }
 
     /// Draws the tiles of a step that sees whole photographs, as rendering shows them.
-    pub fn whole(&mut self, step: u32) -> Drawn {
-        Drawn { batch: self.whole.batch(step), factor: 1, ray_steps: 1 }
+    pub fn whole(&mut self, step: u32, frames: &[&Frame]) -> Drawn {
+        Drawn { batch: self.whole.batch(step, frames), factor: 1, ray_steps: 1 }
     }
 }
 
@@ -72,13 +79,9 @@ impl Drawn {
     /// The cameras of the images that the tiles belong to, from those of the photographs.
     #[must_use]
     pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
-        Self::cameras_of(cameras, self.factor)
-    }
-
-    fn cameras_of(cameras: &[Camera], factor: u32) -> Cow<'_, [Camera]> {
-        match factor {
+        match self.factor {
             1 => cameras.into(),
-            _ => cameras.iter().map(|camera| camera.smaller(factor)).collect(),
+            factor => cameras.iter().map(|camera| camera.smaller(factor)).collect(),
         }
     }
 }
@@ -87,14 +90,21 @@ impl Drawn {
 mod tests {
     use super::*;
     use organza_core::demo;
+    use organza_data::Photograph;
 
     #[test]
     fn coarse_steps_see_half_the_size_and_have_longer_steps_of_t() {
         let cameras = demo::turntable(3, 40);
+        let frame = |camera: &Camera| {
+            let image = Photograph::new([40; 2], vec![[0; 3]; 1600], None).unwrap();
+            Frame { name: String::new(), camera: camera.clone(), image }
+        };
+        let frames: Vec<_> = cameras.iter().map(frame).collect();
+        let frames: Vec<_> = frames.iter().collect();
         let mut run = RunConfig { steps: 20, tile_size: 16, coarse: 0.3, ..RunConfig::default() };
-        let mut batches = Batches::from_cameras(&cameras, &run).unwrap();
+        let mut batches = Batches::new(&frames, &run).unwrap();
         for step in 0..20 {
-            let drawn = batches.draw(&run, step);
+            let drawn = batches.draw(&run, step, &frames);
             let expected = if step < 6 { [2; 2] } else { [1; 2] };
             assert_eq!([drawn.factor, drawn.ray_steps], expected, "{step}");
             let seen = drawn.cameras(&cameras);
@@ -103,10 +113,10 @@ mod tests {
         }
         // half of a photograph is less than a tile wide
         run.tile_size = 21;
-        let drawn = Batches::from_cameras(&cameras, &run).unwrap().draw(&run, 0);
+        let drawn = Batches::new(&frames, &run).unwrap().draw(&run, 0, &frames);
         assert_eq!([drawn.factor, drawn.ray_steps], [1, 2]);
         run.coarse = 0.0;
-        let drawn = batches.draw(&run, 0);
+        let drawn = batches.draw(&run, 0, &frames);
         assert_eq!([drawn.factor, drawn.ray_steps], [1; 2]);
     }
 }

@@ -5,7 +5,6 @@ use rand::{Rng, RngExt};
 
 use super::config::{LossConfig, RunConfig};
 use muslin_device::memory;
-use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::random;
 use organza_core::tile::{Tile, TileBatch};
@@ -14,9 +13,9 @@ use organza_render::LossTarget;
 
 const SHUFFLE: u64 = 1;
 
-/// Draws tiles. In each epoch, a randomly shifted grid covers every image. The cells of each grid form groups of
-/// neighbors, and the groups of all images are shuffled. So every pixel comes once per epoch, and the tiles of a step
-/// only depend on the seed and the step.
+/// Draws tiles. In each epoch, a randomly shifted grid covers every image. The cells that have a valid pixel form groups of
+/// neighbors, and the groups of all images are shuffled. So every valid pixel comes once per epoch, and the tiles of a
+/// step only depend on the photographs, the seed and the step.
 #[derive(Debug)]
 pub struct Sampler {
     side: u32,
@@ -25,12 +24,18 @@ pub struct Sampler {
     group: usize,
     /// Number of groups in a step.
     groups_per_step: usize,
-    /// Width and height of each image.
-    sizes: Vec<[u32; 2]>,
-    /// Number of groups in an epoch.
-    groups: usize,
-    /// The epoch used last, and its groups.
-    epoch: Option<(u64, Vec<Vec<Tile>>)>,
+    /// Factor by which the images are smaller than the photographs.
+    factor: u32,
+    /// The epoch used last.
+    epoch: Option<Epoch>,
+}
+
+#[derive(Debug)]
+struct Epoch {
+    number: u64,
+    /// Position of its first group in the sequence of all epochs.
+    first: u64,
+    groups: Vec<Vec<Tile>>,
 }
 
 /// Number of cells that cover `length` pixels for every shift of the grid. One cell that covers all pixels is enough.
@@ -39,81 +44,116 @@ fn cells(length: u32, side: u32) -> u32 {
 }
 
 impl Sampler {
-    /// A sampler for images of these sizes. A tile's camera is the index of its image here.
-    #[must_use]
-    pub fn new(sizes: Vec<[u32; 2]>, run: &RunConfig) -> Self {
-        let side = run.tile_size;
-        let group = run.tiles_per_view as usize;
-        let cells =
-            |&[width, height]: &[u32; 2]| (cells(width, side) * cells(height, side)) as usize;
-        let groups = sizes.iter().map(|size| cells(size).div_ceil(group)).sum();
-        let groups_per_step = (run.tiles_per_step as usize / group).max(1);
-        Self { side, seed: run.seed, group, groups_per_step, sizes, groups, epoch: None }
-    }
-
-    /// A sampler for the photographs of these cameras.
+    /// A sampler for photographs, seen `factor` times smaller. A tile's camera is the index of its photograph. `None` if no
+    /// pixel is valid.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-    pub fn from_cameras(cameras: &[Camera], run: &RunConfig) -> Result<Self> {
-        let sizes = cameras.iter().map(|camera| [camera.width, camera.height]).collect();
-        let sampler = Self::new(sizes, run);
-        sampler.check_memory()?;
-        Ok(sampler)
+    pub fn new(frames: &[&Frame], factor: u32, run: &RunConfig) -> Result<Option<Self>> {
+        let side = run.tile_size;
+        let group = run.tiles_per_view as usize;
+        let groups_per_step = (run.tiles_per_step as usize / group).max(1);
+        let sampler = Self { side, seed: run.seed, group, groups_per_step, factor, epoch: None };
+        sampler.check_memory(frames)?;
+        let whole = |frame: &&Frame| has_pixel(&frame.image, factor, [[0, i32::MAX]; 2]);
+        Ok(frames.iter().any(whole).then_some(sampler))
     }
 
     /// Fails if the tiles of an epoch do not fit into memory. With tiles of one pixel, there are as many as pixels.
-    ///
-    /// # Errors
-    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-    fn check_memory(&self) -> Result<()> {
-        let cells = |&[width, height]: &[u32; 2]| {
-            u64::from(cells(width, self.side)) * u64::from(cells(height, self.side))
+    fn check_memory(&self, frames: &[&Frame]) -> Result<()> {
+        let cells = |frame: &&Frame| {
+            let [columns, rows] =
+                sides(&frame.image, self.factor).map(|side| cells(side, self.side));
+            u64::from(columns) * u64::from(rows)
         };
-        let tiles: u64 = self.sizes.iter().map(cells).sum();
-        let bytes = tiles * size_of::<Tile>() as u64 + self.groups as u64 * 32;
+        let groups = |frame: &&Frame| cells(frame).div_ceil(self.group as u64);
+        let tiles: u64 = frames.iter().map(cells).sum();
+        let groups: u64 = frames.iter().map(groups).sum();
+        let bytes = tiles * size_of::<Tile>() as u64 + groups * 32;
         let what = "the tiles of all photographs (a larger `run.tile_size` makes fewer)";
         Ok(memory::check(bytes, what)?)
     }
 
-    /// The tiles of a step.
-    pub fn batch(&mut self, step: u32) -> TileBatch {
+    /// The tiles of a step. `frames` are those of [`Self::new`].
+    pub fn batch(&mut self, step: u32, frames: &[&Frame]) -> TileBatch {
         let first = u64::from(step) * self.groups_per_step as u64;
         let places = first..first + self.groups_per_step as u64;
-        TileBatch { side: self.side, tiles: places.flat_map(|at| self.group(at)).collect() }
+        let tiles = places.flat_map(|at| self.group(at, frames)).collect();
+        TileBatch { side: self.side, tiles }
     }
 
-    /// The group at a position in the sequence of all epochs.
-    fn group(&mut self, at: u64) -> Vec<Tile> {
-        let epoch = at / self.groups as u64;
-        if self.epoch.as_ref().is_none_or(|(known, _)| *known != epoch) {
-            let mut random = random(self.seed, SHUFFLE, epoch);
-            let mut groups = Vec::with_capacity(self.groups);
-            for camera in 0..self.sizes.len() {
-                let grid = self.grid(camera, &mut random);
-                groups.extend(grid.chunks(self.group).map(<[Tile]>::to_vec));
-            }
-            groups.shuffle(&mut random);
-            self.epoch = Some((epoch, groups));
+    /// The group at a position in the sequence of all epochs. An epoch's number of groups depends on the shifts of its grids,
+    /// so a later epoch's place follows from those before it.
+    fn group(&mut self, at: u64, frames: &[&Frame]) -> Vec<Tile> {
+        let mut epoch = match self.epoch.take() {
+            Some(epoch) if epoch.first <= at => epoch,
+            _ => self.shuffled(0, 0, frames),
+        };
+        while at - epoch.first >= epoch.groups.len() as u64 {
+            epoch =
+                self.shuffled(epoch.number + 1, epoch.first + epoch.groups.len() as u64, frames);
         }
-        let (_, groups) = self.epoch.as_ref().expect("set above");
-        groups[(at % self.groups as u64) as usize].clone()
+        let group = epoch.groups[(at - epoch.first) as usize].clone();
+        self.epoch = Some(epoch);
+        group
     }
 
-    /// The cells of an image's grid, shifted at random, row by row.
-    fn grid(&self, camera: usize, random: &mut impl Rng) -> Vec<Tile> {
+    fn shuffled(&self, number: u64, first: u64, frames: &[&Frame]) -> Epoch {
+        let mut random = random(self.seed, SHUFFLE, number);
+        let mut groups = Vec::new();
+        for (camera, frame) in frames.iter().enumerate() {
+            let grid = self.grid(camera, &frame.image, &mut random);
+            groups.extend(grid.chunks(self.group).map(<[Tile]>::to_vec));
+        }
+        groups.shuffle(&mut random);
+        Epoch { number, first, groups }
+    }
+
+    /// The cells of an image's grid that have a valid pixel, shifted at random, row by row.
+    fn grid(&self, camera: usize, image: &Photograph, random: &mut impl Rng) -> Vec<Tile> {
         let side = self.side as i32;
-        let [(columns, x), (rows, y)] = self.sizes[camera].map(|length| {
+        let [(columns, x), (rows, y)] = sides(image, self.factor).map(|length| {
             let shift = random.random_range(0..side);
             let cells = cells(length, self.side);
             (cells, if cells > 1 { -shift } else { 0 })
         });
         let cell = |row: u32, column: u32| [x + column as i32 * side, y + row as i32 * side];
+        let is_used = |&[x, y]: &[i32; 2]| {
+            has_pixel(
+                image,
+                self.factor,
+                [[x, x.saturating_add(side)], [y, y.saturating_add(side)]],
+            )
+        };
         (0..rows)
             .flat_map(|row| (0..columns).map(move |column| (row, column)))
-            .map(|(row, column)| Tile { camera, origin: cell(row, column) })
+            .map(|(row, column)| cell(row, column))
+            .filter(is_used)
+            .map(|origin| Tile { camera, origin })
             .collect()
     }
+}
+
+/// Width and height of an image that is `factor` times smaller than a photograph.
+fn sides(photograph: &Photograph, factor: u32) -> [u32; 2] {
+    [photograph.width() / factor, photograph.height() / factor]
+}
+
+/// Whether an image, `factor` times smaller than a photograph, has a valid pixel in ranges of columns and of rows. A pixel is
+/// valid if all that it is the mean of are.
+fn has_pixel(photograph: &Photograph, factor: u32, [columns, rows]: [[i32; 2]; 2]) -> bool {
+    let [width, height] = sides(photograph, factor);
+    let within = |[from, to]: [i32; 2], side: u32| from.max(0) as u32..(to.max(0) as u32).min(side);
+    let columns = within(columns, width);
+    let mut rows = within(rows, height);
+    if photograph.all_valid() {
+        return !columns.is_empty() && !rows.is_empty();
+    }
+    let square = |at: u32| at * factor..(at + 1) * factor;
+    let is_valid = |x: u32, y: u32| {
+        square(y).all(|row| square(x).all(|column| photograph.is_valid(column, row)))
+    };
+    rows.any(|y| columns.clone().any(|x| is_valid(x, y)))
 }
 
 /// The photographs that a batch is compared with.
@@ -196,7 +236,27 @@ mod tests {
 
     use super::*;
 
-    fn sampler(tiles_per_step: u32, tiles_per_view: u32) -> Sampler {
+    const SIZES: [[u32; 2]; 3] = [[7, 5], [16, 9], [3, 3]];
+
+    /// Photographs of these sizes. `is_valid` is asked for each pixel: photograph, column and row.
+    fn photographs(sizes: &[[u32; 2]], is_valid: fn(usize, u32, u32) -> bool) -> Vec<Frame> {
+        let photograph = |(index, &[width, height]): (usize, &[u32; 2])| {
+            let count = (width * height) as usize;
+            let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+            let valid = pixels.map(|(x, y)| is_valid(index, x, y)).collect();
+            let image = Photograph::new([width, height], vec![[0; 3]; count], Some(valid));
+            let camera = organza_core::demo::turntable(1, 8).remove(0);
+            Frame { name: String::new(), camera, image: image.expect("a photograph") }
+        };
+        sizes.iter().enumerate().map(photograph).collect()
+    }
+
+    fn sampler(
+        frames: &[&Frame],
+        factor: u32,
+        tiles_per_step: u32,
+        tiles_per_view: u32,
+    ) -> Sampler {
         let run = RunConfig {
             tile_size: 4,
             tiles_per_step,
@@ -204,41 +264,65 @@ mod tests {
             seed: 11,
             ..Default::default()
         };
-        Sampler::new(vec![[7, 5], [16, 9], [3, 3]], &run)
+        Sampler::new(frames, factor, &run).expect("memory").expect("a valid pixel")
     }
 
-    /// The number of times that each pixel comes in `steps` steps.
-    fn visits(sampler: &mut Sampler, steps: u32) -> HashMap<(usize, i32, i32), u32> {
+    /// The number of times that each pixel of a photograph comes before the second epoch ends.
+    fn visits(sampler: &mut Sampler, frames: &[&Frame]) -> HashMap<(usize, i32, i32), u32> {
         let mut visits = HashMap::new();
-        for step in 0..steps {
-            for tile in sampler.batch(step).tiles {
-                let [width, height] = sampler.sizes[tile.camera].map(|length| length as i32);
+        for at in 0.. {
+            let tiles = sampler.group(at, frames);
+            if sampler.epoch.as_ref().is_some_and(|epoch| epoch.number == 2) {
+                break;
+            }
+            for tile in tiles {
+                let mut count = 0;
+                let image = &frames[tile.camera].image;
+                let [width, height] = sides(image, sampler.factor).map(|side| side as i32);
                 for (row, column) in (0..4).flat_map(|row| (0..4).map(move |column| (row, column)))
                 {
                     let x = tile.origin[0] + column;
                     let y = tile.origin[1] + row;
-                    if (0..width).contains(&x) && (0..height).contains(&y) {
+                    let factor = sampler.factor as i32;
+                    let is_valid = |x: i32, y: i32| {
+                        let square = (0..factor).flat_map(|v| (0..factor).map(move |u| (u, v)));
+                        let mut square = square.map(|(u, v)| [x * factor + u, y * factor + v]);
+                        square.all(|[x, y]| image.is_valid(x as u32, y as u32))
+                    };
+                    if (0..width).contains(&x) && (0..height).contains(&y) && is_valid(x, y) {
                         *visits.entry((tile.camera, x, y)).or_default() += 1;
+                        count += 1;
                     }
                 }
+                assert!(count > 0, "a tile without a valid pixel: {tile:?}");
             }
         }
         visits
     }
 
     #[test]
-    fn every_pixel_comes_once_an_epoch() {
-        let pixels = 7 * 5 + 16 * 9 + 3 * 3;
-        let mut tiles = sampler(11, 1);
-        assert_eq!(tiles.groups, 3 * 2 + 5 * 3 + 1);
-        // five epochs of 22 tiles, eleven tiles a step
-        let seen = visits(&mut tiles, 10);
-        assert!(seen.len() == pixels && seen.values().all(|&times| times == 5), "{seen:?}");
-        // whole images, and groups of four: two, four and one of them
-        for (tiles_per_view, steps) in [(100, 6), (4, 14)] {
-            let seen = visits(&mut sampler(4, tiles_per_view), steps);
-            assert!(seen.len() == pixels && seen.values().all(|&times| times == 2), "{seen:?}");
+    fn every_valid_pixel_comes_once_an_epoch_and_no_tile_is_without_one() {
+        let all = photographs(&SIZES, |_, _, _| true);
+        // of the second image, a corner; of the third, nothing
+        let part = photographs(&SIZES, |at, x, y| at == 0 || (at == 1 && x >= 9 && y < 2));
+        for (frames, factor, pixels) in [
+            (&all, 1, 7 * 5 + 16 * 9 + 3 * 3),
+            (&all, 2, 3 * 2 + 8 * 4 + 1),
+            (&part, 1, 7 * 5 + 7 * 2),
+            (&part, 2, 3 * 2 + 3),
+        ] {
+            let frames: Vec<_> = frames.iter().collect();
+            // single tiles, whole images, and groups of four
+            for tiles_per_view in [1, 100, 4] {
+                let seen = visits(&mut sampler(&frames, factor, 4, tiles_per_view), &frames);
+                assert_eq!(seen.len(), pixels);
+                assert!(seen.values().all(|&times| times == 2), "{seen:?}");
+            }
         }
+        let none = photographs(&SIZES, |_, x, y| (x + y) % 2 == 0);
+        let none: Vec<_> = none.iter().collect();
+        let of = |factor| Sampler::new(&none, factor, &RunConfig::default()).expect("memory");
+        assert!(of(1).is_some() && of(2).is_none());
     }
 
     #[test]
@@ -265,11 +349,13 @@ mod tests {
 
     #[test]
     fn a_step_is_drawn_alike_whatever_came_before() {
-        let mut all = sampler(5, 1);
-        let batches: Vec<_> = (0..20).map(|step| all.batch(step)).collect();
-        let mut late = sampler(5, 1);
+        let frames = photographs(&SIZES, |_, _, _| true);
+        let frames: Vec<_> = frames.iter().collect();
+        let mut all = sampler(&frames, 1, 5, 1);
+        let batches: Vec<_> = (0..20).map(|step| all.batch(step, &frames)).collect();
+        let mut late = sampler(&frames, 1, 5, 1);
         for step in [19, 3, 12] {
-            assert_eq!(late.batch(step), batches[step as usize]);
+            assert_eq!(late.batch(step, &frames), batches[step as usize]);
         }
         assert_ne!(batches[0], batches[5]);
     }

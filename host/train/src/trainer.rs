@@ -121,9 +121,9 @@ impl Trainer {
         shared: Option<(Arc<dyn Ranks>, usize)>,
     ) -> Result<Self> {
         check(&config, &dataset)?;
-        let mut cameras: Vec<_> =
-            dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-        let batches = Batches::from_cameras(&cameras, &config.run)?;
+        let frames: Vec<_> = dataset.train_frames().collect();
+        let mut cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
+        let batches = Batches::new(&frames, &config.run)?;
         let exposures = match config.exposure.learn.decide(&dataset) {
             false => None,
             true => Some(Exposures(checkpoint.exposures_of(cameras.len())?)),
@@ -276,10 +276,11 @@ impl Trainer {
     /// The same errors as [`Trainer::step`], and those of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
         self.state.set_transmittance(self.config.learns_transmittance(self.step));
+        let frames: Vec<_> = self.dataset.train_frames().collect();
         let drawn = match hooks.loss {
             // a caller may know photographs by their pixels, and tiles by what renders them
-            Some(_) => self.batches.whole(self.step),
-            None => self.batches.draw(&self.config.run, self.step),
+            Some(_) => self.batches.whole(self.step, &frames),
+            None => self.batches.draw(&self.config.run, self.step, &frames),
         };
         let rollback = |trainer: &Self| trainer.state.gradient.rollback(trainer.renderer.device());
         let (report, exposures) = self.add_gradient(&drawn, hooks)?;

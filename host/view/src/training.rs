@@ -135,7 +135,7 @@ impl<'a> TrainingView<'a> {
                 file_path: Some(frame.name.clone()),
                 ..frame.camera.clone()
             };
-            Pose { camera, held_out: held_out.contains(&index), photograph: None }
+            Pose { camera, held_out: held_out.contains(&index), photograph: None, distorted: false }
         };
         let poses: Vec<_> = frames.iter().enumerate().map(pose).collect();
         let about =

@@ -16,6 +16,14 @@ const ELEVATION: f64 = 0.3;
 /// Part of an image's horizontal direction that may point upward. It is small: the horizon of photographs is nearly
 /// always level.
 const SLANT: f64 = 0.01;
+/// Length of the mean of directions, from which on cameras look in one direction.
+const PARALLEL: f64 = 0.9;
+/// Length of the mean of the images' upward directions, up to which these contradict each other.
+const ROLLED: f64 = 0.5;
+/// Cosine of the largest angle to z at which cameras look straight down: 15 degrees.
+const STRAIGHT: f64 = 0.966;
+/// Largest elevation of an orbit that is most like some cameras, in radians. Right above the center there is no circle.
+const HIGHEST: f64 = TAU * 75.0 / 360.0;
 /// Cameras with no wider gap between them, in radians, stand all around.
 const WIDEST_GAP: f64 = TAU / 6.0;
 /// Cameras that stand this far apart around the center, in radians, have little to do with each other.
@@ -72,7 +80,7 @@ impl Orbit {
             up: up.to_array(),
             toward: if is_above { up.any_orthogonal_vector() } else { toward }.to_array(),
             distance: median(offsets.iter().map(|offset| offset.length())),
-            elevation: median(elevations),
+            elevation: median(elevations).clamp(-HIGHEST, HIGHEST),
             angle: 2.0 * (0.5 * f64::from(first.width) / first.fl_x).atan(),
             size: [first.width, first.height],
         })
@@ -177,15 +185,27 @@ fn arc(azimuths: impl Iterator<Item = f64>) -> (f64, Option<f64>) {
 ///
 /// The mean of the images' upward directions is biased if cameras look down from one side. But photographers hold the
 /// horizon level, so an image's direction to the right is horizontal, and directions along it get little weight.
+///
+/// Images of cameras that look straight down show no upward direction. It is then opposite to theirs. They look straight
+/// down if they look in one direction, and that is -z, or their images are turned in all ways.
 /// Without cameras the result is z, as in most data sets.
 pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
     let count = cameras.len() as f64;
     let mean = cameras.clone().map(|camera| column(camera, 1)).sum::<DVec3>() / count.max(1.0);
+    let back = cameras.clone().map(|camera| column(camera, 2)).sum::<DVec3>() / count.max(1.0);
+    if back.length() > PARALLEL {
+        let back = back.normalize();
+        if back.z > STRAIGHT {
+            return DVec3::Z;
+        }
+        if mean.length() < ROLLED {
+            return back;
+        }
+    }
     let level = cameras.fold(DMat3::from_diagonal(DVec3::splat(SLANT)), |sum, camera| {
         let right = column(camera, 0);
         sum + DMat3::from_cols(right * right.x, right * right.y, right * right.z) * (1.0 / count)
     });
-    // cameras that look straight down in all directions define no upward direction
     let up = (level.inverse() * mean).normalize_or_zero();
     if mean.length() < 1e-6 || up == DVec3::ZERO { DVec3::Z } else { up }
 }
@@ -274,9 +294,31 @@ mod tests {
         let cameras: Vec<_> = (0..8).map(|i| down(TAU * f64::from(i) / 8.0).unwrap()).collect();
         let found = Orbit::around(&cameras).unwrap();
         assert!(close(found.up, [0.0, 0.0, 1.0], 1e-6), "{found:?}");
-        assert!((found.elevation.to_degrees() - 90.0).abs() < 1e-3);
         // there is no orbit right above the center, but a little lower there is
-        assert!(Orbit { elevation: 1.4, ..found }.cameras(3).is_ok());
+        assert!((found.elevation.to_degrees() - 75.0).abs() < 1e-3);
+        assert!(found.cameras(3).is_ok());
+    }
+
+    /// As from a drone that flies to and fro over flat ground at z = 0.
+    #[test]
+    fn an_orbit_of_cameras_that_look_straight_down_stays_above_the_ground() {
+        // with the image's top always to the north, or ahead of the drone, and in a world whose y points down
+        for (turns, y_down) in [(false, false), (true, false), (true, true)] {
+            let camera = |i: u32| {
+                let [x, y] = [f64::from(i % 7) - 3.0, f64::from(i / 7) - 3.0];
+                let north = if turns && (i / 7) % 2 == 1 { -1.0 } else { 1.0 };
+                let place = |[x, y, z]: [f64; 3]| if y_down { [x, -z, y] } else { [x, y, z] };
+                let ground = place([x + 0.05 * y, y - 0.1, 0.0]);
+                Camera::look_at(place([x, y, 4.0]), ground, place([0.1, north, 0.0]), 0.8, [64, 48])
+            };
+            let cameras: Vec<_> = (0..49).map(|i| camera(i).unwrap()).collect();
+            let up = if y_down { -DVec3::Y } else { DVec3::Z };
+            let orbit = Orbit::around(&cameras).unwrap();
+            assert!(DVec3::from(orbit.up).dot(up) > 0.99, "{orbit:?}");
+            for camera in orbit.cameras(24).unwrap() {
+                assert!(DVec3::from(camera.eye()).dot(up) > 1.0, "{camera:?}");
+            }
+        }
     }
 
     /// Azimuth, elevation and distance of a camera, as an orbit with z up sees them.

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use glam::{DMat3, DVec3};
 use serde_json::Value;
 
-use super::{Camera, MAX_IMAGE_SIDE, camera_error};
+use super::{Camera, MAX_IMAGE_SIDE, ORTHONORMAL_TOLERANCE, camera_error};
 use crate::error::{Error, Result};
 use crate::input::{integer, kind};
 
@@ -13,6 +14,9 @@ pub const PERSPECTIVE_MODELS: [&str; 6] =
     ["PINHOLE", "SIMPLE_PINHOLE", "OPENCV", "SIMPLE_RADIAL", "RADIAL", "FULL_OPENCV"];
 /// Models without coefficients; any that the file gives are ignored.
 pub const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
+/// Largest difference between `R^T R` and the identity of a rotation whose numbers have three digits: they are off by 0.0005
+/// each.
+const THREE_DIGITS: f64 = 2e-3;
 const COEFFICIENTS: [&str; 8] = ["k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"];
 
 /// Every camera of a file's JSON.
@@ -51,6 +55,30 @@ pub(super) fn focal_length(side: f64, angle: f64) -> Result<f64, String> {
     Ok(0.5 * side / (0.5 * angle).tan())
 }
 
+/// A pose without what other programs leave in its rotation: one scale of all axes, which says nothing about a camera, or the
+/// errors of three digits. What is no such rotation, and what is exact enough, stays as it is.
+fn straightened(mut pose: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+    let off = |axes: DMat3| {
+        let off = axes.transpose() * axes - DMat3::IDENTITY;
+        off.to_cols_array().into_iter().fold(0.0, |most: f64, off| most.max(off.abs()))
+    };
+    let column = |axis: usize| DVec3::new(pose[0][axis], pose[1][axis], pose[2][axis]);
+    let found = DMat3::from_cols(column(0), column(1), column(2));
+    let scale = found.determinant().cbrt();
+    let mut axes = found * scale.recip();
+    if off(found) <= ORTHONORMAL_TOLERANCE || !(scale > 0.0 && off(axes) <= THREE_DIGITS) {
+        return pose;
+    }
+    // Newton's method for the nearest rotation: each step squares the error
+    for _ in 0..4 {
+        axes = (axes + axes.inverse().transpose()) * 0.5;
+    }
+    for (index, row) in pose.iter_mut().take(3).enumerate() {
+        row[..3].copy_from_slice(&axes.row(index).to_array());
+    }
+    pose
+}
+
 /// A frame, and the file whose values replace those that the frame lacks.
 pub struct Source<'a> {
     /// The whole file.
@@ -80,17 +108,19 @@ impl Source<'_> {
         let angle_x = self.number("camera_angle_x")?;
         let angle_y = self.number("camera_angle_y")?.map(|angle| (h, angle));
         let angle_x = angle_x.map(|angle| (w, angle));
-        let center = |side: f64| angle_x.map(|_| 0.5 * side);
         let focal = |key, angle: Option<(f64, f64)>| match (self.number(key)?, angle) {
-            (Some(focal), _) => Ok(focal),
-            (None, Some((side, angle))) => focal_length(side, angle),
-            (None, None) => Err(self.missing(key)),
+            (Some(focal), _) => Ok(Some(focal)),
+            (None, Some((side, angle))) => focal_length(side, angle).map(Some),
+            (None, None) => Ok::<_, String>(None),
         };
-        let point = |key, side| self.number(key)?.or(center(side)).ok_or_else(|| self.missing(key));
+        // as instant-ngp: square pixels, and the axis in the middle
+        let fl_x = focal("fl_x", angle_x)?.ok_or_else(|| self.missing("fl_x"))?;
+        let fl_y = focal("fl_y", angle_y.or(angle_x))?.unwrap_or(fl_x);
+        let point = |key, side: f64| Ok::<_, String>(self.number(key)?.unwrap_or(0.5 * side));
         Ok(Camera {
             camera_to_world,
-            fl_x: focal("fl_x", angle_x)?,
-            fl_y: focal("fl_y", angle_y.or(angle_x))?,
+            fl_x,
+            fl_y,
             cx: point("cx", w)?,
             cy: point("cy", h)?,
             width,
@@ -121,7 +151,7 @@ impl Source<'_> {
         let hint = if matches!(key, "w" | "h") { "" } else { ", or camera_angle_x with w and h" };
         format!(
             "`{key}` is missing from the frame and from the file; a camera needs \
-             fl_x, fl_y, cx, cy, w and h{hint}"
+             fl_x, w and h{hint}; fl_y, cx and cy may be missing"
         )
     }
 
@@ -156,7 +186,7 @@ impl Source<'_> {
                 format!("row {index} of `transform_matrix` is not four numbers; {EXPECTED}")
             })?;
         }
-        Ok(pose)
+        Ok(straightened(pose))
     }
 
     fn distorted(&self) -> Result<bool, String> {

@@ -174,7 +174,7 @@ fn file_errors() {
 
 #[test]
 fn intrinsics_errors() {
-    for key in ["fl_x", "fl_y", "cx", "cy", "w", "h"] {
+    for key in ["fl_x", "w", "h"] {
         let facts = ["frame 0", &format!("`{key}` is missing")];
         assert_error(|file| file[key] = json!(null), &facts);
     }
@@ -189,6 +189,49 @@ fn intrinsics_errors() {
     assert_error(|file| file["h"] = json!(0), &["`h` is 0", "65536"]);
     assert_error(|file| file["h"] = json!(65537), &["`h` is 65537", "65536"]);
     assert_error(|file| file["h"] = json!(-1), &["`h` is -1"]);
+}
+
+/// As instant-ngp reads such files.
+#[test]
+fn pixels_are_square_and_the_axis_is_in_the_middle_unless_the_file_says_otherwise() {
+    let mut value = file();
+    for key in ["fl_y", "cx", "cy"] {
+        value.as_object_mut().unwrap().remove(key);
+        value["frames"].as_array_mut().unwrap().iter_mut().for_each(|frame| {
+            frame.as_object_mut().unwrap().remove(key);
+        });
+    }
+    for camera in parse(&value).unwrap() {
+        assert_eq!(camera.fl_y, camera.fl_x);
+        let middle = [camera.width, camera.height].map(|side| 0.5 * f64::from(side));
+        assert_eq!([camera.cx, camera.cy], middle);
+    }
+}
+
+#[test]
+fn a_scale_of_all_axes_and_rounding_to_three_digits_are_taken_out() {
+    let expected = Camera::look_at([3.0, -2.0, 1.5], [0.1; 3], [0.0, 0.0, 1.0], 0.8, [96, 72]);
+    let expected = expected.unwrap().camera_to_world;
+    let changed = |change: fn(f64) -> f64| {
+        let mut value = file();
+        let mut pose = expected;
+        pose.iter_mut().take(3).for_each(|row| {
+            row[..3].iter_mut().for_each(|value| *value = change(*value));
+        });
+        value["frames"][0]["transform_matrix"] = json!(pose);
+        parse(&value).map(|cameras| cameras[0].camera_to_world)
+    };
+    let apart = |found: [[f64; 4]; 4]| {
+        let pairs = found.as_flattened().iter().zip(expected.as_flattened());
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    };
+    for change in [|value| 33.0 * value, |value| 0.02 * value] {
+        assert!(apart(changed(change).unwrap()) < 1e-12);
+    }
+    // what is exact enough stays as it is in the file
+    assert_eq!(changed(|value| value).unwrap(), expected);
+    assert!(apart(changed(|value| (1e3 * value).round() / 1e3).unwrap()) < 6e-4);
+    assert!(changed(|value| (1e2 * value).round() / 1e2).is_err());
 }
 
 #[test]

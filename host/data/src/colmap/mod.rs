@@ -5,19 +5,27 @@ mod model;
 mod text;
 
 use std::collections::HashMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::access::Access;
 use super::find;
-use super::{DatasetKind, DatasetOptions, Listing, Point, invalid, is_held_out};
+use super::lens::Lens;
+use super::{DatasetKind, DatasetOptions, Listing, Point, invalid, is_held_out, ply};
 use model::{Image, Intrinsics};
+use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::input::open_regular;
 
-/// Folders in a data set that may hold a model, by priority.
-const FOLDERS: [&str; 4] = ["sparse/0", "sparse", "colmap/sparse/0", ""];
+/// Folders in a data set that may hold a model, or several in numbered folders, by priority.
+pub(super) const FOLDERS: [&str; 6] =
+    ["sparse", "colmap/sparse", "colmap_sparse", "colmap_text", "colmap", ""];
+/// Name of the points as 3D Gaussian Splatting writes them beside a model.
+const POINTS_PLY: &str = "points3D.ply";
 
 type Cameras = HashMap<u32, Intrinsics>;
+/// Cameras and their lenses.
+type Lensed = Vec<(Camera, Lens)>;
 /// Points by their ids.
 type Points = Vec<(u64, Point)>;
 
@@ -29,101 +37,183 @@ fn add(cameras: &mut Cameras, id: u32, camera: Intrinsics, path: &Path) -> Resul
     }
 }
 
-/// The files of a model.
+/// A model's folder, and the form of its files.
+#[derive(Clone)]
 pub(super) struct Model {
-    cameras: PathBuf,
-    images: PathBuf,
-    points: PathBuf,
+    pub folder: PathBuf,
     is_binary: bool,
+    /// Other models beside it, and their numbers of photographs.
+    others: Vec<(PathBuf, usize)>,
 }
 
-/// The model of a data set. If both forms exist, the binary one is used, as in COLMAP.
+impl Model {
+    /// The model in a folder. If both forms exist, the binary one is used, as in COLMAP.
+    fn within(folder: PathBuf) -> Option<Self> {
+        let is_there = |name: &str| folder.join(name).is_file();
+        let is_binary = is_there("cameras.bin");
+        let exists = is_binary || is_there("cameras.txt");
+        exists.then_some(Self { folder, is_binary, others: Vec::new() })
+    }
+
+    fn file(&self, stem: &str) -> PathBuf {
+        self.folder.join(format!("{stem}.{}", if self.is_binary { "bin" } else { "txt" }))
+    }
+
+    /// The number of photographs; 0 if they cannot be read.
+    fn photographs(&self) -> usize {
+        self.images().map_or(0, |images| images.len())
+    }
+
+    fn images(&self) -> Result<Vec<Image>> {
+        let path = &self.file("images");
+        let (file, length) = open_regular(path)?;
+        match self.is_binary {
+            true => binary::images(file, length, path),
+            false => text::images(file, path),
+        }
+    }
+
+    /// The points of `points3D`, or else those of a PLY file beside it.
+    fn points(&self) -> Result<(Vec<Point>, PathBuf)> {
+        let path = self.file("points3D");
+        // A model without points still has cameras, and training can start from other points.
+        let mut points = match path.exists() {
+            true => {
+                let (file, length) = open_regular(&path)?;
+                match self.is_binary {
+                    true => binary::points(file, length, &path)?,
+                    false => text::points(file, &path)?,
+                }
+            }
+            false => Points::new(),
+        };
+        let beside = self.folder.join(POINTS_PLY);
+        if points.is_empty() && beside.exists() {
+            return Ok((ply::read(&beside)?, beside));
+        }
+        points.sort_by_key(|(id, _)| *id);
+        Ok((points.into_iter().map(|(_, point)| point).collect(), path))
+    }
+
+    /// What to say if there are several models.
+    pub fn note(&self) -> Option<String> {
+        let others =
+            self.others.iter().map(|(folder, count)| format!("{} {count}", folder.display()));
+        let others = others.collect::<Vec<_>>().join(", ");
+        let used = self.folder.display();
+        (!others.is_empty()).then(|| {
+            format!(
+                "there are several models, and the one with the most photographs is used: {used} has {}, {others}",
+                self.photographs()
+            )
+        })
+    }
+}
+
+/// The model of a data set. COLMAP numbers the parts of a scene that it could not join: the largest is used.
 pub(super) fn find(folder: &Path) -> Option<Model> {
-    let model = |(folder, extension): (PathBuf, &str)| {
-        let file = |stem: &str| folder.join(format!("{stem}.{extension}"));
-        let cameras = file("cameras");
-        let images = file("images");
-        let points = file("points3D");
-        cameras.is_file().then(|| Model { cameras, images, points, is_binary: extension == "bin" })
-    };
-    let folders = FOLDERS.iter().map(|name| folder.join(name));
-    let both = |folder: PathBuf| [(folder.clone(), "bin"), (folder, "txt")];
-    folders.flat_map(both).find_map(model)
+    FOLDERS.iter().find_map(|name| {
+        let root = folder.join(name);
+        // a number in the data set's own folder may be anything
+        let mut models = if name.is_empty() { Vec::new() } else { numbered(&root) };
+        models.push(root);
+        let mut models: Vec<_> = models.into_iter().filter_map(Model::within).collect();
+        if models.len() < 2 {
+            return models.pop();
+        }
+        let mut sized: Vec<_> =
+            models.into_iter().map(|model| (model.photographs(), model)).collect();
+        // The sort is stable: of equals, the first number is used.
+        sized.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+        let mut sized = sized.into_iter();
+        let (_, largest) = sized.next()?;
+        let others = sized.map(|(count, model)| (model.folder, count)).collect();
+        Some(Model { others, ..largest })
+    })
 }
 
-/// Reads a model. Images are sorted by name and points by id, because COLMAP writes both in no particular order.
+/// The folders in a folder that have numbers as names, in their order.
+fn numbered(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let number = |path: &Path| path.file_name()?.to_str()?.parse::<u32>().ok();
+    let mut found: Vec<_> =
+        entries.filter_map(|entry| Some((number(&entry.path())?, entry.path()))).collect();
+    found.sort();
+    found.into_iter().map(|(_, path)| path).collect()
+}
+
+/// Reads a model, and finds its photographs.
 pub(super) fn list(
     folder: &Path,
     model: &Model,
     options: &DatasetOptions,
     access: &mut Access,
 ) -> Result<Listing> {
-    let (cameras, mut images, mut points) = read(model)?;
-    images.sort_by(|a, b| a.name.cmp(&b.name));
-    points.sort_by_key(|(id, _)| *id);
-    if let Some(pair) = images.windows(2).find(|pair| pair[0].name == pair[1].name) {
-        let reason = format!("image `{}` is there twice; is the file damaged?", pair[0].name);
-        return invalid(&model.images, reason);
-    }
     let mut listing = Listing::new(DatasetKind::Colmap);
-    for (position, image) in images.into_iter().enumerate() {
-        let Some(intrinsics) = cameras.get(&image.camera) else {
-            let name = &image.name;
-            let id = image.camera;
-            let file = model.cameras.display();
-            let reason = format!("image `{name}` has camera {id}, which is not in {file}");
-            return invalid(&model.images, reason);
-        };
-        let pose = model::camera(&image, intrinsics);
-        let camera = match pose.and_then(|camera| camera.check().map(|()| camera)) {
-            Ok(camera) => camera,
-            Err(reason) => {
-                return invalid(&model.images, format!("image `{}`: {reason}", image.name));
-            }
-        };
+    listing.notes.extend(model.note());
+    let (cameras, points) = read(model)?;
+    for (position, (camera, lens)) in cameras.into_iter().enumerate() {
+        let name = camera.file_path.clone().unwrap_or_default();
         let photograph = |name: &str| find::photograph(folder, name, None, options.downscale);
-        let in_images = photograph(&format!("images/{}", image.name));
-        match in_images.or_else(|expected| photograph(&image.name).map_err(|_| expected)) {
+        let in_images = photograph(&format!("images/{name}"));
+        match in_images.or_else(|expected| photograph(&name).map_err(|_| expected)) {
             Ok(found) => {
                 access.check(&found.path)?;
                 let held_out = is_held_out(position, options.hold_out_every);
-                listing.add(found, camera, intrinsics.lens, held_out, options, access)?;
+                listing.add(found, camera, lens, held_out, options, access)?;
             }
             Err(expected) => listing.missing.push(expected),
         }
     }
-    listing.points = points.into_iter().map(|(_, point)| point).collect();
-    if let Some((index, point)) = listing.points.iter().enumerate().find(|(_, p)| !is_finite(p)) {
-        let position = point.position;
-        let reason = format!("point {index} is at {position:?}, expected finite coordinates");
-        return invalid(&model.points, reason);
+    listing.points = points;
+    if listing.points.is_empty() {
+        let reason = format!("that is {POINTS_PLY} in {}", model.folder.display());
+        listing.notes.extend(find::unused_clouds(folder, &reason));
     }
     Ok(listing)
 }
 
-fn read(model: &Model) -> Result<(Cameras, Vec<Image>, Points)> {
-    let Model { cameras, images, points, is_binary } = model;
-    let (cameras_file, length) = open_regular(cameras)?;
-    let cameras = match is_binary {
-        true => binary::cameras(cameras_file, length, cameras)?,
-        false => text::cameras(cameras_file, cameras)?,
+/// A model's cameras by the names of their images, and its points by id, because COLMAP writes both in no particular
+/// order. A camera's `file_path` is the name.
+pub(super) fn read(model: &Model) -> Result<(Lensed, Vec<Point>)> {
+    let path = &model.file("cameras");
+    let (file, length) = open_regular(path)?;
+    let cameras = match model.is_binary {
+        true => binary::cameras(file, length, path)?,
+        false => text::cameras(file, path)?,
     };
-    let (images_file, length) = open_regular(images)?;
-    let images = match is_binary {
-        true => binary::images(images_file, length, images)?,
-        false => text::images(images_file, images)?,
-    };
-    // A model without points still has cameras, and training can start from other points.
-    let points = match (points.exists().then(|| open_regular(points)).transpose()?, is_binary) {
-        (Some((file, length)), true) => binary::points(file, length, points)?,
-        (Some((file, _)), false) => text::points(file, points)?,
-        (None, _) => Vec::new(),
-    };
-    let read = (cameras, images, points);
-    if read.1.is_empty() {
-        return invalid(&model.images, "the model has no images; did COLMAP finish?".to_owned());
+    let origin = &model.file("images");
+    let mut images = model.images()?;
+    if images.is_empty() {
+        return invalid(origin, "the model has no images; did COLMAP finish?".to_owned());
     }
-    Ok(read)
+    images.sort_by(|a, b| a.name.cmp(&b.name));
+    if let Some(pair) = images.windows(2).find(|pair| pair[0].name == pair[1].name) {
+        let reason = format!("image `{}` is there twice; is the file damaged?", pair[0].name);
+        return invalid(origin, reason);
+    }
+    let camera = |image: Image| {
+        let name = &image.name;
+        let Some(intrinsics) = cameras.get(&image.camera) else {
+            let id = image.camera;
+            let file = path.display();
+            let reason = format!("image `{name}` has camera {id}, which is not in {file}");
+            return invalid(origin, reason);
+        };
+        let pose = model::camera(&image, intrinsics);
+        match pose.and_then(|camera| camera.check().map(|()| camera)) {
+            Ok(camera) => Ok((camera, intrinsics.lens)),
+            Err(reason) => invalid(origin, format!("image `{name}`: {reason}")),
+        }
+    };
+    let cameras = images.into_iter().map(camera).collect::<Result<Vec<_>>>()?;
+    let (points, file) = model.points()?;
+    if let Some((index, point)) = points.iter().enumerate().find(|(_, p)| !is_finite(p)) {
+        let position = point.position;
+        let reason = format!("point {index} is at {position:?}, expected finite coordinates");
+        return invalid(&file, reason);
+    }
+    Ok((cameras, points))
 }
 
 fn is_finite(point: &Point) -> bool {

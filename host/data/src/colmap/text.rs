@@ -12,6 +12,9 @@ use organza_core::error::{Error, Result};
 /// Longest line of a record, in bytes. A point that 50,000 images see needs less.
 const MAX_LINE: u64 = 1 << 20;
 
+/// Longest line of an image's pose, in bytes.
+const MAX_POSE: u64 = 1 << 13;
+
 /// Reads `cameras.txt`.
 pub(super) fn cameras(source: impl Read, path: &Path) -> Result<Cameras> {
     let mut lines = Lines::new(source, path);
@@ -27,10 +30,10 @@ pub(super) fn cameras(source: impl Read, path: &Path) -> Result<Cameras> {
 pub(super) fn images(source: impl Read, path: &Path) -> Result<Vec<Image>> {
     let mut lines = Lines::new(source, path);
     let mut images = Vec::new();
-    while lines.next_record()? {
+    let mut is_there = lines.next_record()?;
+    while is_there {
         images.push(lines.parse(image)?);
-        // The second line has the image's observations, and may be empty.
-        lines.skip()?;
+        is_there = lines.next_image()?;
     }
     Ok(images)
 }
@@ -66,6 +69,13 @@ fn image(mut line: &str) -> Result<Image, String> {
         return Err("NAME is missing".to_owned());
     }
     Ok(Image { rotation, translation, camera, name: line.to_owned() })
+}
+
+/// Whether a line is an image's, and not one of observations: those are triples of numbers.
+fn is_pose(line: &str) -> bool {
+    let numbers = || line.split_whitespace().map(str::parse::<f64>);
+    let is_triples = numbers().count().is_multiple_of(3) && numbers().all(|number| number.is_ok());
+    !is_triples && image(line).is_ok()
 }
 
 fn point(mut line: &str) -> Result<(u64, Point), String> {
@@ -117,16 +127,32 @@ impl<'a, R: Read> Lines<'a, R> {
         Ok(read > 0)
     }
 
-    /// Skips the next line, of any length.
-    fn skip(&mut self) -> Result<()> {
+    /// Moves from an image to the next. The line between them has the image's observations, may be of any length or empty, and
+    /// is missing in files that people write by hand.
+    fn next_image(&mut self) -> Result<bool> {
         self.number += 1;
-        self.reader.skip_until(b'\n').map_err(|source| Error::read(self.path, source))?;
-        Ok(())
+        let cannot_read = |source| Error::read(self.path, source);
+        let mut start = Vec::new();
+        let begin = &mut self.reader.by_ref().take(MAX_POSE);
+        begin.read_until(b'\n', &mut start).map_err(cannot_read)?;
+        if start.len() as u64 == MAX_POSE && !start.ends_with(b"\n") {
+            self.reader.skip_until(b'\n').map_err(cannot_read)?;
+        } else if let Ok(line) = String::from_utf8(start)
+            && is_pose(line.trim())
+        {
+            self.line = line;
+            return Ok(true);
+        }
+        self.next_record()
     }
 
     /// Moves to the next line that is neither empty nor a comment.
     fn next_record(&mut self) -> Result<bool> {
         while self.advance()? {
+            // some editors begin a file with a mark
+            if self.number == 1 && self.line.starts_with('\u{feff}') {
+                self.line.remove(0);
+            }
             let line = self.line.trim();
             if !line.is_empty() && !line.starts_with('#') {
                 return Ok(true);

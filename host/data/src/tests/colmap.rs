@@ -151,14 +151,17 @@ fn parameters_are_where_colmap_has_them() {
 
 #[test]
 fn models_and_images_are_found_where_they_may_be() {
-    for place in ["sparse/0", "sparse", "colmap/sparse/0", ""] {
+    let places =
+        ["sparse/0", "sparse", "colmap/sparse/0", "colmap_sparse/0", "colmap_text", "colmap", ""];
+    for place in places {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
         write(root, &sample(), true);
         fs::remove_dir_all(root.join("sparse")).unwrap();
         write_model(&root.join(place), &sample(), false);
-        // Photographs may be in the folder itself.
+        // Photographs may be in the folder itself, and in another format than they had.
         fs::rename(root.join("images/a.png"), root.join("a.png")).unwrap();
+        fs::rename(root.join("images/sub/c.png"), root.join("images/sub/c.JPG")).unwrap();
         fs::remove_file(root.join("images/b c.png")).unwrap();
         let dataset = load(root).unwrap();
         assert_eq!(dataset.frames.len(), 2, "{place}");
@@ -194,6 +197,88 @@ fn the_last_line_of_images_may_be_missing() {
     assert_eq!(load(folder.path()).unwrap().frames.len(), 2);
 }
 
+/// People write such files by hand, and some programs leave the lines out.
+#[test]
+fn lines_of_observations_may_be_missing() {
+    let model = sample();
+    let folder = tempfile::tempdir().unwrap();
+    write(folder.path(), &model, false);
+    let path = folder.path().join("sparse/0/images.txt");
+    let text = fs::read_to_string(&path).unwrap();
+    // poses have ten values at least, and observations are triples
+    let poses = |keep: fn(usize) -> bool| {
+        let lines = text
+            .lines()
+            .enumerate()
+            .filter(|(at, line)| line.starts_with('#') || line.contains(".png") || keep(*at));
+        lines.map(|(_, line)| format!("{line}\n")).collect::<String>()
+    };
+    for text in [
+        poses(|_| false),
+        poses(|at| at % 4 == 0),
+        poses(|at| at % 4 > 0),
+        format!("\u{feff}{text}"),
+    ] {
+        fs::write(&path, &text).unwrap();
+        let names: Vec<_> =
+            load(folder.path()).unwrap().frames.into_iter().map(|frame| frame.name).collect();
+        let mut expected: Vec<_> = model.images.iter().map(|image| image.0).collect();
+        expected.sort_unstable();
+        assert_eq!(names, expected, "{text}");
+    }
+}
+
+/// COLMAP numbers the parts of a scene that it could not join by when it found them.
+#[test]
+fn the_model_with_the_most_photographs_is_used() {
+    for binary in [true, false] {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        write(root, &sample(), binary);
+        let mut small = sample();
+        small.images.truncate(1);
+        for (place, model) in [("sparse/0", &small), ("sparse/1", &sample()), ("sparse/10", &small)]
+        {
+            write_model(&root.join(place), model, binary);
+        }
+        let dataset = load(root).unwrap();
+        assert_eq!(dataset.frames.len(), 3);
+        let [note] = &dataset.notes[..] else { panic!("{:?}", dataset.notes) };
+        for fact in ["sparse/1 has 3", "sparse/0 1", "sparse/10 1"] {
+            assert!(note.contains(fact), "{fact}: {note}");
+        }
+    }
+}
+
+#[test]
+fn points_beside_a_model_may_be_a_ply_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path();
+    write(root, &sample(), true);
+    let expected = load(root).unwrap().points;
+    let text: String = expected
+        .iter()
+        .map(|Point { position: [x, y, z], color }| {
+            let [red, green, blue] = color.unwrap();
+            format!("{x} {y} {z} {red} {green} {blue}\n")
+        })
+        .collect();
+    let ply = format!(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\nproperty double z\n\
+         property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n{text}"
+    );
+    fs::remove_file(root.join("sparse/0/points3D.bin")).unwrap();
+    assert!(load(root).unwrap().notes.is_empty());
+    // elsewhere, it is named
+    fs::write(root.join("fused.ply"), &ply).unwrap();
+    let dataset = load(root).unwrap();
+    assert!(dataset.points.is_empty());
+    assert!(dataset.notes[0].contains("fused.ply is not used"), "{:?}", dataset.notes);
+    fs::write(root.join("sparse/0/points3D.ply"), &ply).unwrap();
+    let dataset = load(root).unwrap();
+    assert_eq!((dataset.points, dataset.notes), (expected, Vec::new()));
+}
+
 /// nerfstudio's file with a data set's cameras rotated by 90 degrees about z, twice as far apart, and moved.
 fn moved_transforms(dataset: &Dataset) -> Value {
     let frame = |frame: &Frame| {
@@ -226,8 +311,39 @@ fn a_models_points_follow_the_cameras_of_a_transforms_file_beside_it() {
         assert!(point.position.iter().zip(expected).all(is_near), "{point:?} {expected:?}");
         assert_eq!(point.color, other.color);
     }
+    // the photographs need not be where the model expects them, and folders may repeat their names
+    let elsewhere = folder.path().join("fotos/left");
+    fs::create_dir_all(elsewhere.parent().unwrap()).unwrap();
+    fs::rename(folder.path().join("images"), &elsewhere).unwrap();
+    let mut two = sample();
+    two.images.push(("right/a.png", [0.1, 0.7, 0.0, 0.2], [9.0; 3], 2));
+    write_model(&folder.path().join("sparse/0"), &two, true);
+    for frame in file["frames"].as_array_mut().unwrap() {
+        let name = frame["file_path"].as_str().unwrap().replace("images", "fotos/left");
+        frame["file_path"] = json!(name);
+    }
+    write_json(&path, &file);
+    let found = load(folder.path()).unwrap();
+    assert_eq!((&found.points, found.notes.len()), (&dataset.points, 0));
     // cameras at other places belong to another model
+    let x = file["frames"][1]["transform_matrix"][0][3].take();
     file["frames"][1]["transform_matrix"][0][3] = json!(40.0);
     write_json(&path, &file);
-    assert!(load(folder.path()).unwrap().points.is_empty());
+    assert_unused(folder.path(), &["sparse/0", "stand elsewhere"]);
+    file["frames"][1]["transform_matrix"][0][3] = x;
+    write_json(&path, &file);
+    fs::write(folder.path().join("sparse/0/points3D.bin"), [7; 20]).unwrap();
+    assert_unused(folder.path(), &["sparse/0", "points3D.bin"]);
+    two.images.drain(..2);
+    write_model(&folder.path().join("sparse/0"), &two, true);
+    assert_unused(folder.path(), &["sparse/0", "only 2 of its 2"]);
+}
+
+/// Asserts that there are no points, and that one note has all the facts.
+#[track_caller]
+fn assert_unused(folder: &Path, facts: &[&str]) {
+    let dataset = load(folder).unwrap();
+    assert!(dataset.points.is_empty());
+    let [note] = &dataset.notes[..] else { panic!("{:?}", dataset.notes) };
+    facts.iter().for_each(|fact| assert!(note.contains(fact), "{fact}: {note}"));
 }

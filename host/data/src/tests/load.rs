@@ -81,6 +81,13 @@ fn poses_are_those_of_the_frames() {
             assert_eq!(camera, frame.camera);
             assert_eq!(pose.camera.file_path.as_ref(), Some(&frame.name));
             assert_eq!(pose.held_out, dataset.held_out.contains(&index));
+            // the file's lens: of all frames, of none, or of the first camera of COLMAP's sample
+            let is_distorted = match dataset.kind {
+                DatasetKind::Nerfstudio => true,
+                DatasetKind::Colmap => frame.name == "a.png",
+                _ => pose.camera.distorted,
+            };
+            assert_eq!(pose.distorted, is_distorted, "{}", frame.name);
             assert!(pose.photograph.as_ref().unwrap().ends_with(&frame.name));
         }
     }
@@ -110,6 +117,49 @@ fn missing_photographs_are_named_and_left_out() {
     assert_eq!(names(&dataset.held_out), ["images/0.png", "images/8.png"]);
     assert_eq!(names(&dataset.train)[2..4], ["images/4.png", "images/5.png"]);
     assert_eq!(dataset.frames[3].image.color(0, 0)[0], 4.0 / 255.0);
+}
+
+#[test]
+fn what_cannot_be_right_is_named() {
+    let mut file = transforms(10);
+    let folder = nerfstudio_folder(&file);
+    let root = folder.path();
+    let note = || -> String {
+        let notes = load(root).unwrap().notes;
+        assert!(notes.len() < 2, "{notes:?}");
+        notes.concat()
+    };
+    assert_eq!(note(), "");
+    // masks of which none fits, one that fits, and one of another size
+    write_image(&root.join("masks/other.png"), [6, 4], [255; 3]);
+    assert!(note().contains("masks is the mask of a photograph"), "{}", note());
+    assert!(note().contains("0.png.png"), "{}", note());
+    write_image(&root.join("masks/1.png"), [6, 4], [255; 3]);
+    assert_eq!(note(), "");
+    write_image(&root.join("masks/1.png"), [3, 2], [255; 3]);
+    assert_refused(root, &["masks/1.png", "the mask is 3 x 2", "of its photograph"]);
+    fs::remove_dir_all(root.join("masks")).unwrap();
+    // a copy in training, and one that is held out
+    let copy = |from: &str, to: &str| {
+        fs::copy(root.join("images").join(from), root.join("images").join(to)).unwrap();
+    };
+    copy("1.png", "2.png");
+    assert!(note().contains("images/1.png and ") && !note().contains("held out"), "{}", note());
+    copy("0.png", "5.png");
+    assert!(note().contains("images/5.png, and 1 more"), "{}", note());
+    assert!(note().contains("one of these is held out"), "{}", note());
+    copy("3.png", "2.png");
+    copy("4.png", "5.png");
+    copy("6.png", "3.png");
+    copy("7.png", "4.png");
+    write_image(&root.join("images/6.png"), [6, 4], [90; 3]);
+    write_image(&root.join("images/7.png"), [6, 4], [91; 3]);
+    // lenses that do not exist
+    for focal in [1e5, 0.01] {
+        file["frames"][3]["fl_x"] = json!(focal);
+        write_json(&root.join("transforms.json"), &file);
+        assert!(note().contains("3.png has a focal length of"), "{}", note());
+    }
 }
 
 #[test]

@@ -40,9 +40,12 @@ fn paths_may_lack_an_extension_or_come_from_windows() {
     let folder = nerfstudio_folder(&file);
     file["frames"][0]["file_path"] = json!("./images/0");
     file["frames"][1]["file_path"] = json!("images\\1.png");
+    file["frames"][1]["mask_path"] = json!("hidden\\1.png");
+    write_image(&folder.path().join("hidden/1.png"), [6, 4], [255; 3]);
     write_json(&folder.path().join("transforms.json"), &file);
     let dataset = load(folder.path()).unwrap();
     assert_eq!(dataset.frames[1].name, "images\\1.png");
+    assert_eq!(dataset.masked, 1);
     assert_eq!(dataset.frames[1].image.color(0, 0)[0], 1.0 / 255.0);
 }
 
@@ -101,6 +104,27 @@ fn points_come_from_the_named_cloud() {
                 property uint8 blue\nend_header\n1 2 -3.5 10 20 255\n";
     fs::write(folder.path().join("sparse_pc.ply"), text).unwrap();
     let expected = Point { position: [1.0, 2.0, -3.5], color: Some([10, 20, 255]) };
+    assert_eq!(load(folder.path()).unwrap().points, [expected]);
+    // programs on Windows, and on other machines
+    fs::create_dir(folder.path().join("sparse")).unwrap();
+    fs::copy(folder.path().join("sparse_pc.ply"), folder.path().join("sparse/a.ply")).unwrap();
+    for path in ["sparse\\a.ply", "D:\\scans\\sparse\\a.ply", "/home/someone/sparse_pc.ply"] {
+        file["ply_file_path"] = json!(path);
+        write_json(&folder.path().join("transforms.json"), &file);
+        assert_eq!(load(folder.path()).unwrap().points, [expected], "{path}");
+    }
+    file["ply_file_path"] = json!(null);
+    write_json(&folder.path().join("transforms.json"), &file);
+    let dataset = load(folder.path()).unwrap();
+    assert!(dataset.points.is_empty());
+    let names = ["sparse/a.ply", "sparse_pc.ply"];
+    let is_named =
+        |(note, name): (&String, &str)| note.contains(name) && note.contains("`ply_file_path`");
+    assert!(dataset.notes.iter().zip(names).all(is_named), "{:?}", dataset.notes);
+    // Blender's files name a cloud alike
+    file["ply_file_path"] = json!("sparse_pc.ply");
+    write_json(&folder.path().join("transforms_train.json"), &file);
+    fs::remove_file(folder.path().join("transforms.json")).unwrap();
     assert_eq!(load(folder.path()).unwrap().points, [expected]);
     assert_error(
         |file| file["ply_file_path"] = json!(3),

@@ -1,18 +1,38 @@
 //! Binary glTF 2.0 with `KHR_gaussian_splatting`, as the Khronos Group ratified it. Gaussians are points with the
 //! extension's attributes, all of them floats.
 
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
+use std::path::Path;
 
-use glam::{Quat, Vec3};
+use glam::{DMat3, DMat4, DQuat, DVec3, Quat, Vec3};
 use muslin::math::sigmoid;
+use muslin_device::memory;
 use serde_json::{Map, Value, json};
 
-use super::{Splat, base_color, byte, turned};
+use super::{Splat, base_color, byte, invalid, log_of, turned, whole};
+use crate::harmonics::{DEGREE, HARMONICS};
+use crate::turned::turn;
+use organza_core::error::Result;
+use organza_core::input::parse_json;
+use organza_core::scene::logit;
 
 const EXTENSION: &str = "KHR_gaussian_splatting";
+/// An extension that only allows more types of components.
+const QUANTIZED: &str = "KHR_mesh_quantization";
+/// What the name of the program that wrote a file begins with, if it was this one.
+const OWN: &str = "organza ";
+/// Smallest distance of an opacity from 0 and 1: these have no finite logit.
+const OPACITY_EDGE: f32 = 1e-6;
+/// Largest difference of a node's axes from unit vectors at right angles.
+const ORTHONORMAL: f64 = 1e-4;
 /// glTF's code for components of type float.
 const FLOAT: u32 = 5126;
 const BYTE: u32 = 5121;
+/// Types of components: the code, the number of bytes, and the level that stands for 1 if they are normalized.
+const COMPONENTS: [(u32, usize, f32); 5] =
+    [(FLOAT, 4, 1.0), (BYTE, 1, 255.0), (5120, 1, 127.0), (5123, 2, 65_535.0), (5122, 2, 32_767.0)];
+/// Names of values with 1 to 4 components.
+const KINDS: [&str; 4] = ["SCALAR", "VEC2", "VEC3", "VEC4"];
 /// glTF's code for a buffer of vertex attributes.
 const VERTICES: u32 = 34962;
 
@@ -26,7 +46,7 @@ struct Attribute {
 
 impl Attribute {
     fn new<const N: usize>(name: &str, splats: &[Splat], of: impl Fn(&Splat) -> [f32; N]) -> Self {
-        let kind = ["SCALAR", "VEC2", "VEC3", "VEC4"][N - 1];
+        let kind = KINDS[N - 1];
         let bytes =
             splats.iter().flat_map(|splat| of(splat).into_iter().flat_map(f32::to_le_bytes));
         Self { name: name.to_owned(), kind, component: FLOAT, bytes: bytes.collect() }
@@ -70,7 +90,7 @@ pub fn write(splats: &[Splat], up: Vec3, file: &mut dyn Write) -> io::Result<()>
     let primitive = json!({"attributes": named, "mode": 0, "extensions": {EXTENSION: {"kernel": "ellipse",
         "colorSpace": "srgb_rec709_display", "projection": "perspective", "sortingMethod": "cameraDistance"}}});
     let json = json!({
-        "asset": {"version": "2.0", "generator": concat!("organza ", env!("CARGO_PKG_VERSION"))},
+        "asset": {"version": "2.0", "generator": format!("{OWN}{}", env!("CARGO_PKG_VERSION"))},
         "extensionsUsed": [EXTENSION],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
@@ -110,10 +130,8 @@ fn attributes(splats: &[Splat]) -> Vec<Attribute> {
         Attribute::new(&own("SCALE"), splats, |splat| splat.log_scale.map(f32::exp)),
         Attribute::new(&own("OPACITY"), splats, |splat| [sigmoid(splat.opacity)]),
     ];
-    let bands = (0..4_usize).flat_map(|degree| (0..=2 * degree).map(move |at| (degree, at)));
-    for (harmonic, (degree, at)) in bands.enumerate() {
-        let name = own(&format!("SH_DEGREE_{degree}_COEF_{at}"));
-        attributes.push(Attribute::new(&name, splats, |splat| splat.color[harmonic]));
+    for (harmonic, name) in harmonic_names().enumerate() {
+        attributes.push(Attribute::new(&own(&name), splats, |splat| splat.color[harmonic]));
     }
     // for programs that only show points
     let color = splats.iter().flat_map(|splat| {
@@ -124,4 +142,395 @@ fn attributes(splats: &[Splat]) -> Vec<Attribute> {
     let bytes = color.collect();
     attributes.push(Attribute { name, kind: "VEC4", component: BYTE, bytes });
     attributes
+}
+
+/// The names of the attributes of harmonics, in their order.
+fn harmonic_names() -> impl Iterator<Item = String> {
+    let bands = (0..=DEGREE).flat_map(|degree| (0..=2 * degree).map(move |at| (degree, at)));
+    bands.map(|(degree, at)| format!("SH_DEGREE_{degree}_COEF_{at}"))
+}
+
+/// A file that is read: its description, and the bytes that this points into.
+struct File<'a> {
+    json: Value,
+    data: &'a [u8],
+    path: &'a Path,
+}
+
+/// Reads the Gaussians of all nodes, in the world of the file. If organza wrote it, their axes are those of the scene: the
+/// node that turns them is for other programs.
+pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+    let bytes = whole(source, length, path)?;
+    // after 12 bytes, chunks: a length, a name, and as many bytes
+    let chunk = |bytes: &[u8]| -> Option<(usize, [u8; 4])> {
+        let [a, b, c, d, ref name @ ..] = *bytes.first_chunk::<8>()?;
+        Some((u32::from_le_bytes([a, b, c, d]) as usize, *name))
+    };
+    let first = bytes.get(12..).and_then(|rest| {
+        let (length, name) = chunk(rest)?;
+        Some((name, rest.get(8..)?.split_at_checked(length)?))
+    });
+    let Some((name, (text, rest))) = first else { return damaged(path, "it was cut short") };
+    if &name != b"JSON" || bytes[4..8] != [2, 0, 0, 0] {
+        return damaged(path, "it is no binary glTF of version 2");
+    }
+    let length = chunk(rest).map_or(0, |(length, _)| length);
+    let data = rest.get(8..).unwrap_or_default();
+    let Some(data) = data.get(..length) else { return damaged(path, "it was cut short") };
+    let file = File { json: parse_json(text, path)?, data, path };
+    let required = file.json["extensionsRequired"].as_array().into_iter().flatten();
+    let mut unknown = required.filter(|name| **name != EXTENSION && **name != QUANTIZED);
+    if let Some(name) = unknown.next() {
+        let reason = format!("the extension {name} is not read; write the Gaussians without it");
+        return invalid(path, reason);
+    }
+    let mut splats = Vec::new();
+    let count = file.json["nodes"].as_array().map_or(0, Vec::len);
+    let mut seen = vec![false; count];
+    for root in file.roots() {
+        file.add_node(root, DMat4::IDENTITY, &mut seen, &mut splats)?;
+    }
+    if splats.is_empty() {
+        return invalid(path, format!("it has no Gaussians of {EXTENSION}"));
+    }
+    Ok(splats)
+}
+
+fn damaged<T>(path: &Path, reason: &str) -> Result<T> {
+    invalid(path, format!("not a whole glTF file: {reason}; copy it again, or write it again"))
+}
+
+/// The numbers of an array in JSON; `None` if it has others.
+fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let values: Option<Vec<f64>> = value.as_array()?.iter().map(Value::as_f64).collect();
+    values?.try_into().ok()
+}
+
+fn indices(value: &Value) -> impl Iterator<Item = usize> {
+    value.as_array().into_iter().flatten().filter_map(Value::as_u64).map(|index| index as usize)
+}
+
+impl File<'_> {
+    /// The nodes of the scene that the file shows, or else those that are in no other.
+    fn roots(&self) -> Vec<usize> {
+        let scene = self.json["scene"].as_u64().unwrap_or_default() as usize;
+        if let Some(scene) = self.json["scenes"].get(scene) {
+            return indices(&scene["nodes"]).collect();
+        }
+        let nodes = self.json["nodes"].as_array().map(Vec::as_slice).unwrap_or_default();
+        let inner: Vec<_> = nodes.iter().flat_map(|node| indices(&node["children"])).collect();
+        (0..nodes.len()).filter(|node| !inner.contains(node)).collect()
+    }
+
+    /// Adds the Gaussians of a node, and of those within. `parent` maps the space around the node to the world. A node is in
+    /// one other at most, so `seen` must not have it.
+    fn add_node(
+        &self,
+        index: usize,
+        parent: DMat4,
+        seen: &mut [bool],
+        splats: &mut Vec<Splat>,
+    ) -> Result<()> {
+        if seen.get(index) != Some(&false) {
+            return damaged(self.path, "a node is missing, or is there twice");
+        }
+        seen[index] = true;
+        let node = &self.json["nodes"][index];
+        let to_world = parent * local(node);
+        let is_own = |name: &str| name.starts_with(OWN);
+        let is_own = self.json["asset"]["generator"].as_str().is_some_and(is_own);
+        let mesh = node["mesh"].as_u64().map(|mesh| &self.json["meshes"][mesh as usize]);
+        for primitive in mesh.and_then(|mesh| mesh["primitives"].as_array()).into_iter().flatten() {
+            if primitive["extensions"].get(EXTENSION).is_none() {
+                continue;
+            }
+            let bytes = (splats.len() * size_of::<Splat>()) as u64;
+            memory::check(bytes, "the Gaussians of a glTF file")?;
+            let mut found = self.primitive(primitive)?;
+            if !is_own {
+                self.place(&mut found, to_world)?;
+            }
+            splats.append(&mut found);
+        }
+        indices(&node["children"])
+            .try_for_each(|child| self.add_node(child, to_world, seen, splats))
+    }
+
+    /// Moves Gaussians into the world.
+    fn place(&self, splats: &mut [Splat], to_world: DMat4) -> Result<()> {
+        let axes = DMat3::from_mat4(to_world);
+        let scale = axes.determinant().abs().cbrt();
+        let axes = axes * scale.recip();
+        let off = axes.transpose() * axes - DMat3::IDENTITY;
+        // also fails for NaN
+        if !off.to_cols_array().iter().all(|off| off.abs() < ORTHONORMAL) {
+            let reason = "a node scales its axes differently, and Gaussians have no such shapes; apply the scale in the \
+                          program that wrote the file";
+            return invalid(self.path, reason);
+        }
+        if to_world != DMat4::IDENTITY {
+            turn(splats, axes, scale, |place| {
+                to_world.transform_point3(DVec3::from(place)).to_array()
+            });
+        }
+        Ok(())
+    }
+
+    fn primitive(&self, primitive: &Value) -> Result<Vec<Splat>> {
+        let extension = &primitive["extensions"][EXTENSION];
+        let inner = extension["extensions"].as_object().and_then(|inner| inner.keys().next());
+        if let Some(name) = inner {
+            let reason = format!("its Gaussians need {name}; write them without this extension");
+            return invalid(self.path, reason);
+        }
+        if extension["colorSpace"] == "lin_rec709_display" {
+            let reason = "its colors are linear (lin_rec709_display), and sRGB is read: write them as \
+                          srgb_rec709_display";
+            return invalid(self.path, reason);
+        }
+        let attributes = &primitive["attributes"];
+        let own = |name: &str| attributes[format!("{EXTENSION}:{name}")].as_u64();
+        let positions: Vec<[f32; 3]> = self.values("POSITION", attributes["POSITION"].as_u64())?;
+        let rotations: Vec<[f32; 4]> = self.values("ROTATION", own("ROTATION"))?;
+        let scales: Vec<[f32; 3]> = self.values("SCALE", own("SCALE"))?;
+        let opacities: Vec<[f32; 1]> = self.values("OPACITY", own("OPACITY"))?;
+        // a draft of the extension had logarithms
+        let are_logs = scales.as_flattened().iter().any(|scale| *scale < 0.0);
+        let count = positions.len();
+        let mut splats: Vec<Splat> = memory::zeros(count, "the Gaussians of a glTF file")?;
+        if [rotations.len(), scales.len(), opacities.len()] != [count; 3] {
+            return damaged(self.path, "its attributes have different lengths");
+        }
+        for (at, splat) in splats.iter_mut().enumerate() {
+            let [x, y, z, w] = rotations[at];
+            splat.position = positions[at];
+            splat.rotation = [w, x, y, z];
+            splat.log_scale = if are_logs { scales[at] } else { scales[at].map(log_of) };
+            splat.opacity = logit(opacities[at][0].clamp(OPACITY_EDGE, 1.0 - OPACITY_EDGE));
+        }
+        for (harmonic, name) in harmonic_names().take(HARMONICS).enumerate() {
+            let index = own(&name);
+            if harmonic > 0 && index.is_none() {
+                break;
+            }
+            let values: Vec<[f32; 3]> = self.values(&name, index)?;
+            if values.len() != count {
+                return damaged(self.path, "its attributes have different lengths");
+            }
+            splats.iter_mut().zip(values).for_each(|(splat, value)| splat.color[harmonic] = value);
+        }
+        Ok(splats)
+    }
+
+    /// The values of an accessor, as floats.
+    fn values<const N: usize>(&self, name: &str, accessor: Option<u64>) -> Result<Vec<[f32; N]>> {
+        let Some(index) = accessor else {
+            return invalid(self.path, format!("its Gaussians have no attribute {name}"));
+        };
+        let broken =
+            || damaged(self.path, &format!("the attribute {name} is not where it should be"));
+        let accessor = &self.json["accessors"][index as usize];
+        let number = |value: &Value| value.as_u64().map(|number| number as usize);
+        let Some(view) =
+            number(&accessor["bufferView"]).filter(|_| accessor.get("sparse").is_none())
+        else {
+            return invalid(
+                self.path,
+                format!("the attribute {name} is sparse, which is not read"),
+            );
+        };
+        let view = &self.json["bufferViews"][view];
+        let buffer = number(&view["buffer"]).unwrap_or_default();
+        if buffer != 0 || self.json["buffers"][0].get("uri").is_some() {
+            let reason = "its values are in another file; write one .glb with everything in it";
+            return invalid(self.path, reason);
+        }
+        let code = number(&accessor["componentType"]).unwrap_or_default() as u32;
+        let Some(&(_, size, most)) = COMPONENTS.iter().find(|known| known.0 == code) else {
+            return broken();
+        };
+        if accessor["type"] != KINDS[N - 1] {
+            return invalid(self.path, format!("the attribute {name} is no {}", KINDS[N - 1]));
+        }
+        let unit = if accessor["normalized"] == true { most } else { 1.0 };
+        let stride = number(&view["byteStride"]).unwrap_or(N * size);
+        let offset = |value: &Value| number(&value["byteOffset"]).unwrap_or_default();
+        let data = self.data.get(offset(view)..).and_then(|data| data.get(offset(accessor)..));
+        let (Some(data), Some(count)) = (data, number(&accessor["count"])) else { return broken() };
+        if count > 0 && (stride < N * size || data.len() < N * size) {
+            return broken();
+        }
+        if count > 0 && count - 1 > (data.len() - N * size) / stride {
+            return broken();
+        }
+        let mut values = memory::zeros::<[f32; N]>(count, "an attribute of a glTF file")?;
+        for (row, value) in data.chunks(stride).zip(&mut values) {
+            *value = std::array::from_fn(|at| {
+                let bytes = &row[at * size..(at + 1) * size];
+                // of a signed type, two levels are -1
+                (component(code, bytes) / unit).max(if unit > 1.0 { -1.0 } else { f32::MIN })
+            });
+        }
+        Ok(values)
+    }
+}
+
+/// A component's value.
+fn component(code: u32, bytes: &[u8]) -> f32 {
+    match (code, bytes) {
+        (5120, [byte]) => byte.cast_signed().into(),
+        (5122, &[low, high]) => i16::from_le_bytes([low, high]).into(),
+        (_, [byte]) => (*byte).into(),
+        (_, &[low, high]) => u16::from_le_bytes([low, high]).into(),
+        (_, bytes) => f32::from_le_bytes(std::array::from_fn(|at| bytes[at])),
+    }
+}
+
+/// The transformation of a node: a matrix, or a translation, a rotation and a scale.
+fn local(node: &Value) -> DMat4 {
+    if let Some(matrix) = numbers(&node["matrix"]) {
+        return DMat4::from_cols_array(&matrix);
+    }
+    let three = |key, default| numbers(&node[key]).map_or(default, DVec3::from_array);
+    DMat4::from_scale_rotation_translation(
+        three("scale", DVec3::ONE),
+        numbers(&node["rotation"]).map_or(DQuat::IDENTITY, DQuat::from_array),
+        three("translation", DVec3::ZERO),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{assert_close, assert_refused, read_bytes, splats};
+    use super::*;
+
+    fn written() -> Vec<u8> {
+        let mut bytes = Vec::new();
+        write(&splats(), Vec3::Z, &mut bytes).unwrap();
+        bytes
+    }
+
+    /// A file with another description.
+    fn with(edit: impl FnOnce(&mut Value)) -> Vec<u8> {
+        let bytes = written();
+        let length = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]) as usize;
+        let (head, rest) = bytes[20..].split_at(length);
+        let mut json: Value = serde_json::from_slice(head).unwrap();
+        json["asset"]["generator"] = json!("another program");
+        edit(&mut json);
+        let json = serde_json::to_vec(&json).unwrap();
+        let mut bytes = bytes[..12].to_vec();
+        bytes.extend((json.len() as u32).to_le_bytes());
+        bytes.extend(b"JSON");
+        bytes.extend(json);
+        bytes.extend(rest);
+        bytes
+    }
+
+    #[test]
+    fn what_organza_wrote_has_the_axes_of_the_scene() {
+        let most = [0.0, 1e-5, 0.0, 0.0, 1e-6];
+        assert_close(&read_bytes(&written()).unwrap(), &splats(), most);
+        for length in (4..written().len()).step_by(97) {
+            assert_refused(&written()[..length], &[]);
+        }
+    }
+
+    /// glTF: the world is the product of the nodes' transformations.
+    #[test]
+    fn nodes_place_what_others_wrote() {
+        // z of the scene is y of the file: (x, y, z) becomes (x, z, -y)
+        let upright = read_bytes(&with(|_| ())).unwrap();
+        // a child, half as large and moved, in a node that is a mirror
+        let mirrored = with(|json| {
+            json["nodes"] = json!([
+                {"children": [1], "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]},
+                {"mesh": 0, "scale": [0.5, 0.5, 0.5], "translation": [1, 2, 3]},
+            ]);
+        });
+        let mirrored = read_bytes(&mirrored).unwrap();
+        for ((splat, upright), mirrored) in splats().iter().zip(upright).zip(mirrored) {
+            let [x, y, z] = splat.position;
+            let near = |a: [f32; 3], b: [f32; 3]| Vec3::from(a).distance(Vec3::from(b)) < 1e-5;
+            assert!(near(upright.position, [x, z, -y]), "{upright:?}");
+            let expected = [-1.0 - 0.5 * x, 2.0 + 0.5 * y, 3.0 + 0.5 * z];
+            assert!(near(mirrored.position, expected), "{mirrored:?}");
+            let logs = splat.log_scale.map(|log| log - 2_f32.ln());
+            assert!(near(mirrored.log_scale, logs), "{mirrored:?}");
+            // of degree 1, the harmonics are -y, z and -x
+            let color = mirrored.color;
+            assert!(near(color[1], splat.color[1]) && near(color[3], splat.color[3].map(|c| -c)));
+        }
+    }
+
+    #[test]
+    fn components_may_be_integers_and_scales_logarithms() {
+        let as_type = |name: &str, code: u32| {
+            let name = name.to_owned();
+            move |json: &mut Value| {
+                let at = json["meshes"][0]["primitives"][0]["attributes"][&name].as_u64().unwrap();
+                let accessor = &mut json["accessors"][at as usize];
+                accessor["componentType"] = json!(code);
+                accessor["normalized"] = json!(true);
+                let view = accessor["bufferView"].as_u64().unwrap() as usize;
+                // the rows stay where they are
+                let width = if name.ends_with("OPACITY") { 4 } else { 16 };
+                json["bufferViews"][view]["byteStride"] = json!(width);
+                json["nodes"][0] = json!({"mesh": 0});
+            }
+        };
+        let bytes = with(as_type("KHR_gaussian_splatting:OPACITY", 5121));
+        for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(splats()) {
+            let [low, ..] = sigmoid(splat.opacity).to_le_bytes();
+            let expected = (f32::from(low) / 255.0).clamp(1e-6, 1.0 - 1e-6);
+            assert!((sigmoid(found.opacity) - expected).abs() < 1e-5, "{found:?}");
+        }
+        let bytes = with(as_type("KHR_gaussian_splatting:ROTATION", 5122));
+        for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(splats()) {
+            let [_, x, ..] = turned(&splat);
+            let [a, b, ..] = x.to_le_bytes();
+            let expected = (f32::from(i16::from_le_bytes([a, b])) / 32767.0).max(-1.0);
+            assert_eq!(found.rotation[1], expected);
+        }
+        // harmonics have values of both signs, as logarithms of scales do
+        let bytes = with(|json| {
+            json["nodes"][0] = json!({"mesh": 0});
+            let attributes = &mut json["meshes"][0]["primitives"][0]["attributes"];
+            attributes["KHR_gaussian_splatting:SCALE"] =
+                attributes["KHR_gaussian_splatting:SH_DEGREE_1_COEF_0"].clone();
+        });
+        for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(splats()) {
+            assert_eq!(found.log_scale, splat.color[1]);
+        }
+    }
+
+    #[test]
+    fn errors_say_what_is_wrong() {
+        let refused = |edit: fn(&mut Value), facts: &[&str]| assert_refused(&with(edit), facts);
+        refused(|json| json["nodes"][0]["scale"] = json!([1, 2, 1]), &["axes differently"]);
+        refused(|json| json["nodes"][0]["scale"] = json!([0, 0, 0]), &["axes differently"]);
+        refused(|json| json["nodes"][0]["children"] = json!([0]), &["there twice"]);
+        refused(|json| json["scenes"][0]["nodes"] = json!([9]), &["node is missing"]);
+        refused(|json| json["nodes"][0]["mesh"] = json!(9), &["no Gaussians of KHR"]);
+        refused(|json| json["extensionsRequired"] = json!(["EXT_x"]), &["EXT_x"]);
+        refused(|json| json["buffers"][0]["uri"] = json!("a.bin"), &["another file"]);
+        refused(|json| json["accessors"][1]["count"] = json!(u64::MAX), &["where it should be"]);
+        refused(|json| json["accessors"][1]["count"] = json!(2), &["different lengths"]);
+        refused(|json| json["accessors"][1]["componentType"] = json!(7), &["where it should be"]);
+        refused(|json| json["bufferViews"][1]["byteStride"] = json!(0), &["where it should be"]);
+        refused(|json| json["bufferViews"][1]["byteOffset"] = json!(u64::MAX), &["ROTATION"]);
+        let extension = |json: &mut Value, key: &str, value: Value| {
+            json["meshes"][0]["primitives"][0]["extensions"][EXTENSION][key] = value;
+        };
+        let bytes = with(|json| extension(json, "colorSpace", json!("lin_rec709_display")));
+        assert_refused(&bytes, &["linear"]);
+        let bytes = with(|json| extension(json, "extensions", json!({"KHR_spz": {}})));
+        assert_refused(&bytes, &["KHR_spz"]);
+        let attributes = "KHR_gaussian_splatting:SCALE";
+        let bytes = with(|json| {
+            let all = &mut json["meshes"][0]["primitives"][0]["attributes"];
+            all.as_object_mut().unwrap().remove(attributes);
+        });
+        assert_refused(&bytes, &["no attribute SCALE"]);
+    }
 }

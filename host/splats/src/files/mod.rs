@@ -1,6 +1,7 @@
 //! Reads and writes files of other programs.
 
 mod clusters;
+mod dot_splat;
 mod gltf;
 mod order;
 mod packed_ply;
@@ -9,16 +10,16 @@ mod sog;
 mod spz;
 
 use std::cmp::Ordering;
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 use glam::DVec3;
-use muslin::math::sigmoid;
+use muslin_device::memory;
 
 use super::harmonics::{FIRST, MIDDLE};
 use super::{Splat, VALUES};
 use organza_core::error::{Error, Result};
-use organza_core::input::open_regular;
+use organza_core::input::{has_extension, open_regular};
 use organza_core::scene::logit;
 use organza_core::write_atomic;
 
@@ -64,27 +65,45 @@ impl Format {
     }
 }
 
-/// Writes a file, atomically. `up` is the world's upward direction, for formats with a fixed one.
+/// Writes a file, atomically. `up` is the world's upward direction, for formats that have one. Returns the Gaussians as
+/// they are in the file, which most formats round and reorder.
 ///
 /// # Errors
 /// [`Error::Invalid`] for values that [`load`] would refuse; [`Error::WriteFile`](organza_core::Error::WriteFile).
-pub fn save(splats: &[Splat], path: impl AsRef<Path>, format: Format, up: [f64; 3]) -> Result<()> {
-    check(splats, path.as_ref(), "no viewer can show it; do the scene's networks overflow?")?;
-    write_atomic(path, |file| match format {
-        Format::Ply => ply::write(splats, file),
-        Format::CompressedPly => packed_ply::write(splats, file),
-        Format::Spz => spz::write(splats, file),
-        Format::Spz2 => spz::write_2(splats, file),
-        Format::Sog => sog::write(splats, file),
-        Format::Glb => gltf::write(splats, DVec3::from(up).as_vec3(), file),
-        Format::Splat => write_splat(splats, file),
-    })
+pub fn save(
+    splats: &[Splat],
+    path: impl AsRef<Path>,
+    format: Format,
+    up: [f64; 3],
+) -> Result<Vec<Splat>> {
+    let path = path.as_ref();
+    check(splats, path, "no viewer can show it; do the scene's networks overflow?")?;
+    let up = DVec3::from(up);
+    let mut bytes = Vec::new();
+    let encoded = match format {
+        Format::Ply => ply::write(splats, &mut bytes),
+        Format::CompressedPly => packed_ply::write(splats, &mut bytes),
+        Format::Spz => spz::write(splats, up, &mut bytes),
+        Format::Spz2 => spz::write_2(splats, &mut bytes),
+        Format::Sog => sog::write(splats, &mut bytes),
+        Format::Glb => gltf::write(splats, up.as_vec3(), &mut bytes),
+        Format::Splat => dot_splat::write(splats, &mut bytes),
+    };
+    encoded.map_err(|error| Error::write(path, error))?;
+    let length = bytes.len() as u64;
+    let read = match format {
+        Format::Splat => dot_splat::read(&bytes[..], length, path)?,
+        _ => read_from(&bytes[..], length, path)?,
+    };
+    write_atomic(path, |file| file.write_all(&bytes))?;
+    Ok(read)
 }
 
 /// Largest absolute logarithm of a scale: beyond it, the scale is not an f32.
 const LARGEST_LOG_SCALE: f32 = 80.0;
 
-/// Reads the Gaussians of a PLY, a compressed PLY or an SPZ file.
+/// Reads the Gaussians of a file. Where a format says how the axes point, or a file does, they are turned: SPZ's point to the
+/// right, up and back, and glTF has y up. A file that organza wrote has the axes of the scene.
 ///
 /// # Errors
 /// [`Error::ReadFile`]; [`Error::Invalid`] for another kind of file, a truncated one, or values that are not valid
@@ -104,12 +123,14 @@ fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
         let values: &[f32; VALUES] = bytemuck::cast_ref(splat);
         let largest = splat.log_scale.iter().fold(0.0, |most: f32, value| most.max(value.abs()));
         if values.iter().any(|value| !value.is_finite()) || largest > LARGEST_LOG_SCALE {
-            let Splat { position, log_scale, opacity, .. } = splat;
+            let Splat { position, log_scale, opacity, rotation, .. } = splat;
+            let [color, ..] = splat.color;
             return invalid(
                 path,
                 format!(
                     "Gaussian {index} has a value that is not finite, or a scale that is no logarithm: position \
-                     {position:?}, scale {log_scale:?}, opacity {opacity}; {hint}"
+                     {position:?}, scale {log_scale:?}, opacity {opacity}, rotation {rotation:?}, color {color:?}, \
+                     or its other harmonics; {hint}"
                 ),
             );
         }
@@ -122,12 +143,18 @@ pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<V
     let begin = source.fill_buf().map_err(|error| Error::read(path, error))?;
     let splats = match begin {
         [0x1f, 0x8b, ..] => spz::read_packed(source, length, path)?,
+        [b'N', b'G', b'S', b'P', 1..=3, 0, ..] => spz::read_old(source, length, 1, path)?,
         [b'N', b'G', b'S', b'P', ..] => spz::read(source, length, path)?,
         [b'p', b'l', b'y', ..] => ply::read(source, length, path)?,
+        [b'P', b'K', 3 | 5, 4 | 6, ..] => sog::read(source, length, path)?,
+        [b'g', b'l', b'T', b'F', ..] => gltf::read(source, length, path)?,
+        // nothing in such a file says what it is
+        _ if has_extension(path, &["splat"]) => dot_splat::read(source, length, path)?,
         _ => {
             return invalid(
                 path,
-                "it is neither a PLY nor an SPZ file; write the Gaussians as one of these",
+                "it is no file of Gaussians that is known; .ply, .spz, .sog, .glb and .splat are read: write the \
+                 Gaussians as one of these",
             );
         }
     };
@@ -135,26 +162,15 @@ pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<V
     Ok(splats)
 }
 
-fn invalid<T>(path: &Path, reason: impl Into<String>) -> Result<T> {
-    Err(Error::Invalid { origin: path.to_owned(), reason: reason.into() })
+/// All bytes of a file.
+fn whole(source: impl Read, length: u64, path: &Path) -> Result<Vec<u8>> {
+    let mut bytes = memory::reserve(length as usize, "a file of Gaussians")?;
+    source.take(length).read_to_end(&mut bytes).map_err(|error| Error::read(path, error))?;
+    Ok(bytes)
 }
 
-/// Writes center and scales as floats, color and opacity as bytes, and the quaternion as bytes around 128.
-fn write_splat(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
-    // the largest and most opaque first: viewers show a file while it loads
-    let weight =
-        |splat: &&Splat| splat.log_scale.iter().sum::<f32>().exp() * sigmoid(splat.opacity);
-    let mut order: Vec<_> = splats.iter().collect();
-    order.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
-    for splat in order {
-        for value in splat.position.into_iter().chain(splat.log_scale.map(f32::exp)) {
-            file.write_all(&value.to_le_bytes())?;
-        }
-        file.write_all(&base_color(splat).map(|value| byte(255.0 * value)))?;
-        file.write_all(&[byte(255.0 * sigmoid(splat.opacity))])?;
-        file.write_all(&turned(splat).map(|part| byte(part * 128.0 + 128.0)))?;
-    }
-    Ok(())
+fn invalid<T>(path: &Path, reason: impl Into<String>) -> Result<T> {
+    Err(Error::Invalid { origin: path.to_owned(), reason: reason.into() })
 }
 
 /// The color without the parts that depend on the direction.
@@ -206,6 +222,11 @@ fn logit_of(opacity: u8) -> f32 {
     logit(f32::from(opacity).clamp(0.25, 254.75) / 255.0)
 }
 
+/// The logarithm of a scale. That of 0 is not finite, so it is replaced by one that nobody can see.
+fn log_of(scale: f32) -> f32 {
+    if scale == 0.0 { -69.0 } else { scale.ln() }
+}
+
 /// Rounds to the nearest byte.
 fn byte(value: f32) -> u8 {
     value.round() as u8
@@ -215,6 +236,7 @@ fn byte(value: f32) -> u8 {
 mod tests {
     use super::super::harmonics::HARMONICS;
     use super::*;
+    use muslin::math::sigmoid;
     use organza_core::error::chain;
 
     /// Gaussians of all kinds.
@@ -269,24 +291,5 @@ mod tests {
         let text = chain(&error);
         assert!(text.contains("a.file"), "{text}");
         facts.iter().for_each(|fact| assert!(text.contains(fact), "{fact}: {text}"));
-    }
-
-    #[test]
-    fn a_splat_file_has_32_bytes_for_each_of_them() {
-        let splats = splats();
-        let mut bytes = Vec::new();
-        write_splat(&splats, &mut bytes).unwrap();
-        assert_eq!(bytes.len(), 32 * splats.len());
-        let float = |at: usize| f32::from_le_bytes(std::array::from_fn(|byte| bytes[at + byte]));
-        let found = splats.iter().find(|splat| splat.position[0] == float(0)).unwrap();
-        for axis in 0..3 {
-            assert_eq!(float(4 * axis), found.position[axis]);
-            assert_eq!(float(12 + 4 * axis), found.log_scale[axis].exp());
-            let color = 255.0 * (0.5 + 0.282_094_8 * found.color[0][axis]);
-            assert!((f32::from(bytes[24 + axis]) - color).abs() < 0.51);
-        }
-        assert!((f32::from(bytes[27]) - 255.0 * sigmoid(found.opacity)).abs() < 0.51);
-        let w = (f32::from(bytes[28]) - 128.0) / 128.0;
-        assert!((w - turned(found)[0]).abs() < 0.01);
     }
 }

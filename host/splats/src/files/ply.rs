@@ -185,6 +185,6 @@ mod tests {
         assert_refused(with("vertex 1", "vertex 0").as_bytes(), &["no Gaussians"]);
         let packed = with("property float x", "property float packed_position");
         assert_refused(packed.as_bytes(), &["no `chunk` element"]);
-        assert_refused(b"solid cube", &["neither a PLY nor an SPZ"]);
+        assert_refused(b"solid cube", &["no file of Gaussians"]);
     }
 }

@@ -2,19 +2,28 @@
 //! `meta.json` that says what their levels mean, in a ZIP archive.
 //! <https://developer.playcanvas.com/user-manual/gaussian-splatting/formats/sog/>
 
-use std::io::{self, Cursor, Seek, Write};
+use std::f32::consts::SQRT_2;
+use std::io::{self, Cursor, Read, Seek, Write};
+use std::path::Path;
 
-use image_webp::{ColorType, WebPEncoder};
+use image_webp::{ColorType, DecodingError, WebPDecoder, WebPEncoder};
 use muslin::math::sigmoid;
+use muslin_device::memory;
 use serde_json::{Value, json};
 use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipWriter};
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::clusters::{Clusters, clusters};
 use super::order::along_a_curve;
-use super::{Splat, byte, ends, level, smallest_three, turned};
+use super::{
+    Splat, byte, ends, invalid, level, logit_of, smallest_three, turned, whole, with_largest,
+};
 use crate::harmonics::{DEGREE, HARMONICS};
+use organza_core::error::Result;
+use organza_core::input::parse_json;
 
+/// The file that describes the others.
+const META: &str = "meta.json";
 /// Values that a code book has.
 const CODES: usize = 256;
 /// Harmonics but the first, and their numbers.
@@ -71,7 +80,7 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     let means = means(&splats, size, &mut archive)?;
     let quats = splats.iter().map(|splat| {
         let (largest, parts) = smallest_three(turned(splat));
-        let [a, b, c] = parts.map(|part| byte(255.0 * (part / std::f32::consts::SQRT_2 + 0.5)));
+        let [a, b, c] = parts.map(|part| byte(255.0 * (part / SQRT_2 + 0.5)));
         [a, b, c, LARGEST + largest as u8]
     });
     archive.image("quats.webp", quats.collect(), size)?;
@@ -94,7 +103,7 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
         "sh0": {"codebook": color_codes, "files": ["sh0.webp"]},
         "shN": harmonics,
     });
-    archive.add("meta.json", &serde_json::to_vec(&meta)?)?;
+    archive.add(META, &serde_json::to_vec(&meta)?)?;
     file.write_all(&archive.0.finish()?.into_inner())
 }
 
@@ -161,15 +170,189 @@ fn rows(count: usize) -> usize {
     (1 << (count / ROW).max(1).ilog2()).min(MOST_ROWS)
 }
 
+/// Most pixels of an image for each byte of the whole archive: a few bytes can claim any number of equal pixels.
+const MOST_PIXELS: usize = 1024;
+
+/// A level as it is read: a pixel of an image.
+type Pixel = [u8; 4];
+
+/// The files of an archive that is read.
+struct Files<'a> {
+    archive: ZipArchive<Cursor<Vec<u8>>>,
+    meta: Value,
+    /// Number of Gaussians.
+    count: usize,
+    /// Bytes of the archive.
+    length: usize,
+    path: &'a Path,
+}
+
+pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+    let archive = ZipArchive::new(Cursor::new(whole(source, length, path)?));
+    let archive = archive.or_else(|error| damaged(path, error))?;
+    let mut files = Files { archive, meta: Value::Null, count: 0, length: length as usize, path };
+    if files.archive.index_for_name(META).is_none() {
+        let reason = format!(
+            "it is a ZIP archive without {META}, so it is no SOG file; unpack it, and name a file in it"
+        );
+        return invalid(path, reason);
+    }
+    files.meta = parse_json(&files.file(META)?, path)?;
+    if files.meta["version"] != 2 {
+        let reason = format!(
+            "it is a SOG file of version {}; expected version 2: write it again with SuperSplat or splat-transform",
+            files.meta.get("version").unwrap_or(&json!(1))
+        );
+        return invalid(path, reason);
+    }
+    files.count = files.number("/count")? as usize;
+    files.splats()
+}
+
+fn damaged<T>(path: &Path, reason: impl std::fmt::Display) -> Result<T> {
+    invalid(path, format!("not a whole SOG file: {reason}; copy it again, or write it again"))
+}
+
+impl Files<'_> {
+    /// A file of the archive, unpacked.
+    fn file(&mut self, name: &str) -> Result<Vec<u8>> {
+        let path = self.path;
+        let file = self.archive.by_name(name);
+        let mut file = file.or_else(|error| damaged(path, format!("{name}: {error}")))?;
+        let size = file.size();
+        memory::check(size, "a file of a SOG archive")?;
+        // memory grows with what is there, whatever the archive says
+        let mut bytes = Vec::new();
+        let read = file.by_ref().take(size).read_to_end(&mut bytes);
+        read.or_else(|error| damaged(path, format!("{name}: {error}")))?;
+        Ok(bytes)
+    }
+
+    fn number(&self, at: &str) -> Result<f64> {
+        let number = self.meta.pointer(at).and_then(Value::as_f64);
+        number.map_or_else(|| damaged(self.path, format!("{META} has no number {at}")), Ok)
+    }
+
+    /// The image that is named at a place of the description: its pixels, of which there are `least`, and its width.
+    fn image(&mut self, at: &str, least: usize) -> Result<(Vec<Pixel>, usize)> {
+        let path = self.path;
+        let Some(name) = self.meta.pointer(at).and_then(Value::as_str).map(str::to_owned) else {
+            return damaged(path, format!("{META} names no file {at}"));
+        };
+        let broken = |error: DecodingError| format!("{name}: {error}");
+        let bytes = self.file(&name)?;
+        let decoder = WebPDecoder::new(Cursor::new(bytes));
+        let mut decoder = decoder.or_else(|error| damaged(path, broken(error)))?;
+        let [width, height] = <[u32; 2]>::from(decoder.dimensions()).map(|side| side as usize);
+        let most = MOST_PIXELS * self.length.max(64);
+        if !(least..=most).contains(&(width * height)) {
+            let reason = format!(
+                "{name} has {width} x {height} pixels, expected {least} at least, and {most} at most in an archive of its \
+                 size"
+            );
+            return damaged(path, reason);
+        }
+        let has_alpha = decoder.has_alpha();
+        let size = width * height * if has_alpha { 4 } else { 3 };
+        let mut pixels: Vec<u8> = memory::zeros(size, "an image of a SOG file")?;
+        decoder.read_image(&mut pixels).or_else(|error| damaged(path, broken(error)))?;
+        let pixels = match has_alpha {
+            true => pixels.as_chunks().0.to_vec(),
+            false => pixels.as_chunks().0.iter().map(|&[r, g, b]| [r, g, b, 255]).collect(),
+        };
+        Ok((pixels, width))
+    }
+
+    /// The values of a code book.
+    fn book(&self, of: &str) -> Result<[f32; CODES]> {
+        let values = self.meta[of]["codebook"].as_array().map(Vec::as_slice).unwrap_or_default();
+        let values: Option<Vec<f32>> =
+            values.iter().map(|value| value.as_f64().map(|value| value as f32)).collect();
+        let book = values.unwrap_or_default().try_into();
+        book.or_else(|_| damaged(self.path, format!("`{of}` has no code book of {CODES} numbers")))
+    }
+
+    fn splats(&mut self) -> Result<Vec<Splat>> {
+        let count = self.count;
+        let positions = self.positions()?;
+        let (rotations, _) = self.image("/quats/files/0", count)?;
+        let (scales, _) = self.image("/scales/files/0", count)?;
+        let (colors, _) = self.image("/sh0/files/0", count)?;
+        let scale_book = self.book("scales")?;
+        let color_book = self.book("sh0")?;
+        let mut splats: Vec<Splat> = memory::zeros(count, "the Gaussians of a SOG file")?;
+        for (at, splat) in splats.iter_mut().enumerate() {
+            let three = |[r, g, b, _]: Pixel, book: &[f32; CODES]| {
+                [r, g, b].map(|code| book[usize::from(code)])
+            };
+            let [a, b, c, largest] = rotations[at];
+            let parts = [a, b, c].map(|part| (f32::from(part) / 255.0 - 0.5) * SQRT_2);
+            splat.position = positions[at];
+            splat.rotation = match largest.checked_sub(LARGEST) {
+                Some(largest) => with_largest(usize::from(largest), parts),
+                None => [1.0, 0.0, 0.0, 0.0],
+            };
+            splat.log_scale = three(scales[at], &scale_book);
+            splat.opacity = logit_of(colors[at][3]);
+            splat.color[0] = three(colors[at], &color_book);
+        }
+        if self.meta.get("shN").is_some_and(|rest| !rest.is_null()) {
+            self.add_harmonics(&mut splats)?;
+        }
+        Ok(splats)
+    }
+
+    /// Positions: 16 bits in two images over the range of `sign(x) ln(1 + abs(x))`.
+    fn positions(&mut self) -> Result<Vec<[f32; 3]>> {
+        let (low, _) = self.image("/means/files/0", self.count)?;
+        let (high, _) = self.image("/means/files/1", self.count)?;
+        let mut ends = [[0.0; 2]; 3];
+        for (axis, ends) in ends.iter_mut().enumerate() {
+            let end = |name| self.number(&format!("/means/{name}/{axis}"));
+            *ends = [end("mins")?, end("maxs")?];
+        }
+        let position = |(low, high): (&Pixel, &Pixel)| {
+            [0, 1, 2].map(|axis| {
+                let level = f64::from(u16::from_le_bytes([low[axis], high[axis]])) / 65_535.0;
+                let log = ends[axis][0] + (ends[axis][1] - ends[axis][0]) * level;
+                (log.signum() * log.abs().exp_m1()) as f32
+            })
+        };
+        Ok(low.iter().zip(&high).take(self.count).map(position).collect())
+    }
+
+    /// All harmonics but the first. A palette has a row of [`ROW`] sets of them.
+    fn add_harmonics(&mut self, splats: &mut [Splat]) -> Result<()> {
+        let sets = self.number("/shN/count")? as usize;
+        let book = self.book("shN")?;
+        // some programs write no number of bands, or 0, so the image's width decides
+        let (palette, width) = self.image("/shN/files/0", 1)?;
+        let others = width / ROW;
+        if ![3, 8, 15].contains(&others) || width % ROW > 0 {
+            let reason = format!(
+                "the palette of its harmonics is {width} pixels wide, expected {ROW} times 3, 8 or 15"
+            );
+            return damaged(self.path, reason);
+        }
+        let (labels, _) = self.image("/shN/files/1", splats.len())?;
+        for (splat, label) in splats.iter_mut().zip(labels) {
+            let set = usize::from(u16::from_le_bytes([label[0], label[1]]));
+            let first = set / ROW * width + set % ROW * others;
+            let Some(codes) = palette.get(first..first + others).filter(|_| set < sets) else {
+                let reason = format!("a Gaussian has set {set} of its harmonics, of {sets}");
+                return damaged(self.path, reason);
+            };
+            for (harmonic, code) in splat.color[1..].iter_mut().zip(codes) {
+                *harmonic = [0, 1, 2].map(|channel| book[usize::from(code[channel])]);
+            }
+        }
+        Ok(())
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use std::io::Read;
-
-    use image_webp::WebPDecoder;
-    use zip::ZipArchive;
-
-    use super::super::tests::{assert_close, splats};
-    use super::super::{logit_of, with_largest};
+    use super::super::tests::{assert_close, assert_refused, read_bytes, splats};
     use super::*;
 
     /// The files of an archive.
@@ -195,7 +378,7 @@ mod tests {
     }
 
     /// Reads as PlayCanvas' description says.
-    fn read(bytes: Vec<u8>) -> Vec<Splat> {
+    fn described(bytes: Vec<u8>) -> Vec<Splat> {
         let mut file = files(bytes);
         let meta: Value = serde_json::from_slice(&file("meta.json")).unwrap();
         assert_eq!(meta["version"], 2);
@@ -256,6 +439,55 @@ mod tests {
         let expected: Vec<_> = along_a_curve(&splats).into_iter().map(|at| splats[at]).collect();
         // 16 bits of the logarithms between -1.1 and 1.1, and parts of quaternions in steps of sqrt(2) / 255
         let most = [3.0 * 0.5 * 2.2 / 65_535.0, 1e-6, 1e-6, 0.01, 3.0 * 0.71 / 255.0];
-        assert_close(&read(bytes), &expected, most);
+        assert_close(&described(bytes.clone()), &expected, most);
+        assert_close(&read_bytes(&bytes).unwrap(), &expected, most);
+        for length in (4..bytes.len()).step_by(97) {
+            assert_refused(&bytes[..length], &["not a whole SOG file"]);
+        }
+    }
+
+    /// An archive with another description, and deflated, as other programs write it.
+    fn with(edit: impl FnOnce(&mut Value)) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        write(&splats(), &mut bytes).unwrap();
+        let mut file = files(bytes.clone());
+        let names = ZipArchive::new(Cursor::new(bytes)).unwrap();
+        let mut meta: Value = serde_json::from_slice(&file(META)).unwrap();
+        edit(&mut meta);
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        let deflated = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
+        for name in names.file_names() {
+            archive.start_file(name, deflated).unwrap();
+            let content =
+                if name == META { serde_json::to_vec(&meta).unwrap() } else { file(name) };
+            archive.write_all(&content).unwrap();
+        }
+        archive.finish().unwrap().into_inner()
+    }
+
+    #[test]
+    fn files_of_others_are_read_or_refused_with_a_reason() {
+        let all = read_bytes(&with(|_| ())).unwrap();
+        let one_color = read_bytes(&with(|meta| drop(meta.as_object_mut().unwrap().remove("shN"))));
+        for (all, one_color) in all.iter().zip(one_color.unwrap()) {
+            assert_eq!(Splat { color: one_color.color, ..*all }, one_color);
+            assert_eq!(all.color[0], one_color.color[0]);
+            assert_eq!(one_color.color[1..], [[0.0; 3]; OTHERS]);
+        }
+        assert_refused(&with(|meta| meta["version"] = json!(3)), &["version 3"]);
+        assert_refused(&with(|meta| drop(meta["version"].take())), &["version null"]);
+        assert_refused(&with(|meta| meta["count"] = json!(1e12)), &["pixels", "at least"]);
+        assert_refused(&with(|meta| meta["shN"]["count"] = json!(1)), &["set", "of 1"]);
+        // the labels' image is no palette
+        let labels = |meta: &mut Value| meta["shN"]["files"][0] = meta["shN"]["files"][1].clone();
+        assert_refused(&with(labels), &["pixels wide", "64 times"]);
+        assert_eq!(read_bytes(&with(|meta| meta["shN"]["bands"] = json!(0))).unwrap(), all);
+        assert_refused(&with(|meta| meta["sh0"]["codebook"] = json!([1])), &["`sh0`", "code book"]);
+        assert_refused(&with(|meta| meta["means"]["mins"] = json!(0)), &["/means/mins/0"]);
+        assert_refused(&with(|meta| meta["quats"]["files"] = json!(["x.webp"])), &["x.webp"]);
+        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+        archive.start_file("scene.ply", SimpleFileOptions::default()).unwrap();
+        let bytes = archive.finish().unwrap().into_inner();
+        assert_refused(&bytes, &["ZIP archive", "unpack"]);
     }
 }

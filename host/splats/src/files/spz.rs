@@ -1,6 +1,8 @@
 //! Niantic's SPZ: an array for each attribute, quantized and compressed. Version 4 has a header of 32 bytes, and each array in
-//! a Zstandard stream of its own; versions 2 and 3 have a header of 16 bytes before the arrays, all in gzip.
+//! a Zstandard stream of its own; versions 1 to 3 have a header of 16 bytes before the arrays, all in gzip.
 //! <https://github.com/nianticlabs/spz#file-format>
+//!
+//! Axes are right, up and back, unless an extension names others.
 
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -8,13 +10,18 @@ use std::path::Path;
 use flate2::Compression;
 use flate2::read::GzDecoder;
 use flate2::write::GzEncoder;
+use glam::{DMat3, DVec3};
+use half::f16;
 use muslin::math::sigmoid;
 use muslin_device::memory;
 
 use super::{Splat, byte, invalid, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{DEGREE, HARMONICS};
+use crate::turned::turn;
 use organza_core::error::Result;
 
+/// Cosine of the largest angle between the upward direction and the axis that is named for it: 30 degrees.
+const NEAR: f64 = 0.866;
 const MAGIC: u32 = 0x5053_474e;
 /// Bytes of the header of version 4.
 const HEADER: usize = 32;
@@ -22,14 +29,23 @@ const HEADER: usize = 32;
 const ENTRY: usize = 16;
 /// Zstandard's level, of 1 to 22.
 const LEVEL: i32 = 12;
-/// Most bits in the fraction of a coordinate, which is an integer of 24 bits.
-const MOST_FRACTION: i32 = 20;
+/// Most bits in the fraction of a coordinate, which is an integer of 24 bits. Readers shift an i32 by them.
+const MOST_FRACTION: u8 = 30;
+/// Flag of files with extensions.
+const EXTENDED: u8 = 2;
+/// Number of Adobe's extension that names the axes.
+const AXES: u32 = 0xadbe_0003;
+/// Number of an extension of organza's own: the axes are those of the scene, whatever they mean to others, so that the
+/// scene's cameras fit the file.
+const OWN_AXES: u32 = 0x4f52_0001;
 /// Factor and offset that turn the logarithm of a scale into a byte.
 const SCALE: [f32; 2] = [16.0, 160.0];
 /// Factor and offset for a first harmonic.
 const COLOR: [f32; 2] = [0.15 * 255.0, 127.5];
 /// Factor and offset for any other harmonic.
 const REST: [f32; 2] = [128.0, 128.0];
+/// Most bytes of extensions that are read.
+const MOST_EXTENSIONS: u64 = 1 << 20;
 /// Most bytes that one byte of gzip can expand to.
 const MOST_PACKED: u64 = 1032;
 /// The same of Zstandard: four bytes can repeat one byte in a block of 128 KiB.
@@ -37,24 +53,71 @@ const MOST_PACKED_4: u64 = 1 << 15;
 /// Largest value of a part of a quaternion, which has 9 bits and a sign.
 const MOST_PART: f32 = 511.0;
 
-/// Writes version 4.
-pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
+/// Writes version 4. `up` is the world's upward direction.
+pub fn write(splats: &[Splat], up: DVec3, file: &mut dyn Write) -> io::Result<()> {
     let fraction = fraction(splats);
     let arrays = arrays(splats, fraction, 4);
     let streams = arrays.iter().map(|array| zstd::bulk::compress(array, LEVEL));
     let streams = streams.collect::<io::Result<Vec<_>>>()?;
-    for word in [MAGIC, 4, splats.len() as u32] {
-        file.write_all(&word.to_le_bytes())?;
-    }
+    let extensions: Vec<u32> =
+        axes_of(up).map_or(Vec::new(), |axes| vec![AXES, 4, axes, OWN_AXES, 0]);
+    let flags = if extensions.is_empty() { 0 } else { EXTENDED };
+    let mut words =
+        |words: &[u32]| words.iter().try_for_each(|word| file.write_all(&word.to_le_bytes()));
+    words(&[MAGIC, 4, splats.len() as u32])?;
     // degree, bits of a coordinate's fraction, flags
-    file.write_all(&[DEGREE as u8, fraction as u8, 0, streams.len() as u8])?;
-    file.write_all(&(HEADER as u32).to_le_bytes())?;
-    file.write_all(&[0; 12])?;
+    words(&[u32::from_le_bytes([DEGREE as u8, fraction, flags, streams.len() as u8])])?;
+    words(&[(HEADER + 4 * extensions.len()) as u32, 0, 0, 0])?;
+    words(&extensions)?;
     for (stream, array) in streams.iter().zip(&arrays) {
         file.write_all(&(stream.len() as u64).to_le_bytes())?;
         file.write_all(&(array.len() as u64).to_le_bytes())?;
     }
     streams.iter().try_for_each(|stream| file.write_all(stream))
+}
+
+/// The number of axes with x to the right, and y or z up or down, by the upward direction. `None` if that is near none of
+/// these.
+fn axes_of(up: DVec3) -> Option<u32> {
+    let up = up.normalize_or_zero();
+    // right, up, back; right, down, front; right, front, up; right, back, down
+    let named = [(DVec3::Y, 4), (-DVec3::Y, 6), (DVec3::Z, 12), (-DVec3::Z, 14)];
+    let near = |(axis, _): &(DVec3, u32)| axis.dot(up) > NEAR;
+    named.into_iter().find(near).map(|(_, number)| number)
+}
+
+/// The matrix from axes with a number to right, up and back.
+fn from_axes(number: u32, path: &Path) -> Result<DMat3> {
+    let Some(bits) = number.checked_sub(1) else { return Ok(DMat3::IDENTITY) };
+    if bits > 15 {
+        return invalid(path, format!("its axes have the number {number}, expected 0 to 16"));
+    }
+    let sign = |bit: u32| if bits >> bit & 1 == 1 { 1.0 } else { -1.0 };
+    let right = sign(0) * DVec3::X;
+    let up = sign(1) * DVec3::Y;
+    let front = -sign(2) * DVec3::Z;
+    // from 9 on, depth is the second axis, and its sign is the opposite
+    let [second, third] = if bits < 8 { [up, front] } else { [-front, up] };
+    Ok(DMat3::from_cols(right, second, third))
+}
+
+/// The matrix from the axes that extensions name to right, up and back. An extension is a number, a length, and as many
+/// bytes.
+fn axes(mut records: &[u8], path: &Path) -> Result<DMat3> {
+    let mut axes = DMat3::IDENTITY;
+    while let Some((&[a, b, c, d, ref length @ ..], rest)) = records.split_first_chunk::<8>() {
+        let kind = u32::from_le_bytes([a, b, c, d]);
+        let length = u32::from_le_bytes(*length) as usize;
+        let Some((content, rest)) = rest.split_at_checked(length) else { return cut(path) };
+        match (kind, content.first_chunk()) {
+            (OWN_AXES, _) => return Ok(DMat3::IDENTITY),
+            (AXES, Some(number)) => axes = from_axes(u32::from_le_bytes(*number), path)?,
+            (AXES, None) => return cut(path),
+            _ => {}
+        }
+        records = rest;
+    }
+    Ok(axes)
 }
 
 /// Writes version 2.
@@ -64,15 +127,15 @@ pub fn write_2(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     for word in [MAGIC, 2, splats.len() as u32] {
         file.write_all(&word.to_le_bytes())?;
     }
-    file.write_all(&[DEGREE as u8, fraction as u8, 0, 0])?;
+    file.write_all(&[DEGREE as u8, fraction, 0, 0])?;
     arrays(splats, fraction, 2).iter().try_for_each(|array| file.write_all(array))?;
     file.finish().map(drop)
 }
 
 /// The arrays in the order of the file: positions, opacities, colors, scales, rotations and harmonics.
-fn arrays(splats: &[Splat], fraction: i32, version: u32) -> [Vec<u8>; 6] {
+fn arrays(splats: &[Splat], fraction: u8, version: u32) -> [Vec<u8>; 6] {
     let position = |splat: &Splat| {
-        let fixed = splat.position.map(|value| (value * 2_f32.powi(fraction)).round());
+        let fixed = splat.position.map(|value| (value * 2_f32.powi(fraction.into())).round());
         let fixed = fixed.map(|value| value.clamp(-8_388_608.0, 8_388_607.0) as i32);
         let [x, y, z] = fixed.map(i32::to_le_bytes);
         [x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]]
@@ -102,12 +165,13 @@ fn arrays(splats: &[Splat], fraction: i32, version: u32) -> [Vec<u8>; 6] {
 }
 
 /// Most bits of the fraction with which all coordinates fit.
-fn fraction(splats: &[Splat]) -> i32 {
+fn fraction(splats: &[Splat]) -> u8 {
     let largest = splats
         .iter()
         .flat_map(|splat| splat.position)
         .fold(0.0, |most: f32, value| if value.is_finite() { most.max(value.abs()) } else { most });
-    (0..=MOST_FRACTION).rev().find(|&bits| largest * 2_f32.powi(bits) < 8_388_607.0).unwrap_or(0)
+    let fits = |bits: &u8| largest * 2_f32.powi((*bits).into()) < 8_388_607.0;
+    (0..=MOST_FRACTION).rev().find(fits).unwrap_or(0)
 }
 
 /// The header fields of all versions.
@@ -116,6 +180,7 @@ struct Header {
     count: usize,
     degree: u8,
     fraction: u8,
+    flags: u8,
 }
 
 impl Header {
@@ -126,14 +191,15 @@ impl Header {
             return invalid(path, "it is packed with gzip, but it is not an SPZ file");
         }
         let count = word(2) as usize;
-        let header = Self { version: word(1), count, degree: bytes[12], fraction: bytes[13] };
-        let Self { version, degree, fraction, .. } = header;
-        if !versions.contains(&version) || degree > DEGREE as u8 || fraction > 23 {
+        let [degree, fraction, flags] = [bytes[12], bytes[13], bytes[14]];
+        let header = Self { version: word(1), count, degree, fraction, flags };
+        let version = header.version;
+        if !versions.contains(&version) || degree > DEGREE as u8 || fraction > MOST_FRACTION {
             return invalid(
                 path,
                 format!(
                     "it is an SPZ file of version {version} with harmonics of degree {degree} and coordinates of \
-                     {fraction} bits behind the point; expected version 2, 3 or 4, degree 0 to 3, and at most 23 bits"
+                     {fraction} bits behind the point; expected version 1 to 4, degree 0 to 3, and at most {MOST_FRACTION} bits"
                 ),
             );
         }
@@ -159,8 +225,19 @@ impl Header {
 
     /// Bytes of a Gaussian in each array.
     fn widths(&self) -> [usize; 6] {
-        let rotation = if self.version == 2 { 3 } else { 4 };
-        [9, 1, 3, 3, rotation, 3 * self.others()]
+        let position = if self.version == 1 { 6 } else { 9 };
+        let rotation = if self.version < 3 { 3 } else { 4 };
+        [position, 1, 3, 3, rotation, 3 * self.others()]
+    }
+
+    /// The Gaussians of the arrays, in axes to the right, up and back.
+    fn placed(&self, arrays: &[Vec<u8>; 6], extensions: &[u8], path: &Path) -> Result<Vec<Splat>> {
+        let mut splats = self.splats(arrays)?;
+        let axes = axes(extensions, path)?;
+        if axes != DMat3::IDENTITY {
+            turn(&mut splats, axes, 1.0, |place| (axes * DVec3::from(place)).to_array());
+        }
+        Ok(splats)
     }
 
     /// The Gaussians of the arrays.
@@ -169,10 +246,12 @@ impl Header {
         let mut splats: Vec<Splat> = memory::zeros(self.count, "the Gaussians of an SPZ file")?;
         let unit = 2_f32.powi(-i32::from(self.fraction));
         let coordinates = values(&mut splats, |splat| &mut splat.position);
-        for (value, fixed) in coordinates.zip(positions.chunks(3)) {
-            // the upper bytes of an i32 keep the sign
-            let fixed = i32::from_le_bytes([0, fixed[0], fixed[1], fixed[2]]) >> 8;
-            *value = fixed as f32 * unit;
+        for (value, bytes) in coordinates.zip(positions.chunks(self.widths()[0] / 3)) {
+            *value = match *bytes {
+                [low, high] => f16::from_le_bytes([low, high]).to_f32(),
+                // the upper bytes of an i32 keep the sign
+                _ => (i32::from_le_bytes([0, bytes[0], bytes[1], bytes[2]]) >> 8) as f32 * unit,
+            };
         }
         for (splat, byte) in splats.iter_mut().zip(opacities) {
             splat.opacity = logit_of(*byte);
@@ -197,20 +276,28 @@ impl Header {
     }
 }
 
-/// Reads version 2 or 3.
+/// Reads version 1, 2 or 3, which are in gzip.
 pub fn read_packed(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
-    let mut source = GzDecoder::new(source);
+    read_old(GzDecoder::new(source), length, MOST_PACKED, path)
+}
+
+/// Reads version 1, 2 or 3. `most` is the number of bytes that a byte of the file can expand to.
+pub fn read_old(mut source: impl Read, length: u64, most: u64, path: &Path) -> Result<Vec<Splat>> {
     let mut bytes = [0; 16];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
-    let header = Header::parse(&bytes, length, MOST_PACKED, &[2, 3], path)?;
+    let header = Header::parse(&bytes, length, most, &[1, 2, 3], path)?;
     let mut arrays = [const { Vec::new() }; 6];
     for (array, width) in arrays.iter_mut().zip(header.widths()) {
         *array = fill(&mut source, width * header.count, path)?;
     }
-    header.splats(&arrays)
+    let mut extensions = Vec::new();
+    if header.flags & EXTENDED != 0 {
+        source.take(MOST_EXTENSIONS).read_to_end(&mut extensions).or_else(|_| cut(path))?;
+    }
+    header.placed(&arrays, &extensions, path)
 }
 
-/// Reads version 4. Its extensions are skipped.
+/// Reads version 4.
 pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let mut bytes = [0; HEADER];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
@@ -226,9 +313,9 @@ pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat
         );
         return invalid(path, reason);
     }
-    let skipped = table - HEADER as u64;
-    if io::copy(&mut source.by_ref().take(skipped), &mut io::sink()).ok() != Some(skipped) {
-        return cut(path);
+    let mut extensions = fill(source.by_ref(), table as usize - HEADER, path)?;
+    if header.flags & EXTENDED == 0 {
+        extensions.clear();
     }
     let table = fill(&mut source, ENTRY * streams, path)?;
     let mut arrays = [const { Vec::new() }; 6];
@@ -244,7 +331,7 @@ pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat
         // what the decoder has left, so that the next stream begins where the table says
         io::copy(&mut stream, &mut io::sink()).or_else(|_| cut(path))?;
     }
-    header.splats(&arrays)
+    header.placed(&arrays, &extensions, path)
 }
 
 /// Three values of each Gaussian.
@@ -255,7 +342,7 @@ fn values(
     splats.iter_mut().flat_map(of)
 }
 
-/// Version 2: x, y and z of a unit quaternion whose w is not negative.
+/// Up to version 2: x, y and z of a unit quaternion whose w is not negative.
 fn rotation(bytes: [u8; 3]) -> [f32; 4] {
     let [x, y, z] = bytes.map(|byte| f32::from(byte) / 127.5 - 1.0);
     [(1.0 - x * x - y * y - z * z).max(0.0).sqrt(), x, y, z]
@@ -318,6 +405,10 @@ mod tests {
         bytes
     }
 
+    fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
+        super::write(splats, DVec3::Z, file)
+    }
+
     #[test]
     fn what_was_written_is_read_as_close_as_the_format_allows() {
         // three bytes of a quaternion, or three parts of ten bits
@@ -355,13 +446,16 @@ mod tests {
         let bytes = packed(write);
         let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| bytes[at + byte]));
         assert_eq!(&bytes[..4], b"NGSP");
-        assert_eq!([word(4), word(8), word(16)], [4, 9, 32]);
-        assert_eq!([bytes[12], bytes[14], bytes[15]], [3, 0, 6]);
+        assert_eq!([word(4), word(8), word(16)], [4, 9, 52]);
+        assert_eq!([bytes[12], bytes[14], bytes[15]], [3, 2, 6]);
         assert_eq!(bytes[20..32], [0; 12]);
+        // axes: right, front, up; and the mark of organza's own axes
+        assert_eq!([32, 36, 40].map(word), [0xadbe_0003, 4, 12]);
+        assert_eq!([44, 48].map(word), [0x4f52_0001, 0]);
         let lengths: Vec<_> =
-            (0..6).map(|stream| [word(32 + 16 * stream), word(40 + 16 * stream)]).collect();
+            (0..6).map(|stream| [word(52 + 16 * stream), word(60 + 16 * stream)]).collect();
         let packed: u32 = lengths.iter().map(|[packed, _]| packed).sum();
-        assert_eq!(bytes.len(), 32 + 6 * 16 + packed as usize);
+        assert_eq!(bytes.len(), 52 + 6 * 16 + packed as usize);
         let unpacked: Vec<_> = lengths.iter().map(|[_, unpacked]| unpacked / 9).collect();
         assert_eq!(unpacked, [9, 1, 3, 3, 4, 45]);
     }
@@ -392,6 +486,100 @@ mod tests {
         assert_refused(&with_4(12, 0x0500_1403), &["5 streams", "expected 6"]);
         assert_refused(&with_4(16, 31), &["byte 31"]);
         assert_refused(&with_4(16, u32::MAX), &["cut short"]);
-        assert_refused(&with_4(32, 3), &["cut short"]);
+        assert_refused(&with_4(52, 3), &["cut short"]);
+        assert_refused(&with_4(40, 17), &["axes", "17"]);
+        assert_refused(&with_4(36, 400), &["cut short"]);
+    }
+
+    /// Files without extensions have axes to the right, up and back.
+    #[test]
+    fn axes_of_others_are_turned_and_those_of_organza_are_kept() {
+        let declared = |axes: u32| {
+            let mut bytes = packed(write);
+            bytes[40..44].copy_from_slice(&axes.to_le_bytes());
+            // an extension that nobody knows in place of organza's own
+            bytes[44..48].copy_from_slice(&7_u32.to_le_bytes());
+            read_bytes(&bytes).unwrap()
+        };
+        let own = read_bytes(&packed(write)).unwrap();
+        assert_eq!(declared(0), own);
+        assert_eq!(declared(4), own);
+        // the names of Niantic's axes, in their order
+        let names = [
+            "LDB", "RDB", "LUB", "RUB", "LDF", "RDF", "LUF", "RUF", "LFD", "RFD", "LFU", "RFU",
+            "LBD", "RBD", "LBU", "RBU",
+        ];
+        for (number, name) in (1..).zip(names) {
+            for (splat, found) in own.iter().zip(declared(number)) {
+                let mut expected = [0.0; 3];
+                for (value, letter) in splat.position.into_iter().zip(name.chars()) {
+                    match letter {
+                        'R' => expected[0] = value,
+                        'L' => expected[0] = -value,
+                        'U' => expected[1] = value,
+                        'D' => expected[1] = -value,
+                        'B' => expected[2] = value,
+                        _ => expected[2] = -value,
+                    }
+                }
+                assert_eq!(found.position, expected, "{name}");
+            }
+        }
+        // upward directions that have a name, and one that has none
+        let named = [DVec3::Y, -DVec3::Y, DVec3::Z, DVec3::new(0.2, -0.3, -0.9), DVec3::X];
+        assert_eq!(named.map(axes_of), [Some(4), Some(6), Some(12), Some(14), None]);
+    }
+
+    #[test]
+    fn positions_of_small_and_of_large_scenes_survive() {
+        for scale in [1e-5, 1.0, 1e5] {
+            let mut splats = splats();
+            splats.iter_mut().for_each(|splat| splat.position = splat.position.map(|x| x * scale));
+            for write in [write, write_2] {
+                let mut bytes = Vec::new();
+                write(&splats, &mut bytes).unwrap();
+                for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(&splats) {
+                    let pairs = found.position.iter().zip(splat.position);
+                    let off = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+                    assert!(off < 1e-4 * scale, "{off} at {scale}");
+                }
+            }
+        }
+    }
+
+    /// Version 1 has positions of 16 bits. Versions before 4 may be without gzip.
+    #[test]
+    fn old_versions_are_read_with_and_without_gzip() {
+        let mut bytes = Vec::new();
+        GzDecoder::new(&packed(write_2)[..]).read_to_end(&mut bytes).unwrap();
+        let expected = read_bytes(&packed(write_2)).unwrap();
+        assert_eq!(read_bytes(&bytes).unwrap(), expected);
+        for length in (8..bytes.len()).step_by(17) {
+            assert_refused(&bytes[..length], &["cut short"]);
+        }
+        let positions = expected.iter().flat_map(|splat| splat.position);
+        let halves: Vec<u8> =
+            positions.flat_map(|value| f16::from_f32(value).to_le_bytes()).collect();
+        let mut first = bytes[..16].to_vec();
+        first[4] = 1;
+        first.extend(halves);
+        first.extend(&bytes[16 + 9 * expected.len()..]);
+        let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
+        packed.write_all(&first).unwrap();
+        for bytes in [packed.finish().unwrap(), first] {
+            for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(&expected) {
+                let position = splat.position.map(|value| f16::from_f32(value).to_f32());
+                assert_eq!(*found, Splat { position, ..*splat });
+            }
+        }
+        // axes at the end: right, down, front
+        bytes[14] = EXTENDED;
+        for word in [AXES, 4, 6] {
+            bytes.extend(word.to_le_bytes());
+        }
+        for (found, splat) in read_bytes(&bytes).unwrap().iter().zip(&expected) {
+            let [x, y, z] = splat.position;
+            assert_eq!(found.position, [x, -y, -z]);
+        }
     }
 }

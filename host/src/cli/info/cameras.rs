@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use organza::data::{Pose, Poses};
 use organza::error::format_bytes;
@@ -22,6 +22,11 @@ pub struct CameraFile {
     /// The format of a data set; `None` for other files.
     #[serde(skip_serializing_if = "Option::is_none")]
     format: Option<String>,
+    /// Photographs of a data set that do not exist, and what else it does not use.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    missing: Vec<PathBuf>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     cameras: Vec<CameraInfo>,
 }
 
@@ -65,6 +70,8 @@ impl CameraFile {
             file: path.display().to_string(),
             file_bytes: Some(file_bytes(path)),
             format: None,
+            missing: Vec::new(),
+            notes: Vec::new(),
             cameras: cameras.iter().map(CameraInfo::from).collect(),
         }
     }
@@ -74,14 +81,18 @@ impl CameraFile {
         let poses = Poses::load(path, &DatasetOptions::default())?;
         let info = |pose: Pose| CameraInfo {
             held_out: Some(pose.held_out),
+            distorted: pose.distorted,
             ..CameraInfo::from(&pose.camera)
         };
+        let cameras = poses.cameras()?.into_iter().map(info).collect();
         Ok(Self {
             kind: "data set",
             file: path.display().to_string(),
             file_bytes: None,
             format: Some(poses.kind.to_string()),
-            cameras: poses.cameras()?.into_iter().map(info).collect(),
+            missing: poses.missing,
+            notes: poses.notes,
+            cameras,
         })
     }
 }
@@ -98,6 +109,11 @@ impl fmt::Display for CameraFile {
         if distorted > 0 {
             writeln!(f, "{distorted} through a distorting lens; rendered undistorted")?;
         }
+        if let Some(first) = self.missing.first() {
+            let files = count(self.missing.len() as u64, "photograph");
+            writeln!(f, "{files} missing, the first is {}", first.display())?;
+        }
+        self.notes.iter().try_for_each(|note| writeln!(f, "note: {note}"))?;
         let held_out = self.cameras.iter().filter(|camera| camera.held_out == Some(true)).count();
         if self.format.is_some() {
             writeln!(f, "{held_out} held out")?;

@@ -244,6 +244,7 @@ impl DataSet {
         };
         let bar = console.progress(0, "photographs");
         bar.say("reading");
+        let known = poses.notes.len();
         let dataset = poses.photographs(&mut |done, all| bar.set_of(done, all))?;
         drop(bar);
         let all = dataset.frames.len() as u64;
@@ -260,6 +261,7 @@ impl DataSet {
             note += &format!(", kept in {}", folder.display());
         }
         console.note(&note);
+        dataset.notes[known..].iter().for_each(|note| console.warn(note));
         if self.settings.background == Background::Auto && dataset.background == [1.0; 3] {
             console.note(
                 "the photographs have an alpha channel: the background is white, as in published tables; \
@@ -288,4 +290,5 @@ fn warn_of_files(console: Console, poses: &Poses) {
             console.warn(&format!("{what}: {files}, the first is {first}"));
         }
     }
+    poses.notes.iter().for_each(|note| console.warn(note));
 }

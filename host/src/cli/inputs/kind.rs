@@ -6,7 +6,7 @@ use std::path::Path;
 
 use organza::train::{CHECKPOINT, CONFIG};
 use organza::{Error, Result, Scene, data};
-use organza_core::input::has_extension;
+use organza_core::input::{has_extension, open_regular};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
@@ -95,14 +95,24 @@ impl Expected {
 
     /// What is wrong with a file that another program has written.
     fn foreign(self, path: &Path) -> Option<String> {
-        if self == Self::Scene && has_extension(path, &["ply", "spz"]) {
+        if self == Self::Scene && has_extension(path, &["ply", "spz", "sog", "glb", "splat"]) {
             let path = path.display();
             return Some(format!(
                 "this is a file of 3D Gaussian Splatting; `organza import {path} -o NEW.safetensors` makes a scene of it"
             ));
         }
+        if starts_with(path, b"PK") {
+            return Some(format!("this is a ZIP archive: unpack it; {}", self.as_str()));
+        }
         format(path).is_err().then(|| format!("this is another kind of file; {}", self.as_str()))
     }
+}
+
+/// Whether a regular file has these first bytes.
+fn starts_with(path: &Path, bytes: &[u8]) -> bool {
+    let mut start = vec![0; bytes.len()];
+    let read = open_regular(path).is_ok_and(|(mut file, _)| file.read_exact(&mut start).is_ok());
+    read && start == bytes
 }
 
 /// A better error than the loader's if the path holds something of another kind: then the arguments are probably in

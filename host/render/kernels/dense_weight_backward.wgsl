@@ -90,39 +90,39 @@ fn function_() {
     var local_3: type_18;
     var local_4: type_18;
     var local_5: type_18;
-    var phi_582_: u32;
-    var phi_584_: array<u32, 2>;
-    var phi_590_: array<u32, 2>;
-    var phi_643_: u32;
-    var phi_645_: array<u32, 2>;
-    var phi_651_: array<u32, 2>;
-    var phi_704_: u32;
-    var phi_706_: array<u32, 2>;
-    var phi_712_: array<u32, 2>;
-    var phi_765_: u32;
-    var phi_767_: array<u32, 2>;
-    var phi_773_: array<u32, 2>;
-    var phi_834_: vec4<f32>;
-    var phi_845_: vec4<f32>;
-    var phi_856_: vec4<f32>;
-    var phi_867_: vec4<f32>;
-    var phi_882_: type_18;
-    var phi_885_: type_18;
+    var phi_587_: u32;
+    var phi_589_: array<u32, 2>;
+    var phi_595_: array<u32, 2>;
+    var phi_648_: u32;
+    var phi_650_: array<u32, 2>;
+    var phi_656_: array<u32, 2>;
+    var phi_709_: u32;
+    var phi_711_: array<u32, 2>;
+    var phi_717_: array<u32, 2>;
+    var phi_770_: u32;
+    var phi_772_: array<u32, 2>;
+    var phi_778_: array<u32, 2>;
+    var phi_839_: vec4<f32>;
+    var phi_850_: vec4<f32>;
+    var phi_861_: vec4<f32>;
+    var phi_872_: vec4<f32>;
     var phi_887_: type_18;
-    var phi_889_: type_18;
-    var phi_891_: type_19;
-    var phi_907_: bool;
-    var phi_1161_: type_18;
-    var phi_1164_: type_18;
+    var phi_890_: type_18;
+    var phi_892_: type_18;
+    var phi_894_: type_18;
+    var phi_896_: type_19;
+    var phi_912_: bool;
     var phi_1166_: type_18;
-    var phi_1168_: type_18;
-    var phi_1170_: type_19;
-    var phi_1387_: type_18;
-    var phi_1390_: type_18;
+    var phi_1169_: type_18;
+    var phi_1171_: type_18;
+    var phi_1173_: type_18;
+    var phi_1175_: type_19;
     var phi_1392_: type_18;
-    var phi_1394_: type_18;
-    var phi_1396_: type_19;
-    var phi_1412_: bool;
+    var phi_1395_: type_18;
+    var phi_1397_: type_18;
+    var phi_1399_: type_18;
+    var phi_1401_: type_19;
+    var phi_1417_: bool;
     var local_6: type_18;
     var local_7: type_18;
     var local_8: type_18;
@@ -139,59 +139,59 @@ fn function_() {
     var local_19: type_18;
     var local_20: type_18;
     var local_21: type_18;
-    var phi_1721_: u32;
-    var phi_1723_: array<u32, 2>;
-    var phi_1729_: array<u32, 2>;
-    var phi_1782_: u32;
-    var phi_1784_: array<u32, 2>;
-    var phi_1790_: array<u32, 2>;
-    var phi_1843_: u32;
-    var phi_1845_: array<u32, 2>;
-    var phi_1851_: array<u32, 2>;
-    var phi_1904_: u32;
-    var phi_1906_: array<u32, 2>;
-    var phi_1912_: array<u32, 2>;
-    var phi_1976_: u32;
-    var phi_1978_: array<u32, 2>;
-    var phi_1984_: array<u32, 2>;
-    var phi_2037_: u32;
-    var phi_2039_: array<u32, 2>;
-    var phi_2045_: array<u32, 2>;
-    var phi_2098_: u32;
-    var phi_2100_: array<u32, 2>;
-    var phi_2106_: array<u32, 2>;
-    var phi_2159_: u32;
-    var phi_2161_: array<u32, 2>;
-    var phi_2167_: array<u32, 2>;
-    var phi_2231_: u32;
-    var phi_2233_: array<u32, 2>;
-    var phi_2239_: array<u32, 2>;
-    var phi_2292_: u32;
-    var phi_2294_: array<u32, 2>;
-    var phi_2300_: array<u32, 2>;
-    var phi_2353_: u32;
-    var phi_2355_: array<u32, 2>;
-    var phi_2361_: array<u32, 2>;
-    var phi_2414_: u32;
-    var phi_2416_: array<u32, 2>;
-    var phi_2422_: array<u32, 2>;
-    var phi_2486_: u32;
-    var phi_2488_: array<u32, 2>;
-    var phi_2494_: array<u32, 2>;
-    var phi_2547_: u32;
-    var phi_2549_: array<u32, 2>;
-    var phi_2555_: array<u32, 2>;
-    var phi_2608_: u32;
-    var phi_2610_: array<u32, 2>;
-    var phi_2616_: array<u32, 2>;
-    var phi_2669_: u32;
-    var phi_2671_: array<u32, 2>;
-    var phi_2677_: array<u32, 2>;
-    var phi_2707_: u32;
+    var phi_1731_: u32;
+    var phi_1733_: array<u32, 2>;
+    var phi_1739_: array<u32, 2>;
+    var phi_1792_: u32;
+    var phi_1794_: array<u32, 2>;
+    var phi_1800_: array<u32, 2>;
+    var phi_1853_: u32;
+    var phi_1855_: array<u32, 2>;
+    var phi_1861_: array<u32, 2>;
+    var phi_1914_: u32;
+    var phi_1916_: array<u32, 2>;
+    var phi_1922_: array<u32, 2>;
+    var phi_1991_: u32;
+    var phi_1993_: array<u32, 2>;
+    var phi_1999_: array<u32, 2>;
+    var phi_2052_: u32;
+    var phi_2054_: array<u32, 2>;
+    var phi_2060_: array<u32, 2>;
+    var phi_2113_: u32;
+    var phi_2115_: array<u32, 2>;
+    var phi_2121_: array<u32, 2>;
+    var phi_2174_: u32;
+    var phi_2176_: array<u32, 2>;
+    var phi_2182_: array<u32, 2>;
+    var phi_2251_: u32;
+    var phi_2253_: array<u32, 2>;
+    var phi_2259_: array<u32, 2>;
+    var phi_2312_: u32;
+    var phi_2314_: array<u32, 2>;
+    var phi_2320_: array<u32, 2>;
+    var phi_2373_: u32;
+    var phi_2375_: array<u32, 2>;
+    var phi_2381_: array<u32, 2>;
+    var phi_2434_: u32;
+    var phi_2436_: array<u32, 2>;
+    var phi_2442_: array<u32, 2>;
+    var phi_2511_: u32;
+    var phi_2513_: array<u32, 2>;
+    var phi_2519_: array<u32, 2>;
+    var phi_2572_: u32;
+    var phi_2574_: array<u32, 2>;
+    var phi_2580_: array<u32, 2>;
+    var phi_2633_: u32;
+    var phi_2635_: array<u32, 2>;
+    var phi_2641_: array<u32, 2>;
+    var phi_2694_: u32;
+    var phi_2696_: array<u32, 2>;
+    var phi_2702_: array<u32, 2>;
+    var phi_2732_: u32;
     var phi_187_: u32;
     var phi_190_: u32;
     var phi_192_: u32;
-    var phi_2708_: bool;
+    var phi_2733_: bool;
     var local_22: u32;
     var local_23: u32;
     var local_24: u32;
@@ -282,10 +282,10 @@ fn function_() {
                             break;
                         }
                         continuing {
-                            let _e2613 = local_22;
-                            phi_111_ = _e2613;
-                            let _e2616 = local_23;
-                            phi_114_ = _e2616;
+                            let _e2638 = local_22;
+                            phi_111_ = _e2638;
+                            let _e2641 = local_23;
+                            phi_114_ = _e2641;
                         }
                     }
                     let _e111 = global_3.member.member_8;
@@ -338,24 +338,24 @@ fn function_() {
                     let _e155 = phi_184_;
                     phi_186_ = _e137;
                     phi_189_ = _e155;
-                    let _e2634 = local_26;
-                    phi_191_ = _e2634;
+                    let _e2659 = local_26;
+                    phi_191_ = _e2659;
                     loop {
                         let _e157 = phi_186_;
                         let _e159 = phi_189_;
                         let _e161 = phi_191_;
-                        phi_2708_ = false;
+                        phi_2733_ = false;
                         if (_e159 < select(_e68, _e76, (_e76 < _e68))) {
                             if (_e159 == _e157) {
-                                let _e2597 = global_4.member[((_e161 + 2u) * _e111)];
+                                let _e2622 = global_4.member[((_e161 + 2u) * _e111)];
                                 if _e121 {
-                                    phi_2707_ = _e2597;
+                                    phi_2732_ = _e2622;
                                 } else {
-                                    let _e2600 = global_5.member[_e2597];
-                                    phi_2707_ = _e2600;
+                                    let _e2625 = global_5.member[_e2622];
+                                    phi_2732_ = _e2625;
                                 }
-                                let _e2602 = phi_2707_;
-                                phi_187_ = _e2602;
+                                let _e2627 = phi_2732_;
+                                phi_187_ = _e2627;
                                 phi_190_ = _e159;
                                 phi_192_ = (_e161 + 1u);
                             } else {
@@ -363,12 +363,12 @@ fn function_() {
                                 let _e166 = select(_e157, _e164, (_e164 < _e157));
                                 let _e167 = (_e52 == 0u);
                                 if _e167 {
-                                    phi_2708_ = true;
+                                    phi_2733_ = true;
                                     break;
                                 }
                                 let _e168 = (_e49 / _e52);
                                 if _e167 {
-                                    phi_2708_ = true;
+                                    phi_2733_ = true;
                                     break;
                                 }
                                 let _e169 = (_e49 % _e52);
@@ -389,920 +389,920 @@ fn function_() {
                                 let _e191 = global_3.member.member_2;
                                 let _e193 = ((4u * _e169) * _e191);
                                 if (_e168 < (_e60 + 1u)) {
-                                    let _e742 = (_e168 * 4u);
-                                    let _e745 = global_3.member.member_5;
-                                    let _e748 = ((_e745 + (_e742 * _e52)) + _e169);
-                                    let _e749 = (_e59 - _e742);
-                                    let _e753 = (_e748 + (select(_e749, 1u, (1u < _e749)) * _e52));
-                                    let _e757 = (_e748 + (select(_e749, 2u, (2u < _e749)) * _e52));
-                                    let _e761 = (_e748 + (select(_e749, 3u, (3u < _e749)) * _e52));
-                                    let _e767 = (_e742 + 1u);
-                                    let _e771 = (_e742 + 2u);
-                                    let _e775 = (_e742 + 3u);
+                                    let _e747 = (_e168 * 4u);
+                                    let _e750 = global_3.member.member_5;
+                                    let _e753 = ((_e750 + (_e747 * _e52)) + _e169);
+                                    let _e754 = (_e59 - _e747);
+                                    let _e758 = (_e753 + (select(_e754, 1u, (1u < _e754)) * _e52));
+                                    let _e762 = (_e753 + (select(_e754, 2u, (2u < _e754)) * _e52));
+                                    let _e766 = (_e753 + (select(_e754, 3u, (3u < _e754)) * _e52));
+                                    let _e772 = (_e747 + 1u);
+                                    let _e776 = (_e747 + 2u);
+                                    let _e780 = (_e747 + 3u);
                                     if _e188 {
-                                        let _e781 = global_6.member[(_e183 + _e748)];
-                                        phi_834_ = _e781;
+                                        let _e786 = global_6.member[(_e183 + _e753)];
+                                        phi_839_ = _e786;
                                     } else {
-                                        phi_834_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_839_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e783 = phi_834_;
+                                    let _e788 = phi_839_;
                                     if _e188 {
-                                        let _e791 = global_6.member[(_e183 + _e753)];
-                                        phi_845_ = _e791;
+                                        let _e796 = global_6.member[(_e183 + _e758)];
+                                        phi_850_ = _e796;
                                     } else {
-                                        phi_845_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_850_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e793 = phi_845_;
+                                    let _e798 = phi_850_;
                                     if _e188 {
-                                        let _e801 = global_6.member[(_e183 + _e757)];
-                                        phi_856_ = _e801;
+                                        let _e806 = global_6.member[(_e183 + _e762)];
+                                        phi_861_ = _e806;
                                     } else {
-                                        phi_856_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_861_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e803 = phi_856_;
+                                    let _e808 = phi_861_;
                                     if _e188 {
-                                        let _e811 = global_6.member[(_e183 + _e761)];
-                                        phi_867_ = _e811;
+                                        let _e816 = global_6.member[(_e183 + _e766)];
+                                        phi_872_ = _e816;
                                     } else {
-                                        phi_867_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_872_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e813 = phi_867_;
-                                    let _e821 = ((_e742 * _e191) / 4u);
-                                    let _e822 = ((select(_e59, _e767, (_e767 < _e59)) * _e191) / 4u);
-                                    let _e823 = ((select(_e59, _e771, (_e771 < _e59)) * _e191) / 4u);
-                                    let _e824 = ((select(_e59, _e775, (_e775 < _e59)) * _e191) / 4u);
-                                    let _e825 = (_e193 / 4u);
-                                    let _e826 = (_e191 / 4u);
-                                    phi_882_ = type_18(_e813.x, _e813.y, _e813.z, _e813.w);
-                                    phi_885_ = type_18(_e803.x, _e803.y, _e803.z, _e803.w);
-                                    phi_887_ = type_18(_e793.x, _e793.y, _e793.z, _e793.w);
-                                    phi_889_ = type_18(_e783.x, _e783.y, _e783.z, _e783.w);
-                                    phi_891_ = type_19((_e173 / 4u), _e173, _e176);
+                                    let _e818 = phi_872_;
+                                    let _e826 = ((_e747 * _e191) / 4u);
+                                    let _e827 = ((select(_e59, _e772, (_e772 < _e59)) * _e191) / 4u);
+                                    let _e828 = ((select(_e59, _e776, (_e776 < _e59)) * _e191) / 4u);
+                                    let _e829 = ((select(_e59, _e780, (_e780 < _e59)) * _e191) / 4u);
+                                    let _e830 = (_e193 / 4u);
+                                    let _e831 = (_e191 / 4u);
+                                    phi_887_ = type_18(_e818.x, _e818.y, _e818.z, _e818.w);
+                                    phi_890_ = type_18(_e808.x, _e808.y, _e808.z, _e808.w);
+                                    phi_892_ = type_18(_e798.x, _e798.y, _e798.z, _e798.w);
+                                    phi_894_ = type_18(_e788.x, _e788.y, _e788.z, _e788.w);
+                                    phi_896_ = type_19((_e173 / 4u), _e173, _e176);
                                     loop {
-                                        let _e828 = phi_882_;
-                                        let _e830 = phi_885_;
-                                        let _e832 = phi_887_;
-                                        let _e834 = phi_889_;
-                                        let _e836 = phi_891_;
-                                        local_43 = _e828;
-                                        local_45 = _e830;
-                                        local_47 = _e832;
-                                        local_49 = _e834;
-                                        local_51 = _e836;
-                                        let _e838 = (4u * _e836.member);
-                                        if (_e838 < _e836.member_2) {
-                                            phi_907_ = select(((_e838 + 4u) > _e836.member_2), true, (_e838 < _e836.member_1));
+                                        let _e833 = phi_887_;
+                                        let _e835 = phi_890_;
+                                        let _e837 = phi_892_;
+                                        let _e839 = phi_894_;
+                                        let _e841 = phi_896_;
+                                        local_43 = _e833;
+                                        local_45 = _e835;
+                                        local_47 = _e837;
+                                        local_49 = _e839;
+                                        local_51 = _e841;
+                                        let _e843 = (4u * _e841.member);
+                                        if (_e843 < _e841.member_2) {
+                                            phi_912_ = select(((_e843 + 4u) > _e841.member_2), true, (_e843 < _e841.member_1));
                                         } else {
-                                            phi_907_ = false;
+                                            phi_912_ = false;
                                         }
-                                        let _e847 = phi_907_;
-                                        if _e847 {
-                                            let _e851 = global_7.member[(_e825 + _e836.member)];
-                                            let _e858 = (_e836.member_2 - _e836.member_1);
-                                            let _e859 = ((_e838 - _e836.member_1) < _e858);
-                                            let _e860 = select(0f, _e851.x, _e859);
-                                            let _e863 = (((_e838 + 1u) - _e836.member_1) < _e858);
-                                            let _e864 = select(0f, _e851.y, _e863);
-                                            let _e867 = (((_e838 + 2u) - _e836.member_1) < _e858);
-                                            let _e868 = select(0f, _e851.z, _e867);
-                                            let _e871 = (((_e838 + 3u) - _e836.member_1) < _e858);
-                                            let _e872 = select(0f, _e851.w, _e871);
-                                            let _e877 = global_7.member[((_e825 + _e826) + _e836.member)];
-                                            let _e882 = select(0f, _e877.x, _e859);
-                                            let _e883 = select(0f, _e877.y, _e863);
-                                            let _e884 = select(0f, _e877.z, _e867);
-                                            let _e885 = select(0f, _e877.w, _e871);
-                                            let _e891 = global_7.member[((_e825 + (2u * _e826)) + _e836.member)];
-                                            let _e896 = select(0f, _e891.x, _e859);
-                                            let _e897 = select(0f, _e891.y, _e863);
-                                            let _e898 = select(0f, _e891.z, _e867);
-                                            let _e899 = select(0f, _e891.w, _e871);
-                                            let _e905 = global_7.member[((_e825 + (3u * _e826)) + _e836.member)];
-                                            let _e910 = select(0f, _e905.x, _e859);
-                                            let _e911 = select(0f, _e905.y, _e863);
-                                            let _e912 = select(0f, _e905.z, _e867);
-                                            let _e913 = select(0f, _e905.w, _e871);
-                                            let _e917 = global_9.member[(_e821 + _e836.member)];
-                                            let _e922 = select(0f, _e917.x, _e859);
-                                            let _e923 = select(0f, _e917.y, _e863);
-                                            let _e924 = select(0f, _e917.z, _e867);
-                                            let _e925 = select(0f, _e917.w, _e871);
-                                            let _e929 = global_9.member[(_e822 + _e836.member)];
-                                            let _e934 = select(0f, _e929.x, _e859);
-                                            let _e935 = select(0f, _e929.y, _e863);
-                                            let _e936 = select(0f, _e929.z, _e867);
-                                            let _e937 = select(0f, _e929.w, _e871);
-                                            let _e941 = global_9.member[(_e823 + _e836.member)];
-                                            let _e946 = select(0f, _e941.x, _e859);
-                                            let _e947 = select(0f, _e941.y, _e863);
-                                            let _e948 = select(0f, _e941.z, _e867);
-                                            let _e949 = select(0f, _e941.w, _e871);
-                                            let _e953 = global_9.member[(_e824 + _e836.member)];
-                                            let _e958 = select(0f, _e953.x, _e859);
-                                            let _e959 = select(0f, _e953.y, _e863);
-                                            let _e960 = select(0f, _e953.z, _e867);
-                                            let _e961 = select(0f, _e953.w, _e871);
-                                            local_38 = type_18(((_e961 * _e872) + ((_e960 * _e868) + ((_e959 * _e864) + ((_e958 * _e860) + _e828.member)))), ((_e961 * _e885) + ((_e960 * _e884) + ((_e959 * _e883) + ((_e958 * _e882) + _e828.member_1)))), ((_e961 * _e899) + ((_e960 * _e898) + ((_e959 * _e897) + ((_e958 * _e896) + _e828.member_2)))), ((_e961 * _e913) + ((_e960 * _e912) + ((_e959 * _e911) + ((_e958 * _e910) + _e828.member_3)))));
-                                            local_39 = type_18(((_e949 * _e872) + ((_e948 * _e868) + ((_e947 * _e864) + ((_e946 * _e860) + _e830.member)))), ((_e949 * _e885) + ((_e948 * _e884) + ((_e947 * _e883) + ((_e946 * _e882) + _e830.member_1)))), ((_e949 * _e899) + ((_e948 * _e898) + ((_e947 * _e897) + ((_e946 * _e896) + _e830.member_2)))), ((_e949 * _e913) + ((_e948 * _e912) + ((_e947 * _e911) + ((_e946 * _e910) + _e830.member_3)))));
-                                            local_40 = type_18(((_e937 * _e872) + ((_e936 * _e868) + ((_e935 * _e864) + ((_e934 * _e860) + _e832.member)))), ((_e937 * _e885) + ((_e936 * _e884) + ((_e935 * _e883) + ((_e934 * _e882) + _e832.member_1)))), ((_e937 * _e899) + ((_e936 * _e898) + ((_e935 * _e897) + ((_e934 * _e896) + _e832.member_2)))), ((_e937 * _e913) + ((_e936 * _e912) + ((_e935 * _e911) + ((_e934 * _e910) + _e832.member_3)))));
-                                            local_41 = type_18(((_e925 * _e872) + ((_e924 * _e868) + ((_e923 * _e864) + ((_e922 * _e860) + _e834.member)))), ((_e925 * _e885) + ((_e924 * _e884) + ((_e923 * _e883) + ((_e922 * _e882) + _e834.member_1)))), ((_e925 * _e899) + ((_e924 * _e898) + ((_e923 * _e897) + ((_e922 * _e896) + _e834.member_2)))), ((_e925 * _e913) + ((_e924 * _e912) + ((_e923 * _e911) + ((_e922 * _e910) + _e834.member_3)))));
-                                            local_42 = type_19((_e836.member + 1u), _e836.member_1, _e836.member_2);
+                                        let _e852 = phi_912_;
+                                        if _e852 {
+                                            let _e856 = global_7.member[(_e830 + _e841.member)];
+                                            let _e863 = (_e841.member_2 - _e841.member_1);
+                                            let _e864 = ((_e843 - _e841.member_1) < _e863);
+                                            let _e865 = select(0f, _e856.x, _e864);
+                                            let _e868 = (((_e843 + 1u) - _e841.member_1) < _e863);
+                                            let _e869 = select(0f, _e856.y, _e868);
+                                            let _e872 = (((_e843 + 2u) - _e841.member_1) < _e863);
+                                            let _e873 = select(0f, _e856.z, _e872);
+                                            let _e876 = (((_e843 + 3u) - _e841.member_1) < _e863);
+                                            let _e877 = select(0f, _e856.w, _e876);
+                                            let _e882 = global_7.member[((_e830 + _e831) + _e841.member)];
+                                            let _e887 = select(0f, _e882.x, _e864);
+                                            let _e888 = select(0f, _e882.y, _e868);
+                                            let _e889 = select(0f, _e882.z, _e872);
+                                            let _e890 = select(0f, _e882.w, _e876);
+                                            let _e896 = global_7.member[((_e830 + (2u * _e831)) + _e841.member)];
+                                            let _e901 = select(0f, _e896.x, _e864);
+                                            let _e902 = select(0f, _e896.y, _e868);
+                                            let _e903 = select(0f, _e896.z, _e872);
+                                            let _e904 = select(0f, _e896.w, _e876);
+                                            let _e910 = global_7.member[((_e830 + (3u * _e831)) + _e841.member)];
+                                            let _e915 = select(0f, _e910.x, _e864);
+                                            let _e916 = select(0f, _e910.y, _e868);
+                                            let _e917 = select(0f, _e910.z, _e872);
+                                            let _e918 = select(0f, _e910.w, _e876);
+                                            let _e922 = global_9.member[(_e826 + _e841.member)];
+                                            let _e927 = select(0f, _e922.x, _e864);
+                                            let _e928 = select(0f, _e922.y, _e868);
+                                            let _e929 = select(0f, _e922.z, _e872);
+                                            let _e930 = select(0f, _e922.w, _e876);
+                                            let _e934 = global_9.member[(_e827 + _e841.member)];
+                                            let _e939 = select(0f, _e934.x, _e864);
+                                            let _e940 = select(0f, _e934.y, _e868);
+                                            let _e941 = select(0f, _e934.z, _e872);
+                                            let _e942 = select(0f, _e934.w, _e876);
+                                            let _e946 = global_9.member[(_e828 + _e841.member)];
+                                            let _e951 = select(0f, _e946.x, _e864);
+                                            let _e952 = select(0f, _e946.y, _e868);
+                                            let _e953 = select(0f, _e946.z, _e872);
+                                            let _e954 = select(0f, _e946.w, _e876);
+                                            let _e958 = global_9.member[(_e829 + _e841.member)];
+                                            let _e963 = select(0f, _e958.x, _e864);
+                                            let _e964 = select(0f, _e958.y, _e868);
+                                            let _e965 = select(0f, _e958.z, _e872);
+                                            let _e966 = select(0f, _e958.w, _e876);
+                                            local_38 = type_18(((_e966 * _e877) + ((_e965 * _e873) + ((_e964 * _e869) + ((_e963 * _e865) + _e833.member)))), ((_e966 * _e890) + ((_e965 * _e889) + ((_e964 * _e888) + ((_e963 * _e887) + _e833.member_1)))), ((_e966 * _e904) + ((_e965 * _e903) + ((_e964 * _e902) + ((_e963 * _e901) + _e833.member_2)))), ((_e966 * _e918) + ((_e965 * _e917) + ((_e964 * _e916) + ((_e963 * _e915) + _e833.member_3)))));
+                                            local_39 = type_18(((_e954 * _e877) + ((_e953 * _e873) + ((_e952 * _e869) + ((_e951 * _e865) + _e835.member)))), ((_e954 * _e890) + ((_e953 * _e889) + ((_e952 * _e888) + ((_e951 * _e887) + _e835.member_1)))), ((_e954 * _e904) + ((_e953 * _e903) + ((_e952 * _e902) + ((_e951 * _e901) + _e835.member_2)))), ((_e954 * _e918) + ((_e953 * _e917) + ((_e952 * _e916) + ((_e951 * _e915) + _e835.member_3)))));
+                                            local_40 = type_18(((_e942 * _e877) + ((_e941 * _e873) + ((_e940 * _e869) + ((_e939 * _e865) + _e837.member)))), ((_e942 * _e890) + ((_e941 * _e889) + ((_e940 * _e888) + ((_e939 * _e887) + _e837.member_1)))), ((_e942 * _e904) + ((_e941 * _e903) + ((_e940 * _e902) + ((_e939 * _e901) + _e837.member_2)))), ((_e942 * _e918) + ((_e941 * _e917) + ((_e940 * _e916) + ((_e939 * _e915) + _e837.member_3)))));
+                                            local_41 = type_18(((_e930 * _e877) + ((_e929 * _e873) + ((_e928 * _e869) + ((_e927 * _e865) + _e839.member)))), ((_e930 * _e890) + ((_e929 * _e889) + ((_e928 * _e888) + ((_e927 * _e887) + _e839.member_1)))), ((_e930 * _e904) + ((_e929 * _e903) + ((_e928 * _e902) + ((_e927 * _e901) + _e839.member_2)))), ((_e930 * _e918) + ((_e929 * _e917) + ((_e928 * _e916) + ((_e927 * _e915) + _e839.member_3)))));
+                                            local_42 = type_19((_e841.member + 1u), _e841.member_1, _e841.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2689 = local_38;
-                                            phi_882_ = _e2689;
-                                            let _e2692 = local_39;
-                                            phi_885_ = _e2692;
-                                            let _e2695 = local_40;
-                                            phi_887_ = _e2695;
-                                            let _e2698 = local_41;
-                                            phi_889_ = _e2698;
-                                            let _e2701 = local_42;
-                                            phi_891_ = _e2701;
+                                            let _e2714 = local_38;
+                                            phi_887_ = _e2714;
+                                            let _e2717 = local_39;
+                                            phi_890_ = _e2717;
+                                            let _e2720 = local_40;
+                                            phi_892_ = _e2720;
+                                            let _e2723 = local_41;
+                                            phi_894_ = _e2723;
+                                            let _e2726 = local_42;
+                                            phi_896_ = _e2726;
                                         }
                                     }
-                                    let _e2705 = local_43;
-                                    phi_1161_ = _e2705;
-                                    let _e2710 = local_45;
-                                    phi_1164_ = _e2710;
-                                    let _e2715 = local_47;
-                                    phi_1166_ = _e2715;
-                                    let _e2720 = local_49;
-                                    phi_1168_ = _e2720;
-                                    let _e2725 = local_51;
-                                    phi_1170_ = _e2725;
+                                    let _e2730 = local_43;
+                                    phi_1166_ = _e2730;
+                                    let _e2735 = local_45;
+                                    phi_1169_ = _e2735;
+                                    let _e2740 = local_47;
+                                    phi_1171_ = _e2740;
+                                    let _e2745 = local_49;
+                                    phi_1173_ = _e2745;
+                                    let _e2750 = local_51;
+                                    phi_1175_ = _e2750;
                                     loop {
-                                        let _e1116 = phi_1161_;
-                                        let _e1118 = phi_1164_;
-                                        let _e1120 = phi_1166_;
-                                        let _e1122 = phi_1168_;
-                                        let _e1124 = phi_1170_;
-                                        local_53 = _e1116;
-                                        local_55 = _e1118;
-                                        local_57 = _e1120;
-                                        local_59 = _e1122;
-                                        local_61 = _e1124;
-                                        if !((((4u * _e1124.member) + 4u) > _e1124.member_2)) {
-                                            let _e1134 = global_7.member[(_e825 + _e1124.member)];
-                                            let _e1143 = global_7.member[((_e825 + _e826) + _e1124.member)];
-                                            let _e1153 = global_7.member[((_e825 + (2u * _e826)) + _e1124.member)];
-                                            let _e1163 = global_7.member[((_e825 + (3u * _e826)) + _e1124.member)];
-                                            let _e1171 = global_9.member[(_e821 + _e1124.member)];
-                                            let _e1179 = global_9.member[(_e822 + _e1124.member)];
-                                            let _e1187 = global_9.member[(_e823 + _e1124.member)];
-                                            let _e1195 = global_9.member[(_e824 + _e1124.member)];
-                                            local_44 = type_18(((_e1195.w * _e1134.w) + ((_e1195.z * _e1134.z) + ((_e1195.y * _e1134.y) + ((_e1195.x * _e1134.x) + _e1116.member)))), ((_e1195.w * _e1143.w) + ((_e1195.z * _e1143.z) + ((_e1195.y * _e1143.y) + ((_e1195.x * _e1143.x) + _e1116.member_1)))), ((_e1195.w * _e1153.w) + ((_e1195.z * _e1153.z) + ((_e1195.y * _e1153.y) + ((_e1195.x * _e1153.x) + _e1116.member_2)))), ((_e1195.w * _e1163.w) + ((_e1195.z * _e1163.z) + ((_e1195.y * _e1163.y) + ((_e1195.x * _e1163.x) + _e1116.member_3)))));
-                                            local_46 = type_18(((_e1187.w * _e1134.w) + ((_e1187.z * _e1134.z) + ((_e1187.y * _e1134.y) + ((_e1187.x * _e1134.x) + _e1118.member)))), ((_e1187.w * _e1143.w) + ((_e1187.z * _e1143.z) + ((_e1187.y * _e1143.y) + ((_e1187.x * _e1143.x) + _e1118.member_1)))), ((_e1187.w * _e1153.w) + ((_e1187.z * _e1153.z) + ((_e1187.y * _e1153.y) + ((_e1187.x * _e1153.x) + _e1118.member_2)))), ((_e1187.w * _e1163.w) + ((_e1187.z * _e1163.z) + ((_e1187.y * _e1163.y) + ((_e1187.x * _e1163.x) + _e1118.member_3)))));
-                                            local_48 = type_18(((_e1179.w * _e1134.w) + ((_e1179.z * _e1134.z) + ((_e1179.y * _e1134.y) + ((_e1179.x * _e1134.x) + _e1120.member)))), ((_e1179.w * _e1143.w) + ((_e1179.z * _e1143.z) + ((_e1179.y * _e1143.y) + ((_e1179.x * _e1143.x) + _e1120.member_1)))), ((_e1179.w * _e1153.w) + ((_e1179.z * _e1153.z) + ((_e1179.y * _e1153.y) + ((_e1179.x * _e1153.x) + _e1120.member_2)))), ((_e1179.w * _e1163.w) + ((_e1179.z * _e1163.z) + ((_e1179.y * _e1163.y) + ((_e1179.x * _e1163.x) + _e1120.member_3)))));
-                                            local_50 = type_18(((_e1171.w * _e1134.w) + ((_e1171.z * _e1134.z) + ((_e1171.y * _e1134.y) + ((_e1171.x * _e1134.x) + _e1122.member)))), ((_e1171.w * _e1143.w) + ((_e1171.z * _e1143.z) + ((_e1171.y * _e1143.y) + ((_e1171.x * _e1143.x) + _e1122.member_1)))), ((_e1171.w * _e1153.w) + ((_e1171.z * _e1153.z) + ((_e1171.y * _e1153.y) + ((_e1171.x * _e1153.x) + _e1122.member_2)))), ((_e1171.w * _e1163.w) + ((_e1171.z * _e1163.z) + ((_e1171.y * _e1163.y) + ((_e1171.x * _e1163.x) + _e1122.member_3)))));
-                                            local_52 = type_19((_e1124.member + 1u), _e1124.member_1, _e1124.member_2);
+                                        let _e1121 = phi_1166_;
+                                        let _e1123 = phi_1169_;
+                                        let _e1125 = phi_1171_;
+                                        let _e1127 = phi_1173_;
+                                        let _e1129 = phi_1175_;
+                                        local_53 = _e1121;
+                                        local_55 = _e1123;
+                                        local_57 = _e1125;
+                                        local_59 = _e1127;
+                                        local_61 = _e1129;
+                                        if !((((4u * _e1129.member) + 4u) > _e1129.member_2)) {
+                                            let _e1139 = global_7.member[(_e830 + _e1129.member)];
+                                            let _e1148 = global_7.member[((_e830 + _e831) + _e1129.member)];
+                                            let _e1158 = global_7.member[((_e830 + (2u * _e831)) + _e1129.member)];
+                                            let _e1168 = global_7.member[((_e830 + (3u * _e831)) + _e1129.member)];
+                                            let _e1176 = global_9.member[(_e826 + _e1129.member)];
+                                            let _e1184 = global_9.member[(_e827 + _e1129.member)];
+                                            let _e1192 = global_9.member[(_e828 + _e1129.member)];
+                                            let _e1200 = global_9.member[(_e829 + _e1129.member)];
+                                            local_44 = type_18(((_e1200.w * _e1139.w) + ((_e1200.z * _e1139.z) + ((_e1200.y * _e1139.y) + ((_e1200.x * _e1139.x) + _e1121.member)))), ((_e1200.w * _e1148.w) + ((_e1200.z * _e1148.z) + ((_e1200.y * _e1148.y) + ((_e1200.x * _e1148.x) + _e1121.member_1)))), ((_e1200.w * _e1158.w) + ((_e1200.z * _e1158.z) + ((_e1200.y * _e1158.y) + ((_e1200.x * _e1158.x) + _e1121.member_2)))), ((_e1200.w * _e1168.w) + ((_e1200.z * _e1168.z) + ((_e1200.y * _e1168.y) + ((_e1200.x * _e1168.x) + _e1121.member_3)))));
+                                            local_46 = type_18(((_e1192.w * _e1139.w) + ((_e1192.z * _e1139.z) + ((_e1192.y * _e1139.y) + ((_e1192.x * _e1139.x) + _e1123.member)))), ((_e1192.w * _e1148.w) + ((_e1192.z * _e1148.z) + ((_e1192.y * _e1148.y) + ((_e1192.x * _e1148.x) + _e1123.member_1)))), ((_e1192.w * _e1158.w) + ((_e1192.z * _e1158.z) + ((_e1192.y * _e1158.y) + ((_e1192.x * _e1158.x) + _e1123.member_2)))), ((_e1192.w * _e1168.w) + ((_e1192.z * _e1168.z) + ((_e1192.y * _e1168.y) + ((_e1192.x * _e1168.x) + _e1123.member_3)))));
+                                            local_48 = type_18(((_e1184.w * _e1139.w) + ((_e1184.z * _e1139.z) + ((_e1184.y * _e1139.y) + ((_e1184.x * _e1139.x) + _e1125.member)))), ((_e1184.w * _e1148.w) + ((_e1184.z * _e1148.z) + ((_e1184.y * _e1148.y) + ((_e1184.x * _e1148.x) + _e1125.member_1)))), ((_e1184.w * _e1158.w) + ((_e1184.z * _e1158.z) + ((_e1184.y * _e1158.y) + ((_e1184.x * _e1158.x) + _e1125.member_2)))), ((_e1184.w * _e1168.w) + ((_e1184.z * _e1168.z) + ((_e1184.y * _e1168.y) + ((_e1184.x * _e1168.x) + _e1125.member_3)))));
+                                            local_50 = type_18(((_e1176.w * _e1139.w) + ((_e1176.z * _e1139.z) + ((_e1176.y * _e1139.y) + ((_e1176.x * _e1139.x) + _e1127.member)))), ((_e1176.w * _e1148.w) + ((_e1176.z * _e1148.z) + ((_e1176.y * _e1148.y) + ((_e1176.x * _e1148.x) + _e1127.member_1)))), ((_e1176.w * _e1158.w) + ((_e1176.z * _e1158.z) + ((_e1176.y * _e1158.y) + ((_e1176.x * _e1158.x) + _e1127.member_2)))), ((_e1176.w * _e1168.w) + ((_e1176.z * _e1168.z) + ((_e1176.y * _e1168.y) + ((_e1176.x * _e1168.x) + _e1127.member_3)))));
+                                            local_52 = type_19((_e1129.member + 1u), _e1129.member_1, _e1129.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2707 = local_44;
-                                            phi_1161_ = _e2707;
-                                            let _e2712 = local_46;
-                                            phi_1164_ = _e2712;
-                                            let _e2717 = local_48;
-                                            phi_1166_ = _e2717;
-                                            let _e2722 = local_50;
-                                            phi_1168_ = _e2722;
-                                            let _e2727 = local_52;
-                                            phi_1170_ = _e2727;
+                                            let _e2732 = local_44;
+                                            phi_1166_ = _e2732;
+                                            let _e2737 = local_46;
+                                            phi_1169_ = _e2737;
+                                            let _e2742 = local_48;
+                                            phi_1171_ = _e2742;
+                                            let _e2747 = local_50;
+                                            phi_1173_ = _e2747;
+                                            let _e2752 = local_52;
+                                            phi_1175_ = _e2752;
                                         }
                                     }
-                                    let _e2730 = local_53;
-                                    phi_1387_ = _e2730;
-                                    let _e2735 = local_55;
-                                    phi_1390_ = _e2735;
-                                    let _e2740 = local_57;
-                                    phi_1392_ = _e2740;
-                                    let _e2745 = local_59;
-                                    phi_1394_ = _e2745;
-                                    let _e2750 = local_61;
-                                    phi_1396_ = _e2750;
+                                    let _e2755 = local_53;
+                                    phi_1392_ = _e2755;
+                                    let _e2760 = local_55;
+                                    phi_1395_ = _e2760;
+                                    let _e2765 = local_57;
+                                    phi_1397_ = _e2765;
+                                    let _e2770 = local_59;
+                                    phi_1399_ = _e2770;
+                                    let _e2775 = local_61;
+                                    phi_1401_ = _e2775;
                                     loop {
-                                        let _e1354 = phi_1387_;
-                                        let _e1356 = phi_1390_;
-                                        let _e1358 = phi_1392_;
-                                        let _e1360 = phi_1394_;
-                                        let _e1362 = phi_1396_;
-                                        local_6 = _e1360;
-                                        local_7 = _e1360;
-                                        local_8 = _e1360;
-                                        local_9 = _e1360;
-                                        local_10 = _e1358;
-                                        local_11 = _e1358;
-                                        local_12 = _e1358;
-                                        local_13 = _e1358;
-                                        local_14 = _e1356;
-                                        local_15 = _e1356;
-                                        local_16 = _e1356;
-                                        local_17 = _e1356;
-                                        local_18 = _e1354;
-                                        local_19 = _e1354;
-                                        local_20 = _e1354;
-                                        local_21 = _e1354;
-                                        let _e1364 = (4u * _e1362.member);
-                                        if (_e1364 < _e1362.member_2) {
-                                            phi_1412_ = select(((_e1364 + 4u) > _e1362.member_2), true, (_e1364 < _e1362.member_1));
+                                        let _e1359 = phi_1392_;
+                                        let _e1361 = phi_1395_;
+                                        let _e1363 = phi_1397_;
+                                        let _e1365 = phi_1399_;
+                                        let _e1367 = phi_1401_;
+                                        local_6 = _e1365;
+                                        local_7 = _e1365;
+                                        local_8 = _e1365;
+                                        local_9 = _e1365;
+                                        local_10 = _e1363;
+                                        local_11 = _e1363;
+                                        local_12 = _e1363;
+                                        local_13 = _e1363;
+                                        local_14 = _e1361;
+                                        local_15 = _e1361;
+                                        local_16 = _e1361;
+                                        local_17 = _e1361;
+                                        local_18 = _e1359;
+                                        local_19 = _e1359;
+                                        local_20 = _e1359;
+                                        local_21 = _e1359;
+                                        let _e1369 = (4u * _e1367.member);
+                                        if (_e1369 < _e1367.member_2) {
+                                            phi_1417_ = select(((_e1369 + 4u) > _e1367.member_2), true, (_e1369 < _e1367.member_1));
                                         } else {
-                                            phi_1412_ = false;
+                                            phi_1417_ = false;
                                         }
-                                        let _e1373 = phi_1412_;
-                                        if _e1373 {
-                                            let _e1377 = global_7.member[(_e825 + _e1362.member)];
-                                            let _e1384 = (_e1362.member_2 - _e1362.member_1);
-                                            let _e1385 = ((_e1364 - _e1362.member_1) < _e1384);
-                                            let _e1386 = select(0f, _e1377.x, _e1385);
-                                            let _e1389 = (((_e1364 + 1u) - _e1362.member_1) < _e1384);
-                                            let _e1390 = select(0f, _e1377.y, _e1389);
-                                            let _e1393 = (((_e1364 + 2u) - _e1362.member_1) < _e1384);
-                                            let _e1394 = select(0f, _e1377.z, _e1393);
-                                            let _e1397 = (((_e1364 + 3u) - _e1362.member_1) < _e1384);
-                                            let _e1398 = select(0f, _e1377.w, _e1397);
-                                            let _e1403 = global_7.member[((_e825 + _e826) + _e1362.member)];
-                                            let _e1408 = select(0f, _e1403.x, _e1385);
-                                            let _e1409 = select(0f, _e1403.y, _e1389);
-                                            let _e1410 = select(0f, _e1403.z, _e1393);
-                                            let _e1411 = select(0f, _e1403.w, _e1397);
-                                            let _e1417 = global_7.member[((_e825 + (2u * _e826)) + _e1362.member)];
-                                            let _e1422 = select(0f, _e1417.x, _e1385);
-                                            let _e1423 = select(0f, _e1417.y, _e1389);
-                                            let _e1424 = select(0f, _e1417.z, _e1393);
-                                            let _e1425 = select(0f, _e1417.w, _e1397);
-                                            let _e1431 = global_7.member[((_e825 + (3u * _e826)) + _e1362.member)];
-                                            let _e1436 = select(0f, _e1431.x, _e1385);
-                                            let _e1437 = select(0f, _e1431.y, _e1389);
-                                            let _e1438 = select(0f, _e1431.z, _e1393);
-                                            let _e1439 = select(0f, _e1431.w, _e1397);
-                                            let _e1443 = global_9.member[(_e821 + _e1362.member)];
-                                            let _e1448 = select(0f, _e1443.x, _e1385);
-                                            let _e1449 = select(0f, _e1443.y, _e1389);
-                                            let _e1450 = select(0f, _e1443.z, _e1393);
-                                            let _e1451 = select(0f, _e1443.w, _e1397);
-                                            let _e1455 = global_9.member[(_e822 + _e1362.member)];
-                                            let _e1460 = select(0f, _e1455.x, _e1385);
-                                            let _e1461 = select(0f, _e1455.y, _e1389);
-                                            let _e1462 = select(0f, _e1455.z, _e1393);
-                                            let _e1463 = select(0f, _e1455.w, _e1397);
-                                            let _e1467 = global_9.member[(_e823 + _e1362.member)];
-                                            let _e1472 = select(0f, _e1467.x, _e1385);
-                                            let _e1473 = select(0f, _e1467.y, _e1389);
-                                            let _e1474 = select(0f, _e1467.z, _e1393);
-                                            let _e1475 = select(0f, _e1467.w, _e1397);
-                                            let _e1479 = global_9.member[(_e824 + _e1362.member)];
-                                            let _e1484 = select(0f, _e1479.x, _e1385);
-                                            let _e1485 = select(0f, _e1479.y, _e1389);
-                                            let _e1486 = select(0f, _e1479.z, _e1393);
-                                            let _e1487 = select(0f, _e1479.w, _e1397);
-                                            local_54 = type_18(((_e1487 * _e1398) + ((_e1486 * _e1394) + ((_e1485 * _e1390) + ((_e1484 * _e1386) + _e1354.member)))), ((_e1487 * _e1411) + ((_e1486 * _e1410) + ((_e1485 * _e1409) + ((_e1484 * _e1408) + _e1354.member_1)))), ((_e1487 * _e1425) + ((_e1486 * _e1424) + ((_e1485 * _e1423) + ((_e1484 * _e1422) + _e1354.member_2)))), ((_e1487 * _e1439) + ((_e1486 * _e1438) + ((_e1485 * _e1437) + ((_e1484 * _e1436) + _e1354.member_3)))));
-                                            local_56 = type_18(((_e1475 * _e1398) + ((_e1474 * _e1394) + ((_e1473 * _e1390) + ((_e1472 * _e1386) + _e1356.member)))), ((_e1475 * _e1411) + ((_e1474 * _e1410) + ((_e1473 * _e1409) + ((_e1472 * _e1408) + _e1356.member_1)))), ((_e1475 * _e1425) + ((_e1474 * _e1424) + ((_e1473 * _e1423) + ((_e1472 * _e1422) + _e1356.member_2)))), ((_e1475 * _e1439) + ((_e1474 * _e1438) + ((_e1473 * _e1437) + ((_e1472 * _e1436) + _e1356.member_3)))));
-                                            local_58 = type_18(((_e1463 * _e1398) + ((_e1462 * _e1394) + ((_e1461 * _e1390) + ((_e1460 * _e1386) + _e1358.member)))), ((_e1463 * _e1411) + ((_e1462 * _e1410) + ((_e1461 * _e1409) + ((_e1460 * _e1408) + _e1358.member_1)))), ((_e1463 * _e1425) + ((_e1462 * _e1424) + ((_e1461 * _e1423) + ((_e1460 * _e1422) + _e1358.member_2)))), ((_e1463 * _e1439) + ((_e1462 * _e1438) + ((_e1461 * _e1437) + ((_e1460 * _e1436) + _e1358.member_3)))));
-                                            local_60 = type_18(((_e1451 * _e1398) + ((_e1450 * _e1394) + ((_e1449 * _e1390) + ((_e1448 * _e1386) + _e1360.member)))), ((_e1451 * _e1411) + ((_e1450 * _e1410) + ((_e1449 * _e1409) + ((_e1448 * _e1408) + _e1360.member_1)))), ((_e1451 * _e1425) + ((_e1450 * _e1424) + ((_e1449 * _e1423) + ((_e1448 * _e1422) + _e1360.member_2)))), ((_e1451 * _e1439) + ((_e1450 * _e1438) + ((_e1449 * _e1437) + ((_e1448 * _e1436) + _e1360.member_3)))));
-                                            local_62 = type_19((_e1362.member + 1u), _e1362.member_1, _e1362.member_2);
+                                        let _e1378 = phi_1417_;
+                                        if _e1378 {
+                                            let _e1382 = global_7.member[(_e830 + _e1367.member)];
+                                            let _e1389 = (_e1367.member_2 - _e1367.member_1);
+                                            let _e1390 = ((_e1369 - _e1367.member_1) < _e1389);
+                                            let _e1391 = select(0f, _e1382.x, _e1390);
+                                            let _e1394 = (((_e1369 + 1u) - _e1367.member_1) < _e1389);
+                                            let _e1395 = select(0f, _e1382.y, _e1394);
+                                            let _e1398 = (((_e1369 + 2u) - _e1367.member_1) < _e1389);
+                                            let _e1399 = select(0f, _e1382.z, _e1398);
+                                            let _e1402 = (((_e1369 + 3u) - _e1367.member_1) < _e1389);
+                                            let _e1403 = select(0f, _e1382.w, _e1402);
+                                            let _e1408 = global_7.member[((_e830 + _e831) + _e1367.member)];
+                                            let _e1413 = select(0f, _e1408.x, _e1390);
+                                            let _e1414 = select(0f, _e1408.y, _e1394);
+                                            let _e1415 = select(0f, _e1408.z, _e1398);
+                                            let _e1416 = select(0f, _e1408.w, _e1402);
+                                            let _e1422 = global_7.member[((_e830 + (2u * _e831)) + _e1367.member)];
+                                            let _e1427 = select(0f, _e1422.x, _e1390);
+                                            let _e1428 = select(0f, _e1422.y, _e1394);
+                                            let _e1429 = select(0f, _e1422.z, _e1398);
+                                            let _e1430 = select(0f, _e1422.w, _e1402);
+                                            let _e1436 = global_7.member[((_e830 + (3u * _e831)) + _e1367.member)];
+                                            let _e1441 = select(0f, _e1436.x, _e1390);
+                                            let _e1442 = select(0f, _e1436.y, _e1394);
+                                            let _e1443 = select(0f, _e1436.z, _e1398);
+                                            let _e1444 = select(0f, _e1436.w, _e1402);
+                                            let _e1448 = global_9.member[(_e826 + _e1367.member)];
+                                            let _e1453 = select(0f, _e1448.x, _e1390);
+                                            let _e1454 = select(0f, _e1448.y, _e1394);
+                                            let _e1455 = select(0f, _e1448.z, _e1398);
+                                            let _e1456 = select(0f, _e1448.w, _e1402);
+                                            let _e1460 = global_9.member[(_e827 + _e1367.member)];
+                                            let _e1465 = select(0f, _e1460.x, _e1390);
+                                            let _e1466 = select(0f, _e1460.y, _e1394);
+                                            let _e1467 = select(0f, _e1460.z, _e1398);
+                                            let _e1468 = select(0f, _e1460.w, _e1402);
+                                            let _e1472 = global_9.member[(_e828 + _e1367.member)];
+                                            let _e1477 = select(0f, _e1472.x, _e1390);
+                                            let _e1478 = select(0f, _e1472.y, _e1394);
+                                            let _e1479 = select(0f, _e1472.z, _e1398);
+                                            let _e1480 = select(0f, _e1472.w, _e1402);
+                                            let _e1484 = global_9.member[(_e829 + _e1367.member)];
+                                            let _e1489 = select(0f, _e1484.x, _e1390);
+                                            let _e1490 = select(0f, _e1484.y, _e1394);
+                                            let _e1491 = select(0f, _e1484.z, _e1398);
+                                            let _e1492 = select(0f, _e1484.w, _e1402);
+                                            local_54 = type_18(((_e1492 * _e1403) + ((_e1491 * _e1399) + ((_e1490 * _e1395) + ((_e1489 * _e1391) + _e1359.member)))), ((_e1492 * _e1416) + ((_e1491 * _e1415) + ((_e1490 * _e1414) + ((_e1489 * _e1413) + _e1359.member_1)))), ((_e1492 * _e1430) + ((_e1491 * _e1429) + ((_e1490 * _e1428) + ((_e1489 * _e1427) + _e1359.member_2)))), ((_e1492 * _e1444) + ((_e1491 * _e1443) + ((_e1490 * _e1442) + ((_e1489 * _e1441) + _e1359.member_3)))));
+                                            local_56 = type_18(((_e1480 * _e1403) + ((_e1479 * _e1399) + ((_e1478 * _e1395) + ((_e1477 * _e1391) + _e1361.member)))), ((_e1480 * _e1416) + ((_e1479 * _e1415) + ((_e1478 * _e1414) + ((_e1477 * _e1413) + _e1361.member_1)))), ((_e1480 * _e1430) + ((_e1479 * _e1429) + ((_e1478 * _e1428) + ((_e1477 * _e1427) + _e1361.member_2)))), ((_e1480 * _e1444) + ((_e1479 * _e1443) + ((_e1478 * _e1442) + ((_e1477 * _e1441) + _e1361.member_3)))));
+                                            local_58 = type_18(((_e1468 * _e1403) + ((_e1467 * _e1399) + ((_e1466 * _e1395) + ((_e1465 * _e1391) + _e1363.member)))), ((_e1468 * _e1416) + ((_e1467 * _e1415) + ((_e1466 * _e1414) + ((_e1465 * _e1413) + _e1363.member_1)))), ((_e1468 * _e1430) + ((_e1467 * _e1429) + ((_e1466 * _e1428) + ((_e1465 * _e1427) + _e1363.member_2)))), ((_e1468 * _e1444) + ((_e1467 * _e1443) + ((_e1466 * _e1442) + ((_e1465 * _e1441) + _e1363.member_3)))));
+                                            local_60 = type_18(((_e1456 * _e1403) + ((_e1455 * _e1399) + ((_e1454 * _e1395) + ((_e1453 * _e1391) + _e1365.member)))), ((_e1456 * _e1416) + ((_e1455 * _e1415) + ((_e1454 * _e1414) + ((_e1453 * _e1413) + _e1365.member_1)))), ((_e1456 * _e1430) + ((_e1455 * _e1429) + ((_e1454 * _e1428) + ((_e1453 * _e1427) + _e1365.member_2)))), ((_e1456 * _e1444) + ((_e1455 * _e1443) + ((_e1454 * _e1442) + ((_e1453 * _e1441) + _e1365.member_3)))));
+                                            local_62 = type_19((_e1367.member + 1u), _e1367.member_1, _e1367.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2732 = local_54;
-                                            phi_1387_ = _e2732;
-                                            let _e2737 = local_56;
-                                            phi_1390_ = _e2737;
-                                            let _e2742 = local_58;
-                                            phi_1392_ = _e2742;
-                                            let _e2747 = local_60;
-                                            phi_1394_ = _e2747;
-                                            let _e2752 = local_62;
-                                            phi_1396_ = _e2752;
+                                            let _e2757 = local_54;
+                                            phi_1392_ = _e2757;
+                                            let _e2762 = local_56;
+                                            phi_1395_ = _e2762;
+                                            let _e2767 = local_58;
+                                            phi_1397_ = _e2767;
+                                            let _e2772 = local_60;
+                                            phi_1399_ = _e2772;
+                                            let _e2777 = local_62;
+                                            phi_1401_ = _e2777;
                                         }
                                     }
-                                    let _e1642 = local_6;
-                                    let _e1645 = local_7;
-                                    let _e1648 = local_8;
-                                    let _e1651 = local_9;
-                                    let _e1654 = local_10;
-                                    let _e1657 = local_11;
-                                    let _e1660 = local_12;
-                                    let _e1663 = local_13;
-                                    let _e1666 = local_14;
-                                    let _e1669 = local_15;
-                                    let _e1672 = local_16;
-                                    let _e1675 = local_17;
-                                    let _e1678 = local_18;
-                                    let _e1681 = local_19;
-                                    let _e1684 = local_20;
-                                    let _e1687 = local_21;
+                                    let _e1647 = local_6;
+                                    let _e1650 = local_7;
+                                    let _e1653 = local_8;
+                                    let _e1656 = local_9;
+                                    let _e1659 = local_10;
+                                    let _e1662 = local_11;
+                                    let _e1665 = local_12;
+                                    let _e1668 = local_13;
+                                    let _e1671 = local_14;
+                                    let _e1674 = local_15;
+                                    let _e1677 = local_16;
+                                    let _e1680 = local_17;
+                                    let _e1683 = local_18;
+                                    let _e1686 = local_19;
+                                    let _e1689 = local_20;
+                                    let _e1692 = local_21;
                                     if _e186 {
-                                        let _e1693 = (4u * _e182);
-                                        let _e1694 = (4u * _e748);
-                                        let _e1695 = bitcast<u32>(_e1642.member);
-                                        let _e1698 = ((_e1695 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1698 == 0u) {
+                                        let _e1703 = (4u * _e182);
+                                        let _e1704 = (4u * _e753);
+                                        let _e1705 = bitcast<u32>((_e1647.member + 0f));
+                                        let _e1708 = ((_e1705 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1708 == 0u) {
                                         } else {
-                                            let _e1701 = (_e1698 % 16u);
-                                            let _e1703 = ((_e1695 & 8388607u) | 8388608u);
-                                            let _e1706 = (_e1703 << bitcast<u32>((_e1701 & 31u)));
-                                            let _e1712 = ((_e1703 >> bitcast<u32>(((31u - _e1701) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1695 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1723_ = array<u32, 2>(_e1706, _e1712);
+                                            let _e1711 = (_e1708 % 16u);
+                                            let _e1713 = ((_e1705 & 8388607u) | 8388608u);
+                                            let _e1716 = (_e1713 << bitcast<u32>((_e1711 & 31u)));
+                                            let _e1722 = ((_e1713 >> bitcast<u32>(((31u - _e1711) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1705 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1733_ = array<u32, 2>(_e1716, _e1722);
                                             } else {
-                                                let _e1718 = (~(_e1706) + 1u);
-                                                if (_e1718 == 0u) {
-                                                    phi_1721_ = (~(_e1712) + 1u);
+                                                let _e1728 = (~(_e1716) + 1u);
+                                                if (_e1728 == 0u) {
+                                                    phi_1731_ = (~(_e1722) + 1u);
                                                 } else {
-                                                    phi_1721_ = ~(_e1712);
+                                                    phi_1731_ = ~(_e1722);
                                                 }
-                                                let _e1724 = phi_1721_;
-                                                phi_1723_ = array<u32, 2>(_e1718, _e1724);
+                                                let _e1734 = phi_1731_;
+                                                phi_1733_ = array<u32, 2>(_e1728, _e1734);
                                             }
-                                            let _e1727 = phi_1723_;
-                                            let _e1728 = (_e1698 < 255u);
-                                            if _e1728 {
-                                                phi_1729_ = _e1727;
+                                            let _e1737 = phi_1733_;
+                                            let _e1738 = (_e1708 < 255u);
+                                            if _e1738 {
+                                                phi_1739_ = _e1737;
                                             } else {
-                                                phi_1729_ = array<u32, 2>(1u, 0u);
+                                                phi_1739_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1731 = phi_1729_;
-                                            let _e1736 = (2u * ((select(16u, (_e1698 / 16u), _e1728) * _e1693) + _e1694));
-                                            let _e1739 = atomicAdd((&global_8.member[_e1736]), _e1731[0]);
-                                            let _e1743 = (_e1731[1] + select(0u, 1u, ((_e1739 + _e1731[0]) < _e1731[0])));
-                                            if (_e1743 == 0u) {
+                                            let _e1741 = phi_1739_;
+                                            let _e1746 = (2u * ((select(16u, (_e1708 / 16u), _e1738) * _e1703) + _e1704));
+                                            let _e1749 = atomicAdd((&global_8.member[_e1746]), _e1741[0]);
+                                            let _e1753 = (_e1741[1] + select(0u, 1u, ((_e1749 + _e1741[0]) < _e1741[0])));
+                                            if (_e1753 == 0u) {
                                             } else {
-                                                let _e1748 = atomicAdd((&global_8.member[(_e1736 + 1u)]), _e1743);
+                                                let _e1758 = atomicAdd((&global_8.member[(_e1746 + 1u)]), _e1753);
                                             }
                                         }
-                                        let _e1750 = bitcast<u32>(_e1645.member_1);
-                                        let _e1753 = ((_e1750 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1753 == 0u) {
+                                        let _e1760 = bitcast<u32>((_e1650.member_1 + 0f));
+                                        let _e1763 = ((_e1760 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1763 == 0u) {
                                         } else {
-                                            let _e1756 = (_e1753 % 16u);
-                                            let _e1758 = ((_e1750 & 8388607u) | 8388608u);
-                                            let _e1761 = (_e1758 << bitcast<u32>((_e1756 & 31u)));
-                                            let _e1767 = ((_e1758 >> bitcast<u32>(((31u - _e1756) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1750 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1784_ = array<u32, 2>(_e1761, _e1767);
+                                            let _e1766 = (_e1763 % 16u);
+                                            let _e1768 = ((_e1760 & 8388607u) | 8388608u);
+                                            let _e1771 = (_e1768 << bitcast<u32>((_e1766 & 31u)));
+                                            let _e1777 = ((_e1768 >> bitcast<u32>(((31u - _e1766) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1760 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1794_ = array<u32, 2>(_e1771, _e1777);
                                             } else {
-                                                let _e1773 = (~(_e1761) + 1u);
-                                                if (_e1773 == 0u) {
-                                                    phi_1782_ = (~(_e1767) + 1u);
+                                                let _e1783 = (~(_e1771) + 1u);
+                                                if (_e1783 == 0u) {
+                                                    phi_1792_ = (~(_e1777) + 1u);
                                                 } else {
-                                                    phi_1782_ = ~(_e1767);
+                                                    phi_1792_ = ~(_e1777);
                                                 }
-                                                let _e1779 = phi_1782_;
-                                                phi_1784_ = array<u32, 2>(_e1773, _e1779);
+                                                let _e1789 = phi_1792_;
+                                                phi_1794_ = array<u32, 2>(_e1783, _e1789);
                                             }
-                                            let _e1782 = phi_1784_;
-                                            let _e1783 = (_e1753 < 255u);
-                                            if _e1783 {
-                                                phi_1790_ = _e1782;
+                                            let _e1792 = phi_1794_;
+                                            let _e1793 = (_e1763 < 255u);
+                                            if _e1793 {
+                                                phi_1800_ = _e1792;
                                             } else {
-                                                phi_1790_ = array<u32, 2>(1u, 0u);
+                                                phi_1800_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1786 = phi_1790_;
-                                            let _e1791 = (2u * ((select(16u, (_e1753 / 16u), _e1783) * _e1693) + (_e1694 + 1u)));
-                                            let _e1794 = atomicAdd((&global_8.member[_e1791]), _e1786[0]);
-                                            let _e1798 = (_e1786[1] + select(0u, 1u, ((_e1794 + _e1786[0]) < _e1786[0])));
-                                            if (_e1798 == 0u) {
+                                            let _e1796 = phi_1800_;
+                                            let _e1801 = (2u * ((select(16u, (_e1763 / 16u), _e1793) * _e1703) + (_e1704 + 1u)));
+                                            let _e1804 = atomicAdd((&global_8.member[_e1801]), _e1796[0]);
+                                            let _e1808 = (_e1796[1] + select(0u, 1u, ((_e1804 + _e1796[0]) < _e1796[0])));
+                                            if (_e1808 == 0u) {
                                             } else {
-                                                let _e1803 = atomicAdd((&global_8.member[(_e1791 + 1u)]), _e1798);
+                                                let _e1813 = atomicAdd((&global_8.member[(_e1801 + 1u)]), _e1808);
                                             }
                                         }
-                                        let _e1805 = bitcast<u32>(_e1648.member_2);
-                                        let _e1808 = ((_e1805 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1808 == 0u) {
+                                        let _e1815 = bitcast<u32>((_e1653.member_2 + 0f));
+                                        let _e1818 = ((_e1815 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1818 == 0u) {
                                         } else {
-                                            let _e1811 = (_e1808 % 16u);
-                                            let _e1813 = ((_e1805 & 8388607u) | 8388608u);
-                                            let _e1816 = (_e1813 << bitcast<u32>((_e1811 & 31u)));
-                                            let _e1822 = ((_e1813 >> bitcast<u32>(((31u - _e1811) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1805 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1845_ = array<u32, 2>(_e1816, _e1822);
+                                            let _e1821 = (_e1818 % 16u);
+                                            let _e1823 = ((_e1815 & 8388607u) | 8388608u);
+                                            let _e1826 = (_e1823 << bitcast<u32>((_e1821 & 31u)));
+                                            let _e1832 = ((_e1823 >> bitcast<u32>(((31u - _e1821) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1815 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1855_ = array<u32, 2>(_e1826, _e1832);
                                             } else {
-                                                let _e1828 = (~(_e1816) + 1u);
-                                                if (_e1828 == 0u) {
-                                                    phi_1843_ = (~(_e1822) + 1u);
+                                                let _e1838 = (~(_e1826) + 1u);
+                                                if (_e1838 == 0u) {
+                                                    phi_1853_ = (~(_e1832) + 1u);
                                                 } else {
-                                                    phi_1843_ = ~(_e1822);
+                                                    phi_1853_ = ~(_e1832);
                                                 }
-                                                let _e1834 = phi_1843_;
-                                                phi_1845_ = array<u32, 2>(_e1828, _e1834);
+                                                let _e1844 = phi_1853_;
+                                                phi_1855_ = array<u32, 2>(_e1838, _e1844);
                                             }
-                                            let _e1837 = phi_1845_;
-                                            let _e1838 = (_e1808 < 255u);
-                                            if _e1838 {
-                                                phi_1851_ = _e1837;
+                                            let _e1847 = phi_1855_;
+                                            let _e1848 = (_e1818 < 255u);
+                                            if _e1848 {
+                                                phi_1861_ = _e1847;
                                             } else {
-                                                phi_1851_ = array<u32, 2>(1u, 0u);
+                                                phi_1861_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1841 = phi_1851_;
-                                            let _e1846 = (2u * ((select(16u, (_e1808 / 16u), _e1838) * _e1693) + (_e1694 + 2u)));
-                                            let _e1849 = atomicAdd((&global_8.member[_e1846]), _e1841[0]);
-                                            let _e1853 = (_e1841[1] + select(0u, 1u, ((_e1849 + _e1841[0]) < _e1841[0])));
-                                            if (_e1853 == 0u) {
+                                            let _e1851 = phi_1861_;
+                                            let _e1856 = (2u * ((select(16u, (_e1818 / 16u), _e1848) * _e1703) + (_e1704 + 2u)));
+                                            let _e1859 = atomicAdd((&global_8.member[_e1856]), _e1851[0]);
+                                            let _e1863 = (_e1851[1] + select(0u, 1u, ((_e1859 + _e1851[0]) < _e1851[0])));
+                                            if (_e1863 == 0u) {
                                             } else {
-                                                let _e1858 = atomicAdd((&global_8.member[(_e1846 + 1u)]), _e1853);
+                                                let _e1868 = atomicAdd((&global_8.member[(_e1856 + 1u)]), _e1863);
                                             }
                                         }
-                                        let _e1860 = bitcast<u32>(_e1651.member_3);
-                                        let _e1863 = ((_e1860 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1863 == 0u) {
+                                        let _e1870 = bitcast<u32>((_e1656.member_3 + 0f));
+                                        let _e1873 = ((_e1870 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e1873 == 0u) {
                                         } else {
-                                            let _e1866 = (_e1863 % 16u);
-                                            let _e1868 = ((_e1860 & 8388607u) | 8388608u);
-                                            let _e1871 = (_e1868 << bitcast<u32>((_e1866 & 31u)));
-                                            let _e1877 = ((_e1868 >> bitcast<u32>(((31u - _e1866) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1860 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1906_ = array<u32, 2>(_e1871, _e1877);
+                                            let _e1876 = (_e1873 % 16u);
+                                            let _e1878 = ((_e1870 & 8388607u) | 8388608u);
+                                            let _e1881 = (_e1878 << bitcast<u32>((_e1876 & 31u)));
+                                            let _e1887 = ((_e1878 >> bitcast<u32>(((31u - _e1876) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e1870 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_1916_ = array<u32, 2>(_e1881, _e1887);
                                             } else {
-                                                let _e1883 = (~(_e1871) + 1u);
-                                                if (_e1883 == 0u) {
-                                                    phi_1904_ = (~(_e1877) + 1u);
+                                                let _e1893 = (~(_e1881) + 1u);
+                                                if (_e1893 == 0u) {
+                                                    phi_1914_ = (~(_e1887) + 1u);
                                                 } else {
-                                                    phi_1904_ = ~(_e1877);
+                                                    phi_1914_ = ~(_e1887);
                                                 }
-                                                let _e1889 = phi_1904_;
-                                                phi_1906_ = array<u32, 2>(_e1883, _e1889);
+                                                let _e1899 = phi_1914_;
+                                                phi_1916_ = array<u32, 2>(_e1893, _e1899);
                                             }
-                                            let _e1892 = phi_1906_;
-                                            let _e1893 = (_e1863 < 255u);
-                                            if _e1893 {
-                                                phi_1912_ = _e1892;
+                                            let _e1902 = phi_1916_;
+                                            let _e1903 = (_e1873 < 255u);
+                                            if _e1903 {
+                                                phi_1922_ = _e1902;
                                             } else {
-                                                phi_1912_ = array<u32, 2>(1u, 0u);
+                                                phi_1922_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e1896 = phi_1912_;
-                                            let _e1901 = (2u * ((select(16u, (_e1863 / 16u), _e1893) * _e1693) + (_e1694 + 3u)));
-                                            let _e1904 = atomicAdd((&global_8.member[_e1901]), _e1896[0]);
-                                            let _e1908 = (_e1896[1] + select(0u, 1u, ((_e1904 + _e1896[0]) < _e1896[0])));
-                                            if (_e1908 == 0u) {
+                                            let _e1906 = phi_1922_;
+                                            let _e1911 = (2u * ((select(16u, (_e1873 / 16u), _e1903) * _e1703) + (_e1704 + 3u)));
+                                            let _e1914 = atomicAdd((&global_8.member[_e1911]), _e1906[0]);
+                                            let _e1918 = (_e1906[1] + select(0u, 1u, ((_e1914 + _e1906[0]) < _e1906[0])));
+                                            if (_e1918 == 0u) {
                                             } else {
-                                                let _e1913 = atomicAdd((&global_8.member[(_e1901 + 1u)]), _e1908);
+                                                let _e1923 = atomicAdd((&global_8.member[(_e1911 + 1u)]), _e1918);
                                             }
                                         }
                                     } else {
-                                        global_6.member[(_e185 + _e748)] = vec4<f32>(_e1642.member, _e1645.member_1, _e1648.member_2, _e1651.member_3);
+                                        global_6.member[(_e185 + _e753)] = (vec4<f32>(_e1647.member, _e1650.member_1, _e1653.member_2, _e1656.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
                                     }
-                                    if (_e767 < _e58) {
+                                    if (_e772 < _e58) {
                                         if _e186 {
-                                            let _e1919 = (4u * _e182);
-                                            let _e1920 = (4u * _e753);
-                                            let _e1921 = bitcast<u32>(_e1654.member);
-                                            let _e1924 = ((_e1921 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1924 == 0u) {
+                                            let _e1934 = (4u * _e182);
+                                            let _e1935 = (4u * _e758);
+                                            let _e1936 = bitcast<u32>((_e1659.member + 0f));
+                                            let _e1939 = ((_e1936 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1939 == 0u) {
                                             } else {
-                                                let _e1927 = (_e1924 % 16u);
-                                                let _e1929 = ((_e1921 & 8388607u) | 8388608u);
-                                                let _e1932 = (_e1929 << bitcast<u32>((_e1927 & 31u)));
-                                                let _e1938 = ((_e1929 >> bitcast<u32>(((31u - _e1927) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1921 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_1978_ = array<u32, 2>(_e1932, _e1938);
+                                                let _e1942 = (_e1939 % 16u);
+                                                let _e1944 = ((_e1936 & 8388607u) | 8388608u);
+                                                let _e1947 = (_e1944 << bitcast<u32>((_e1942 & 31u)));
+                                                let _e1953 = ((_e1944 >> bitcast<u32>(((31u - _e1942) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1936 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_1993_ = array<u32, 2>(_e1947, _e1953);
                                                 } else {
-                                                    let _e1944 = (~(_e1932) + 1u);
-                                                    if (_e1944 == 0u) {
-                                                        phi_1976_ = (~(_e1938) + 1u);
+                                                    let _e1959 = (~(_e1947) + 1u);
+                                                    if (_e1959 == 0u) {
+                                                        phi_1991_ = (~(_e1953) + 1u);
                                                     } else {
-                                                        phi_1976_ = ~(_e1938);
+                                                        phi_1991_ = ~(_e1953);
                                                     }
-                                                    let _e1950 = phi_1976_;
-                                                    phi_1978_ = array<u32, 2>(_e1944, _e1950);
+                                                    let _e1965 = phi_1991_;
+                                                    phi_1993_ = array<u32, 2>(_e1959, _e1965);
                                                 }
-                                                let _e1953 = phi_1978_;
-                                                let _e1954 = (_e1924 < 255u);
-                                                if _e1954 {
-                                                    phi_1984_ = _e1953;
+                                                let _e1968 = phi_1993_;
+                                                let _e1969 = (_e1939 < 255u);
+                                                if _e1969 {
+                                                    phi_1999_ = _e1968;
                                                 } else {
-                                                    phi_1984_ = array<u32, 2>(1u, 0u);
+                                                    phi_1999_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1957 = phi_1984_;
-                                                let _e1962 = (2u * ((select(16u, (_e1924 / 16u), _e1954) * _e1919) + _e1920));
-                                                let _e1965 = atomicAdd((&global_8.member[_e1962]), _e1957[0]);
-                                                let _e1969 = (_e1957[1] + select(0u, 1u, ((_e1965 + _e1957[0]) < _e1957[0])));
-                                                if (_e1969 == 0u) {
+                                                let _e1972 = phi_1999_;
+                                                let _e1977 = (2u * ((select(16u, (_e1939 / 16u), _e1969) * _e1934) + _e1935));
+                                                let _e1980 = atomicAdd((&global_8.member[_e1977]), _e1972[0]);
+                                                let _e1984 = (_e1972[1] + select(0u, 1u, ((_e1980 + _e1972[0]) < _e1972[0])));
+                                                if (_e1984 == 0u) {
                                                 } else {
-                                                    let _e1974 = atomicAdd((&global_8.member[(_e1962 + 1u)]), _e1969);
+                                                    let _e1989 = atomicAdd((&global_8.member[(_e1977 + 1u)]), _e1984);
                                                 }
                                             }
-                                            let _e1976 = bitcast<u32>(_e1657.member_1);
-                                            let _e1979 = ((_e1976 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1979 == 0u) {
+                                            let _e1991 = bitcast<u32>((_e1662.member_1 + 0f));
+                                            let _e1994 = ((_e1991 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1994 == 0u) {
                                             } else {
-                                                let _e1982 = (_e1979 % 16u);
-                                                let _e1984 = ((_e1976 & 8388607u) | 8388608u);
-                                                let _e1987 = (_e1984 << bitcast<u32>((_e1982 & 31u)));
-                                                let _e1993 = ((_e1984 >> bitcast<u32>(((31u - _e1982) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1976 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2039_ = array<u32, 2>(_e1987, _e1993);
+                                                let _e1997 = (_e1994 % 16u);
+                                                let _e1999 = ((_e1991 & 8388607u) | 8388608u);
+                                                let _e2002 = (_e1999 << bitcast<u32>((_e1997 & 31u)));
+                                                let _e2008 = ((_e1999 >> bitcast<u32>(((31u - _e1997) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1991 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2054_ = array<u32, 2>(_e2002, _e2008);
                                                 } else {
-                                                    let _e1999 = (~(_e1987) + 1u);
-                                                    if (_e1999 == 0u) {
-                                                        phi_2037_ = (~(_e1993) + 1u);
+                                                    let _e2014 = (~(_e2002) + 1u);
+                                                    if (_e2014 == 0u) {
+                                                        phi_2052_ = (~(_e2008) + 1u);
                                                     } else {
-                                                        phi_2037_ = ~(_e1993);
+                                                        phi_2052_ = ~(_e2008);
                                                     }
-                                                    let _e2005 = phi_2037_;
-                                                    phi_2039_ = array<u32, 2>(_e1999, _e2005);
+                                                    let _e2020 = phi_2052_;
+                                                    phi_2054_ = array<u32, 2>(_e2014, _e2020);
                                                 }
-                                                let _e2008 = phi_2039_;
-                                                let _e2009 = (_e1979 < 255u);
-                                                if _e2009 {
-                                                    phi_2045_ = _e2008;
+                                                let _e2023 = phi_2054_;
+                                                let _e2024 = (_e1994 < 255u);
+                                                if _e2024 {
+                                                    phi_2060_ = _e2023;
                                                 } else {
-                                                    phi_2045_ = array<u32, 2>(1u, 0u);
+                                                    phi_2060_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2012 = phi_2045_;
-                                                let _e2017 = (2u * ((select(16u, (_e1979 / 16u), _e2009) * _e1919) + (_e1920 + 1u)));
-                                                let _e2020 = atomicAdd((&global_8.member[_e2017]), _e2012[0]);
-                                                let _e2024 = (_e2012[1] + select(0u, 1u, ((_e2020 + _e2012[0]) < _e2012[0])));
-                                                if (_e2024 == 0u) {
+                                                let _e2027 = phi_2060_;
+                                                let _e2032 = (2u * ((select(16u, (_e1994 / 16u), _e2024) * _e1934) + (_e1935 + 1u)));
+                                                let _e2035 = atomicAdd((&global_8.member[_e2032]), _e2027[0]);
+                                                let _e2039 = (_e2027[1] + select(0u, 1u, ((_e2035 + _e2027[0]) < _e2027[0])));
+                                                if (_e2039 == 0u) {
                                                 } else {
-                                                    let _e2029 = atomicAdd((&global_8.member[(_e2017 + 1u)]), _e2024);
+                                                    let _e2044 = atomicAdd((&global_8.member[(_e2032 + 1u)]), _e2039);
                                                 }
                                             }
-                                            let _e2031 = bitcast<u32>(_e1660.member_2);
-                                            let _e2034 = ((_e2031 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2034 == 0u) {
+                                            let _e2046 = bitcast<u32>((_e1665.member_2 + 0f));
+                                            let _e2049 = ((_e2046 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2049 == 0u) {
                                             } else {
-                                                let _e2037 = (_e2034 % 16u);
-                                                let _e2039 = ((_e2031 & 8388607u) | 8388608u);
-                                                let _e2042 = (_e2039 << bitcast<u32>((_e2037 & 31u)));
-                                                let _e2048 = ((_e2039 >> bitcast<u32>(((31u - _e2037) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2031 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2100_ = array<u32, 2>(_e2042, _e2048);
+                                                let _e2052 = (_e2049 % 16u);
+                                                let _e2054 = ((_e2046 & 8388607u) | 8388608u);
+                                                let _e2057 = (_e2054 << bitcast<u32>((_e2052 & 31u)));
+                                                let _e2063 = ((_e2054 >> bitcast<u32>(((31u - _e2052) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2046 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2115_ = array<u32, 2>(_e2057, _e2063);
                                                 } else {
-                                                    let _e2054 = (~(_e2042) + 1u);
-                                                    if (_e2054 == 0u) {
-                                                        phi_2098_ = (~(_e2048) + 1u);
+                                                    let _e2069 = (~(_e2057) + 1u);
+                                                    if (_e2069 == 0u) {
+                                                        phi_2113_ = (~(_e2063) + 1u);
                                                     } else {
-                                                        phi_2098_ = ~(_e2048);
+                                                        phi_2113_ = ~(_e2063);
                                                     }
-                                                    let _e2060 = phi_2098_;
-                                                    phi_2100_ = array<u32, 2>(_e2054, _e2060);
+                                                    let _e2075 = phi_2113_;
+                                                    phi_2115_ = array<u32, 2>(_e2069, _e2075);
                                                 }
-                                                let _e2063 = phi_2100_;
-                                                let _e2064 = (_e2034 < 255u);
-                                                if _e2064 {
-                                                    phi_2106_ = _e2063;
+                                                let _e2078 = phi_2115_;
+                                                let _e2079 = (_e2049 < 255u);
+                                                if _e2079 {
+                                                    phi_2121_ = _e2078;
                                                 } else {
-                                                    phi_2106_ = array<u32, 2>(1u, 0u);
+                                                    phi_2121_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2067 = phi_2106_;
-                                                let _e2072 = (2u * ((select(16u, (_e2034 / 16u), _e2064) * _e1919) + (_e1920 + 2u)));
-                                                let _e2075 = atomicAdd((&global_8.member[_e2072]), _e2067[0]);
-                                                let _e2079 = (_e2067[1] + select(0u, 1u, ((_e2075 + _e2067[0]) < _e2067[0])));
-                                                if (_e2079 == 0u) {
+                                                let _e2082 = phi_2121_;
+                                                let _e2087 = (2u * ((select(16u, (_e2049 / 16u), _e2079) * _e1934) + (_e1935 + 2u)));
+                                                let _e2090 = atomicAdd((&global_8.member[_e2087]), _e2082[0]);
+                                                let _e2094 = (_e2082[1] + select(0u, 1u, ((_e2090 + _e2082[0]) < _e2082[0])));
+                                                if (_e2094 == 0u) {
                                                 } else {
-                                                    let _e2084 = atomicAdd((&global_8.member[(_e2072 + 1u)]), _e2079);
+                                                    let _e2099 = atomicAdd((&global_8.member[(_e2087 + 1u)]), _e2094);
                                                 }
                                             }
-                                            let _e2086 = bitcast<u32>(_e1663.member_3);
-                                            let _e2089 = ((_e2086 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2089 == 0u) {
+                                            let _e2101 = bitcast<u32>((_e1668.member_3 + 0f));
+                                            let _e2104 = ((_e2101 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2104 == 0u) {
                                             } else {
-                                                let _e2092 = (_e2089 % 16u);
-                                                let _e2094 = ((_e2086 & 8388607u) | 8388608u);
-                                                let _e2097 = (_e2094 << bitcast<u32>((_e2092 & 31u)));
-                                                let _e2103 = ((_e2094 >> bitcast<u32>(((31u - _e2092) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2086 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2161_ = array<u32, 2>(_e2097, _e2103);
+                                                let _e2107 = (_e2104 % 16u);
+                                                let _e2109 = ((_e2101 & 8388607u) | 8388608u);
+                                                let _e2112 = (_e2109 << bitcast<u32>((_e2107 & 31u)));
+                                                let _e2118 = ((_e2109 >> bitcast<u32>(((31u - _e2107) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2101 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2176_ = array<u32, 2>(_e2112, _e2118);
                                                 } else {
-                                                    let _e2109 = (~(_e2097) + 1u);
-                                                    if (_e2109 == 0u) {
-                                                        phi_2159_ = (~(_e2103) + 1u);
+                                                    let _e2124 = (~(_e2112) + 1u);
+                                                    if (_e2124 == 0u) {
+                                                        phi_2174_ = (~(_e2118) + 1u);
                                                     } else {
-                                                        phi_2159_ = ~(_e2103);
+                                                        phi_2174_ = ~(_e2118);
                                                     }
-                                                    let _e2115 = phi_2159_;
-                                                    phi_2161_ = array<u32, 2>(_e2109, _e2115);
+                                                    let _e2130 = phi_2174_;
+                                                    phi_2176_ = array<u32, 2>(_e2124, _e2130);
                                                 }
-                                                let _e2118 = phi_2161_;
-                                                let _e2119 = (_e2089 < 255u);
-                                                if _e2119 {
-                                                    phi_2167_ = _e2118;
+                                                let _e2133 = phi_2176_;
+                                                let _e2134 = (_e2104 < 255u);
+                                                if _e2134 {
+                                                    phi_2182_ = _e2133;
                                                 } else {
-                                                    phi_2167_ = array<u32, 2>(1u, 0u);
+                                                    phi_2182_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2122 = phi_2167_;
-                                                let _e2127 = (2u * ((select(16u, (_e2089 / 16u), _e2119) * _e1919) + (_e1920 + 3u)));
-                                                let _e2130 = atomicAdd((&global_8.member[_e2127]), _e2122[0]);
-                                                let _e2134 = (_e2122[1] + select(0u, 1u, ((_e2130 + _e2122[0]) < _e2122[0])));
-                                                if (_e2134 == 0u) {
+                                                let _e2137 = phi_2182_;
+                                                let _e2142 = (2u * ((select(16u, (_e2104 / 16u), _e2134) * _e1934) + (_e1935 + 3u)));
+                                                let _e2145 = atomicAdd((&global_8.member[_e2142]), _e2137[0]);
+                                                let _e2149 = (_e2137[1] + select(0u, 1u, ((_e2145 + _e2137[0]) < _e2137[0])));
+                                                if (_e2149 == 0u) {
                                                 } else {
-                                                    let _e2139 = atomicAdd((&global_8.member[(_e2127 + 1u)]), _e2134);
+                                                    let _e2154 = atomicAdd((&global_8.member[(_e2142 + 1u)]), _e2149);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e753)] = vec4<f32>(_e1654.member, _e1657.member_1, _e1660.member_2, _e1663.member_3);
+                                            global_6.member[(_e185 + _e758)] = (vec4<f32>(_e1659.member, _e1662.member_1, _e1665.member_2, _e1668.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
                                         }
                                     }
-                                    if (_e771 < _e58) {
+                                    if (_e776 < _e58) {
                                         if _e186 {
-                                            let _e2145 = (4u * _e182);
-                                            let _e2146 = (4u * _e757);
-                                            let _e2147 = bitcast<u32>(_e1666.member);
-                                            let _e2150 = ((_e2147 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2150 == 0u) {
+                                            let _e2165 = (4u * _e182);
+                                            let _e2166 = (4u * _e762);
+                                            let _e2167 = bitcast<u32>((_e1671.member + 0f));
+                                            let _e2170 = ((_e2167 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2170 == 0u) {
                                             } else {
-                                                let _e2153 = (_e2150 % 16u);
-                                                let _e2155 = ((_e2147 & 8388607u) | 8388608u);
-                                                let _e2158 = (_e2155 << bitcast<u32>((_e2153 & 31u)));
-                                                let _e2164 = ((_e2155 >> bitcast<u32>(((31u - _e2153) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2147 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2233_ = array<u32, 2>(_e2158, _e2164);
+                                                let _e2173 = (_e2170 % 16u);
+                                                let _e2175 = ((_e2167 & 8388607u) | 8388608u);
+                                                let _e2178 = (_e2175 << bitcast<u32>((_e2173 & 31u)));
+                                                let _e2184 = ((_e2175 >> bitcast<u32>(((31u - _e2173) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2167 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2253_ = array<u32, 2>(_e2178, _e2184);
                                                 } else {
-                                                    let _e2170 = (~(_e2158) + 1u);
-                                                    if (_e2170 == 0u) {
-                                                        phi_2231_ = (~(_e2164) + 1u);
+                                                    let _e2190 = (~(_e2178) + 1u);
+                                                    if (_e2190 == 0u) {
+                                                        phi_2251_ = (~(_e2184) + 1u);
                                                     } else {
-                                                        phi_2231_ = ~(_e2164);
+                                                        phi_2251_ = ~(_e2184);
                                                     }
-                                                    let _e2176 = phi_2231_;
-                                                    phi_2233_ = array<u32, 2>(_e2170, _e2176);
+                                                    let _e2196 = phi_2251_;
+                                                    phi_2253_ = array<u32, 2>(_e2190, _e2196);
                                                 }
-                                                let _e2179 = phi_2233_;
-                                                let _e2180 = (_e2150 < 255u);
-                                                if _e2180 {
-                                                    phi_2239_ = _e2179;
+                                                let _e2199 = phi_2253_;
+                                                let _e2200 = (_e2170 < 255u);
+                                                if _e2200 {
+                                                    phi_2259_ = _e2199;
                                                 } else {
-                                                    phi_2239_ = array<u32, 2>(1u, 0u);
+                                                    phi_2259_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2183 = phi_2239_;
-                                                let _e2188 = (2u * ((select(16u, (_e2150 / 16u), _e2180) * _e2145) + _e2146));
-                                                let _e2191 = atomicAdd((&global_8.member[_e2188]), _e2183[0]);
-                                                let _e2195 = (_e2183[1] + select(0u, 1u, ((_e2191 + _e2183[0]) < _e2183[0])));
-                                                if (_e2195 == 0u) {
+                                                let _e2203 = phi_2259_;
+                                                let _e2208 = (2u * ((select(16u, (_e2170 / 16u), _e2200) * _e2165) + _e2166));
+                                                let _e2211 = atomicAdd((&global_8.member[_e2208]), _e2203[0]);
+                                                let _e2215 = (_e2203[1] + select(0u, 1u, ((_e2211 + _e2203[0]) < _e2203[0])));
+                                                if (_e2215 == 0u) {
                                                 } else {
-                                                    let _e2200 = atomicAdd((&global_8.member[(_e2188 + 1u)]), _e2195);
+                                                    let _e2220 = atomicAdd((&global_8.member[(_e2208 + 1u)]), _e2215);
                                                 }
                                             }
-                                            let _e2202 = bitcast<u32>(_e1669.member_1);
-                                            let _e2205 = ((_e2202 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2205 == 0u) {
+                                            let _e2222 = bitcast<u32>((_e1674.member_1 + 0f));
+                                            let _e2225 = ((_e2222 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2225 == 0u) {
                                             } else {
-                                                let _e2208 = (_e2205 % 16u);
-                                                let _e2210 = ((_e2202 & 8388607u) | 8388608u);
-                                                let _e2213 = (_e2210 << bitcast<u32>((_e2208 & 31u)));
-                                                let _e2219 = ((_e2210 >> bitcast<u32>(((31u - _e2208) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2202 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2294_ = array<u32, 2>(_e2213, _e2219);
+                                                let _e2228 = (_e2225 % 16u);
+                                                let _e2230 = ((_e2222 & 8388607u) | 8388608u);
+                                                let _e2233 = (_e2230 << bitcast<u32>((_e2228 & 31u)));
+                                                let _e2239 = ((_e2230 >> bitcast<u32>(((31u - _e2228) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2222 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2314_ = array<u32, 2>(_e2233, _e2239);
                                                 } else {
-                                                    let _e2225 = (~(_e2213) + 1u);
-                                                    if (_e2225 == 0u) {
-                                                        phi_2292_ = (~(_e2219) + 1u);
+                                                    let _e2245 = (~(_e2233) + 1u);
+                                                    if (_e2245 == 0u) {
+                                                        phi_2312_ = (~(_e2239) + 1u);
                                                     } else {
-                                                        phi_2292_ = ~(_e2219);
+                                                        phi_2312_ = ~(_e2239);
                                                     }
-                                                    let _e2231 = phi_2292_;
-                                                    phi_2294_ = array<u32, 2>(_e2225, _e2231);
+                                                    let _e2251 = phi_2312_;
+                                                    phi_2314_ = array<u32, 2>(_e2245, _e2251);
                                                 }
-                                                let _e2234 = phi_2294_;
-                                                let _e2235 = (_e2205 < 255u);
-                                                if _e2235 {
-                                                    phi_2300_ = _e2234;
+                                                let _e2254 = phi_2314_;
+                                                let _e2255 = (_e2225 < 255u);
+                                                if _e2255 {
+                                                    phi_2320_ = _e2254;
                                                 } else {
-                                                    phi_2300_ = array<u32, 2>(1u, 0u);
+                                                    phi_2320_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2238 = phi_2300_;
-                                                let _e2243 = (2u * ((select(16u, (_e2205 / 16u), _e2235) * _e2145) + (_e2146 + 1u)));
-                                                let _e2246 = atomicAdd((&global_8.member[_e2243]), _e2238[0]);
-                                                let _e2250 = (_e2238[1] + select(0u, 1u, ((_e2246 + _e2238[0]) < _e2238[0])));
-                                                if (_e2250 == 0u) {
+                                                let _e2258 = phi_2320_;
+                                                let _e2263 = (2u * ((select(16u, (_e2225 / 16u), _e2255) * _e2165) + (_e2166 + 1u)));
+                                                let _e2266 = atomicAdd((&global_8.member[_e2263]), _e2258[0]);
+                                                let _e2270 = (_e2258[1] + select(0u, 1u, ((_e2266 + _e2258[0]) < _e2258[0])));
+                                                if (_e2270 == 0u) {
                                                 } else {
-                                                    let _e2255 = atomicAdd((&global_8.member[(_e2243 + 1u)]), _e2250);
+                                                    let _e2275 = atomicAdd((&global_8.member[(_e2263 + 1u)]), _e2270);
                                                 }
                                             }
-                                            let _e2257 = bitcast<u32>(_e1672.member_2);
-                                            let _e2260 = ((_e2257 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2260 == 0u) {
+                                            let _e2277 = bitcast<u32>((_e1677.member_2 + 0f));
+                                            let _e2280 = ((_e2277 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2280 == 0u) {
                                             } else {
-                                                let _e2263 = (_e2260 % 16u);
-                                                let _e2265 = ((_e2257 & 8388607u) | 8388608u);
-                                                let _e2268 = (_e2265 << bitcast<u32>((_e2263 & 31u)));
-                                                let _e2274 = ((_e2265 >> bitcast<u32>(((31u - _e2263) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2257 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2355_ = array<u32, 2>(_e2268, _e2274);
+                                                let _e2283 = (_e2280 % 16u);
+                                                let _e2285 = ((_e2277 & 8388607u) | 8388608u);
+                                                let _e2288 = (_e2285 << bitcast<u32>((_e2283 & 31u)));
+                                                let _e2294 = ((_e2285 >> bitcast<u32>(((31u - _e2283) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2277 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2375_ = array<u32, 2>(_e2288, _e2294);
                                                 } else {
-                                                    let _e2280 = (~(_e2268) + 1u);
-                                                    if (_e2280 == 0u) {
-                                                        phi_2353_ = (~(_e2274) + 1u);
+                                                    let _e2300 = (~(_e2288) + 1u);
+                                                    if (_e2300 == 0u) {
+                                                        phi_2373_ = (~(_e2294) + 1u);
                                                     } else {
-                                                        phi_2353_ = ~(_e2274);
+                                                        phi_2373_ = ~(_e2294);
                                                     }
-                                                    let _e2286 = phi_2353_;
-                                                    phi_2355_ = array<u32, 2>(_e2280, _e2286);
+                                                    let _e2306 = phi_2373_;
+                                                    phi_2375_ = array<u32, 2>(_e2300, _e2306);
                                                 }
-                                                let _e2289 = phi_2355_;
-                                                let _e2290 = (_e2260 < 255u);
-                                                if _e2290 {
-                                                    phi_2361_ = _e2289;
+                                                let _e2309 = phi_2375_;
+                                                let _e2310 = (_e2280 < 255u);
+                                                if _e2310 {
+                                                    phi_2381_ = _e2309;
                                                 } else {
-                                                    phi_2361_ = array<u32, 2>(1u, 0u);
+                                                    phi_2381_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2293 = phi_2361_;
-                                                let _e2298 = (2u * ((select(16u, (_e2260 / 16u), _e2290) * _e2145) + (_e2146 + 2u)));
-                                                let _e2301 = atomicAdd((&global_8.member[_e2298]), _e2293[0]);
-                                                let _e2305 = (_e2293[1] + select(0u, 1u, ((_e2301 + _e2293[0]) < _e2293[0])));
-                                                if (_e2305 == 0u) {
+                                                let _e2313 = phi_2381_;
+                                                let _e2318 = (2u * ((select(16u, (_e2280 / 16u), _e2310) * _e2165) + (_e2166 + 2u)));
+                                                let _e2321 = atomicAdd((&global_8.member[_e2318]), _e2313[0]);
+                                                let _e2325 = (_e2313[1] + select(0u, 1u, ((_e2321 + _e2313[0]) < _e2313[0])));
+                                                if (_e2325 == 0u) {
                                                 } else {
-                                                    let _e2310 = atomicAdd((&global_8.member[(_e2298 + 1u)]), _e2305);
+                                                    let _e2330 = atomicAdd((&global_8.member[(_e2318 + 1u)]), _e2325);
                                                 }
                                             }
-                                            let _e2312 = bitcast<u32>(_e1675.member_3);
-                                            let _e2315 = ((_e2312 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2315 == 0u) {
+                                            let _e2332 = bitcast<u32>((_e1680.member_3 + 0f));
+                                            let _e2335 = ((_e2332 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2335 == 0u) {
                                             } else {
-                                                let _e2318 = (_e2315 % 16u);
-                                                let _e2320 = ((_e2312 & 8388607u) | 8388608u);
-                                                let _e2323 = (_e2320 << bitcast<u32>((_e2318 & 31u)));
-                                                let _e2329 = ((_e2320 >> bitcast<u32>(((31u - _e2318) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2312 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2416_ = array<u32, 2>(_e2323, _e2329);
+                                                let _e2338 = (_e2335 % 16u);
+                                                let _e2340 = ((_e2332 & 8388607u) | 8388608u);
+                                                let _e2343 = (_e2340 << bitcast<u32>((_e2338 & 31u)));
+                                                let _e2349 = ((_e2340 >> bitcast<u32>(((31u - _e2338) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2332 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2436_ = array<u32, 2>(_e2343, _e2349);
                                                 } else {
-                                                    let _e2335 = (~(_e2323) + 1u);
-                                                    if (_e2335 == 0u) {
-                                                        phi_2414_ = (~(_e2329) + 1u);
+                                                    let _e2355 = (~(_e2343) + 1u);
+                                                    if (_e2355 == 0u) {
+                                                        phi_2434_ = (~(_e2349) + 1u);
                                                     } else {
-                                                        phi_2414_ = ~(_e2329);
+                                                        phi_2434_ = ~(_e2349);
                                                     }
-                                                    let _e2341 = phi_2414_;
-                                                    phi_2416_ = array<u32, 2>(_e2335, _e2341);
+                                                    let _e2361 = phi_2434_;
+                                                    phi_2436_ = array<u32, 2>(_e2355, _e2361);
                                                 }
-                                                let _e2344 = phi_2416_;
-                                                let _e2345 = (_e2315 < 255u);
-                                                if _e2345 {
-                                                    phi_2422_ = _e2344;
+                                                let _e2364 = phi_2436_;
+                                                let _e2365 = (_e2335 < 255u);
+                                                if _e2365 {
+                                                    phi_2442_ = _e2364;
                                                 } else {
-                                                    phi_2422_ = array<u32, 2>(1u, 0u);
+                                                    phi_2442_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2348 = phi_2422_;
-                                                let _e2353 = (2u * ((select(16u, (_e2315 / 16u), _e2345) * _e2145) + (_e2146 + 3u)));
-                                                let _e2356 = atomicAdd((&global_8.member[_e2353]), _e2348[0]);
-                                                let _e2360 = (_e2348[1] + select(0u, 1u, ((_e2356 + _e2348[0]) < _e2348[0])));
-                                                if (_e2360 == 0u) {
+                                                let _e2368 = phi_2442_;
+                                                let _e2373 = (2u * ((select(16u, (_e2335 / 16u), _e2365) * _e2165) + (_e2166 + 3u)));
+                                                let _e2376 = atomicAdd((&global_8.member[_e2373]), _e2368[0]);
+                                                let _e2380 = (_e2368[1] + select(0u, 1u, ((_e2376 + _e2368[0]) < _e2368[0])));
+                                                if (_e2380 == 0u) {
                                                 } else {
-                                                    let _e2365 = atomicAdd((&global_8.member[(_e2353 + 1u)]), _e2360);
+                                                    let _e2385 = atomicAdd((&global_8.member[(_e2373 + 1u)]), _e2380);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e757)] = vec4<f32>(_e1666.member, _e1669.member_1, _e1672.member_2, _e1675.member_3);
+                                            global_6.member[(_e185 + _e762)] = (vec4<f32>(_e1671.member, _e1674.member_1, _e1677.member_2, _e1680.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
                                         }
                                     }
-                                    if (_e775 < _e58) {
+                                    if (_e780 < _e58) {
                                         if _e186 {
-                                            let _e2371 = (4u * _e182);
-                                            let _e2372 = (4u * _e761);
-                                            let _e2373 = bitcast<u32>(_e1678.member);
-                                            let _e2376 = ((_e2373 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2376 == 0u) {
+                                            let _e2396 = (4u * _e182);
+                                            let _e2397 = (4u * _e766);
+                                            let _e2398 = bitcast<u32>((_e1683.member + 0f));
+                                            let _e2401 = ((_e2398 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2401 == 0u) {
                                             } else {
-                                                let _e2379 = (_e2376 % 16u);
-                                                let _e2381 = ((_e2373 & 8388607u) | 8388608u);
-                                                let _e2384 = (_e2381 << bitcast<u32>((_e2379 & 31u)));
-                                                let _e2390 = ((_e2381 >> bitcast<u32>(((31u - _e2379) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2373 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2488_ = array<u32, 2>(_e2384, _e2390);
+                                                let _e2404 = (_e2401 % 16u);
+                                                let _e2406 = ((_e2398 & 8388607u) | 8388608u);
+                                                let _e2409 = (_e2406 << bitcast<u32>((_e2404 & 31u)));
+                                                let _e2415 = ((_e2406 >> bitcast<u32>(((31u - _e2404) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2398 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2513_ = array<u32, 2>(_e2409, _e2415);
                                                 } else {
-                                                    let _e2396 = (~(_e2384) + 1u);
-                                                    if (_e2396 == 0u) {
-                                                        phi_2486_ = (~(_e2390) + 1u);
+                                                    let _e2421 = (~(_e2409) + 1u);
+                                                    if (_e2421 == 0u) {
+                                                        phi_2511_ = (~(_e2415) + 1u);
                                                     } else {
-                                                        phi_2486_ = ~(_e2390);
+                                                        phi_2511_ = ~(_e2415);
                                                     }
-                                                    let _e2402 = phi_2486_;
-                                                    phi_2488_ = array<u32, 2>(_e2396, _e2402);
+                                                    let _e2427 = phi_2511_;
+                                                    phi_2513_ = array<u32, 2>(_e2421, _e2427);
                                                 }
-                                                let _e2405 = phi_2488_;
-                                                let _e2406 = (_e2376 < 255u);
-                                                if _e2406 {
-                                                    phi_2494_ = _e2405;
+                                                let _e2430 = phi_2513_;
+                                                let _e2431 = (_e2401 < 255u);
+                                                if _e2431 {
+                                                    phi_2519_ = _e2430;
                                                 } else {
-                                                    phi_2494_ = array<u32, 2>(1u, 0u);
+                                                    phi_2519_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2409 = phi_2494_;
-                                                let _e2414 = (2u * ((select(16u, (_e2376 / 16u), _e2406) * _e2371) + _e2372));
-                                                let _e2417 = atomicAdd((&global_8.member[_e2414]), _e2409[0]);
-                                                let _e2421 = (_e2409[1] + select(0u, 1u, ((_e2417 + _e2409[0]) < _e2409[0])));
-                                                if (_e2421 == 0u) {
+                                                let _e2434 = phi_2519_;
+                                                let _e2439 = (2u * ((select(16u, (_e2401 / 16u), _e2431) * _e2396) + _e2397));
+                                                let _e2442 = atomicAdd((&global_8.member[_e2439]), _e2434[0]);
+                                                let _e2446 = (_e2434[1] + select(0u, 1u, ((_e2442 + _e2434[0]) < _e2434[0])));
+                                                if (_e2446 == 0u) {
                                                 } else {
-                                                    let _e2426 = atomicAdd((&global_8.member[(_e2414 + 1u)]), _e2421);
+                                                    let _e2451 = atomicAdd((&global_8.member[(_e2439 + 1u)]), _e2446);
                                                 }
                                             }
-                                            let _e2428 = bitcast<u32>(_e1681.member_1);
-                                            let _e2431 = ((_e2428 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2431 == 0u) {
+                                            let _e2453 = bitcast<u32>((_e1686.member_1 + 0f));
+                                            let _e2456 = ((_e2453 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2456 == 0u) {
                                             } else {
-                                                let _e2434 = (_e2431 % 16u);
-                                                let _e2436 = ((_e2428 & 8388607u) | 8388608u);
-                                                let _e2439 = (_e2436 << bitcast<u32>((_e2434 & 31u)));
-                                                let _e2445 = ((_e2436 >> bitcast<u32>(((31u - _e2434) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2428 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2549_ = array<u32, 2>(_e2439, _e2445);
+                                                let _e2459 = (_e2456 % 16u);
+                                                let _e2461 = ((_e2453 & 8388607u) | 8388608u);
+                                                let _e2464 = (_e2461 << bitcast<u32>((_e2459 & 31u)));
+                                                let _e2470 = ((_e2461 >> bitcast<u32>(((31u - _e2459) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2453 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2574_ = array<u32, 2>(_e2464, _e2470);
                                                 } else {
-                                                    let _e2451 = (~(_e2439) + 1u);
-                                                    if (_e2451 == 0u) {
-                                                        phi_2547_ = (~(_e2445) + 1u);
+                                                    let _e2476 = (~(_e2464) + 1u);
+                                                    if (_e2476 == 0u) {
+                                                        phi_2572_ = (~(_e2470) + 1u);
                                                     } else {
-                                                        phi_2547_ = ~(_e2445);
+                                                        phi_2572_ = ~(_e2470);
                                                     }
-                                                    let _e2457 = phi_2547_;
-                                                    phi_2549_ = array<u32, 2>(_e2451, _e2457);
+                                                    let _e2482 = phi_2572_;
+                                                    phi_2574_ = array<u32, 2>(_e2476, _e2482);
                                                 }
-                                                let _e2460 = phi_2549_;
-                                                let _e2461 = (_e2431 < 255u);
-                                                if _e2461 {
-                                                    phi_2555_ = _e2460;
+                                                let _e2485 = phi_2574_;
+                                                let _e2486 = (_e2456 < 255u);
+                                                if _e2486 {
+                                                    phi_2580_ = _e2485;
                                                 } else {
-                                                    phi_2555_ = array<u32, 2>(1u, 0u);
+                                                    phi_2580_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2464 = phi_2555_;
-                                                let _e2469 = (2u * ((select(16u, (_e2431 / 16u), _e2461) * _e2371) + (_e2372 + 1u)));
-                                                let _e2472 = atomicAdd((&global_8.member[_e2469]), _e2464[0]);
-                                                let _e2476 = (_e2464[1] + select(0u, 1u, ((_e2472 + _e2464[0]) < _e2464[0])));
-                                                if (_e2476 == 0u) {
+                                                let _e2489 = phi_2580_;
+                                                let _e2494 = (2u * ((select(16u, (_e2456 / 16u), _e2486) * _e2396) + (_e2397 + 1u)));
+                                                let _e2497 = atomicAdd((&global_8.member[_e2494]), _e2489[0]);
+                                                let _e2501 = (_e2489[1] + select(0u, 1u, ((_e2497 + _e2489[0]) < _e2489[0])));
+                                                if (_e2501 == 0u) {
                                                 } else {
-                                                    let _e2481 = atomicAdd((&global_8.member[(_e2469 + 1u)]), _e2476);
+                                                    let _e2506 = atomicAdd((&global_8.member[(_e2494 + 1u)]), _e2501);
                                                 }
                                             }
-                                            let _e2483 = bitcast<u32>(_e1684.member_2);
-                                            let _e2486 = ((_e2483 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2486 == 0u) {
+                                            let _e2508 = bitcast<u32>((_e1689.member_2 + 0f));
+                                            let _e2511 = ((_e2508 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2511 == 0u) {
                                             } else {
-                                                let _e2489 = (_e2486 % 16u);
-                                                let _e2491 = ((_e2483 & 8388607u) | 8388608u);
-                                                let _e2494 = (_e2491 << bitcast<u32>((_e2489 & 31u)));
-                                                let _e2500 = ((_e2491 >> bitcast<u32>(((31u - _e2489) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2483 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2610_ = array<u32, 2>(_e2494, _e2500);
+                                                let _e2514 = (_e2511 % 16u);
+                                                let _e2516 = ((_e2508 & 8388607u) | 8388608u);
+                                                let _e2519 = (_e2516 << bitcast<u32>((_e2514 & 31u)));
+                                                let _e2525 = ((_e2516 >> bitcast<u32>(((31u - _e2514) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2508 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2635_ = array<u32, 2>(_e2519, _e2525);
                                                 } else {
-                                                    let _e2506 = (~(_e2494) + 1u);
-                                                    if (_e2506 == 0u) {
-                                                        phi_2608_ = (~(_e2500) + 1u);
+                                                    let _e2531 = (~(_e2519) + 1u);
+                                                    if (_e2531 == 0u) {
+                                                        phi_2633_ = (~(_e2525) + 1u);
                                                     } else {
-                                                        phi_2608_ = ~(_e2500);
+                                                        phi_2633_ = ~(_e2525);
                                                     }
-                                                    let _e2512 = phi_2608_;
-                                                    phi_2610_ = array<u32, 2>(_e2506, _e2512);
+                                                    let _e2537 = phi_2633_;
+                                                    phi_2635_ = array<u32, 2>(_e2531, _e2537);
                                                 }
-                                                let _e2515 = phi_2610_;
-                                                let _e2516 = (_e2486 < 255u);
-                                                if _e2516 {
-                                                    phi_2616_ = _e2515;
+                                                let _e2540 = phi_2635_;
+                                                let _e2541 = (_e2511 < 255u);
+                                                if _e2541 {
+                                                    phi_2641_ = _e2540;
                                                 } else {
-                                                    phi_2616_ = array<u32, 2>(1u, 0u);
+                                                    phi_2641_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2519 = phi_2616_;
-                                                let _e2524 = (2u * ((select(16u, (_e2486 / 16u), _e2516) * _e2371) + (_e2372 + 2u)));
-                                                let _e2527 = atomicAdd((&global_8.member[_e2524]), _e2519[0]);
-                                                let _e2531 = (_e2519[1] + select(0u, 1u, ((_e2527 + _e2519[0]) < _e2519[0])));
-                                                if (_e2531 == 0u) {
+                                                let _e2544 = phi_2641_;
+                                                let _e2549 = (2u * ((select(16u, (_e2511 / 16u), _e2541) * _e2396) + (_e2397 + 2u)));
+                                                let _e2552 = atomicAdd((&global_8.member[_e2549]), _e2544[0]);
+                                                let _e2556 = (_e2544[1] + select(0u, 1u, ((_e2552 + _e2544[0]) < _e2544[0])));
+                                                if (_e2556 == 0u) {
                                                 } else {
-                                                    let _e2536 = atomicAdd((&global_8.member[(_e2524 + 1u)]), _e2531);
+                                                    let _e2561 = atomicAdd((&global_8.member[(_e2549 + 1u)]), _e2556);
                                                 }
                                             }
-                                            let _e2538 = bitcast<u32>(_e1687.member_3);
-                                            let _e2541 = ((_e2538 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2541 == 0u) {
+                                            let _e2563 = bitcast<u32>((_e1692.member_3 + 0f));
+                                            let _e2566 = ((_e2563 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2566 == 0u) {
                                             } else {
-                                                let _e2544 = (_e2541 % 16u);
-                                                let _e2546 = ((_e2538 & 8388607u) | 8388608u);
-                                                let _e2549 = (_e2546 << bitcast<u32>((_e2544 & 31u)));
-                                                let _e2555 = ((_e2546 >> bitcast<u32>(((31u - _e2544) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2538 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2671_ = array<u32, 2>(_e2549, _e2555);
+                                                let _e2569 = (_e2566 % 16u);
+                                                let _e2571 = ((_e2563 & 8388607u) | 8388608u);
+                                                let _e2574 = (_e2571 << bitcast<u32>((_e2569 & 31u)));
+                                                let _e2580 = ((_e2571 >> bitcast<u32>(((31u - _e2569) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2563 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2696_ = array<u32, 2>(_e2574, _e2580);
                                                 } else {
-                                                    let _e2561 = (~(_e2549) + 1u);
-                                                    if (_e2561 == 0u) {
-                                                        phi_2669_ = (~(_e2555) + 1u);
+                                                    let _e2586 = (~(_e2574) + 1u);
+                                                    if (_e2586 == 0u) {
+                                                        phi_2694_ = (~(_e2580) + 1u);
                                                     } else {
-                                                        phi_2669_ = ~(_e2555);
+                                                        phi_2694_ = ~(_e2580);
                                                     }
-                                                    let _e2567 = phi_2669_;
-                                                    phi_2671_ = array<u32, 2>(_e2561, _e2567);
+                                                    let _e2592 = phi_2694_;
+                                                    phi_2696_ = array<u32, 2>(_e2586, _e2592);
                                                 }
-                                                let _e2570 = phi_2671_;
-                                                let _e2571 = (_e2541 < 255u);
-                                                if _e2571 {
-                                                    phi_2677_ = _e2570;
+                                                let _e2595 = phi_2696_;
+                                                let _e2596 = (_e2566 < 255u);
+                                                if _e2596 {
+                                                    phi_2702_ = _e2595;
                                                 } else {
-                                                    phi_2677_ = array<u32, 2>(1u, 0u);
+                                                    phi_2702_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2574 = phi_2677_;
-                                                let _e2579 = (2u * ((select(16u, (_e2541 / 16u), _e2571) * _e2371) + (_e2372 + 3u)));
-                                                let _e2582 = atomicAdd((&global_8.member[_e2579]), _e2574[0]);
-                                                let _e2586 = (_e2574[1] + select(0u, 1u, ((_e2582 + _e2574[0]) < _e2574[0])));
-                                                if (_e2586 == 0u) {
+                                                let _e2599 = phi_2702_;
+                                                let _e2604 = (2u * ((select(16u, (_e2566 / 16u), _e2596) * _e2396) + (_e2397 + 3u)));
+                                                let _e2607 = atomicAdd((&global_8.member[_e2604]), _e2599[0]);
+                                                let _e2611 = (_e2599[1] + select(0u, 1u, ((_e2607 + _e2599[0]) < _e2599[0])));
+                                                if (_e2611 == 0u) {
                                                 } else {
-                                                    let _e2591 = atomicAdd((&global_8.member[(_e2579 + 1u)]), _e2586);
+                                                    let _e2616 = atomicAdd((&global_8.member[(_e2604 + 1u)]), _e2611);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e185 + _e761)] = vec4<f32>(_e1678.member, _e1681.member_1, _e1684.member_2, _e1687.member_3);
+                                            global_6.member[(_e185 + _e766)] = (vec4<f32>(_e1683.member, _e1686.member_1, _e1689.member_2, _e1692.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
                                         }
                                     }
                                 } else {
@@ -1348,16 +1348,16 @@ fn function_() {
                                             break;
                                         }
                                         continuing {
-                                            let _e2641 = local_28;
-                                            phi_255_ = _e2641;
-                                            let _e2644 = local_29;
-                                            phi_258_ = _e2644;
+                                            let _e2666 = local_28;
+                                            phi_255_ = _e2666;
+                                            let _e2669 = local_29;
+                                            phi_258_ = _e2669;
                                         }
                                     }
-                                    let _e2648 = local_30;
-                                    phi_362_ = _e2648;
-                                    let _e2653 = local_32;
-                                    phi_365_ = _e2653;
+                                    let _e2673 = local_30;
+                                    phi_362_ = _e2673;
+                                    let _e2678 = local_32;
+                                    phi_365_ = _e2678;
                                     loop {
                                         let _e322 = phi_362_;
                                         let _e324 = phi_365_;
@@ -1377,16 +1377,16 @@ fn function_() {
                                             break;
                                         }
                                         continuing {
-                                            let _e2650 = local_31;
-                                            phi_362_ = _e2650;
-                                            let _e2655 = local_33;
-                                            phi_365_ = _e2655;
+                                            let _e2675 = local_31;
+                                            phi_362_ = _e2675;
+                                            let _e2680 = local_33;
+                                            phi_365_ = _e2680;
                                         }
                                     }
-                                    let _e2658 = local_34;
-                                    phi_432_ = _e2658;
-                                    let _e2663 = local_36;
-                                    phi_435_ = _e2663;
+                                    let _e2683 = local_34;
+                                    phi_432_ = _e2683;
+                                    let _e2688 = local_36;
+                                    phi_435_ = _e2688;
                                     loop {
                                         let _e397 = phi_432_;
                                         let _e399 = phi_435_;
@@ -1420,10 +1420,10 @@ fn function_() {
                                             break;
                                         }
                                         continuing {
-                                            let _e2660 = local_35;
-                                            phi_432_ = _e2660;
-                                            let _e2665 = local_37;
-                                            phi_435_ = _e2665;
+                                            let _e2685 = local_35;
+                                            phi_432_ = _e2685;
+                                            let _e2690 = local_37;
+                                            phi_435_ = _e2690;
                                         }
                                     }
                                     let _e506 = local_2;
@@ -1431,181 +1431,181 @@ fn function_() {
                                     let _e512 = local_4;
                                     let _e515 = local_5;
                                     if _e186 {
-                                        let _e521 = (4u * _e182);
-                                        let _e522 = (4u * _e198);
-                                        let _e523 = bitcast<u32>(_e506.member);
-                                        let _e526 = ((_e523 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e526 == 0u) {
+                                        let _e526 = (4u * _e182);
+                                        let _e527 = (4u * _e198);
+                                        let _e528 = bitcast<u32>((_e506.member + 0f));
+                                        let _e531 = ((_e528 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e531 == 0u) {
                                         } else {
-                                            let _e529 = (_e526 % 16u);
-                                            let _e531 = ((_e523 & 8388607u) | 8388608u);
-                                            let _e534 = (_e531 << bitcast<u32>((_e529 & 31u)));
-                                            let _e540 = ((_e531 >> bitcast<u32>(((31u - _e529) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e523 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_584_ = array<u32, 2>(_e534, _e540);
+                                            let _e534 = (_e531 % 16u);
+                                            let _e536 = ((_e528 & 8388607u) | 8388608u);
+                                            let _e539 = (_e536 << bitcast<u32>((_e534 & 31u)));
+                                            let _e545 = ((_e536 >> bitcast<u32>(((31u - _e534) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e528 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_589_ = array<u32, 2>(_e539, _e545);
                                             } else {
-                                                let _e546 = (~(_e534) + 1u);
-                                                if (_e546 == 0u) {
-                                                    phi_582_ = (~(_e540) + 1u);
+                                                let _e551 = (~(_e539) + 1u);
+                                                if (_e551 == 0u) {
+                                                    phi_587_ = (~(_e545) + 1u);
                                                 } else {
-                                                    phi_582_ = ~(_e540);
+                                                    phi_587_ = ~(_e545);
                                                 }
-                                                let _e552 = phi_582_;
-                                                phi_584_ = array<u32, 2>(_e546, _e552);
+                                                let _e557 = phi_587_;
+                                                phi_589_ = array<u32, 2>(_e551, _e557);
                                             }
-                                            let _e555 = phi_584_;
-                                            let _e556 = (_e526 < 255u);
-                                            if _e556 {
-                                                phi_590_ = _e555;
+                                            let _e560 = phi_589_;
+                                            let _e561 = (_e531 < 255u);
+                                            if _e561 {
+                                                phi_595_ = _e560;
                                             } else {
-                                                phi_590_ = array<u32, 2>(1u, 0u);
+                                                phi_595_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e559 = phi_590_;
-                                            let _e564 = (2u * ((select(16u, (_e526 / 16u), _e556) * _e521) + _e522));
-                                            let _e567 = atomicAdd((&global_8.member[_e564]), _e559[0]);
-                                            let _e571 = (_e559[1] + select(0u, 1u, ((_e567 + _e559[0]) < _e559[0])));
-                                            if (_e571 == 0u) {
+                                            let _e564 = phi_595_;
+                                            let _e569 = (2u * ((select(16u, (_e531 / 16u), _e561) * _e526) + _e527));
+                                            let _e572 = atomicAdd((&global_8.member[_e569]), _e564[0]);
+                                            let _e576 = (_e564[1] + select(0u, 1u, ((_e572 + _e564[0]) < _e564[0])));
+                                            if (_e576 == 0u) {
                                             } else {
-                                                let _e576 = atomicAdd((&global_8.member[(_e564 + 1u)]), _e571);
+                                                let _e581 = atomicAdd((&global_8.member[(_e569 + 1u)]), _e576);
                                             }
                                         }
-                                        let _e578 = bitcast<u32>(_e509.member_1);
-                                        let _e581 = ((_e578 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e581 == 0u) {
+                                        let _e583 = bitcast<u32>((_e509.member_1 + 0f));
+                                        let _e586 = ((_e583 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e586 == 0u) {
                                         } else {
-                                            let _e584 = (_e581 % 16u);
-                                            let _e586 = ((_e578 & 8388607u) | 8388608u);
-                                            let _e589 = (_e586 << bitcast<u32>((_e584 & 31u)));
-                                            let _e595 = ((_e586 >> bitcast<u32>(((31u - _e584) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e578 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_645_ = array<u32, 2>(_e589, _e595);
+                                            let _e589 = (_e586 % 16u);
+                                            let _e591 = ((_e583 & 8388607u) | 8388608u);
+                                            let _e594 = (_e591 << bitcast<u32>((_e589 & 31u)));
+                                            let _e600 = ((_e591 >> bitcast<u32>(((31u - _e589) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e583 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_650_ = array<u32, 2>(_e594, _e600);
                                             } else {
-                                                let _e601 = (~(_e589) + 1u);
-                                                if (_e601 == 0u) {
-                                                    phi_643_ = (~(_e595) + 1u);
+                                                let _e606 = (~(_e594) + 1u);
+                                                if (_e606 == 0u) {
+                                                    phi_648_ = (~(_e600) + 1u);
                                                 } else {
-                                                    phi_643_ = ~(_e595);
+                                                    phi_648_ = ~(_e600);
                                                 }
-                                                let _e607 = phi_643_;
-                                                phi_645_ = array<u32, 2>(_e601, _e607);
+                                                let _e612 = phi_648_;
+                                                phi_650_ = array<u32, 2>(_e606, _e612);
                                             }
-                                            let _e610 = phi_645_;
-                                            let _e611 = (_e581 < 255u);
-                                            if _e611 {
-                                                phi_651_ = _e610;
+                                            let _e615 = phi_650_;
+                                            let _e616 = (_e586 < 255u);
+                                            if _e616 {
+                                                phi_656_ = _e615;
                                             } else {
-                                                phi_651_ = array<u32, 2>(1u, 0u);
+                                                phi_656_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e614 = phi_651_;
-                                            let _e619 = (2u * ((select(16u, (_e581 / 16u), _e611) * _e521) + (_e522 + 1u)));
-                                            let _e622 = atomicAdd((&global_8.member[_e619]), _e614[0]);
-                                            let _e626 = (_e614[1] + select(0u, 1u, ((_e622 + _e614[0]) < _e614[0])));
-                                            if (_e626 == 0u) {
+                                            let _e619 = phi_656_;
+                                            let _e624 = (2u * ((select(16u, (_e586 / 16u), _e616) * _e526) + (_e527 + 1u)));
+                                            let _e627 = atomicAdd((&global_8.member[_e624]), _e619[0]);
+                                            let _e631 = (_e619[1] + select(0u, 1u, ((_e627 + _e619[0]) < _e619[0])));
+                                            if (_e631 == 0u) {
                                             } else {
-                                                let _e631 = atomicAdd((&global_8.member[(_e619 + 1u)]), _e626);
+                                                let _e636 = atomicAdd((&global_8.member[(_e624 + 1u)]), _e631);
                                             }
                                         }
-                                        let _e633 = bitcast<u32>(_e512.member_2);
-                                        let _e636 = ((_e633 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e636 == 0u) {
+                                        let _e638 = bitcast<u32>((_e512.member_2 + 0f));
+                                        let _e641 = ((_e638 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e641 == 0u) {
                                         } else {
-                                            let _e639 = (_e636 % 16u);
-                                            let _e641 = ((_e633 & 8388607u) | 8388608u);
-                                            let _e644 = (_e641 << bitcast<u32>((_e639 & 31u)));
-                                            let _e650 = ((_e641 >> bitcast<u32>(((31u - _e639) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e633 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_706_ = array<u32, 2>(_e644, _e650);
+                                            let _e644 = (_e641 % 16u);
+                                            let _e646 = ((_e638 & 8388607u) | 8388608u);
+                                            let _e649 = (_e646 << bitcast<u32>((_e644 & 31u)));
+                                            let _e655 = ((_e646 >> bitcast<u32>(((31u - _e644) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e638 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_711_ = array<u32, 2>(_e649, _e655);
                                             } else {
-                                                let _e656 = (~(_e644) + 1u);
-                                                if (_e656 == 0u) {
-                                                    phi_704_ = (~(_e650) + 1u);
+                                                let _e661 = (~(_e649) + 1u);
+                                                if (_e661 == 0u) {
+                                                    phi_709_ = (~(_e655) + 1u);
                                                 } else {
-                                                    phi_704_ = ~(_e650);
+                                                    phi_709_ = ~(_e655);
                                                 }
-                                                let _e662 = phi_704_;
-                                                phi_706_ = array<u32, 2>(_e656, _e662);
+                                                let _e667 = phi_709_;
+                                                phi_711_ = array<u32, 2>(_e661, _e667);
                                             }
-                                            let _e665 = phi_706_;
-                                            let _e666 = (_e636 < 255u);
-                                            if _e666 {
-                                                phi_712_ = _e665;
+                                            let _e670 = phi_711_;
+                                            let _e671 = (_e641 < 255u);
+                                            if _e671 {
+                                                phi_717_ = _e670;
                                             } else {
-                                                phi_712_ = array<u32, 2>(1u, 0u);
+                                                phi_717_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e669 = phi_712_;
-                                            let _e674 = (2u * ((select(16u, (_e636 / 16u), _e666) * _e521) + (_e522 + 2u)));
-                                            let _e677 = atomicAdd((&global_8.member[_e674]), _e669[0]);
-                                            let _e681 = (_e669[1] + select(0u, 1u, ((_e677 + _e669[0]) < _e669[0])));
-                                            if (_e681 == 0u) {
+                                            let _e674 = phi_717_;
+                                            let _e679 = (2u * ((select(16u, (_e641 / 16u), _e671) * _e526) + (_e527 + 2u)));
+                                            let _e682 = atomicAdd((&global_8.member[_e679]), _e674[0]);
+                                            let _e686 = (_e674[1] + select(0u, 1u, ((_e682 + _e674[0]) < _e674[0])));
+                                            if (_e686 == 0u) {
                                             } else {
-                                                let _e686 = atomicAdd((&global_8.member[(_e674 + 1u)]), _e681);
+                                                let _e691 = atomicAdd((&global_8.member[(_e679 + 1u)]), _e686);
                                             }
                                         }
-                                        let _e688 = bitcast<u32>(_e515.member_3);
-                                        let _e691 = ((_e688 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e691 == 0u) {
+                                        let _e693 = bitcast<u32>((_e515.member_3 + 0f));
+                                        let _e696 = ((_e693 >> bitcast<u32>(23i)) & 255u);
+                                        if (_e696 == 0u) {
                                         } else {
-                                            let _e694 = (_e691 % 16u);
-                                            let _e696 = ((_e688 & 8388607u) | 8388608u);
-                                            let _e699 = (_e696 << bitcast<u32>((_e694 & 31u)));
-                                            let _e705 = ((_e696 >> bitcast<u32>(((31u - _e694) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e688 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_767_ = array<u32, 2>(_e699, _e705);
+                                            let _e699 = (_e696 % 16u);
+                                            let _e701 = ((_e693 & 8388607u) | 8388608u);
+                                            let _e704 = (_e701 << bitcast<u32>((_e699 & 31u)));
+                                            let _e710 = ((_e701 >> bitcast<u32>(((31u - _e699) & 31u))) >> bitcast<u32>(1i));
+                                            if ((_e693 >> bitcast<u32>(31i)) == 0u) {
+                                                phi_772_ = array<u32, 2>(_e704, _e710);
                                             } else {
-                                                let _e711 = (~(_e699) + 1u);
-                                                if (_e711 == 0u) {
-                                                    phi_765_ = (~(_e705) + 1u);
+                                                let _e716 = (~(_e704) + 1u);
+                                                if (_e716 == 0u) {
+                                                    phi_770_ = (~(_e710) + 1u);
                                                 } else {
-                                                    phi_765_ = ~(_e705);
+                                                    phi_770_ = ~(_e710);
                                                 }
-                                                let _e717 = phi_765_;
-                                                phi_767_ = array<u32, 2>(_e711, _e717);
+                                                let _e722 = phi_770_;
+                                                phi_772_ = array<u32, 2>(_e716, _e722);
                                             }
-                                            let _e720 = phi_767_;
-                                            let _e721 = (_e691 < 255u);
-                                            if _e721 {
-                                                phi_773_ = _e720;
+                                            let _e725 = phi_772_;
+                                            let _e726 = (_e696 < 255u);
+                                            if _e726 {
+                                                phi_778_ = _e725;
                                             } else {
-                                                phi_773_ = array<u32, 2>(1u, 0u);
+                                                phi_778_ = array<u32, 2>(1u, 0u);
                                             }
-                                            let _e724 = phi_773_;
-                                            let _e729 = (2u * ((select(16u, (_e691 / 16u), _e721) * _e521) + (_e522 + 3u)));
-                                            let _e732 = atomicAdd((&global_8.member[_e729]), _e724[0]);
-                                            let _e736 = (_e724[1] + select(0u, 1u, ((_e732 + _e724[0]) < _e724[0])));
-                                            if (_e736 == 0u) {
+                                            let _e729 = phi_778_;
+                                            let _e734 = (2u * ((select(16u, (_e696 / 16u), _e726) * _e526) + (_e527 + 3u)));
+                                            let _e737 = atomicAdd((&global_8.member[_e734]), _e729[0]);
+                                            let _e741 = (_e729[1] + select(0u, 1u, ((_e737 + _e729[0]) < _e729[0])));
+                                            if (_e741 == 0u) {
                                             } else {
-                                                let _e741 = atomicAdd((&global_8.member[(_e729 + 1u)]), _e736);
+                                                let _e746 = atomicAdd((&global_8.member[(_e734 + 1u)]), _e741);
                                             }
                                         }
                                     } else {
-                                        global_6.member[(_e185 + _e198)] = vec4<f32>(_e506.member, _e509.member_1, _e512.member_2, _e515.member_3);
+                                        global_6.member[(_e185 + _e198)] = (vec4<f32>(_e506.member, _e509.member_1, _e512.member_2, _e515.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
                                     }
                                 }
                                 phi_187_ = _e157;
                                 phi_190_ = _e166;
                                 phi_192_ = _e161;
                             }
-                            let _e2604 = phi_187_;
-                            let _e2606 = phi_190_;
-                            let _e2608 = phi_192_;
-                            local_24 = _e2604;
-                            local_25 = _e2606;
-                            local_27 = _e2608;
+                            let _e2629 = phi_187_;
+                            let _e2631 = phi_190_;
+                            let _e2633 = phi_192_;
+                            local_24 = _e2629;
+                            local_25 = _e2631;
+                            local_27 = _e2633;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2628 = local_24;
-                            phi_186_ = _e2628;
-                            let _e2631 = local_25;
-                            phi_189_ = _e2631;
-                            let _e2636 = local_27;
-                            phi_191_ = _e2636;
+                            let _e2653 = local_24;
+                            phi_186_ = _e2653;
+                            let _e2656 = local_25;
+                            phi_189_ = _e2656;
+                            let _e2661 = local_27;
+                            phi_191_ = _e2661;
                         }
                     }
-                    let _e2610 = phi_2708_;
-                    if _e2610 {
+                    let _e2635 = phi_2733_;
+                    if _e2635 {
                         break;
                     }
                 }

@@ -44,150 +44,153 @@ var<storage> global_8: type_20;
 var<storage, read_write> global_9: type_20;
 
 fn function_() {
-    var phi_164_: u32;
-    var phi_167_: u32;
+    var phi_171_: u32;
+    var phi_174_: u32;
     var local: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_319_: u32;
+    var phi_326_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e31 = global;
-            let _e32 = global_1;
-            let _e33 = global_2;
-            let _e41 = (((_e32.x + (_e32.y * _e33.x)) * 64u) + _e31.x);
-            let _e44 = global_3.member.member;
-            if (_e41 < _e44) {
-                let _e48 = global_3.member.member_1;
-                let _e49 = (_e48 + _e41);
-                let _e52 = global_3.member.member_3;
-                phi_164_ = _e52;
-                phi_167_ = 0u;
+            let _e29 = global;
+            let _e30 = global_1;
+            let _e31 = global_2;
+            let _e39 = (((_e30.x + (_e30.y * _e31.x)) * 64u) + _e29.x);
+            let _e42 = global_3.member.member;
+            if (_e39 < _e42) {
+                let _e46 = global_3.member.member_1;
+                let _e47 = (_e46 + _e39);
+                let _e50 = global_3.member.member_3;
+                phi_171_ = _e50;
+                phi_174_ = 0u;
                 loop {
-                    let _e54 = phi_164_;
-                    let _e56 = phi_167_;
-                    let _e57 = (_e56 + 1u);
-                    local = _e56;
-                    local_1 = _e57;
-                    local_2 = _e56;
-                    local_3 = _e56;
-                    local_4 = _e56;
-                    if (_e57 < _e54) {
-                        let _e60 = ((_e56 + _e54) / 2u);
-                        let _e63 = global_4.member[_e60];
-                        let _e64 = (_e63 <= _e49);
-                        local_5 = select(_e60, _e54, _e64);
-                        local_6 = select(_e56, _e60, _e64);
+                    let _e52 = phi_171_;
+                    let _e54 = phi_174_;
+                    let _e55 = (_e54 + 1u);
+                    local = _e54;
+                    local_1 = _e55;
+                    local_2 = _e54;
+                    local_3 = _e54;
+                    local_4 = _e54;
+                    if (_e55 < _e52) {
+                        let _e58 = ((_e54 + _e52) / 2u);
+                        let _e61 = global_4.member[_e58];
+                        let _e62 = (_e61 <= _e47);
+                        local_5 = select(_e58, _e52, _e62);
+                        local_6 = select(_e54, _e58, _e62);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e342 = local_5;
-                        phi_164_ = _e342;
-                        let _e345 = local_6;
-                        phi_167_ = _e345;
+                        let _e349 = local_5;
+                        phi_171_ = _e349;
+                        let _e352 = local_6;
+                        phi_174_ = _e352;
                     }
                 }
-                let _e69 = local;
-                let _e71 = global_4.member[_e69];
-                let _e74 = local_1;
-                let _e76 = global_4.member[_e74];
-                let _e80 = (f32((_e49 - _e71)) + 0.5f);
-                let _e81 = f32((_e76 - _e71));
-                let _e82 = (_e80 / _e81);
-                let _e84 = select(0f, _e82, (_e82 > 0f));
-                let _e86 = select(1f, _e84, (_e84 < 1f));
-                let _e89 = (trunc((_e86 * 1024f)) * 0.0009765625f);
-                let _e96 = select(0f, ((_e80 - (_e89 * _e81)) / _e81), select(false, (_e86 < 1f), (0f < _e86)));
-                let _e99 = global_3.member.member_2;
-                let _e102 = global_3.member.member_7;
-                if (_e102 == 0u) {
-                    let _e105 = local_2;
-                    let _e106 = (_e105 * 4u);
-                    let _e109 = global_5.member[_e106];
-                    let _e113 = global_5.member[(_e106 + 1u)];
-                    let _e117 = global_5.member[(_e106 + 2u)];
-                    let _e121 = global_5.member[(_e106 + 3u)];
-                    let _e139 = (_e117.x + ((_e89 * _e121.x) + (_e96 * (_e113.x + _e121.x))));
-                    let _e141 = (_e109.x + (_e89 * _e113.x));
-                    let _e145 = (trunc(((_e141 + _e139) * 4096f)) * 0.00024414063f);
-                    let _e152 = (_e117.y + ((_e89 * _e121.y) + (_e96 * (_e113.y + _e121.y))));
-                    let _e154 = (_e109.y + (_e89 * _e113.y));
-                    let _e158 = (trunc(((_e154 + _e152) * 4096f)) * 0.00024414063f);
-                    let _e165 = (_e117.z + ((_e89 * _e121.z) + (_e96 * (_e113.z + _e121.z))));
-                    let _e167 = (_e109.z + (_e89 * _e113.z));
-                    let _e171 = (trunc(((_e167 + _e165) * 4096f)) * 0.00024414063f);
-                    global_6.member[_e41] = _e145;
-                    global_6.member[(_e99 + _e41)] = _e158;
-                    global_6.member[((2u * _e99) + _e41)] = _e171;
-                    global_6.member[((3u * _e99) + _e41)] = ((_e141 - _e145) + _e139);
-                    global_6.member[((4u * _e99) + _e41)] = ((_e154 - _e158) + _e152);
-                    global_6.member[((5u * _e99) + _e41)] = ((_e167 - _e171) + _e165);
-                    global_6.member[((6u * _e99) + _e41)] = _e109.w;
+                let _e67 = local;
+                let _e69 = global_4.member[_e67];
+                let _e72 = local_1;
+                let _e74 = global_4.member[_e72];
+                let _e79 = ((f32((_e47 - _e69)) + 0f) + 0.5f);
+                let _e80 = f32((_e74 - _e69));
+                let _e81 = (_e80 + 0f);
+                let _e83 = ((_e79 + 0f) / _e81);
+                let _e85 = select(0f, _e83, (_e83 > 0f));
+                let _e87 = select(1f, _e85, (_e85 < 1f));
+                let _e91 = (trunc((_e87 * 1024f)) * (1f / 1024f));
+                let _e101 = select(0f, (((_e79 - (_e91 * _e80)) + (0f - (_e91 * 0f))) / _e81), select(false, (_e87 < 1f), (0f < _e87)));
+                let _e104 = global_3.member.member_2;
+                let _e107 = global_3.member.member_7;
+                if (_e107 == 0u) {
+                    let _e110 = local_2;
+                    let _e111 = (_e110 * 4u);
+                    let _e114 = global_5.member[_e111];
+                    let _e118 = global_5.member[(_e111 + 1u)];
+                    let _e122 = global_5.member[(_e111 + 2u)];
+                    let _e126 = global_5.member[(_e111 + 3u)];
+                    let _e144 = (_e122.x + ((_e91 * _e126.x) + (_e101 * (_e118.x + _e126.x))));
+                    let _e146 = (_e114.x + (_e91 * _e118.x));
+                    let _e150 = (1f / 4096f);
+                    let _e151 = (trunc(((_e146 + _e144) * 4096f)) * _e150);
+                    let _e158 = (_e122.y + ((_e91 * _e126.y) + (_e101 * (_e118.y + _e126.y))));
+                    let _e160 = (_e114.y + (_e91 * _e118.y));
+                    let _e164 = (trunc(((_e160 + _e158) * 4096f)) * _e150);
+                    let _e171 = (_e122.z + ((_e91 * _e126.z) + (_e101 * (_e118.z + _e126.z))));
+                    let _e173 = (_e114.z + (_e91 * _e118.z));
+                    let _e177 = (trunc(((_e173 + _e171) * 4096f)) * _e150);
+                    global_6.member[_e39] = _e151;
+                    global_6.member[(_e104 + _e39)] = _e164;
+                    global_6.member[((2u * _e104) + _e39)] = _e177;
+                    global_6.member[((3u * _e104) + _e39)] = ((_e146 - _e151) + _e144);
+                    global_6.member[((4u * _e104) + _e39)] = ((_e160 - _e164) + _e158);
+                    global_6.member[((5u * _e104) + _e39)] = ((_e173 - _e177) + _e171);
+                    global_6.member[((6u * _e104) + _e39)] = _e114.w;
                 } else {
-                    let _e200 = local_3;
-                    let _e201 = (_e200 * 4u);
-                    let _e204 = global_5.member[_e201];
-                    let _e208 = global_5.member[(_e201 + 1u)];
-                    let _e212 = global_5.member[(_e201 + 2u)];
-                    let _e224 = (_e212.x + ((_e89 + _e96) * _e212.y));
-                    let _e225 = (_e224 < 0f);
-                    let _e227 = select(_e224, -(_e224), _e225);
-                    let _e232 = (_e208.w / (2f - (select(_e208.w, _e227, (_e227 > _e208.w)) / _e208.w)));
-                    let _e236 = select(select(_e232, -(_e232), _e225), _e224, (_e227 <= _e208.w));
-                    let _e238 = (_e204.x + (_e236 * _e208.x));
-                    let _e240 = (_e204.y + (_e236 * _e208.y));
-                    let _e242 = (_e204.z + (_e236 * _e208.z));
-                    let _e245 = select(_e238, -(_e238), (_e238 < 0f));
-                    let _e248 = select(_e240, -(_e240), (_e240 < 0f));
-                    let _e250 = select(_e248, _e245, (_e245 > _e248));
-                    let _e253 = select(_e242, -(_e242), (_e242 < 0f));
-                    let _e255 = select(_e253, _e250, (_e250 > _e253));
-                    let _e257 = select(0.25f, _e255, (_e255 > 0.25f));
-                    let _e262 = select(1f, ((0.5f - (0.0625f / _e257)) / _e257), (0.25f < _e257));
-                    let _e263 = (_e238 * _e262);
-                    let _e267 = (trunc(((0.5f + _e263) * 4096f)) * 0.00024414063f);
-                    let _e270 = (_e240 * _e262);
-                    let _e274 = (trunc(((0.5f + _e270) * 4096f)) * 0.00024414063f);
-                    let _e277 = (_e242 * _e262);
-                    let _e281 = (trunc(((0.5f + _e277) * 4096f)) * 0.00024414063f);
-                    global_6.member[_e41] = _e267;
-                    global_6.member[(_e99 + _e41)] = _e274;
-                    global_6.member[((2u * _e99) + _e41)] = _e281;
-                    global_6.member[((3u * _e99) + _e41)] = ((0.5f - _e267) + _e263);
-                    global_6.member[((4u * _e99) + _e41)] = ((0.5f - _e274) + _e270);
-                    global_6.member[((5u * _e99) + _e41)] = ((0.5f - _e281) + _e277);
-                    global_6.member[((6u * _e99) + _e41)] = _e204.w;
+                    let _e206 = local_3;
+                    let _e207 = (_e206 * 4u);
+                    let _e210 = global_5.member[_e207];
+                    let _e214 = global_5.member[(_e207 + 1u)];
+                    let _e218 = global_5.member[(_e207 + 2u)];
+                    let _e230 = (_e218.x + ((_e91 + _e101) * _e218.y));
+                    let _e231 = (_e230 < 0f);
+                    let _e233 = select(_e230, -(_e230), _e231);
+                    let _e238 = (_e214.w / (2f - (select(_e214.w, _e233, (_e233 > _e214.w)) / _e214.w)));
+                    let _e242 = select(select(_e238, -(_e238), _e231), _e230, (_e233 <= _e214.w));
+                    let _e244 = (_e210.x + (_e242 * _e214.x));
+                    let _e246 = (_e210.y + (_e242 * _e214.y));
+                    let _e248 = (_e210.z + (_e242 * _e214.z));
+                    let _e251 = select(_e244, -(_e244), (_e244 < 0f));
+                    let _e254 = select(_e246, -(_e246), (_e246 < 0f));
+                    let _e256 = select(_e254, _e251, (_e251 > _e254));
+                    let _e259 = select(_e248, -(_e248), (_e248 < 0f));
+                    let _e261 = select(_e259, _e256, (_e256 > _e259));
+                    let _e263 = select(0.25f, _e261, (_e261 > 0.25f));
+                    let _e268 = select(1f, ((0.5f - (0.0625f / _e263)) / _e263), (0.25f < _e263));
+                    let _e269 = (_e244 * _e268);
+                    let _e273 = (1f / 4096f);
+                    let _e274 = (trunc(((0.5f + _e269) * 4096f)) * _e273);
+                    let _e277 = (_e246 * _e268);
+                    let _e281 = (trunc(((0.5f + _e277) * 4096f)) * _e273);
+                    let _e284 = (_e248 * _e268);
+                    let _e288 = (trunc(((0.5f + _e284) * 4096f)) * _e273);
+                    global_6.member[_e39] = _e274;
+                    global_6.member[(_e104 + _e39)] = _e281;
+                    global_6.member[((2u * _e104) + _e39)] = _e288;
+                    global_6.member[((3u * _e104) + _e39)] = ((0.5f - _e274) + _e269);
+                    global_6.member[((4u * _e104) + _e39)] = ((0.5f - _e281) + _e277);
+                    global_6.member[((5u * _e104) + _e39)] = ((0.5f - _e288) + _e284);
+                    global_6.member[((6u * _e104) + _e39)] = _e210.w;
                 }
-                let _e312 = local_4;
-                let _e314 = global_7.member[_e312];
-                let _e317 = global_3.member.member_4;
-                if (_e317 == 0u) {
+                let _e319 = local_4;
+                let _e321 = global_7.member[_e319];
+                let _e324 = global_3.member.member_4;
+                if (_e324 == 0u) {
                     break;
                 }
-                phi_319_ = 0u;
+                phi_326_ = 0u;
                 loop {
-                    let _e321 = phi_319_;
-                    let _e324 = global_3.member.member_5;
-                    if (_e321 < _e324) {
-                        let _e330 = global_8.member[(((_e314 % _e317) * _e324) + _e321)];
-                        let _e333 = global_3.member.member_6;
-                        global_9.member[(((_e333 + _e321) * _e99) + _e41)] = _e330;
-                        local_7 = (_e321 + 1u);
+                    let _e328 = phi_326_;
+                    let _e331 = global_3.member.member_5;
+                    if (_e328 < _e331) {
+                        let _e337 = global_8.member[(((_e321 % _e324) * _e331) + _e328)];
+                        let _e340 = global_3.member.member_6;
+                        global_9.member[(((_e340 + _e328) * _e104) + _e39)] = _e337;
+                        local_7 = (_e328 + 1u);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e353 = local_7;
-                        phi_319_ = _e353;
+                        let _e360 = local_7;
+                        phi_326_ = _e360;
                     }
                 }
             }

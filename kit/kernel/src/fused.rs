@@ -1,8 +1,10 @@
-//! Fused multiply-adds on the CPU, for the runs that look for what depends on them.
+//! Fused and regrouped arithmetic on the CPU, for the runs that look for what depends on it.
 
 use core::any::type_name;
+use core::panic::Location;
 
 use crate::lane::Wide;
+use crate::running;
 
 /// Most floats of a value.
 const MOST: usize = 4;
@@ -46,4 +48,74 @@ pub fn fused<A: Copy, B: Copy, C: Copy, O: Copy>(
         unsafe { core::ptr::copy_nonoverlapping(sum.as_ptr(), (&raw mut plain).cast(), count) };
     }
     plain
+}
+
+/// A term of a sum, or a factor of a product.
+#[derive(Clone, Copy)]
+pub struct Term {
+    floats: [f32; MOST],
+    count: usize,
+    is_inverse: bool,
+}
+
+impl Term {
+    /// A term that is subtracted, or a factor that divides, if it `is_inverse`.
+    #[inline]
+    pub fn new<T: Copy>(value: T, is_inverse: bool) -> Self {
+        let (mut floats, mut count) = floats(&value);
+        // a literal whose type nothing decides
+        if type_name::<T>() == type_name::<f64>() {
+            // SAFETY: the types are the same
+            floats[0] = unsafe { core::mem::transmute_copy::<T, f64>(&value) } as f32;
+            count = 1;
+        }
+        Self { floats, count, is_inverse }
+    }
+
+    fn at(&self, i: usize) -> f32 {
+        self.floats[if self.count == 1 { 0 } else { i }]
+    }
+}
+
+/// How far a regrouped number may be from what is written before its place is noted, as a part of the larger of both.
+pub const FAR: f32 = 1e-3;
+
+/// The sum or product of floats as a driver may regroup it: a sum with one rounding, as if what cancels were gone, and a product with the
+/// factors behind the first one together; otherwise `plain`, which is as it is written. Notes where they are far apart.
+#[track_caller]
+pub fn regrouped<O: Copy>(mut plain: O, terms: &[Term], is_sum: bool) -> O {
+    let (written, count) = floats(&plain);
+    if count == 0 || terms.iter().any(|term| term.count != count && term.count != 1) {
+        return plain;
+    }
+    let mut values = written;
+    for (i, value) in values.iter_mut().enumerate().take(count) {
+        *value = match (is_sum, terms) {
+            (false, [first, rest @ ..]) => {
+                let product = |is_inverse| -> f32 {
+                    rest.iter().filter(|t| t.is_inverse == is_inverse).map(|t| t.at(i)).product()
+                };
+                first.at(i) * (product(false) / product(true))
+            }
+            _ => {
+                let signed = |term: &Term| {
+                    let x = f64::from(term.at(i));
+                    if term.is_inverse { -x } else { x }
+                };
+                terms.iter().map(signed).sum::<f64>() as f32
+            }
+        };
+        if is_far(*value, written[i]) {
+            running::note_regrouped(Location::caller());
+        }
+    }
+    // SAFETY: the floats of `plain`, in their place
+    unsafe { core::ptr::copy_nonoverlapping(values.as_ptr(), (&raw mut plain).cast(), count) };
+    plain
+}
+
+/// Whether two numbers differ by more than roundings of theirs.
+pub fn is_far(a: f32, b: f32) -> bool {
+    let size = a.abs().max(b.abs());
+    a.to_bits() != b.to_bits() && (a.is_finite() != b.is_finite() || !((a - b).abs() <= FAR * size))
 }

@@ -1,10 +1,10 @@
 //! How the CPU runs a kernel.
 
 use proc_macro2::{Span, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
 
-use crate::fused::fused_name;
 use crate::parse::{Kernel, Lanes, Parameter, Role};
+use crate::{fused, regrouped};
 
 /// `quote!`, whose local names are others than those of the kernel's bindings.
 macro_rules! hygienic {
@@ -68,32 +68,45 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
     views.collect()
 }
 
-/// `const RUN_FUSED`: one invocation with fused arithmetic, in debug builds.
-pub fn run_fused(kernel: &Kernel) -> TokenStream {
+/// The changes that drivers may make to arithmetic: the name of each, and what it makes of a kernel.
+pub const ARITHMETIC: [(&str, fn(&mut syn::Block)); 2] =
+    [("fused", fused::fuse), ("regrouped", regrouped::regroup)];
+
+/// The name of the kernel with changed arithmetic.
+pub fn arithmetic_name(kernel: &Kernel, change: &str) -> syn::Ident {
+    format_ident!("{}_with_{change}_arithmetic", kernel.function.sig.ident)
+}
+
+/// `const RUN_ARITHMETIC`: one invocation with each change of [`ARITHMETIC`], in debug builds.
+pub fn run_arithmetic(kernel: &Kernel) -> TokenStream {
     let ty = hygienic! {
-        ::core::option::Option<unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)>
+        ::core::option::Option<[unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation); 2]>
     };
     if kernel.fused {
-        return hygienic!(const RUN_FUSED: #ty = ::core::option::Option::None;);
+        return hygienic!(const RUN_ARITHMETIC: #ty = ::core::option::Option::None;);
     }
-    let name = fused_name(kernel);
-    let views = views(kernel);
-    let names = kernel.parameters.iter().map(plain_argument);
+    let names = kernel.parameters.iter().map(plain_argument).collect::<Vec<_>>();
     let lane = kernel.lanes.is_some().then(|| hygienic!(::<::muslin::lane::Wide<1, false>>));
+    let views = views(kernel);
+    let runs = ARITHMETIC.map(|(change, _)| {
+        let name = arithmetic_name(kernel, change);
+        hygienic! {{
+            // SAFETY: called as `CpuRun` says
+            unsafe fn run(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
+                #(
+                    // SAFETY: the caller passes bindings of the declared types
+                    #views
+                )*
+                self::#name #lane (id, #(#names),*);
+            }
+            run
+        }}
+    });
     hygienic! {
-        // SAFETY: called as `CpuRun` says
         #[cfg(debug_assertions)]
-        unsafe fn run_fused(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
-            #(
-                // SAFETY: the caller passes bindings of the declared types
-                #views
-            )*
-            self::#name #lane (id, #(#names),*);
-        }
-        #[cfg(debug_assertions)]
-        const RUN_FUSED: #ty = ::core::option::Option::Some(run_fused);
+        const RUN_ARITHMETIC: #ty = ::core::option::Option::Some([#(#runs),*]);
         #[cfg(not(debug_assertions))]
-        const RUN_FUSED: #ty = ::core::option::Option::None;
+        const RUN_ARITHMETIC: #ty = ::core::option::Option::None;
     }
 }
 

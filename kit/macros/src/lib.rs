@@ -52,6 +52,7 @@ mod fused;
 mod gradient;
 mod inputs;
 mod parse;
+mod regrouped;
 #[cfg(test)]
 mod tests;
 

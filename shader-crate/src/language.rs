@@ -269,7 +269,7 @@ pub fn compared(
             u32::from(same[2]),
             u32::from(same[3]),
             u32::from(x.is_nan()),
-            u32::from((x - x).is_nan()),
+            u32::from((x * 2.0).is_nan()),
             x.max(y).to_bits(),
             x.min(y).to_bits(),
             (if x < y || y.is_nan() { x } else { y }).to_bits(),

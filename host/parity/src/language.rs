@@ -203,7 +203,8 @@ impl AsWritten {
 impl Parity for AsWritten {
     const KERNEL: &'static str = "as_written";
     const TOLERANCE: f64 = 4e-7;
-    const WHY: &'static str = "equal as it is written, but for two divisions of 2.5 ulp; nothing is known where drivers regroup";
+    const WHY: &'static str = "equal as it is written, but for two divisions of 2.5 ulp, and the sign of a zero to which one is added; \
+        nothing is known where drivers regroup";
 
     fn sets() -> Vec<(String, Self)> {
         let [x, y] = pairs();
@@ -229,6 +230,10 @@ impl Parity for AsWritten {
         let divides = Self::DIVIDES.contains(&(index / self.x.len()));
         match rounding {
             Rounding::Regrouped => Bound { scale: 0.0, floor: 1e41 },
+            // the sign of zero
+            Rounding::AsWritten if [13, 14].contains(&(index / self.x.len())) => {
+                Bound { scale: 0.0, floor: 1e-50 }
+            }
             Rounding::AsWritten if divides => Bound::relative_to(output.floats()[index].abs()),
             Rounding::AsWritten => Bound::EXACT,
         }
@@ -281,8 +286,7 @@ impl Parity for Compared {
             9 => has_nan || is(&[Greater]),
             10 => has_nan || is(&[Less]),
             11 | 13 => !x_is_nan,
-            12 | 14 | 15 => x_is_nan,
-            16 => x_is_nan || x.is_infinite(),
+            12 | 14..=16 => x_is_nan,
             _ => {
                 let takes_x = match row {
                     17 => y.is_nan() || is(&[Greater]),

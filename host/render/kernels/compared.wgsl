@@ -27,80 +27,80 @@ var<storage> global_5: type_11;
 var<storage, read_write> global_6: type_15;
 
 fn function_() {
-    var phi_141_: bool;
-    var phi_150_: bool;
-    var phi_161_: bool;
+    var phi_142_: bool;
+    var phi_151_: bool;
+    var phi_162_: bool;
 
-    let _e14 = global;
-    let _e15 = global_1;
-    let _e16 = global_2;
-    let _e24 = (((_e15.x + (_e15.y * _e16.x)) * 64u) + _e14.x);
-    let _e27 = global_3.member.member;
-    if (_e24 < _e27) {
-        let _e31 = global_4.member[_e24];
-        let _e34 = global_5.member[_e24];
-        let _e40 = ((bitcast<u32>(_e31) & 2147483647u) > 2139095040u);
-        let _e48 = (_e31 < _e34);
-        let _e50 = (_e31 > _e34);
-        let _e52 = (_e31 <= _e34);
-        let _e54 = (_e31 >= _e34);
-        global_6.member[_e24] = select(0u, 1u, _e48);
-        let _e59 = (_e24 + _e27);
-        global_6.member[_e59] = select(0u, 1u, _e50);
-        let _e63 = (_e59 + _e27);
-        global_6.member[_e63] = select(0u, 1u, _e52);
-        let _e67 = (_e63 + _e27);
-        global_6.member[_e67] = select(0u, 1u, _e54);
-        let _e71 = (_e67 + _e27);
-        global_6.member[_e71] = select(0u, 1u, (_e31 == _e34));
-        let _e76 = (_e71 + _e27);
-        global_6.member[_e76] = select(0u, 1u, !((_e31 == _e34)));
-        let _e82 = (_e76 + _e27);
-        global_6.member[_e82] = select(0u, 1u, !((_e31 == 1f)));
-        let _e88 = (_e82 + _e27);
-        global_6.member[_e88] = select(0u, 1u, !(_e48));
-        let _e92 = (_e88 + _e27);
-        global_6.member[_e92] = select(0u, 1u, !(_e50));
-        let _e96 = (_e92 + _e27);
-        global_6.member[_e96] = select(0u, 1u, !(_e52));
-        let _e100 = (_e96 + _e27);
-        global_6.member[_e100] = select(0u, 1u, !(_e54));
-        let _e104 = (_e100 + _e27);
-        global_6.member[_e104] = select(0u, 1u, ((bitcast<u32>(_e31) & 2147483647u) <= 2139095040u));
-        let _e108 = (_e104 + _e27);
-        let _e109 = select(0u, 1u, _e40);
-        global_6.member[_e108] = _e109;
-        let _e112 = (_e108 + _e27);
-        global_6.member[_e112] = select(0u, 1u, ((bitcast<u32>(_e31) & 2147483647u) <= 2139095040u));
-        let _e116 = (_e112 + _e27);
-        global_6.member[_e116] = select(0u, 1u, !(((bitcast<u32>(_e31) & 2147483647u) <= 2139095040u)));
-        let _e120 = (_e116 + _e27);
-        global_6.member[_e120] = _e109;
-        let _e123 = (_e120 + _e27);
-        global_6.member[_e123] = select(0u, 1u, ((bitcast<u32>((_e31 - _e31)) & 2147483647u) > 2139095040u));
-        let _e131 = (_e123 + _e27);
-        if _e40 {
-            phi_141_ = true;
+    let _e15 = global;
+    let _e16 = global_1;
+    let _e17 = global_2;
+    let _e25 = (((_e16.x + (_e16.y * _e17.x)) * 64u) + _e15.x);
+    let _e28 = global_3.member.member;
+    if (_e25 < _e28) {
+        let _e32 = global_4.member[_e25];
+        let _e35 = global_5.member[_e25];
+        let _e41 = ((bitcast<u32>(_e32) & 2147483647u) > 2139095040u);
+        let _e49 = (_e32 < _e35);
+        let _e51 = (_e32 > _e35);
+        let _e53 = (_e32 <= _e35);
+        let _e55 = (_e32 >= _e35);
+        global_6.member[_e25] = select(0u, 1u, _e49);
+        let _e60 = (_e25 + _e28);
+        global_6.member[_e60] = select(0u, 1u, _e51);
+        let _e64 = (_e60 + _e28);
+        global_6.member[_e64] = select(0u, 1u, _e53);
+        let _e68 = (_e64 + _e28);
+        global_6.member[_e68] = select(0u, 1u, _e55);
+        let _e72 = (_e68 + _e28);
+        global_6.member[_e72] = select(0u, 1u, (_e32 == _e35));
+        let _e77 = (_e72 + _e28);
+        global_6.member[_e77] = select(0u, 1u, !((_e32 == _e35)));
+        let _e83 = (_e77 + _e28);
+        global_6.member[_e83] = select(0u, 1u, !((_e32 == 1f)));
+        let _e89 = (_e83 + _e28);
+        global_6.member[_e89] = select(0u, 1u, !(_e49));
+        let _e93 = (_e89 + _e28);
+        global_6.member[_e93] = select(0u, 1u, !(_e51));
+        let _e97 = (_e93 + _e28);
+        global_6.member[_e97] = select(0u, 1u, !(_e53));
+        let _e101 = (_e97 + _e28);
+        global_6.member[_e101] = select(0u, 1u, !(_e55));
+        let _e105 = (_e101 + _e28);
+        global_6.member[_e105] = select(0u, 1u, ((bitcast<u32>(_e32) & 2147483647u) <= 2139095040u));
+        let _e109 = (_e105 + _e28);
+        let _e110 = select(0u, 1u, _e41);
+        global_6.member[_e109] = _e110;
+        let _e113 = (_e109 + _e28);
+        global_6.member[_e113] = select(0u, 1u, ((bitcast<u32>(_e32) & 2147483647u) <= 2139095040u));
+        let _e117 = (_e113 + _e28);
+        global_6.member[_e117] = select(0u, 1u, !(((bitcast<u32>(_e32) & 2147483647u) <= 2139095040u)));
+        let _e121 = (_e117 + _e28);
+        global_6.member[_e121] = _e110;
+        let _e124 = (_e121 + _e28);
+        global_6.member[_e124] = select(0u, 1u, ((bitcast<u32>((_e32 * 2f)) & 2147483647u) > 2139095040u));
+        let _e132 = (_e124 + _e28);
+        if _e41 {
+            phi_142_ = true;
         } else {
-            phi_141_ = (_e34 >= _e31);
+            phi_142_ = (_e35 >= _e32);
         }
-        let _e134 = phi_141_;
-        global_6.member[_e131] = bitcast<u32>(select(_e31, _e34, _e134));
-        let _e139 = (_e131 + _e27);
-        if _e40 {
-            phi_150_ = true;
+        let _e135 = phi_142_;
+        global_6.member[_e132] = bitcast<u32>(select(_e32, _e35, _e135));
+        let _e140 = (_e132 + _e28);
+        if _e41 {
+            phi_151_ = true;
         } else {
-            phi_150_ = (_e34 <= _e31);
+            phi_151_ = (_e35 <= _e32);
         }
-        let _e142 = phi_150_;
-        global_6.member[_e139] = bitcast<u32>(select(_e31, _e34, _e142));
-        if _e48 {
-            phi_161_ = true;
+        let _e143 = phi_151_;
+        global_6.member[_e140] = bitcast<u32>(select(_e32, _e35, _e143));
+        if _e49 {
+            phi_162_ = true;
         } else {
-            phi_161_ = ((bitcast<u32>(_e34) & 2147483647u) > 2139095040u);
+            phi_162_ = ((bitcast<u32>(_e35) & 2147483647u) > 2139095040u);
         }
-        let _e152 = phi_161_;
-        global_6.member[(_e139 + _e27)] = bitcast<u32>(select(_e34, _e31, _e152));
+        let _e153 = phi_162_;
+        global_6.member[(_e140 + _e28)] = bitcast<u32>(select(_e35, _e32, _e153));
     }
     return;
 }

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use anyhow::{Result, anyhow};
+use anyhow::{Result, anyhow, ensure};
 use rspirv::binary::Assemble;
 use rspirv::dr::{self, Module, Operand};
-use rspirv::spirv::{Capability, ExecutionMode};
+use rspirv::spirv::{Capability, ExecutionMode, Op};
 
 use crate::{atomic_arguments, contraction, declarations, expand, ids, loops, memory_model};
 
@@ -15,6 +15,10 @@ use crate::{atomic_arguments, contraction, declarations, expand, ids, loops, mem
 /// If the module has something that it must not have.
 pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
+    ensure!(
+        !module.all_inst_iter().any(|instruction| instruction.class.opcode == Op::FRem),
+        "it takes `%` of floats, in helpers too, which a GPU rounds several times: write `x - y * math::truncate(x / y)`"
+    );
     memory_model::lower(&mut module)?;
     expand::expand(&mut module);
     loops::end_at_conditions(&mut module)?;

@@ -69,8 +69,8 @@ impl Launch<'_> {
 
     fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
         let size = UVec3::from(self.info.workgroup_size);
-        let changed = self.mode.arithmetic.zip(self.info.run_arithmetic);
-        let run = match changed.map(|(change, runs)| runs[change as usize]) {
+        let changed = |change| self.info.run_arithmetic[change as usize];
+        let run = match self.mode.arithmetic.and_then(changed) {
             Some(run) => CpuRun::Invocation(run),
             None => self.run,
         };

@@ -48,9 +48,9 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let first = cpu.run_once(job, RunMode { order: Some(order), ..RunMode::default() })?;
     let expected: Vec<_> = outputs.iter().map(Output::save).collect();
     let is_variant = cpu.entry_point(job.info).name != job.info.name;
-    let has_others = job.info.run_arithmetic.is_some() && !is_variant;
     let arithmetic = [Arithmetic::Fused, Arithmetic::Regrouped].into_iter();
-    let arithmetic = arithmetic.filter(|_| has_others).map(Other::Arithmetic);
+    let changes = |change| job.info.run_arithmetic[change as usize].is_some() && !is_variant;
+    let arithmetic = arithmetic.filter(|change| changes(*change)).map(Other::Arithmetic);
     let sizes = subgroup::SIZES.into_iter().filter(|size| *size != cpu.subgroup_size);
     let sizes = sizes
         .filter(|_| job.info.subgroups)
@@ -67,7 +67,7 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
             if let Some(difference) = output.difference(expected, other, is_atomic) {
                 let writer = races.writer(difference.element);
                 let place = place.map_or_else(String::new, |place| {
-                    format!(", as they may be through naga: those in {place} cancel")
+                    format!(", as they may be through naga: see {place}")
                 });
                 return Err(other.describe(output.info.name, &difference, seed) + &place + &writer);
             }

@@ -4,6 +4,7 @@ use core::any::type_name;
 use core::panic::Location;
 
 use crate::lane::Wide;
+use crate::math::TINY;
 use crate::running;
 
 /// Most floats of a value.
@@ -50,72 +51,24 @@ pub fn fused<A: Copy, B: Copy, C: Copy, O: Copy>(
     plain
 }
 
-/// A term of a sum, or a factor of a product.
-#[derive(Clone, Copy)]
-pub struct Term {
-    floats: [f32; MOST],
-    count: usize,
-    is_inverse: bool,
-}
-
-impl Term {
-    /// A term that is subtracted, or a factor that divides, if it `is_inverse`.
-    #[inline]
-    pub fn new<T: Copy>(value: T, is_inverse: bool) -> Self {
-        let (mut floats, mut count) = floats(&value);
-        // a literal whose type nothing decides
-        if type_name::<T>() == type_name::<f64>() {
-            // SAFETY: the types are the same
-            floats[0] = unsafe { core::mem::transmute_copy::<T, f64>(&value) } as f32;
-            count = 1;
-        }
-        Self { floats, count, is_inverse }
-    }
-
-    fn at(&self, i: usize) -> f32 {
-        self.floats[if self.count == 1 { 0 } else { i }]
-    }
-}
-
-/// How far a regrouped number may be from what is written before its place is noted, as a part of the larger of both.
-pub const FAR: f32 = 1e-3;
-
-/// The sum or product of floats as a driver may regroup it: a sum with one rounding, as if what cancels were gone, and a product with the
-/// factors behind the first one together; otherwise `plain`, which is as it is written. Notes where they are far apart.
+/// A sum or product as a driver may shorten it, if it is one of floats; otherwise `plain`, which is as it is written. Notes where they are far apart.
 #[track_caller]
-pub fn regrouped<O: Copy>(mut plain: O, terms: &[Term], is_sum: bool) -> O {
+pub fn regrouped<O: Copy, S: Copy>(plain: O, short: impl FnOnce() -> S) -> O {
     let (written, count) = floats(&plain);
-    if count == 0 || terms.iter().any(|term| term.count != count && term.count != 1) {
+    if count == 0 || type_name::<O>() != type_name::<S>() {
         return plain;
     }
-    let mut values = written;
-    for (i, value) in values.iter_mut().enumerate().take(count) {
-        *value = match (is_sum, terms) {
-            (false, [first, rest @ ..]) => {
-                let product = |is_inverse| -> f32 {
-                    rest.iter().filter(|t| t.is_inverse == is_inverse).map(|t| t.at(i)).product()
-                };
-                first.at(i) * (product(false) / product(true))
-            }
-            _ => {
-                let signed = |term: &Term| {
-                    let x = f64::from(term.at(i));
-                    if term.is_inverse { -x } else { x }
-                };
-                terms.iter().map(signed).sum::<f64>() as f32
-            }
-        };
-        if is_far(*value, written[i]) {
-            running::note_regrouped(Location::caller());
-        }
+    let short = short();
+    if (0..count).any(|i| is_far(written[i], floats(&short).0[i])) {
+        running::note_regrouped(Location::caller());
     }
-    // SAFETY: the floats of `plain`, in their place
-    unsafe { core::ptr::copy_nonoverlapping(values.as_ptr(), (&raw mut plain).cast(), count) };
-    plain
+    // SAFETY: the types are the same
+    unsafe { core::mem::transmute_copy(&short) }
 }
 
-/// Whether two numbers differ by more than roundings of theirs.
+/// Whether two numbers differ by more than a thousandth of the larger one: by more than some roundings.
 pub fn is_far(a: f32, b: f32) -> bool {
-    let size = a.abs().max(b.abs());
-    a.to_bits() != b.to_bits() && (a.is_finite() != b.is_finite() || !((a - b).abs() <= FAR * size))
+    let size = a.abs().max(b.abs()).max(TINY);
+    a.to_bits() != b.to_bits()
+        && (a.is_finite() != b.is_finite() || !((a - b).abs() <= 1e-3 * size))
 }

@@ -68,28 +68,27 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
     views.collect()
 }
 
-/// The changes that drivers may make to arithmetic: the name of each, and what it makes of a kernel.
-pub const ARITHMETIC: [(&str, fn(&mut syn::Block)); 2] =
+/// The changes that drivers may make to arithmetic: the name of each, and what makes it, which says whether it changes something.
+const ARITHMETIC: [(&str, fn(&mut syn::Block) -> bool); 2] =
     [("fused", fused::fuse), ("regrouped", regrouped::regroup)];
 
-/// The name of the kernel with changed arithmetic.
-pub fn arithmetic_name(kernel: &Kernel, change: &str) -> syn::Ident {
-    format_ident!("{}_with_{change}_arithmetic", kernel.function.sig.ident)
+/// The kernel with each change of its arithmetic that there is, unless it allows them.
+pub fn with_other_arithmetic(kernel: &Kernel) -> [Option<syn::ItemFn>; 2] {
+    ARITHMETIC.map(|(name, change)| {
+        let mut function = crate::expand::function(kernel);
+        function.sig.ident = format_ident!("{}_with_{name}_arithmetic", kernel.function.sig.ident);
+        (!kernel.fused && change(&mut function.block)).then_some(function)
+    })
 }
 
-/// `const RUN_ARITHMETIC`: one invocation with each change of [`ARITHMETIC`], in debug builds.
+/// `const RUN_ARITHMETIC`: one invocation with each change of its arithmetic, in debug builds.
 pub fn run_arithmetic(kernel: &Kernel) -> TokenStream {
-    let ty = hygienic! {
-        ::core::option::Option<[unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation); 2]>
-    };
-    if kernel.fused {
-        return hygienic!(const RUN_ARITHMETIC: #ty = ::core::option::Option::None;);
-    }
-    let names = kernel.parameters.iter().map(plain_argument).collect::<Vec<_>>();
+    let none = hygienic!(::core::option::Option::None);
+    let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     let lane = kernel.lanes.is_some().then(|| hygienic!(::<::muslin::lane::Wide<1, false>>));
     let views = views(kernel);
-    let runs = ARITHMETIC.map(|(change, _)| {
-        let name = arithmetic_name(kernel, change);
+    let runs = with_other_arithmetic(kernel).map(|function| {
+        let Some(name) = function.map(|function| function.sig.ident) else { return none.clone() };
         hygienic! {{
             // SAFETY: called as `CpuRun` says
             unsafe fn run(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
@@ -99,14 +98,17 @@ pub fn run_arithmetic(kernel: &Kernel) -> TokenStream {
                 )*
                 self::#name #lane (id, #(#names),*);
             }
-            run
+            ::core::option::Option::Some(run)
         }}
     });
+    let ty = hygienic! {
+        [::core::option::Option<unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)>; 2]
+    };
     hygienic! {
         #[cfg(debug_assertions)]
-        const RUN_ARITHMETIC: #ty = ::core::option::Option::Some([#(#runs),*]);
+        const RUN_ARITHMETIC: #ty = [#(#runs),*];
         #[cfg(not(debug_assertions))]
-        const RUN_ARITHMETIC: #ty = ::core::option::Option::None;
+        const RUN_ARITHMETIC: #ty = [#none; 2];
     }
 }
 

@@ -6,9 +6,7 @@ use syn::parse_quote;
 use syn::spanned::Spanned;
 
 use crate::checks;
-use crate::cpu::{
-    ARITHMETIC, arithmetic_name, cpu_run, plain_argument, run_arithmetic, run_variant,
-};
+use crate::cpu::{cpu_run, plain_argument, run_arithmetic, run_variant, with_other_arithmetic};
 use crate::inputs::inputs;
 use crate::parse::{Kernel, Parameter, Role};
 
@@ -36,7 +34,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
 }
 
 /// The kernel itself. On the CPU it knows who it is and what its buffers are called: for messages.
-fn function(kernel: &Kernel) -> syn::ItemFn {
+pub fn function(kernel: &Kernel) -> syn::ItemFn {
     let mut function = kernel.function.clone();
     let name = function.sig.ident.to_string();
     let id = &kernel.id;
@@ -67,24 +65,19 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
     function
 }
 
-/// The kernel as drivers may compile it that change its arithmetic, unless the kernel allows that. Only debug builds on the CPU have it.
-fn arithmetic_functions(kernel: &Kernel) -> Option<TokenStream> {
-    let functions = ARITHMETIC.map(|(name, change)| {
-        let mut function = function(kernel);
-        change(&mut function.block);
-        function.sig.ident = arithmetic_name(kernel, name);
+/// The kernel as drivers may compile it that change its arithmetic. Only debug builds on the CPU have it.
+fn arithmetic_functions(kernel: &Kernel) -> TokenStream {
+    let functions = with_other_arithmetic(kernel).into_iter().flatten().map(|mut function| {
         function.vis = syn::Visibility::Inherited;
         function.attrs.clear();
         function
     });
-    (!kernel.fused).then(|| {
-        quote! {#(
-            #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-            #[allow(warnings, clippy::all)]
-            #[inline(always)]
-            #functions
-        )*}
-    })
+    quote! {#(
+        #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+        #[allow(warnings, clippy::all)]
+        #[inline(always)]
+        #functions
+    )*}
 }
 
 /// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.

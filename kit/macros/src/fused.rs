@@ -7,12 +7,16 @@ use syn::{
     BinOp, Block, Expr, ExprBinary, ExprConst, ExprRepeat, GenericArgument, Item, Pat, Type,
 };
 
-/// Fuses every sum or difference of a product. Types are not known here: what is no float stays as it is.
-pub fn fuse(block: &mut Block) {
-    Fuse.visit_block_mut(block);
+/// Fuses every sum or difference of a product, and says whether there are some. Types are not known here: what is no float stays as it is.
+pub fn fuse(block: &mut Block) -> bool {
+    let mut fuse = Fuse { has_some: false };
+    fuse.visit_block_mut(block);
+    fuse.has_some
 }
 
-struct Fuse;
+struct Fuse {
+    has_some: bool,
+}
 
 /// The factors of a product.
 fn factors(expression: &Expr) -> Option<(&Expr, &Expr)> {
@@ -66,6 +70,7 @@ impl VisitMut for Fuse {
             && let Some(fused) = fused(binary)
         {
             *expression = fused;
+            self.has_some = true;
         }
     }
 

@@ -1,9 +1,9 @@
-//! A kernel as a driver may compile it that regroups sums and products: `(x + y) - y` may become x.
+//! A kernel as a driver may compile it that shortens sums and products: `(x + y) - y` may become x, and `(x * 0.1) * 3.0` may become `x * 0.3`.
 
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::Span;
-use quote::quote_spanned;
+use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
@@ -11,9 +11,12 @@ use syn::{
     Pat, PatIdent, Type, parse_quote,
 };
 
-/// Regroups sums of three terms and more, and products. Types are not known here: what is no float stays as it is.
-pub fn regroup(block: &mut Block) {
-    Regroup::default().visit_block_mut(block);
+/// Shortens all sums and products that can be: terms that cancel are left out, and constants are put together. Says whether there are some. Types
+/// are not known here: what is no float stays as it is.
+pub fn regroup(block: &mut Block) -> bool {
+    let mut regroup = Regroup::default();
+    regroup.visit_block_mut(block);
+    regroup.has_some
 }
 
 /// A sum, or a product.
@@ -28,6 +31,7 @@ type Term = (Expr, bool);
 
 #[derive(Default)]
 struct Regroup {
+    has_some: bool,
     /// Sums and products of names and literals that have a name themselves.
     named: HashMap<Ident, (Kind, Vec<Term>)>,
     /// Names whose value may change.
@@ -73,17 +77,51 @@ fn terms(expression: &Expr) -> Option<(Kind, Vec<Term>)> {
     Some((of, terms))
 }
 
+/// The terms that are left where a driver shortens: without those that cancel, and with the constants last. `None` if nothing changes.
+fn shortened(terms: Vec<(Term, String)>) -> Option<(Vec<Term>, Vec<Term>)> {
+    let mut left: Vec<(Term, String)> = Vec::new();
+    let count = terms.len();
+    for (term, text) in terms {
+        match left.iter().position(|(other, same)| *same == text && other.1 != term.1) {
+            Some(at) => drop(left.remove(at)),
+            None => left.push((term, text)),
+        }
+    }
+    let has_canceled = left.len() < count;
+    let is_constant =
+        |text: &str| !text.contains(|c: char| c.is_lowercase()) || text.parse::<f32>().is_ok();
+    let (constants, others): (Vec<_>, Vec<_>) =
+        left.into_iter().partition(|(_, text)| is_constant(text));
+    let terms =
+        |all: Vec<(Term, String)>| all.into_iter().map(|(term, _)| term).collect::<Vec<_>>();
+    let is_short = !others.is_empty() && (has_canceled || constants.len() > 1);
+    is_short.then(|| (terms(others), terms(constants)))
+}
+
+/// The sum or product of terms. The first one that is not subtracted begins.
+fn joined(of: Kind, mut terms: Vec<Term>) -> Option<Expr> {
+    terms.sort_by_key(|(_, inverse)| *inverse);
+    let mut terms = terms.into_iter();
+    let (first, _) = terms.next().filter(|(_, inverse)| !inverse)?;
+    Some(terms.fold(first, |sum, (term, inverse)| match (of, inverse) {
+        (Kind::Sum, false) => parse_quote!((#sum + #term)),
+        (Kind::Sum, true) => parse_quote!((#sum - #term)),
+        (Kind::Product, false) => parse_quote!((#sum * #term)),
+        (Kind::Product, true) => parse_quote!((#sum / #term)),
+    }))
+}
+
 impl Regroup {
-    /// The regrouped form of an expression, if it has one.
+    /// The shortened form of an expression, if it has one.
     fn regrouped(&mut self, expression: &Expr) -> Option<Expr> {
         let (of, _) = terms(expression)?;
-        let names = Span::mixed_site();
         let mut plain = expression.clone();
         let mut values = Vec::new();
         let mut variables = Vec::new();
         let mut all = Vec::new();
         each_term(&mut plain, of, false, &mut |term, inverse| {
-            let variable = Ident::new(&format!("term_{}", variables.len()), names);
+            let name = format!("term_{}", variables.len());
+            let variable = Ident::new(&name, Span::mixed_site());
             let value = std::mem::replace(term, parse_quote!(#variable));
             let named = match &value {
                 Expr::Path(path) => path.path.get_ident().and_then(|name| self.named.get(name)),
@@ -91,28 +129,30 @@ impl Regroup {
             };
             match named {
                 Some((kind, parts)) if *kind == of => {
-                    let flip = |(part, flips): &Term| (part.clone(), inverse ^ flips);
-                    all.extend(parts.iter().map(flip));
+                    all.extend(parts.iter().map(|(part, flips)| {
+                        ((part.clone(), inverse ^ flips), part.to_token_stream().to_string())
+                    }))
                 }
-                _ => all.push((parse_quote!(#variable), inverse)),
+                _ => {
+                    let text = value.to_token_stream().to_string();
+                    all.push(((parse_quote!(#variable), inverse), text));
+                }
             }
             values.push(value);
             variables.push(variable);
         });
-        if all.len() < 3 {
-            return None;
-        }
+        let (others, constants) = shortened(all)?;
+        let flips = constants.iter().all(|(_, inverse)| *inverse);
+        let constants = constants.into_iter().map(|(term, inverse)| (term, inverse ^ flips));
+        let constant = joined(of, constants.collect()).map(|constant| (constant, flips));
+        let short = joined(of, others.into_iter().chain(constant).collect())?;
         values.iter_mut().for_each(|value| self.visit_expr_mut(value));
-        let (parts, inverse): (Vec<_>, Vec<_>) = all.into_iter().unzip();
-        let is_sum = of == Kind::Sum;
-        let place = names.located_at(expression.span());
-        syn::parse2(quote_spanned! { place =>
+        self.has_some = true;
+        let Expr::Binary(ExprBinary { op, .. }) = expression else { return None };
+        // the place of the operation, which the message names
+        syn::parse2(quote_spanned! { op.span() =>
             match (#(#values,)*) {
-                (#(#variables,)*) => ::muslin::kernel::regrouped(
-                    #plain,
-                    &[#(::muslin::kernel::Term::new(#parts, #inverse)),*],
-                    #is_sum,
-                ),
+                (#(#variables,)*) => ::muslin::kernel::regrouped(#plain, || #short),
             }
         })
         .ok()

@@ -172,3 +172,147 @@ pub fn keep_positive(
         }
     }
 }
+
+/// Writes values to one element of each row of an output.
+macro_rules! rows {
+    ($output:ident [$count:expr] at $index:expr; $($value:expr,)*) => {
+        let mut at = $index;
+        $(
+            $output.write(at, $value);
+            at += $count;
+        )*
+        let _ = at;
+    };
+}
+
+/// Rows of [`as_written`].
+pub const AS_WRITTEN_ROWS: usize = 24;
+
+/// `bits [24, count]`: arithmetic of `x` and `y`, which gives something else if a compiler regroups or shortens it.
+#[kernel(threads(64))]
+pub fn as_written(
+    id: Invocation,
+    params: &LanguageParams,
+    x: Read<f32>,
+    y: Read<f32>,
+    bits: Write<u32>,
+) {
+    if id.index() < params.count {
+        arithmetic([x.read(id.index()), y.read(id.index())], id.index(), params.count, bits);
+    }
+}
+
+/// A helper: a thorough device finds what changes where sums are regrouped, in a kernel's own body.
+#[allow(clippy::eq_op, clippy::erasing_op, clippy::identity_op)]
+fn arithmetic([x, y]: [f32; 2], index: u32, count: u32, bits: Write<u32>) {
+    let vector = Vec4::new(x, y, y, x);
+    rows! { bits [count] at index;
+        ((x + 12_582_912.0) - 12_582_912.0).to_bits(),
+        ((x - y) + y).to_bits(),
+        ((x + y) - y).to_bits(),
+        (x - (x - y)).to_bits(),
+        ((x / y) * y).to_bits(),
+        ((x * 1e-30) * 1e-30).to_bits(),
+        ((x * 0.1) * 3.0).to_bits(),
+        ((x + 0.1) + 0.2).to_bits(),
+        ((0.1 - x) - 0.2).to_bits(),
+        (x * 0.0).to_bits(),
+        (0.0 / x).to_bits(),
+        (x - x).to_bits(),
+        (x / x).to_bits(),
+        (x + 0.0).to_bits(),
+        (0.0 - x).to_bits(),
+        (-(x - y)).to_bits(),
+        (x * 2.0 * 0.5).to_bits(),
+        (x * y + x * 0.3).to_bits(),
+        (x / 3.0 / 7.0).to_bits(),
+        (3.0 / (7.0 / x)).to_bits(),
+        (x + 0.0 * (y - x)).to_bits(),
+        (vector * 0.1 * 3.0).z.to_bits(),
+        ((vector + Vec4::splat(0.1)) - Vec4::splat(0.1)).y.to_bits(),
+        ((x * 0.7).min(1.0) * (1.0 / 0.7)).to_bits(),
+    }
+}
+
+/// Rows of [`compared`].
+pub const COMPARED_ROWS: usize = 20;
+
+/// `found [20, count]`: what comparisons say of `x` and `y`, which can be NaN, and the bits of what is chosen by them.
+#[kernel(threads(64))]
+pub fn compared(
+    id: Invocation,
+    params: &LanguageParams,
+    x: Read<f32>,
+    y: Read<f32>,
+    found: Write<u32>,
+) {
+    if id.index() < params.count {
+        let [x, y] = [x.read(id.index()), y.read(id.index())];
+        #[allow(clippy::eq_op, clippy::neg_cmp_op_on_partial_ord, clippy::nonminimal_bool)]
+        let same = [x == x, x != x, x >= x, !(x <= x)];
+        #[allow(clippy::neg_cmp_op_on_partial_ord, clippy::nonminimal_bool)]
+        let not = [!(x < y), !(x > y), !(x <= y), !(x >= y)];
+        rows! { found [params.count] at id.index();
+            u32::from(x < y),
+            u32::from(x > y),
+            u32::from(x <= y),
+            u32::from(x >= y),
+            u32::from(x == y),
+            u32::from(x != y),
+            u32::from(x != 1.0),
+            u32::from(not[0]),
+            u32::from(not[1]),
+            u32::from(not[2]),
+            u32::from(not[3]),
+            u32::from(same[0]),
+            u32::from(same[1]),
+            u32::from(same[2]),
+            u32::from(same[3]),
+            u32::from(x.is_nan()),
+            u32::from((x * 2.0).is_nan()),
+            x.max(y).to_bits(),
+            x.min(y).to_bits(),
+            (if x < y || y.is_nan() { x } else { y }).to_bits(),
+        }
+    }
+}
+
+/// Rows of [`signed`].
+pub const SIGNED_ROWS: usize = 18;
+/// What [`signed`] gives where a sum has no room.
+pub const NO_ROOM: i32 = -77;
+
+/// `output [18, count]`: remainders and sums of `x` and `y`, of which `y` is not zero, and `z`.
+#[kernel(threads(64))]
+pub fn signed(
+    id: Invocation,
+    params: &LanguageParams,
+    x: Read<i32>,
+    y: Read<i32>,
+    z: Read<i32>,
+    output: Write<i32>,
+) {
+    if id.index() < params.count {
+        let [x, y, z] = [x.read(id.index()), y.read(id.index()), z.read(id.index())];
+        rows! { output [params.count] at id.index();
+            x.wrapping_rem(y),
+            x.wrapping_rem_euclid(y),
+            x % 3,
+            x % -4,
+            x % 768,
+            (x >> 2) % 5,
+            x.checked_add(z).unwrap_or(NO_ROOM),
+            x.checked_sub(z).unwrap_or(NO_ROOM),
+            x.checked_add(0).unwrap_or(NO_ROOM),
+            x.checked_sub(0).unwrap_or(NO_ROOM),
+            0_i32.checked_add(z).unwrap_or(NO_ROOM),
+            0_i32.checked_sub(z).unwrap_or(NO_ROOM),
+            x.checked_add(5).unwrap_or(NO_ROOM),
+            x.checked_sub(i32::MIN).unwrap_or(NO_ROOM),
+            x.wrapping_sub(z).checked_add(z).unwrap_or(NO_ROOM),
+            i32::from(x.overflowing_add(z).1),
+            i32::from(x.overflowing_sub(z).1),
+            i32::from(x.checked_add_unsigned(z as u32).is_none()),
+        }
+    }
+}

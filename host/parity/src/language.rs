@@ -2,8 +2,9 @@
 
 use muslin_check::prelude::*;
 use organza_shaders::language::{
-    BYTES, ByteHistogramInputs, KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW,
-    RowParams, SortParams, SortRowsInputs,
+    AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
+    KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, NO_ROOM, RowParams, SIGNED_ROWS,
+    SignedInputs, SortParams, SortRowsInputs,
 };
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -112,4 +113,257 @@ impl Parity for KeepPositive {
 
 fn sort(row: &mut [f64]) {
     row.sort_unstable_by(f64::total_cmp);
+}
+
+/// Rounds to an `f32`.
+fn rounded(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+/// A number in which NaN, infinity and the sign of zero are numbers, too.
+fn shown(x: f64) -> f64 {
+    match x {
+        _ if x.is_nan() => 3e40,
+        _ if x.is_infinite() => x.signum() * 2e40,
+        _ if x == 0.0 && x.is_sign_negative() => -1e-60,
+        _ => x,
+    }
+}
+
+/// Numbers of all kinds. No pair of one of these and a [`LATER`] has a sum, a product or a quotient that is a denormal.
+const NUMBERS: [f32; 18] = [
+    0.0,
+    -0.0,
+    0.4,
+    -0.6,
+    0.3,
+    1.0,
+    1.5,
+    -3.0,
+    49.0,
+    12345.678,
+    -7.5e6,
+    16_777_217.0,
+    1e8,
+    1e30,
+    3e38,
+    -3e38,
+    f32::INFINITY,
+    f32::NAN,
+];
+const LATER: [f32; 12] =
+    [0.0, -0.0, 0.4, 1.0, -1.0, 3.0, 49.0, -0.7, 16_777_216.0, 1e8, f32::NEG_INFINITY, f32::NAN];
+
+/// All pairs of [`NUMBERS`] and [`LATER`].
+fn pairs() -> [Vec<f32>; 2] {
+    let all = NUMBERS.into_iter().flat_map(|x| LATER.map(|y| (x, y)));
+    let (x, y) = all.unzip();
+    [x, y]
+}
+
+case!(pub AsWritten(AsWrittenInputs));
+
+impl AsWritten {
+    /// Whether a row has a division, of which a GPU may be off by 2.5 ulp.
+    const DIVIDES: [usize; 5] = [4, 10, 12, 18, 19];
+
+    fn row(row: usize, x: f64, y: f64) -> f64 {
+        let r = rounded;
+        let c = |x: f32| f64::from(x);
+        let times = |a: f64, b: f64| r(a * b);
+        match row {
+            0 => r(r(x + 12_582_912.0) - 12_582_912.0),
+            1 => r(r(x - y) + y),
+            2 => r(r(x + y) - y),
+            3 => r(x - r(x - y)),
+            4 => times(r(x / y), y),
+            5 => times(times(x, c(1e-30)), c(1e-30)),
+            6 => times(times(x, c(0.1)), 3.0),
+            7 => r(r(x + c(0.1)) + c(0.2)),
+            8 => r(r(c(0.1) - x) - c(0.2)),
+            9 => x * 0.0,
+            10 => 0.0 / x,
+            11 => x - x,
+            12 => x / x,
+            13 => x + 0.0,
+            14 => 0.0 - x,
+            15 => -r(x - y),
+            16 => times(times(x, 2.0), 0.5),
+            17 => r(times(x, y) + times(x, c(0.3))),
+            18 => r(r(x / 3.0) / 7.0),
+            19 => r(3.0 / r(7.0 / x)),
+            20 => r(x + 0.0 * r(y - x)),
+            21 => times(times(y, c(0.1)), 3.0),
+            22 => r(r(y + c(0.1)) - c(0.1)),
+            _ => times(times(x, c(0.7)).min(1.0), c(1.0 / 0.7)),
+        }
+    }
+}
+
+impl Parity for AsWritten {
+    const KERNEL: &'static str = "as_written";
+    const TOLERANCE: f64 = 4e-7;
+    const WHY: &'static str = "equal as it is written, but for two divisions of 2.5 ulp, and the sign of a zero to which one is added; \
+        nothing is known where drivers regroup";
+
+    fn sets() -> Vec<(String, Self)> {
+        let [x, y] = pairs();
+        let params = LanguageParams { count: x.len() as u32 };
+        let bits = vec![0; AS_WRITTEN_ROWS * x.len()];
+        vec![("pairs".into(), Self(AsWrittenInputs { params, x, y, bits }))]
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let mut outputs = runner.run(&self.kernel(), self.params.count, 1)?;
+        let bits = outputs[0].words().iter();
+        let numbers = bits.map(|bits| shown(f32::from_bits(*bits).into())).collect();
+        outputs[0].values = Values::Float(numbers);
+        Ok(outputs)
+    }
+
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let [row, at] = [index / self.x.len(), index % self.x.len()];
+        Some(shown(Self::row(row, self.x[at].into(), self.y[at].into())))
+    }
+
+    fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {
+        let divides = Self::DIVIDES.contains(&(index / self.x.len()));
+        match rounding {
+            Rounding::Regrouped => Bound { scale: 0.0, floor: 1e41 },
+            // the sign of zero
+            Rounding::AsWritten if [13, 14].contains(&(index / self.x.len())) => {
+                Bound { scale: 0.0, floor: 1e-50 }
+            }
+            Rounding::AsWritten if divides => Bound::relative_to(output.floats()[index].abs()),
+            Rounding::AsWritten => Bound::EXACT,
+        }
+    }
+}
+
+case!(pub Compared(ComparedInputs));
+
+impl Parity for Compared {
+    const KERNEL: &'static str = "compared";
+    const WHY: &'static str = "equal, also of NaN";
+
+    fn sets() -> Vec<(String, Self)> {
+        let [x, y] = pairs();
+        let params = LanguageParams { count: x.len() as u32 };
+        let found = vec![0; COMPARED_ROWS * x.len()];
+        vec![("pairs".into(), Self(ComparedInputs { params, x, y, found }))]
+    }
+
+    /// The bits of NaN are not known, and zeros are equal.
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let mut outputs = runner.run(&self.kernel(), self.params.count, 1)?;
+        let flags = 17 * self.x.len();
+        let values =
+            outputs[0].words().iter().enumerate().map(|(index, word)| match index < flags {
+                true => f64::from(*word),
+                false => shown(f64::from(f32::from_bits(*word)) + 0.0),
+            });
+        outputs[0].values = Values::Float(values.collect());
+        Ok(outputs)
+    }
+
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        use core::cmp::Ordering::{Equal, Greater, Less};
+        let [row, at] = [index / self.x.len(), index % self.x.len()];
+        let [x, y] = [&self.x, &self.y].map(|values| f64::from(values[at]));
+        let [has_nan, x_is_nan] = [x.is_nan() || y.is_nan(), x.is_nan()];
+        let order = x.partial_cmp(&y);
+        let is = |orders: &[_]| order.is_some_and(|order| orders.contains(&order));
+        let flag = match row {
+            0 => is(&[Less]),
+            1 => is(&[Greater]),
+            2 => is(&[Less, Equal]),
+            3 => is(&[Greater, Equal]),
+            4 => is(&[Equal]),
+            5 => has_nan || is(&[Less, Greater]),
+            6 => x_is_nan || (x - 1.0).abs() > 0.0,
+            7 => has_nan || is(&[Greater, Equal]),
+            8 => has_nan || is(&[Less, Equal]),
+            9 => has_nan || is(&[Greater]),
+            10 => has_nan || is(&[Less]),
+            11 | 13 => !x_is_nan,
+            12 | 14..=16 => x_is_nan,
+            _ => {
+                let takes_x = match row {
+                    17 => y.is_nan() || is(&[Greater]),
+                    18 => y.is_nan() || is(&[Less]),
+                    _ => y.is_nan() || is(&[Less]),
+                };
+                return Some(shown(if takes_x { x } else { y } + 0.0));
+            }
+        };
+        Some(f64::from(u8::from(flag)))
+    }
+
+    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
+        Bound::EXACT
+    }
+}
+
+case!(pub Signed(SignedInputs));
+
+impl Parity for Signed {
+    const KERNEL: &'static str = "signed";
+
+    fn sets() -> Vec<(String, Self)> {
+        let numbers = [0, 1, -1, 2, 7, -8, 767, -768, 1_000_003, i32::MAX, i32::MIN, i32::MIN + 5];
+        let mut inputs = SignedInputs {
+            params: LanguageParams { count: 0 },
+            x: vec![],
+            y: vec![],
+            z: vec![],
+            output: vec![],
+        };
+        for x in numbers {
+            for z in numbers {
+                inputs.x.push(x);
+                inputs.y.push(if z == 0 { 3 } else { z });
+                inputs.z.push(z);
+            }
+        }
+        inputs.params.count = inputs.x.len() as u32;
+        inputs.output = vec![0; SIGNED_ROWS * inputs.x.len()];
+        vec![("pairs".into(), Self(inputs))]
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        runner.run(&self.kernel(), self.params.count, 1)
+    }
+
+    /// In 64 bits, where all have room.
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let [row, at] = [index / self.x.len(), index % self.x.len()];
+        let [x, y, z] = [&self.x, &self.y, &self.z].map(|values| i64::from(values[at]));
+        let whole = |quotient: f64| x - (quotient as i64);
+        let checked = |sum: i64| i32::try_from(sum).unwrap_or(NO_ROOM);
+        let no_room = |sum: i64| i32::from(i32::try_from(sum).is_err());
+        let remainder = |by: i64| whole((x as f64 / by as f64).trunc() * by as f64) as i32;
+        let value = match row {
+            0 => remainder(y),
+            1 => whole((x as f64 / y.abs() as f64).floor() * y.abs() as f64) as i32,
+            2 => remainder(3),
+            3 => remainder(-4),
+            4 => remainder(768),
+            5 => {
+                let quarter = (x as f64 / 4.0).floor();
+                (quarter - (quarter / 5.0).trunc() * 5.0) as i32
+            }
+            6 => checked(x + z),
+            7 => checked(x - z),
+            8 | 9 => x as i32,
+            10 => z as i32,
+            11 => checked(-z),
+            12 => checked(x + 5),
+            13 => checked(x - i64::from(i32::MIN)),
+            14 => checked(i64::from((x - z) as i32) + z),
+            15 => no_room(x + z),
+            16 => no_room(x - z),
+            _ => no_room(x + i64::from(z as u32)),
+        };
+        Some(f64::from(value as u32))
+    }
 }

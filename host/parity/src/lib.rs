@@ -109,5 +109,8 @@ pub fn cases() -> Vec<Case> {
         Case::new::<language::ByteHistogram>(),
         Case::new::<language::SortRows>(),
         Case::new::<language::KeepPositive>(),
+        Case::new::<language::AsWritten>(),
+        Case::new::<language::Compared>(),
+        Case::new::<language::Signed>(),
     ]
 }

@@ -32,9 +32,9 @@ fn function_() {
     var phi_115_: u32;
     var phi_117_: array<u32, 2>;
     var phi_125_: f32;
-    var phi_127_: u32;
-    var phi_130_: f32;
-    var phi_161_: f32;
+    var phi_128_: u32;
+    var phi_131_: f32;
+    var phi_162_: f32;
     var local_2: u32;
     var local_3: array<u32, 2>;
     var local_4: array<u32, 2>;
@@ -73,10 +73,10 @@ fn function_() {
                 break;
             }
             continuing {
-                let _e142 = local_2;
-                phi_70_ = _e142;
-                let _e145 = local_3;
-                phi_73_ = _e145;
+                let _e143 = local_2;
+                phi_70_ = _e143;
+                let _e146 = local_3;
+                phi_73_ = _e146;
             }
         }
         let _e70 = local;
@@ -92,8 +92,8 @@ fn function_() {
             let _e83 = phi_115_;
             phi_117_ = array<u32, 2>(_e77, _e83);
         } else {
-            let _e151 = local_4;
-            phi_117_ = _e151;
+            let _e152 = local_4;
+            phi_117_ = _e152;
         }
         let _e86 = phi_117_;
         let _e92 = ((f32(_e86[1]) * 4294967300f) + f32(_e86[0]));
@@ -103,46 +103,46 @@ fn function_() {
             phi_125_ = _e92;
         }
         let _e95 = phi_125_;
-        let _e155 = local_5;
-        phi_127_ = _e155;
-        phi_130_ = (_e95 * 81129640000000000000000000000000f);
+        let _e156 = local_5;
+        phi_128_ = _e156;
+        phi_131_ = (_e95 * bitcast<f32>(1954545664u));
         loop {
-            let _e98 = phi_127_;
-            let _e100 = phi_130_;
-            local_8 = _e100;
-            if (_e98 > 0u) {
-                let _e102 = (_e98 - 1u);
-                let _e112 = bitcast<f32>((bitcast<u32>(((8i * bitcast<i32>(_e102)) + 52i)) << bitcast<u32>(23i)));
-                let _e115 = global_4.member[(2u * ((_e102 * _e33) + _e30))];
-                global_4.member[(2u * ((_e102 * _e33) + _e30))] = 0u;
-                local_6 = _e102;
-                local_7 = (_e100 + ((f32(_e115) * _e112) * _e112));
+            let _e99 = phi_128_;
+            let _e101 = phi_131_;
+            local_8 = _e101;
+            if (_e99 > 0u) {
+                let _e103 = (_e99 - 1u);
+                let _e113 = bitcast<f32>((bitcast<u32>(((8i * bitcast<i32>(_e103)) + 52i)) << bitcast<u32>(23i)));
+                let _e116 = global_4.member[(2u * ((_e103 * _e33) + _e30))];
+                global_4.member[(2u * ((_e103 * _e33) + _e30))] = 0u;
+                local_6 = _e103;
+                local_7 = (_e101 + ((f32(_e116) * _e113) * _e113));
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e157 = local_6;
-                phi_127_ = _e157;
-                let _e160 = local_7;
-                phi_130_ = _e160;
+                let _e158 = local_6;
+                phi_128_ = _e158;
+                let _e161 = local_7;
+                phi_131_ = _e161;
             }
         }
-        let _e122 = (2u * ((16u * _e33) + _e30));
-        let _e125 = global_4.member[_e122];
-        let _e129 = global_4.member[(_e122 + 1u)];
-        let _e130 = (_e125 | _e129);
-        global_4.member[_e122] = 0u;
-        global_4.member[(_e122 + 1u)] = 0u;
-        if (_e130 == 0u) {
-            let _e163 = local_8;
-            phi_161_ = _e163;
+        let _e123 = (2u * ((16u * _e33) + _e30));
+        let _e126 = global_4.member[_e123];
+        let _e130 = global_4.member[(_e123 + 1u)];
+        let _e131 = (_e126 | _e130);
+        global_4.member[_e123] = 0u;
+        global_4.member[(_e123 + 1u)] = 0u;
+        if (_e131 == 0u) {
+            let _e164 = local_8;
+            phi_162_ = _e164;
         } else {
-            phi_161_ = bitcast<f32>((_e130 | 2143289344u));
+            phi_162_ = bitcast<f32>((_e131 | 2143289344u));
         }
-        let _e135 = phi_161_;
-        let _e138 = global_5.member[_e30];
-        global_5.member[_e30] = (_e138 + _e135);
+        let _e136 = phi_162_;
+        let _e139 = global_5.member[_e30];
+        global_5.member[_e30] = (_e139 + _e136);
     }
     return;
 }

@@ -42,18 +42,18 @@ var<storage, read_write> global_9: type_15;
 var<storage> global_10: type_15;
 
 fn function_() {
-    var phi_340_: f32;
-    var phi_343_: u32;
-    var phi_345_: f32;
-    var phi_347_: f32;
-    var phi_341_: f32;
-    var phi_346_: f32;
+    var phi_343_: f32;
+    var phi_346_: u32;
     var phi_348_: f32;
-    var phi_360_: f32;
-    var phi_363_: u32;
-    var phi_365_: f32;
-    var phi_361_: f32;
-    var phi_391_: u32;
+    var phi_350_: f32;
+    var phi_344_: f32;
+    var phi_349_: f32;
+    var phi_351_: f32;
+    var phi_363_: f32;
+    var phi_366_: u32;
+    var phi_368_: f32;
+    var phi_364_: f32;
+    var phi_394_: u32;
     var local: f32;
     var local_1: u32;
     var local_2: f32;
@@ -65,208 +65,209 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e44 = global;
-            let _e45 = global_1;
-            let _e46 = global_2;
-            let _e54 = (((_e45.x + (_e45.y * _e46.x)) * 64u) + _e44.x);
-            let _e57 = global_3.member.member;
-            if (_e54 < _e57) {
-                let _e61 = global_3.member.member_1;
-                let _e65 = global_4.member[(_e61 + _e54)];
-                let _e68 = global_3.member.member_3;
-                let _e69 = (_e68 == 0u);
-                if _e69 {
+            let _e43 = global;
+            let _e44 = global_1;
+            let _e45 = global_2;
+            let _e53 = (((_e44.x + (_e44.y * _e45.x)) * 64u) + _e43.x);
+            let _e56 = global_3.member.member;
+            if (_e53 < _e56) {
+                let _e60 = global_3.member.member_1;
+                let _e64 = global_4.member[(_e60 + _e53)];
+                let _e67 = global_3.member.member_3;
+                let _e68 = (_e67 == 0u);
+                if _e68 {
                     break;
                 }
-                let _e70 = (_e65 % _e68);
-                if _e69 {
+                let _e69 = (_e64 % _e67);
+                if _e68 {
                     break;
                 }
-                let _e72 = ((_e65 / _e68) * 18u);
-                let _e76 = global_5.member[(_e72 + 9u)];
-                let _e80 = global_5.member[(_e72 + 10u)];
-                let _e84 = global_5.member[(_e72 + 11u)];
-                let _e85 = (_e70 * 3u);
-                let _e88 = global_6.member[_e85];
-                let _e92 = global_6.member[(_e85 + 1u)];
-                let _e96 = global_6.member[(_e85 + 2u)];
-                let _e99 = global_3.member.member_2;
-                let _e102 = global_7.member[0u];
-                let _e105 = global_7.member[1u];
-                let _e108 = global_7.member[2u];
-                let _e111 = global_7.member[3u];
-                let _e114 = global_7.member[4u];
-                let _e117 = global_7.member[5u];
-                let _e120 = global_7.member[6u];
-                let _e123 = global_7.member[7u];
-                let _e126 = global_7.member[8u];
-                let _e129 = global_7.member[9u];
-                let _e132 = global_7.member[10u];
-                let _e135 = global_7.member[11u];
-                let _e138 = global_7.member[12u];
-                let _e141 = global_7.member[13u];
-                let _e144 = global_7.member[14u];
-                let _e147 = global_7.member[15u];
-                let _e150 = global_7.member[16u];
-                let _e153 = global_7.member[17u];
-                let _e160 = (trunc((_e88 * _e111)) * _e102);
-                let _e161 = (trunc((_e92 * _e114)) * _e105);
-                let _e162 = (trunc((_e96 * _e117)) * _e108);
-                let _e163 = (_e160 - _e120);
-                let _e164 = (_e161 - _e123);
-                let _e165 = (_e162 - _e126);
-                let _e172 = (_e163 * _e138);
-                let _e173 = (_e164 * _e141);
-                let _e174 = (_e165 * _e144);
-                let _e184 = ((_e163 * _e147) + (((_e88 - _e160) - _e129) * (_e138 + _e147)));
-                let _e185 = ((_e164 * _e150) + (((_e92 - _e161) - _e132) * (_e141 + _e150)));
-                let _e186 = ((_e165 * _e153) + (((_e96 - _e162) - _e135) * (_e144 + _e153)));
-                let _e190 = (trunc(((_e172 + _e184) * 4096f)) * 0.00024414063f);
-                let _e192 = ((_e172 - _e190) + _e184);
-                let _e196 = (trunc(((_e173 + _e185) * 4096f)) * 0.00024414063f);
-                let _e198 = ((_e173 - _e196) + _e185);
-                let _e202 = (trunc(((_e174 + _e186) * 4096f)) * 0.00024414063f);
-                let _e204 = ((_e174 - _e202) + _e186);
+                let _e71 = ((_e64 / _e67) * 18u);
+                let _e75 = global_5.member[(_e71 + 9u)];
+                let _e79 = global_5.member[(_e71 + 10u)];
+                let _e83 = global_5.member[(_e71 + 11u)];
+                let _e84 = (_e69 * 3u);
+                let _e87 = global_6.member[_e84];
+                let _e91 = global_6.member[(_e84 + 1u)];
+                let _e95 = global_6.member[(_e84 + 2u)];
+                let _e98 = global_3.member.member_2;
+                let _e101 = global_7.member[0u];
+                let _e104 = global_7.member[1u];
+                let _e107 = global_7.member[2u];
+                let _e110 = global_7.member[3u];
+                let _e113 = global_7.member[4u];
+                let _e116 = global_7.member[5u];
+                let _e119 = global_7.member[6u];
+                let _e122 = global_7.member[7u];
+                let _e125 = global_7.member[8u];
+                let _e128 = global_7.member[9u];
+                let _e131 = global_7.member[10u];
+                let _e134 = global_7.member[11u];
+                let _e137 = global_7.member[12u];
+                let _e140 = global_7.member[13u];
+                let _e143 = global_7.member[14u];
+                let _e146 = global_7.member[15u];
+                let _e149 = global_7.member[16u];
+                let _e152 = global_7.member[17u];
+                let _e159 = (trunc((_e87 * _e110)) * _e101);
+                let _e160 = (trunc((_e91 * _e113)) * _e104);
+                let _e161 = (trunc((_e95 * _e116)) * _e107);
+                let _e162 = (_e159 - _e119);
+                let _e163 = (_e160 - _e122);
+                let _e164 = (_e161 - _e125);
+                let _e171 = (_e162 * _e137);
+                let _e172 = (_e163 * _e140);
+                let _e173 = (_e164 * _e143);
+                let _e183 = ((_e162 * _e146) + (((_e87 - _e159) - _e128) * (_e137 + _e146)));
+                let _e184 = ((_e163 * _e149) + (((_e91 - _e160) - _e131) * (_e140 + _e149)));
+                let _e185 = ((_e164 * _e152) + (((_e95 - _e161) - _e134) * (_e143 + _e152)));
+                let _e189 = (1f / 4096f);
+                let _e190 = (trunc(((_e171 + _e183) * 4096f)) * _e189);
+                let _e192 = ((_e171 - _e190) + _e183);
+                let _e196 = (trunc(((_e172 + _e184) * 4096f)) * _e189);
+                let _e198 = ((_e172 - _e196) + _e184);
+                let _e202 = (trunc(((_e173 + _e185) * 4096f)) * _e189);
+                let _e204 = ((_e173 - _e202) + _e185);
                 let _e207 = global_3.member.member_7;
                 if (_e207 == 0u) {
-                    global_8.member[_e54] = _e190;
-                    global_8.member[(_e99 + _e54)] = _e196;
-                    global_8.member[((2u * _e99) + _e54)] = _e202;
-                    global_8.member[((3u * _e99) + _e54)] = _e192;
-                    global_8.member[((4u * _e99) + _e54)] = _e198;
-                    global_8.member[((5u * _e99) + _e54)] = _e204;
+                    global_8.member[_e53] = _e190;
+                    global_8.member[(_e98 + _e53)] = _e196;
+                    global_8.member[((2u * _e98) + _e53)] = _e202;
+                    global_8.member[((3u * _e98) + _e53)] = _e192;
+                    global_8.member[((4u * _e98) + _e53)] = _e198;
+                    global_8.member[((5u * _e98) + _e53)] = _e204;
                 } else {
-                    let _e231 = ((_e190 - 0.5f) + _e192);
-                    let _e233 = ((_e196 - 0.5f) + _e198);
-                    let _e235 = ((_e202 - 0.5f) + _e204);
-                    let _e238 = select(_e231, -(_e231), (_e231 < 0f));
-                    let _e241 = select(_e233, -(_e233), (_e233 < 0f));
-                    let _e243 = select(_e241, _e238, (_e238 > _e241));
-                    let _e246 = select(_e235, -(_e235), (_e235 < 0f));
-                    let _e248 = select(_e246, _e243, (_e243 > _e246));
-                    let _e250 = select(0.25f, _e248, (_e248 > 0.25f));
-                    let _e255 = select(1f, ((0.5f - (0.0625f / _e250)) / _e250), (0.25f < _e250));
-                    let _e256 = (_e231 * _e255);
-                    let _e260 = (trunc(((0.5f + _e256) * 4096f)) * 0.00024414063f);
-                    let _e263 = (_e233 * _e255);
-                    let _e267 = (trunc(((0.5f + _e263) * 4096f)) * 0.00024414063f);
-                    let _e270 = (_e235 * _e255);
-                    let _e274 = (trunc(((0.5f + _e270) * 4096f)) * 0.00024414063f);
-                    global_8.member[_e54] = _e260;
-                    global_8.member[(_e99 + _e54)] = _e267;
-                    global_8.member[((2u * _e99) + _e54)] = _e274;
-                    global_8.member[((3u * _e99) + _e54)] = ((0.5f - _e260) + _e256);
-                    global_8.member[((4u * _e99) + _e54)] = ((0.5f - _e267) + _e263);
-                    global_8.member[((5u * _e99) + _e54)] = ((0.5f - _e274) + _e270);
+                    let _e232 = ((_e190 - 0.5f) + (_e192 - 0f));
+                    let _e235 = ((_e196 - 0.5f) + (_e198 - 0f));
+                    let _e238 = ((_e202 - 0.5f) + (_e204 - 0f));
+                    let _e241 = select(_e232, -(_e232), (_e232 < 0f));
+                    let _e244 = select(_e235, -(_e235), (_e235 < 0f));
+                    let _e246 = select(_e244, _e241, (_e241 > _e244));
+                    let _e249 = select(_e238, -(_e238), (_e238 < 0f));
+                    let _e251 = select(_e249, _e246, (_e246 > _e249));
+                    let _e253 = select(0.25f, _e251, (_e251 > 0.25f));
+                    let _e258 = select(1f, ((0.5f - (0.0625f / _e253)) / _e253), (0.25f < _e253));
+                    let _e259 = (_e232 * _e258);
+                    let _e263 = (trunc(((0.5f + _e259) * 4096f)) * _e189);
+                    let _e266 = (_e235 * _e258);
+                    let _e270 = (trunc(((0.5f + _e266) * 4096f)) * _e189);
+                    let _e273 = (_e238 * _e258);
+                    let _e277 = (trunc(((0.5f + _e273) * 4096f)) * _e189);
+                    global_8.member[_e53] = _e263;
+                    global_8.member[(_e98 + _e53)] = _e270;
+                    global_8.member[((2u * _e98) + _e53)] = _e277;
+                    global_8.member[((3u * _e98) + _e53)] = ((0.5f - _e263) + _e259);
+                    global_8.member[((4u * _e98) + _e53)] = ((0.5f - _e270) + _e266);
+                    global_8.member[((5u * _e98) + _e53)] = ((0.5f - _e277) + _e273);
                 }
-                let _e298 = (_e88 - _e76);
-                let _e299 = (_e92 - _e80);
-                let _e300 = (_e96 - _e84);
-                let _e305 = (((_e298 * _e298) + (_e299 * _e299)) + (_e300 * _e300));
-                let _e309 = (1f / sqrt(select(0.000000000000000000000000000000000000011754944f, _e305, (_e305 > 0.000000000000000000000000000000000000011754944f))));
-                let _e310 = (_e298 * _e309);
-                let _e311 = (_e299 * _e309);
-                let _e315 = global_3.member.member_4;
-                phi_340_ = 0f;
-                phi_343_ = 0u;
-                phi_345_ = 0.28209478f;
-                phi_347_ = 1f;
+                let _e301 = (_e87 - _e75);
+                let _e302 = (_e91 - _e79);
+                let _e303 = (_e95 - _e83);
+                let _e308 = (((_e301 * _e301) + (_e302 * _e302)) + (_e303 * _e303));
+                let _e312 = (1f / sqrt(select(0.000000000000000000000000000000000000011754944f, _e308, (_e308 > 0.000000000000000000000000000000000000011754944f))));
+                let _e313 = (_e301 * _e312);
+                let _e314 = (_e302 * _e312);
+                let _e318 = global_3.member.member_4;
+                phi_343_ = 0f;
+                phi_346_ = 0u;
+                phi_348_ = 0.28209478f;
+                phi_350_ = 1f;
                 loop {
-                    let _e317 = phi_340_;
-                    let _e319 = phi_343_;
-                    let _e321 = phi_345_;
-                    let _e323 = phi_347_;
-                    if (_e319 <= _e315) {
-                        let _e325 = f32(_e319);
-                        let _e326 = (_e319 > 0u);
-                        if _e326 {
-                            let _e327 = (2f * _e325);
-                            phi_341_ = ((_e310 * _e317) + (_e311 * _e323));
-                            phi_346_ = (_e321 * -(sqrt(((_e327 + 1f) / _e327))));
-                            phi_348_ = ((_e310 * _e323) - (_e311 * _e317));
+                    let _e320 = phi_343_;
+                    let _e322 = phi_346_;
+                    let _e324 = phi_348_;
+                    let _e326 = phi_350_;
+                    if (_e322 <= _e318) {
+                        let _e328 = f32(_e322);
+                        let _e329 = (_e322 > 0u);
+                        if _e329 {
+                            let _e330 = (2f * _e328);
+                            phi_344_ = ((_e313 * _e320) + (_e314 * _e326));
+                            phi_349_ = (_e324 * -(sqrt(((_e330 + 1f) / _e330))));
+                            phi_351_ = ((_e313 * _e326) - (_e314 * _e320));
                         } else {
-                            phi_341_ = _e317;
-                            phi_346_ = _e321;
-                            phi_348_ = _e323;
+                            phi_344_ = _e320;
+                            phi_349_ = _e324;
+                            phi_351_ = _e326;
                         }
-                        let _e340 = phi_341_;
-                        let _e342 = phi_346_;
-                        let _e344 = phi_348_;
-                        local = _e340;
-                        local_2 = _e342;
-                        local_3 = _e344;
-                        phi_360_ = _e342;
-                        phi_363_ = _e319;
-                        phi_365_ = 0f;
+                        let _e343 = phi_344_;
+                        let _e345 = phi_349_;
+                        let _e347 = phi_351_;
+                        local = _e343;
+                        local_2 = _e345;
+                        local_3 = _e347;
+                        phi_363_ = _e345;
+                        phi_366_ = _e322;
+                        phi_368_ = 0f;
                         loop {
-                            let _e347 = phi_360_;
-                            let _e349 = phi_363_;
-                            let _e351 = phi_365_;
-                            if (_e349 <= _e315) {
-                                let _e353 = (_e349 > _e319);
-                                if _e353 {
-                                    let _e354 = f32(_e349);
-                                    let _e355 = (_e354 - 1f);
-                                    let _e360 = (_e325 * _e325);
-                                    phi_361_ = (sqrt(((((4f * _e354) * _e354) - 1f) / ((_e354 * _e354) - _e360))) * (((_e300 * _e309) * _e347) - (sqrt((((_e355 * _e355) - _e360) / (((4f * _e355) * _e355) - 1f))) * _e351)));
+                            let _e350 = phi_363_;
+                            let _e352 = phi_366_;
+                            let _e354 = phi_368_;
+                            if (_e352 <= _e318) {
+                                let _e356 = (_e352 > _e322);
+                                if _e356 {
+                                    let _e357 = f32(_e352);
+                                    let _e358 = (_e357 - 1f);
+                                    let _e363 = (_e328 * _e328);
+                                    phi_364_ = (sqrt(((((4f * _e357) * _e357) - 1f) / ((_e357 * _e357) - _e363))) * (((_e303 * _e312) * _e350) - (sqrt((((_e358 * _e358) - _e363) / (((4f * _e358) * _e358) - 1f))) * _e354)));
                                 } else {
-                                    phi_361_ = _e347;
+                                    phi_364_ = _e350;
                                 }
-                                let _e376 = phi_361_;
-                                let _e379 = ((_e349 * _e349) + _e349);
-                                let _e383 = (select(1f, 1.4142135f, _e326) * _e376);
-                                global_9.member[(_e54 + ((_e379 + _e319) * _e99))] = (_e383 * _e344);
-                                local_4 = _e376;
-                                local_6 = select(_e351, _e347, _e353);
-                                if _e326 {
-                                    global_9.member[(_e54 + ((_e379 - _e319) * _e99))] = (_e383 * _e340);
+                                let _e379 = phi_364_;
+                                let _e382 = ((_e352 * _e352) + _e352);
+                                let _e386 = (select(1f, 1.4142135f, _e329) * _e379);
+                                global_9.member[(_e53 + ((_e382 + _e322) * _e98))] = (_e386 * _e347);
+                                local_4 = _e379;
+                                local_6 = select(_e354, _e350, _e356);
+                                if _e329 {
+                                    global_9.member[(_e53 + ((_e382 - _e322) * _e98))] = (_e386 * _e343);
                                 }
-                                local_5 = (_e349 + 1u);
+                                local_5 = (_e352 + 1u);
                                 continue;
                             } else {
                                 break;
                             }
                             continuing {
-                                let _e432 = local_4;
-                                phi_360_ = _e432;
-                                let _e435 = local_5;
+                                let _e435 = local_4;
                                 phi_363_ = _e435;
-                                let _e438 = local_6;
-                                phi_365_ = _e438;
+                                let _e438 = local_5;
+                                phi_366_ = _e438;
+                                let _e441 = local_6;
+                                phi_368_ = _e441;
                             }
                         }
-                        local_1 = (_e319 + 1u);
+                        local_1 = (_e322 + 1u);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e417 = local;
-                        phi_340_ = _e417;
-                        let _e420 = local_1;
+                        let _e420 = local;
                         phi_343_ = _e420;
-                        let _e423 = local_2;
-                        phi_345_ = _e423;
-                        let _e426 = local_3;
-                        phi_347_ = _e426;
+                        let _e423 = local_1;
+                        phi_346_ = _e423;
+                        let _e426 = local_2;
+                        phi_348_ = _e426;
+                        let _e429 = local_3;
+                        phi_350_ = _e429;
                     }
                 }
-                phi_391_ = 0u;
+                phi_394_ = 0u;
                 loop {
-                    let _e396 = phi_391_;
-                    let _e399 = global_3.member.member_5;
-                    if (_e396 < _e399) {
-                        let _e405 = global_10.member[((_e70 * _e399) + _e396)];
-                        let _e408 = global_3.member.member_6;
-                        global_9.member[(((_e408 + _e396) * _e99) + _e54)] = _e405;
-                        local_7 = (_e396 + 1u);
+                    let _e399 = phi_394_;
+                    let _e402 = global_3.member.member_5;
+                    if (_e399 < _e402) {
+                        let _e408 = global_10.member[((_e69 * _e402) + _e399)];
+                        let _e411 = global_3.member.member_6;
+                        global_9.member[(((_e411 + _e399) * _e98) + _e53)] = _e408;
+                        local_7 = (_e399 + 1u);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e442 = local_7;
-                        phi_391_ = _e442;
+                        let _e445 = local_7;
+                        phi_394_ = _e445;
                     }
                 }
             }

@@ -29,33 +29,33 @@ var<workgroup> global_8: array<vec4<f32>, 24>;
 var<storage, read_write> global_9: type_15;
 
 fn function_() {
-    var phi_73_: u32;
-    var phi_76_: f32;
+    var phi_75_: u32;
     var phi_78_: f32;
     var phi_80_: f32;
-    var phi_105_: bool;
-    var phi_112_: bool;
-    var phi_114_: f32;
-    var phi_115_: f32;
-    var phi_116_: f32;
-    var phi_117_: f32;
-    var phi_118_: f32;
-    var phi_77_: f32;
+    var phi_82_: f32;
+    var phi_109_: bool;
+    var phi_118_: bool;
+    var phi_120_: f32;
+    var phi_121_: f32;
+    var phi_122_: f32;
+    var phi_123_: f32;
+    var phi_124_: f32;
     var phi_79_: f32;
     var phi_81_: f32;
-    var phi_138_: u32;
-    var phi_155_: u32;
-    var phi_162_: u32;
-    var phi_169_: u32;
-    var phi_176_: u32;
+    var phi_83_: f32;
+    var phi_144_: u32;
+    var phi_161_: u32;
+    var phi_168_: u32;
+    var phi_175_: u32;
+    var phi_182_: u32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
-    var phi_218_: u32;
-    var phi_233_: vec4<f32>;
-    var phi_236_: u32;
-    var phi_254_: bool;
-    var phi_263_: bool;
+    var phi_224_: u32;
+    var phi_239_: vec4<f32>;
+    var phi_242_: u32;
+    var phi_262_: bool;
+    var phi_273_: bool;
     var local_3: vec4<f32>;
     var local_4: vec4<f32>;
     var local_5: vec4<f32>;
@@ -67,207 +67,207 @@ fn function_() {
     var local_11: vec4<f32>;
     var local_12: u32;
 
-    let _e25 = global;
-    let _e26 = global_1;
-    let _e27 = global_2;
-    let _e28 = global_3;
-    let _e34 = (_e26.x + (_e26.y * _e27.x));
-    let _e37 = global_4.member.member_1;
-    let _e38 = (_e34 * _e37);
-    if (_e25.x < 2u) {
-        atomicStore((&global_5[_e25.x]), 0u);
+    let _e26 = global;
+    let _e27 = global_1;
+    let _e28 = global_2;
+    let _e29 = global_3;
+    let _e35 = (_e27.x + (_e27.y * _e28.x));
+    let _e38 = global_4.member.member_1;
+    let _e39 = (_e35 * _e38);
+    if (_e26.x < 2u) {
+        atomicStore((&global_5[_e26.x]), 0u);
     }
     workgroupBarrier();
-    phi_73_ = 0u;
-    phi_76_ = -0x1.fffffep+127f;
-    phi_78_ = 0x1.fffffep+127f;
-    phi_80_ = 0f;
+    phi_75_ = 0u;
+    phi_78_ = -(0x1.fffffep+127f);
+    phi_80_ = 0x1.fffffep+127f;
+    phi_82_ = 0f;
     loop {
-        let _e42 = phi_73_;
-        let _e44 = phi_76_;
+        let _e44 = phi_75_;
         let _e46 = phi_78_;
         let _e48 = phi_80_;
-        local = _e48;
-        local_1 = _e46;
-        local_2 = _e44;
-        if (_e42 < _e37) {
-            let _e52 = global_4.member.member;
-            if (_e34 < _e52) {
-                if ((_e42 + _e25.x) < _e37) {
-                    let _e60 = global_6.member[((_e38 + _e42) + _e25.x)];
-                    if (_e46 != _e46) {
-                        phi_105_ = true;
+        let _e50 = phi_82_;
+        local = _e50;
+        local_1 = _e48;
+        local_2 = _e46;
+        if (_e44 < _e38) {
+            let _e54 = global_4.member.member;
+            if (_e35 < _e54) {
+                if ((_e44 + _e26.x) < _e38) {
+                    let _e62 = global_6.member[((_e39 + _e44) + _e26.x)];
+                    if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
+                        phi_109_ = true;
                     } else {
-                        phi_105_ = (_e60 <= _e46);
+                        phi_109_ = (_e62 <= _e48);
                     }
-                    let _e65 = phi_105_;
-                    if (_e44 != _e44) {
-                        phi_112_ = true;
+                    let _e69 = phi_109_;
+                    if ((bitcast<u32>(_e46) & 2147483647u) > 2139095040u) {
+                        phi_118_ = true;
                     } else {
-                        phi_112_ = (_e60 >= _e44);
+                        phi_118_ = (_e62 >= _e46);
                     }
-                    let _e70 = phi_112_;
-                    phi_114_ = _e60;
-                    phi_115_ = select(_e44, _e60, _e70);
-                    phi_116_ = select(_e46, _e60, _e65);
-                    phi_117_ = (_e48 + _e60);
+                    let _e76 = phi_118_;
+                    phi_120_ = _e62;
+                    phi_121_ = select(_e46, _e62, _e76);
+                    phi_122_ = select(_e48, _e62, _e69);
+                    phi_123_ = (_e50 + _e62);
                 } else {
-                    phi_114_ = 0f;
-                    phi_115_ = _e44;
-                    phi_116_ = _e46;
-                    phi_117_ = _e48;
+                    phi_120_ = 0f;
+                    phi_121_ = _e46;
+                    phi_122_ = _e48;
+                    phi_123_ = _e50;
                 }
-                let _e73 = phi_114_;
-                let _e75 = phi_115_;
-                let _e77 = phi_116_;
-                let _e79 = phi_117_;
-                phi_118_ = _e73;
-                phi_77_ = _e75;
-                phi_79_ = _e77;
-                phi_81_ = _e79;
+                let _e79 = phi_120_;
+                let _e81 = phi_121_;
+                let _e83 = phi_122_;
+                let _e85 = phi_123_;
+                phi_124_ = _e79;
+                phi_79_ = _e81;
+                phi_81_ = _e83;
+                phi_83_ = _e85;
             } else {
-                phi_118_ = 0f;
-                phi_77_ = _e44;
+                phi_124_ = 0f;
                 phi_79_ = _e46;
                 phi_81_ = _e48;
+                phi_83_ = _e50;
             }
-            let _e81 = phi_118_;
-            let _e83 = phi_77_;
-            let _e85 = phi_79_;
-            let _e87 = phi_81_;
-            let _e88 = (_e81 > 0f);
-            let _e89 = subgroupBallot(_e88);
-            local_7 = _e83;
-            local_8 = _e85;
-            local_9 = _e87;
-            if (_e28 == 0u) {
-                let _e103 = atomicAdd((&global_5[0u]), (((countOneBits(_e89.x) + countOneBits(_e89.y)) + countOneBits(_e89.z)) + countOneBits(_e89.w)));
-                phi_138_ = _e103;
+            let _e87 = phi_124_;
+            let _e89 = phi_79_;
+            let _e91 = phi_81_;
+            let _e93 = phi_83_;
+            let _e94 = (_e87 > 0f);
+            let _e95 = subgroupBallot(_e94);
+            local_7 = _e89;
+            local_8 = _e91;
+            local_9 = _e93;
+            if (_e29 == 0u) {
+                let _e109 = atomicAdd((&global_5[0u]), (((countOneBits(_e95.x) + countOneBits(_e95.y)) + countOneBits(_e95.z)) + countOneBits(_e95.w)));
+                phi_144_ = _e109;
             } else {
-                phi_138_ = 0u;
+                phi_144_ = 0u;
             }
-            let _e105 = phi_138_;
-            let _e106 = subgroupBroadcastFirst(_e105);
-            if _e88 {
-                let _e112 = ((1u << bitcast<u32>(((_e28 % 32u) & 31u))) - 1u);
-                let _e113 = (_e28 / 32u);
-                if (0u == _e113) {
-                    phi_155_ = _e112;
+            let _e111 = phi_144_;
+            let _e112 = subgroupBroadcastFirst(_e111);
+            if _e94 {
+                let _e118 = ((1u << bitcast<u32>(((_e29 % 32u) & 31u))) - 1u);
+                let _e119 = (_e29 / 32u);
+                if (0u == _e119) {
+                    phi_161_ = _e118;
                 } else {
-                    phi_155_ = select(0u, 4294967295u, (0u < _e113));
+                    phi_161_ = select(0u, 4294967295u, (0u < _e119));
                 }
-                let _e118 = phi_155_;
-                if (1u == _e113) {
-                    phi_162_ = _e112;
+                let _e124 = phi_161_;
+                if (1u == _e119) {
+                    phi_168_ = _e118;
                 } else {
-                    phi_162_ = select(0u, 4294967295u, (1u < _e113));
+                    phi_168_ = select(0u, 4294967295u, (1u < _e119));
                 }
-                let _e123 = phi_162_;
-                if (2u == _e113) {
-                    phi_169_ = _e112;
+                let _e129 = phi_168_;
+                if (2u == _e119) {
+                    phi_175_ = _e118;
                 } else {
-                    phi_169_ = select(0u, 4294967295u, (2u < _e113));
+                    phi_175_ = select(0u, 4294967295u, (2u < _e119));
                 }
-                let _e128 = phi_169_;
-                if (3u == _e113) {
-                    phi_176_ = _e112;
+                let _e134 = phi_175_;
+                if (3u == _e119) {
+                    phi_182_ = _e118;
                 } else {
-                    phi_176_ = select(0u, 4294967295u, (3u < _e113));
+                    phi_182_ = select(0u, 4294967295u, (3u < _e119));
                 }
-                let _e133 = phi_176_;
-                global_7.member[((_e38 + _e106) + (((countOneBits((_e89.x & _e118)) + countOneBits((_e89.y & _e123))) + countOneBits((_e89.z & _e128))) + countOneBits((_e89.w & _e133))))] = _e81;
+                let _e139 = phi_182_;
+                global_7.member[((_e39 + _e112) + (((countOneBits((_e95.x & _e124)) + countOneBits((_e95.y & _e129))) + countOneBits((_e95.z & _e134))) + countOneBits((_e95.w & _e139))))] = _e87;
             }
-            local_6 = (_e42 + 96u);
+            local_6 = (_e44 + 96u);
             continue;
         } else {
             break;
         }
         continuing {
-            let _e236 = local_6;
-            phi_73_ = _e236;
-            let _e239 = local_7;
-            phi_76_ = _e239;
-            let _e242 = local_8;
-            phi_78_ = _e242;
-            let _e245 = local_9;
-            phi_80_ = _e245;
+            let _e246 = local_6;
+            phi_75_ = _e246;
+            let _e249 = local_7;
+            phi_78_ = _e249;
+            let _e252 = local_8;
+            phi_80_ = _e252;
+            let _e255 = local_9;
+            phi_82_ = _e255;
         }
     }
-    let _e154 = local;
-    let _e155 = subgroupAdd(_e154);
-    let _e157 = local_1;
-    let _e158 = subgroupMin(_e157);
-    let _e160 = local_2;
-    let _e161 = subgroupMax(_e160);
-    if (_e28 == 0u) {
-        let _e164 = atomicAdd((&global_5[1u]), 1u);
-        global_8[_e164] = vec4<f32>(_e155, _e158, _e161, 0f);
+    let _e160 = local;
+    let _e161 = subgroupAdd(_e160);
+    let _e163 = local_1;
+    let _e164 = subgroupMin(_e163);
+    let _e166 = local_2;
+    let _e167 = subgroupMax(_e166);
+    if (_e29 == 0u) {
+        let _e170 = atomicAdd((&global_5[1u]), 1u);
+        global_8[_e170] = vec4<f32>(_e161, _e164, _e167, 0f);
     }
     workgroupBarrier();
-    let _e169 = global_4.member.member;
-    if (_e34 < _e169) {
-        let _e172 = atomicLoad((&global_5[0u]));
-        phi_218_ = (_e172 + _e25.x);
+    let _e175 = global_4.member.member;
+    if (_e35 < _e175) {
+        let _e178 = atomicLoad((&global_5[0u]));
+        phi_224_ = (_e178 + _e26.x);
         loop {
-            let _e175 = phi_218_;
-            if (_e175 < _e37) {
-                global_7.member[(_e38 + _e175)] = 0f;
-                local_10 = (_e175 + 96u);
+            let _e181 = phi_224_;
+            if (_e181 < _e38) {
+                global_7.member[(_e39 + _e181)] = 0f;
+                local_10 = (_e181 + 96u);
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e266 = local_10;
-                phi_218_ = _e266;
+                let _e276 = local_10;
+                phi_224_ = _e276;
             }
         }
-        if (_e25.x == 0u) {
-            let _e183 = global_8[0u];
-            phi_233_ = _e183;
-            phi_236_ = 1u;
+        if (_e26.x == 0u) {
+            let _e189 = global_8[0u];
+            phi_239_ = _e189;
+            phi_242_ = 1u;
             loop {
-                let _e185 = phi_233_;
-                let _e187 = phi_236_;
-                let _e189 = atomicLoad((&global_5[1u]));
-                local_3 = _e185;
-                local_4 = _e185;
-                local_5 = _e185;
-                if (_e187 < _e189) {
-                    let _e192 = global_8[_e187];
-                    if (_e185.y != _e185.y) {
-                        phi_254_ = true;
+                let _e191 = phi_239_;
+                let _e193 = phi_242_;
+                let _e195 = atomicLoad((&global_5[1u]));
+                local_3 = _e191;
+                local_4 = _e191;
+                local_5 = _e191;
+                if (_e193 < _e195) {
+                    let _e198 = global_8[_e193];
+                    if ((bitcast<u32>(_e191.y) & 2147483647u) > 2139095040u) {
+                        phi_262_ = true;
                     } else {
-                        phi_254_ = (_e192.y <= _e185.y);
+                        phi_262_ = (_e198.y <= _e191.y);
                     }
-                    let _e201 = phi_254_;
-                    if (_e185.z != _e185.z) {
-                        phi_263_ = true;
+                    let _e209 = phi_262_;
+                    if ((bitcast<u32>(_e191.z) & 2147483647u) > 2139095040u) {
+                        phi_273_ = true;
                     } else {
-                        phi_263_ = (_e192.z >= _e185.z);
+                        phi_273_ = (_e198.z >= _e191.z);
                     }
-                    let _e208 = phi_263_;
-                    local_11 = vec4<f32>((_e185.x + _e192.x), select(_e185.y, _e192.y, _e201), select(_e185.z, _e192.z, _e208), 0f);
-                    local_12 = (_e187 + 1u);
+                    let _e218 = phi_273_;
+                    local_11 = vec4<f32>((_e191.x + _e198.x), select(_e191.y, _e198.y, _e209), select(_e191.z, _e198.z, _e218), 0f);
+                    local_12 = (_e193 + 1u);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e269 = local_11;
-                    phi_233_ = _e269;
-                    let _e272 = local_12;
-                    phi_236_ = _e272;
+                    let _e279 = local_11;
+                    phi_239_ = _e279;
+                    let _e282 = local_12;
+                    phi_242_ = _e282;
                 }
             }
-            let _e212 = (4u * _e34);
-            global_9.member[_e212] = f32(_e172);
-            let _e218 = local_3;
-            global_9.member[(_e212 + 1u)] = _e218.x;
-            let _e224 = local_4;
-            global_9.member[(_e212 + 2u)] = _e224.y;
-            let _e230 = local_5;
-            global_9.member[(_e212 + 3u)] = _e230.z;
+            let _e222 = (4u * _e35);
+            global_9.member[_e222] = f32(_e178);
+            let _e228 = local_3;
+            global_9.member[(_e222 + 1u)] = _e228.x;
+            let _e234 = local_4;
+            global_9.member[(_e222 + 2u)] = _e234.y;
+            let _e240 = local_5;
+            global_9.member[(_e222 + 3u)] = _e240.z;
         }
     }
     return;

@@ -32,11 +32,11 @@ var<storage> global_6: type_16;
 var<storage, read_write> global_7: type_12;
 
 fn function_() {
-    var phi_132_: vec4<f32>;
-    var phi_135_: vec4<f32>;
+    var phi_134_: vec4<f32>;
     var phi_137_: vec4<f32>;
-    var phi_139_: u32;
+    var phi_139_: vec4<f32>;
     var phi_141_: u32;
+    var phi_143_: u32;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
@@ -46,110 +46,110 @@ fn function_() {
     var local_6: vec4<f32>;
     var local_7: vec4<f32>;
     var local_8: vec4<f32>;
-    var phi_216_: f32;
-    var phi_225_: f32;
-    var phi_235_: f32;
+    var phi_218_: f32;
+    var phi_227_: f32;
+    var phi_237_: f32;
     var local_9: vec4<f32>;
     var local_10: vec4<f32>;
     var local_11: vec4<f32>;
     var local_12: u32;
     var local_13: u32;
 
-    let _e21 = global;
-    let _e22 = global_1;
-    let _e28 = ((_e22.x * 8u) + _e21.x);
-    let _e30 = ((_e22.y * 8u) + _e21.y);
-    let _e33 = global_2.member.member;
-    if (_e28 < _e33) {
-        if (_e30 < _e33) {
-            let _e36 = (_e33 * _e33);
-            let _e38 = (_e22.z * _e36);
-            let _e40 = select(5u, _e30, (_e30 > 5u));
-            let _e42 = (_e30 + 6u);
-            phi_132_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_135_ = vec4<f32>(0f, 0f, 0f, 0f);
+    let _e20 = global;
+    let _e21 = global_1;
+    let _e27 = ((_e21.x * 8u) + _e20.x);
+    let _e29 = ((_e21.y * 8u) + _e20.y);
+    let _e32 = global_2.member.member;
+    if (_e27 < _e32) {
+        if (_e29 < _e32) {
+            let _e35 = (_e32 * _e32);
+            let _e37 = (_e21.z * _e35);
+            let _e39 = select(5u, _e29, (_e29 > 5u));
+            let _e41 = (_e29 + 6u);
+            phi_134_ = vec4<f32>(0f, 0f, 0f, 0f);
             phi_137_ = vec4<f32>(0f, 0f, 0f, 0f);
-            phi_139_ = (((_e38 + ((_e40 - 5u) * _e33)) + _e28) * 3u);
-            phi_141_ = (_e40 - _e30);
+            phi_139_ = vec4<f32>(0f, 0f, 0f, 0f);
+            phi_141_ = (((_e37 + ((_e39 - 5u) * _e32)) + _e27) * 3u);
+            phi_143_ = (_e39 - _e29);
             loop {
-                let _e55 = phi_132_;
-                let _e57 = phi_135_;
-                let _e59 = phi_137_;
-                let _e61 = phi_139_;
-                let _e63 = phi_141_;
-                local = _e57;
-                local_1 = _e57;
-                local_2 = _e57;
-                local_3 = _e59;
-                local_4 = _e59;
-                local_5 = _e59;
-                local_6 = _e55;
-                local_7 = _e55;
-                local_8 = _e55;
-                if (_e61 < (((_e38 + (select(_e42, _e33, (_e33 < _e42)) * _e33)) + _e28) * 3u)) {
-                    let _e67 = global_3.member[_e63];
-                    let _e70 = global_4.member[_e61];
-                    let _e91 = global_4.member[(_e61 + 1u)];
-                    let _e112 = global_4.member[(_e61 + 2u)];
-                    local_9 = vec4<f32>((_e55.x + (_e112.x * _e67)), (_e55.y + (_e112.y * _e67)), (_e55.z + (_e112.z * _e67)), (_e55.w + (_e112.w * _e67)));
-                    local_10 = vec4<f32>((_e57.x + (_e91.x * _e67)), (_e57.y + (_e91.y * _e67)), (_e57.z + (_e91.z * _e67)), (_e57.w + (_e91.w * _e67)));
-                    local_11 = vec4<f32>((_e59.x + (_e70.x * _e67)), (_e59.y + (_e70.y * _e67)), (_e59.z + (_e70.z * _e67)), (_e59.w + (_e70.w * _e67)));
-                    local_12 = (_e61 + (_e33 * 3u));
-                    local_13 = (_e63 + 1u);
+                let _e54 = phi_134_;
+                let _e56 = phi_137_;
+                let _e58 = phi_139_;
+                let _e60 = phi_141_;
+                let _e62 = phi_143_;
+                local = _e56;
+                local_1 = _e56;
+                local_2 = _e56;
+                local_3 = _e58;
+                local_4 = _e58;
+                local_5 = _e58;
+                local_6 = _e54;
+                local_7 = _e54;
+                local_8 = _e54;
+                if (_e60 < (((_e37 + (select(_e41, _e32, (_e32 < _e41)) * _e32)) + _e27) * 3u)) {
+                    let _e66 = global_3.member[_e62];
+                    let _e69 = global_4.member[_e60];
+                    let _e90 = global_4.member[(_e60 + 1u)];
+                    let _e111 = global_4.member[(_e60 + 2u)];
+                    local_9 = vec4<f32>((_e54.x + (_e111.x * _e66)), (_e54.y + (_e111.y * _e66)), (_e54.z + (_e111.z * _e66)), (_e54.w + (_e111.w * _e66)));
+                    local_10 = vec4<f32>((_e56.x + (_e90.x * _e66)), (_e56.y + (_e90.y * _e66)), (_e56.z + (_e90.z * _e66)), (_e56.w + (_e90.w * _e66)));
+                    local_11 = vec4<f32>((_e58.x + (_e69.x * _e66)), (_e58.y + (_e69.y * _e66)), (_e58.z + (_e69.z * _e66)), (_e58.w + (_e69.w * _e66)));
+                    local_12 = (_e60 + (_e32 * 3u));
+                    local_13 = (_e62 + 1u);
                     continue;
                 } else {
                     break;
                 }
                 continuing {
-                    let _e234 = local_9;
-                    phi_132_ = _e234;
-                    let _e237 = local_10;
-                    phi_135_ = _e237;
-                    let _e240 = local_11;
-                    phi_137_ = _e240;
-                    let _e243 = local_12;
-                    phi_139_ = _e243;
-                    let _e246 = local_13;
-                    phi_141_ = _e246;
+                    let _e236 = local_9;
+                    phi_134_ = _e236;
+                    let _e239 = local_10;
+                    phi_137_ = _e239;
+                    let _e242 = local_11;
+                    phi_139_ = _e242;
+                    let _e245 = local_12;
+                    phi_141_ = _e245;
+                    let _e248 = local_13;
+                    phi_143_ = _e248;
                 }
             }
-            let _e134 = ((_e30 * _e33) + _e28);
-            let _e135 = (_e38 + _e134);
-            let _e138 = global_5.member[_e135];
-            let _e141 = local;
-            let _e146 = local_1;
-            let _e151 = local_2;
-            let _e155 = local_3;
-            let _e159 = local_4;
-            let _e163 = local_5;
-            let _e168 = global_6.member[_e135];
-            let _e171 = local_6;
-            let _e176 = local_7;
-            let _e181 = local_8;
-            let _e189 = global_2.member.member_2;
-            let _e195 = global_2.member.member_1;
-            let _e197 = ((_e38 * 3u) + _e134);
-            if (_e138.x >= 0.000000000000000000000000000000000000011754944f) {
-                phi_216_ = 1f;
+            let _e133 = ((_e29 * _e32) + _e27);
+            let _e134 = (_e37 + _e133);
+            let _e137 = global_5.member[_e134];
+            let _e140 = local;
+            let _e145 = local_1;
+            let _e150 = local_2;
+            let _e154 = local_3;
+            let _e158 = local_4;
+            let _e162 = local_5;
+            let _e167 = global_6.member[_e134];
+            let _e170 = local_6;
+            let _e175 = local_7;
+            let _e180 = local_8;
+            let _e188 = global_2.member.member_2;
+            let _e194 = global_2.member.member_1;
+            let _e196 = ((_e37 * 3u) + _e133);
+            if (_e137.x >= 0.000000000000000000000000000000000000011754944f) {
+                phi_218_ = 1f;
             } else {
-                phi_216_ = select(0f, -1f, (_e138.x <= -0.000000000000000000000000000000000000011754944f));
+                phi_218_ = select(0f, -1f, (_e137.x <= -(0.000000000000000000000000000000000000011754944f)));
             }
-            let _e203 = phi_216_;
-            global_7.member[_e197] = (_e138.w * ((((_e155.x + (_e138.x * _e141.x)) + (_e168.x * _e171.x)) * _e189) + (_e195 * _e203)));
-            if (_e138.y >= 0.000000000000000000000000000000000000011754944f) {
-                phi_225_ = 1f;
+            let _e203 = phi_218_;
+            global_7.member[_e196] = (_e137.w * ((((_e154.x + (_e137.x * _e140.x)) + (_e167.x * _e170.x)) * _e188) + (_e194 * _e203)));
+            if (_e137.y >= 0.000000000000000000000000000000000000011754944f) {
+                phi_227_ = 1f;
             } else {
-                phi_225_ = select(0f, -1f, (_e138.y <= -0.000000000000000000000000000000000000011754944f));
+                phi_227_ = select(0f, -1f, (_e137.y <= -(0.000000000000000000000000000000000000011754944f)));
             }
-            let _e214 = phi_225_;
-            global_7.member[(_e197 + _e36)] = (_e138.w * ((((_e159.y + (_e138.y * _e146.y)) + (_e168.y * _e176.y)) * _e189) + (_e195 * _e214)));
-            if (_e138.z >= 0.000000000000000000000000000000000000011754944f) {
-                phi_235_ = 1f;
+            let _e215 = phi_227_;
+            global_7.member[(_e196 + _e35)] = (_e137.w * ((((_e158.y + (_e137.y * _e145.y)) + (_e167.y * _e175.y)) * _e188) + (_e194 * _e215)));
+            if (_e137.z >= 0.000000000000000000000000000000000000011754944f) {
+                phi_237_ = 1f;
             } else {
-                phi_235_ = select(0f, -1f, (_e138.z <= -0.000000000000000000000000000000000000011754944f));
+                phi_237_ = select(0f, -1f, (_e137.z <= -(0.000000000000000000000000000000000000011754944f)));
             }
-            let _e226 = phi_235_;
-            global_7.member[(_e197 + (2u * _e36))] = (_e138.w * ((((_e163.z + (_e138.z * _e151.z)) + (_e168.z * _e181.z)) * _e189) + (_e195 * _e226)));
+            let _e228 = phi_237_;
+            global_7.member[(_e196 + (2u * _e35))] = (_e137.w * ((((_e162.z + (_e137.z * _e150.z)) + (_e167.z * _e180.z)) * _e188) + (_e194 * _e228)));
         }
     }
     return;

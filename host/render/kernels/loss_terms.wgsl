@@ -31,8 +31,8 @@ var<storage, read_write> global_6: type_16;
 var<storage, read_write> global_7: type_16;
 
 fn function_() {
-    var phi_103_: vec4<f32>;
     var phi_104_: vec4<f32>;
+    var phi_105_: vec4<f32>;
 
     let _e16 = global;
     let _e17 = global_1;
@@ -55,16 +55,16 @@ fn function_() {
                 let _e58 = global_5.member[_e43];
                 let _e61 = global_5.member[_e44];
                 let _e64 = global_5.member[_e46];
-                phi_103_ = vec4<f32>(((_e49 - 0.5f) + (_e58 - 0.5f)), ((_e52 - 0.5f) + (_e61 - 0.5f)), ((_e55 - 0.5f) + (_e64 - 0.5f)), 0f);
-                phi_104_ = vec4<f32>((_e49 - _e58), (_e52 - _e61), (_e55 - _e64), 1f);
+                phi_104_ = vec4<f32>(((_e49 - 0.5f) + (_e58 - 0.5f)), ((_e52 - 0.5f) + (_e61 - 0.5f)), ((_e55 - 0.5f) + (_e64 - 0.5f)), 0f);
+                phi_105_ = vec4<f32>((_e49 - _e58), (_e52 - _e61), (_e55 - _e64), (1f - 0f));
             } else {
-                phi_103_ = vec4<f32>(0f, 0f, 0f, 0f);
                 phi_104_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_105_ = vec4<f32>(0f, 0f, 0f, 0f);
             }
-            let _e80 = phi_103_;
-            let _e82 = phi_104_;
-            global_6.member[_e36] = _e82;
-            global_7.member[_e36] = _e80;
+            let _e81 = phi_104_;
+            let _e83 = phi_105_;
+            global_6.member[_e36] = _e83;
+            global_7.member[_e36] = _e81;
         }
     }
     return;

@@ -29,10 +29,10 @@ var<uniform> global_3: type_6;
 var<storage, read_write> global_4: type_13;
 
 fn function_() {
-    var phi_80_: u32;
-    var phi_83_: type_10;
-    var phi_85_: type_10;
-    var phi_87_: type_10;
+    var phi_85_: u32;
+    var phi_88_: type_10;
+    var phi_90_: type_10;
+    var phi_92_: type_10;
     var local: type_10;
     var local_1: type_10;
     var local_2: type_10;
@@ -50,70 +50,70 @@ fn function_() {
     var local_14: type_10;
     var local_15: type_10;
 
-    let _e22 = global;
-    let _e23 = global_1;
-    let _e24 = global_2;
-    let _e32 = (((_e23.x + (_e23.y * _e24.x)) * 64u) + _e22.x);
-    let _e35 = global_3.member.member;
-    if (_e32 < _e35) {
-        let _e38 = (f32(_e32) * 0.00000023841858f);
-        let _e41 = global_3.member.member_2;
-        let _e44 = global_3.member.member_3;
-        phi_80_ = 0u;
-        phi_83_ = type_10((_e38 + 8f), (_e38 + 9f), (_e38 + 10f), (_e38 + 11f));
-        phi_85_ = type_10((_e38 + 4f), (_e38 + 5f), (_e38 + 6f), (_e38 + 7f));
-        phi_87_ = type_10(_e38, (_e38 + 1f), (_e38 + 2f), (_e38 + 3f));
+    let _e17 = global;
+    let _e18 = global_1;
+    let _e19 = global_2;
+    let _e27 = (((_e18.x + (_e18.y * _e19.x)) * 64u) + _e17.x);
+    let _e30 = global_3.member.member;
+    if (_e27 < _e30) {
+        let _e34 = ((f32(_e27) + 0f) * 0.00000023841858f);
+        let _e37 = global_3.member.member_2;
+        let _e40 = global_3.member.member_3;
+        phi_85_ = 0u;
+        phi_88_ = type_10((_e34 + (0f + 8f)), (_e34 + (1f + 8f)), (_e34 + (2f + 8f)), (_e34 + (3f + 8f)));
+        phi_90_ = type_10((_e34 + (0f + 4f)), (_e34 + (1f + 4f)), (_e34 + (2f + 4f)), (_e34 + (3f + 4f)));
+        phi_92_ = type_10((_e34 + 0f), (_e34 + 1f), (_e34 + 2f), (_e34 + 3f));
         loop {
-            let _e60 = phi_80_;
-            let _e62 = phi_83_;
-            let _e64 = phi_85_;
-            let _e66 = phi_87_;
-            let _e69 = global_3.member.member_1;
-            local = _e66;
-            local_1 = _e66;
-            local_2 = _e66;
-            local_3 = _e66;
-            local_4 = _e64;
-            local_5 = _e64;
-            local_6 = _e64;
-            local_7 = _e64;
-            local_8 = _e62;
-            local_9 = _e62;
-            local_10 = _e62;
-            local_11 = _e62;
-            if (_e60 < _e69) {
-                local_12 = (_e60 + 1u);
-                local_13 = type_10(((((((((_e62.member * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e62.member_1 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e62.member_2 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e62.member_3 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44));
-                local_14 = type_10(((((((((_e64.member * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e64.member_1 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e64.member_2 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e64.member_3 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44));
-                local_15 = type_10(((((((((_e66.member * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e66.member_1 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e66.member_2 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44), ((((((((_e66.member_3 * _e41) + _e44) * _e41) + _e44) * _e41) + _e44) * _e41) + _e44));
+            let _e65 = phi_85_;
+            let _e67 = phi_88_;
+            let _e69 = phi_90_;
+            let _e71 = phi_92_;
+            let _e74 = global_3.member.member_1;
+            local = _e71;
+            local_1 = _e71;
+            local_2 = _e71;
+            local_3 = _e71;
+            local_4 = _e69;
+            local_5 = _e69;
+            local_6 = _e69;
+            local_7 = _e69;
+            local_8 = _e67;
+            local_9 = _e67;
+            local_10 = _e67;
+            local_11 = _e67;
+            if (_e65 < _e74) {
+                local_12 = (_e65 + 1u);
+                local_13 = type_10(((((((((_e67.member * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e67.member_1 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e67.member_2 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e67.member_3 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40));
+                local_14 = type_10(((((((((_e69.member * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e69.member_1 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e69.member_2 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e69.member_3 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40));
+                local_15 = type_10(((((((((_e71.member * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e71.member_1 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e71.member_2 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40), ((((((((_e71.member_3 * _e37) + _e40) * _e37) + _e40) * _e37) + _e40) * _e37) + _e40));
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e234 = local_12;
-                phi_80_ = _e234;
-                let _e237 = local_13;
-                phi_83_ = _e237;
-                let _e240 = local_14;
-                phi_85_ = _e240;
-                let _e243 = local_15;
-                phi_87_ = _e243;
+                let _e239 = local_12;
+                phi_85_ = _e239;
+                let _e242 = local_13;
+                phi_88_ = _e242;
+                let _e245 = local_14;
+                phi_90_ = _e245;
+                let _e248 = local_15;
+                phi_92_ = _e248;
             }
         }
-        let _e184 = local;
-        let _e187 = local_1;
-        let _e190 = local_2;
-        let _e193 = local_3;
-        let _e196 = local_4;
-        let _e199 = local_5;
-        let _e202 = local_6;
-        let _e205 = local_7;
-        let _e208 = local_8;
-        let _e211 = local_9;
-        let _e214 = local_10;
-        let _e217 = local_11;
-        global_4.member[_e32] = ((((_e184.member + _e187.member_1) + (_e190.member_2 + _e193.member_3)) + ((_e196.member + _e199.member_1) + (_e202.member_2 + _e205.member_3))) + ((_e208.member + _e211.member_1) + (_e214.member_2 + _e217.member_3)));
+        let _e189 = local;
+        let _e192 = local_1;
+        let _e195 = local_2;
+        let _e198 = local_3;
+        let _e201 = local_4;
+        let _e204 = local_5;
+        let _e207 = local_6;
+        let _e210 = local_7;
+        let _e213 = local_8;
+        let _e216 = local_9;
+        let _e219 = local_10;
+        let _e222 = local_11;
+        global_4.member[_e27] = ((((_e189.member + _e192.member_1) + (_e195.member_2 + _e198.member_3)) + ((_e201.member + _e204.member_1) + (_e207.member_2 + _e210.member_3))) + ((_e213.member + _e216.member_1) + (_e219.member_2 + _e222.member_3)));
     }
     return;
 }

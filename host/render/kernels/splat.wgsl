@@ -44,31 +44,31 @@ fn function_() {
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e20 = global;
-            let _e21 = global_1;
-            let _e22 = global_2;
-            let _e30 = (((_e21.x + (_e21.y * _e22.x)) * 64u) + _e20.x);
-            let _e33 = global_3.member.member;
-            if (_e30 < _e33) {
-                let _e37 = global_4.member[_e30];
-                let _e40 = global_3.member.member_1;
-                if (_e40 == 0u) {
+            let _e19 = global;
+            let _e20 = global_1;
+            let _e21 = global_2;
+            let _e29 = (((_e20.x + (_e20.y * _e21.x)) * 64u) + _e19.x);
+            let _e32 = global_3.member.member;
+            if (_e29 < _e32) {
+                let _e36 = global_4.member[_e29];
+                let _e39 = global_3.member.member_1;
+                if (_e39 == 0u) {
                     break;
                 }
-                let _e45 = global_5.member[(_e37 % _e40)];
-                let _e46 = (_e45 < 0f);
-                let _e49 = exp(select(-(_e45), _e45, _e46));
-                let _e51 = (1f / (1f + _e49));
-                let _e56 = global_6.member[_e30];
-                let _e58 = (2u * _e37);
-                let _e61 = global_7.member[_e58];
-                let _e65 = global_7.member[(_e58 + 1u)];
-                let _e71 = global_3.member.member_2;
-                let _e76 = (_e71 * _e65.y);
-                let _e79 = (((1f - (_e71 * _e65.x)) * (1f - (_e71 * _e65.z))) - (_e76 * _e76));
-                if (_e71 > 0f) {
-                    if (_e79 > 0.000015378702f) {
-                        phi_117_ = sqrt(_e79);
+                let _e44 = global_5.member[(_e36 % _e39)];
+                let _e45 = (_e44 < 0f);
+                let _e48 = exp(select(-(_e44), _e44, _e45));
+                let _e50 = (1f / (1f + _e48));
+                let _e55 = global_6.member[_e29];
+                let _e57 = (2u * _e36);
+                let _e60 = global_7.member[_e57];
+                let _e64 = global_7.member[(_e57 + 1u)];
+                let _e70 = global_3.member.member_2;
+                let _e75 = (_e70 * _e64.y);
+                let _e78 = (((1f - (_e70 * _e64.x)) * (1f - (_e70 * _e64.z))) - (_e75 * _e75));
+                if (_e70 > 0f) {
+                    if (_e78 > (0.003921569f * 0.003921569f)) {
+                        phi_117_ = sqrt(_e78);
                     } else {
                         phi_117_ = 0.003921569f;
                     }
@@ -78,10 +78,10 @@ fn function_() {
                     phi_118_ = 1f;
                 }
                 let _e86 = phi_118_;
-                let _e87 = (3u * _e30);
-                global_8.member[_e87] = vec4<f32>(_e61.x, _e61.y, ((select(_e51, (_e49 * _e51), _e46) * _e56) * _e86), _e61.w);
+                let _e87 = (3u * _e29);
+                global_8.member[_e87] = vec4<f32>(_e60.x, _e60.y, ((select(_e50, (_e48 * _e50), _e45) * _e55) * _e86), _e60.w);
                 let _e95 = (_e87 + 1u);
-                global_8.member[_e95] = _e65;
+                global_8.member[_e95] = _e64;
                 let _e98 = (_e87 + 2u);
                 let _e101 = global_9.member[_e87];
                 let _e104 = global_9.member[_e95];

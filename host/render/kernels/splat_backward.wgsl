@@ -43,13 +43,13 @@ var<storage> global_10: type_20;
 var<storage, read_write> global_11: type_16;
 
 fn function_() {
-    var phi_103_: vec4<f32>;
-    var phi_106_: vec4<f32>;
-    var phi_108_: vec4<f32>;
-    var phi_110_: u32;
     var phi_104_: vec4<f32>;
     var phi_107_: vec4<f32>;
     var phi_109_: vec4<f32>;
+    var phi_111_: u32;
+    var phi_105_: vec4<f32>;
+    var phi_108_: vec4<f32>;
+    var phi_110_: vec4<f32>;
     var local: vec4<f32>;
     var local_1: vec4<f32>;
     var local_2: vec4<f32>;
@@ -82,15 +82,15 @@ fn function_() {
                 let _e51 = (1u << bitcast<u32>(((_e46 % 32u) & 31u)));
                 let _e55 = global_5.member[(_e45 + 1u)];
                 let _e58 = global_5.member[_e45];
-                phi_103_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_106_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_108_ = vec4<f32>(0f, 0f, 0f, 0f);
-                phi_110_ = _e58;
+                phi_104_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_107_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_109_ = vec4<f32>(0f, 0f, 0f, 0f);
+                phi_111_ = _e58;
                 loop {
-                    let _e60 = phi_103_;
-                    let _e62 = phi_106_;
-                    let _e64 = phi_108_;
-                    let _e66 = phi_110_;
+                    let _e60 = phi_104_;
+                    let _e62 = phi_107_;
+                    let _e64 = phi_109_;
+                    let _e66 = phi_111_;
                     local = _e64;
                     local_1 = _e64;
                     local_2 = _e64;
@@ -101,22 +101,22 @@ fn function_() {
                         let _e72 = ((_e66 * _e70) + (_e46 / 32u));
                         let _e75 = global_6.member[_e72];
                         if ((_e75 & _e51) == 0u) {
-                            phi_104_ = _e60;
-                            phi_107_ = _e62;
-                            phi_109_ = _e64;
+                            phi_105_ = _e60;
+                            phi_108_ = _e62;
+                            phi_110_ = _e64;
                         } else {
                             let _e83 = global_7.member[_e72];
                             let _e85 = (3u * (_e83 + countOneBits((_e75 & (_e51 - 1u)))));
                             let _e88 = global_8.member[_e85];
                             let _e93 = global_8.member[(_e85 + 1u)];
                             let _e98 = global_8.member[(_e85 + 2u)];
-                            phi_104_ = (_e60 + _e98);
-                            phi_107_ = (_e62 + _e93);
-                            phi_109_ = (_e64 + _e88);
+                            phi_105_ = (_e60 + _e98);
+                            phi_108_ = (_e62 + _e93);
+                            phi_110_ = (_e64 + _e88);
                         }
-                        let _e101 = phi_104_;
-                        let _e103 = phi_107_;
-                        let _e105 = phi_109_;
+                        let _e101 = phi_105_;
+                        let _e103 = phi_108_;
+                        let _e105 = phi_110_;
                         local_5 = _e101;
                         local_6 = _e103;
                         local_7 = _e105;
@@ -126,14 +126,14 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e156 = local_5;
-                        phi_103_ = _e156;
-                        let _e159 = local_6;
-                        phi_106_ = _e159;
-                        let _e162 = local_7;
-                        phi_108_ = _e162;
-                        let _e165 = local_8;
-                        phi_110_ = _e165;
+                        let _e157 = local_5;
+                        phi_104_ = _e157;
+                        let _e160 = local_6;
+                        phi_107_ = _e160;
+                        let _e163 = local_7;
+                        phi_109_ = _e163;
+                        let _e166 = local_8;
+                        phi_111_ = _e166;
                     }
                 }
                 let _e109 = global_9.member[_e46];
@@ -145,16 +145,16 @@ fn function_() {
                 let _e121 = (_e111.z * select(_e118, (_e116 * _e118), _e113));
                 let _e124 = global_10.member[_e33];
                 let _e126 = (_e114 < 0f);
-                let _e128 = exp(select(_e109, _e114, _e126));
-                let _e130 = (1f / (1f + _e128));
-                let _e134 = (3u * _e33);
-                let _e136 = local_1;
-                let _e139 = local_2;
-                global_11.member[_e134] = vec4<f32>(_e136.x, _e139.y, ((_e121 * _e124) * select(_e130, (_e128 * _e130), _e126)), _e121);
-                let _e148 = local_3;
-                global_11.member[(_e134 + 1u)] = _e148;
-                let _e153 = local_4;
-                global_11.member[(_e134 + 2u)] = _e153;
+                let _e129 = exp(select(-(_e114), _e114, _e126));
+                let _e131 = (1f / (1f + _e129));
+                let _e135 = (3u * _e33);
+                let _e137 = local_1;
+                let _e140 = local_2;
+                global_11.member[_e135] = vec4<f32>(_e137.x, _e140.y, ((_e121 * _e124) * select(_e131, (_e129 * _e131), _e126)), _e121);
+                let _e149 = local_3;
+                global_11.member[(_e135 + 1u)] = _e149;
+                let _e154 = local_4;
+                global_11.member[(_e135 + 2u)] = _e154;
             }
             break;
         }

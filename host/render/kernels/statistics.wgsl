@@ -34,13 +34,13 @@ var<storage> global_7: type_12;
 var<storage> global_8: type_12;
 
 fn function_() {
-    var phi_78_: u32;
-    var phi_81_: f32;
-    var phi_83_: f32;
-    var phi_85_: f32;
-    var phi_82_: f32;
+    var phi_81_: u32;
     var phi_84_: f32;
     var phi_86_: f32;
+    var phi_88_: f32;
+    var phi_85_: f32;
+    var phi_87_: f32;
+    var phi_89_: f32;
     var local: f32;
     var local_1: f32;
     var local_2: f32;
@@ -50,73 +50,73 @@ fn function_() {
     var local_6: f32;
     var local_7: f32;
 
-    let _e17 = global;
-    let _e18 = global_1;
-    let _e19 = global_2;
-    let _e27 = (((_e18.x + (_e18.y * _e19.x)) * 64u) + _e17.x);
-    let _e30 = global_3.member.member;
-    if (_e27 < _e30) {
-        let _e36 = (1u << bitcast<u32>(((_e27 % 32u) & 31u)));
-        let _e39 = global_4.member[_e27];
-        let _e45 = global_3.member.member_2;
-        let _e48 = global_3.member.member_3;
-        phi_78_ = _e45;
-        phi_81_ = _e39.z;
-        phi_83_ = _e39.y;
-        phi_85_ = _e39.x;
+    let _e18 = global;
+    let _e19 = global_1;
+    let _e20 = global_2;
+    let _e28 = (((_e19.x + (_e19.y * _e20.x)) * 64u) + _e18.x);
+    let _e31 = global_3.member.member;
+    if (_e28 < _e31) {
+        let _e37 = (1u << bitcast<u32>(((_e28 % 32u) & 31u)));
+        let _e40 = global_4.member[_e28];
+        let _e46 = global_3.member.member_2;
+        let _e49 = global_3.member.member_3;
+        phi_81_ = _e46;
+        phi_84_ = _e40.z;
+        phi_86_ = _e40.y;
+        phi_88_ = _e40.x;
         loop {
-            let _e51 = phi_78_;
-            let _e53 = phi_81_;
-            let _e55 = phi_83_;
-            let _e57 = phi_85_;
-            local = _e55;
-            local_1 = _e57;
-            local_2 = _e55;
-            local_3 = _e53;
-            if (_e51 < (_e45 + _e48)) {
-                let _e61 = global_3.member.member_1;
-                let _e63 = ((_e51 * _e61) + (_e27 / 32u));
-                let _e66 = global_5.member[_e63];
-                if ((_e66 & _e36) == 0u) {
-                    phi_82_ = _e53;
-                    phi_84_ = _e55;
-                    phi_86_ = _e57;
+            let _e52 = phi_81_;
+            let _e54 = phi_84_;
+            let _e56 = phi_86_;
+            let _e58 = phi_88_;
+            local = _e56;
+            local_1 = _e58;
+            local_2 = _e56;
+            local_3 = _e54;
+            if (_e52 < (_e46 + _e49)) {
+                let _e62 = global_3.member.member_1;
+                let _e64 = ((_e52 * _e62) + (_e28 / 32u));
+                let _e67 = global_5.member[_e64];
+                if ((_e67 & _e37) == 0u) {
+                    phi_85_ = _e54;
+                    phi_87_ = _e56;
+                    phi_89_ = _e58;
                 } else {
-                    let _e74 = global_6.member[_e63];
-                    let _e79 = global_7.member[(3u * (_e74 + countOneBits((_e66 & (_e36 - 1u)))))];
-                    let _e93 = global_8.member[(2u * ((_e51 * _e30) + _e27))];
-                    phi_82_ = select(_e93.z, _e53, (_e53 > _e93.z));
-                    phi_84_ = (_e55 + 1f);
-                    phi_86_ = (_e57 + sqrt(((_e79.x * _e79.x) + (_e79.y * _e79.y))));
+                    let _e75 = global_6.member[_e64];
+                    let _e80 = global_7.member[(3u * (_e75 + countOneBits((_e67 & (_e37 - 1u)))))];
+                    let _e96 = global_8.member[(2u * ((_e52 * _e31) + _e28))];
+                    phi_85_ = select(_e96.z, _e54, (_e54 > _e96.z));
+                    phi_87_ = (_e56 + 1f);
+                    phi_89_ = (_e58 + sqrt((((_e80.x * _e80.x) + (_e80.y * _e80.y)) + (0f * 0f))));
                 }
-                let _e98 = phi_82_;
-                let _e100 = phi_84_;
-                let _e102 = phi_86_;
-                local_4 = (_e51 + 1u);
-                local_5 = _e98;
-                local_6 = _e100;
-                local_7 = _e102;
+                let _e101 = phi_85_;
+                let _e103 = phi_87_;
+                let _e105 = phi_89_;
+                local_4 = (_e52 + 1u);
+                local_5 = _e101;
+                local_6 = _e103;
+                local_7 = _e105;
                 continue;
             } else {
                 break;
             }
             continuing {
-                let _e117 = local_4;
-                phi_78_ = _e117;
-                let _e120 = local_5;
+                let _e120 = local_4;
                 phi_81_ = _e120;
-                let _e123 = local_6;
-                phi_83_ = _e123;
-                let _e126 = local_7;
-                phi_85_ = _e126;
+                let _e123 = local_5;
+                phi_84_ = _e123;
+                let _e126 = local_6;
+                phi_86_ = _e126;
+                let _e129 = local_7;
+                phi_88_ = _e129;
             }
         }
-        let _e105 = local;
-        if (_e105 > _e39.y) {
-            let _e109 = local_1;
-            let _e111 = local_2;
-            let _e113 = local_3;
-            global_4.member[_e27] = vec4<f32>(_e109, _e111, _e113, _e39.w);
+        let _e108 = local;
+        if (_e108 > _e40.y) {
+            let _e112 = local_1;
+            let _e114 = local_2;
+            let _e116 = local_3;
+            global_4.member[_e28] = vec4<f32>(_e112, _e114, _e116, _e40.w);
         }
     }
     return;

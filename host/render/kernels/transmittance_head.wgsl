@@ -84,14 +84,14 @@ fn function_() {
                 break;
             }
             continuing {
-                let _e135 = local_1;
-                phi_83_ = _e135;
-                let _e138 = local_2;
-                phi_86_ = _e138;
-                let _e141 = local_3;
-                phi_88_ = _e141;
-                let _e144 = local_4;
-                phi_90_ = _e144;
+                let _e141 = local_1;
+                phi_83_ = _e141;
+                let _e144 = local_2;
+                phi_86_ = _e144;
+                let _e147 = local_3;
+                phi_88_ = _e147;
+                let _e150 = local_4;
+                phi_90_ = _e150;
             }
         }
         let _e96 = local;
@@ -100,8 +100,8 @@ fn function_() {
         let _e107 = exp(select(-(_e96.member), _e96.member, _e103));
         let _e109 = (_e107 / (2f + _e107));
         let _e110 = (_e109 * _e109);
-        let _e129 = global_3.member.member_1;
-        global_7.member[(_e129 + _e35)] = (_e102 * (select(0f, _e96.member, _e103) - ((2f * _e109) * (1f + (_e110 * (0.33333334f + (_e110 * (0.2f + (_e110 * (0.14285715f + (_e110 * (0.11111111f + (_e110 * (0.09090909f + (_e110 * 0.07692308f)))))))))))))));
+        let _e135 = global_3.member.member_1;
+        global_7.member[(_e135 + _e35)] = (_e102 * (select(0f, _e96.member, _e103) - ((2f * _e109) * (1f + (_e110 * ((1f / 3f) + (_e110 * ((1f / 5f) + (_e110 * ((1f / 7f) + (_e110 * ((1f / 9f) + (_e110 * ((1f / 11f) + (_e110 * (1f / 13f))))))))))))))));
     }
     return;
 }

@@ -86,14 +86,14 @@ fn function_() {
                 break;
             }
             continuing {
-                let _e114 = local_1;
-                phi_77_ = _e114;
-                let _e117 = local_2;
-                phi_80_ = _e117;
-                let _e120 = local_3;
-                phi_82_ = _e120;
-                let _e123 = local_4;
-                phi_84_ = _e123;
+                let _e115 = local_1;
+                phi_77_ = _e115;
+                let _e118 = local_2;
+                phi_80_ = _e118;
+                let _e121 = local_3;
+                phi_82_ = _e121;
+                let _e124 = local_4;
+                phi_84_ = _e124;
             }
         }
         let _e90 = local;
@@ -101,9 +101,9 @@ fn function_() {
         let _e99 = global_7.member[_e29];
         let _e101 = -(_e90.member);
         let _e102 = (_e101 < 0f);
-        let _e104 = exp(select(_e90.member, _e101, _e102));
-        let _e106 = (1f / (1f + _e104));
-        global_8.member[_e29] = ((_e99 * _e96) * select(_e106, (_e104 * _e106), _e102));
+        let _e105 = exp(select(-(_e101), _e101, _e102));
+        let _e107 = (1f / (1f + _e105));
+        global_8.member[_e29] = ((_e99 * _e96) * select(_e107, (_e105 * _e107), _e102));
     }
     return;
 }

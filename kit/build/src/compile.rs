@@ -93,7 +93,7 @@ pub fn build(
         .multimodule(true)
         .spirv_metadata(SpirvMetadata::None)
         .target_dir_path(target.join("spirv"));
-    builder.capabilities = lower::SUBGROUPS.into();
+    builder.capabilities = lower::SUBGROUPS.into_iter().chain([lower::AS_WRITTEN]).collect();
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;
     let ModuleResult::MultiModule(paths) = result.module else {

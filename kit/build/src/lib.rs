@@ -10,6 +10,7 @@ mod compiler;
 mod contraction;
 mod coverage;
 mod declarations;
+mod expand;
 mod ids;
 mod isa;
 mod loops;

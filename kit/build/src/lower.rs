@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use anyhow::{Result, anyhow};
+use anyhow::{Result, anyhow, ensure};
 use rspirv::binary::Assemble;
 use rspirv::dr::{self, Module, Operand};
-use rspirv::spirv::{Capability, ExecutionMode};
+use rspirv::spirv::{Capability, ExecutionMode, Op};
 
-use crate::{atomic_arguments, contraction, declarations, ids, loops, memory_model};
+use crate::{atomic_arguments, contraction, declarations, expand, ids, loops, memory_model};
 
 /// The module for drivers, with the size of its workgroups. With `fused`, they may regroup its arithmetic.
 ///
@@ -15,7 +15,12 @@ use crate::{atomic_arguments, contraction, declarations, ids, loops, memory_mode
 /// If the module has something that it must not have.
 pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
+    ensure!(
+        !module.all_inst_iter().any(|instruction| instruction.class.opcode == Op::FRem),
+        "it takes `%` of floats, in helpers too, which a GPU rounds several times: write `x - y * math::truncate(x / y)`"
+    );
     memory_model::lower(&mut module)?;
+    expand::expand(&mut module);
     loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module)?;
     set_workgroup_size(&mut module, size);
@@ -39,6 +44,10 @@ fn set_workgroup_size(module: &mut Module, size: [u32; 3]) {
     }
 }
 
+/// The optimizer within the compiler regroups floats, and takes `x * 0.0` for 0, unless a module has this capability. Drivers do not get it:
+/// wgpu enables no feature for it.
+pub const AS_WRITTEN: Capability = Capability::SignedZeroInfNanPreserve;
+
 /// The capabilities of subgroups, which the compiler gives to every module.
 pub const SUBGROUPS: [Capability; 3] = [
     Capability::GroupNonUniform,
@@ -46,7 +55,7 @@ pub const SUBGROUPS: [Capability; 3] = [
     Capability::GroupNonUniformBallot,
 ];
 
-/// Drops the capabilities of subgroups that no instruction and no built-in variable needs: a device can lack them.
+/// Drops [`AS_WRITTEN`], and the capabilities of subgroups that no instruction and no built-in variable needs: a device can lack them.
 fn drop_unused_capabilities(module: &mut Module) {
     let of_functions = module.functions.iter().flat_map(|function| function.all_inst_iter());
     let mut needed: BTreeSet<_> =
@@ -54,7 +63,9 @@ fn drop_unused_capabilities(module: &mut Module) {
     let operands = module.annotations.iter().flat_map(|annotation| &annotation.operands);
     needed.extend(operands.flat_map(Operand::required_capabilities));
     module.capabilities.retain(|instruction| match instruction.operands[..] {
-        [Operand::Capability(of)] => !SUBGROUPS.contains(&of) || needed.contains(&of),
+        [Operand::Capability(of)] => {
+            of != AS_WRITTEN && (!SUBGROUPS.contains(&of) || needed.contains(&of))
+        }
         _ => true,
     });
 }

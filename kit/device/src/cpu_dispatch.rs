@@ -69,8 +69,8 @@ impl Launch<'_> {
 
     fn run_at(&self, place: UVec3, order: Option<&[u64]>) -> Result<(), String> {
         let size = UVec3::from(self.info.workgroup_size);
-        let fused = self.info.run_fused.filter(|_| self.mode.is_fused);
-        let run = match fused {
+        let changed = |change| self.info.run_arithmetic[change as usize];
+        let run = match self.mode.arithmetic.and_then(changed) {
             Some(run) => CpuRun::Invocation(run),
             None => self.run,
         };
@@ -91,7 +91,7 @@ impl Launch<'_> {
                 }
                 Ok(())
             }
-            // no invocation waits for another: it is the fused run
+            // no invocation waits for another: it is a run with changed arithmetic
             CpuRun::Invocation(run) if !matches!(self.run, CpuRun::Invocation(_)) => {
                 let usual: Vec<_> = (0..u64::from(size.element_product())).collect();
                 for &index in order.unwrap_or(&usual) {

@@ -14,6 +14,15 @@ pub struct Job<'a> {
     pub workgroups: Workgroups,
 }
 
+/// What a driver may do to arithmetic, in the order of [`KernelInfo::run_arithmetic`].
+#[derive(Clone, Copy, PartialEq)]
+pub enum Arithmetic {
+    /// A multiplication and an addition round once.
+    Fused,
+    /// Sums and products are regrouped.
+    Regrouped,
+}
+
 /// How a dispatch runs.
 #[derive(Clone, Copy, Default)]
 pub struct RunMode {
@@ -21,8 +30,8 @@ pub struct RunMode {
     pub order: Option<Order>,
     /// Whether denormals are flushed to zero.
     pub is_flushing: bool,
-    /// Whether multiplications and additions are fused, in a kernel that has such a run.
-    pub is_fused: bool,
+    /// How its arithmetic is changed, in a kernel that has such a run.
+    pub arithmetic: Option<Arithmetic>,
     /// Number of lanes of a subgroup, if it is not the device's.
     pub subgroup_size: Option<u32>,
 }

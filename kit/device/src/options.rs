@@ -83,8 +83,9 @@ pub struct DeviceOptions {
     /// the program. For tests of kernels: a loop in a helper may never end.
     pub time_limit: Option<Duration>,
     /// With [`check_races`](Self::check_races), a seed: each dispatch runs in a random order of workgroups and invocations, on one
-    /// thread, once more in the reverse order, once more without denormals (on x86-64), once more with fused arithmetic (in debug
-    /// builds), and, if it has subgroups, with all their sizes. The results must agree; where the arithmetic is another one, the integers and which floats are finite.
+    /// thread, once more in the reverse order, once more without denormals (on x86-64), once more with fused and with regrouped
+    /// arithmetic (in debug builds), and, if it has subgroups, with all their sizes. The results must agree; where the arithmetic is another one, the integers and which
+    /// floats are finite, and where it is regrouped, floats to a thousandth.
     pub thorough: Option<u64>,
     /// Whether the CPU flushes denormals to zero, as some GPUs do: in arithmetic, and where numbers are compared. Only on x86-64.
     pub flush_denormals: bool,

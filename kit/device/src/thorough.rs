@@ -1,12 +1,12 @@
 //! Runs each dispatch in several ways that must agree: devices differ in them.
 
-use muslin::kernel::{Access, BindingInfo, CpuBinding};
-use muslin::{KernelInfo, subgroup};
+use muslin::kernel::{Access, BindingInfo, CpuBinding, is_far};
+use muslin::{KernelInfo, running, subgroup};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
 use crate::cpu_bindings::Monitor;
-use crate::job::{Job, RunMode};
+use crate::job::{Arithmetic, Job, RunMode};
 use crate::order::Order;
 use crate::written::Written;
 
@@ -34,8 +34,8 @@ enum Other {
     Order,
     /// Numbers smaller than any normal number count as zero.
     Flushing,
-    /// A multiplication and an addition round once.
-    Fused,
+    /// Other arithmetic.
+    Arithmetic(Arithmetic),
     /// Subgroups of other sizes: the usual one and this.
     Subgroups([u32; 2]),
 }
@@ -48,22 +48,28 @@ pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
     let first = cpu.run_once(job, RunMode { order: Some(order), ..RunMode::default() })?;
     let expected: Vec<_> = outputs.iter().map(Output::save).collect();
     let is_variant = cpu.entry_point(job.info).name != job.info.name;
-    let can_fuse = job.info.run_fused.is_some() && !is_variant;
-    let fused = can_fuse.then_some(Other::Fused);
+    let arithmetic = [Arithmetic::Fused, Arithmetic::Regrouped].into_iter();
+    let changes = |change| job.info.run_arithmetic[change as usize].is_some() && !is_variant;
+    let arithmetic = arithmetic.filter(|change| changes(*change)).map(Other::Arithmetic);
     let sizes = subgroup::SIZES.into_iter().filter(|size| *size != cpu.subgroup_size);
     let sizes = sizes
         .filter(|_| job.info.subgroups)
         .map(|size| Other::Subgroups([cpu.subgroup_size, size]));
-    for other in [Other::Order, Other::Flushing].into_iter().chain(fused).chain(sizes) {
+    for other in [Other::Order, Other::Flushing].into_iter().chain(arithmetic).chain(sizes) {
         restore(&outputs, &before);
+        running::take_regrouped();
         let monitors = other.run(cpu, job, order)?;
+        let place = running::take_regrouped();
         for (output, expected) in outputs.iter().zip(&expected) {
             let Some(Some(Monitor::Written(usual))) = first.get(output.index) else { continue };
             let Some(Some(Monitor::Written(races))) = monitors.get(output.index) else { continue };
             let is_atomic = usual.has_atomics() || races.has_atomics();
             if let Some(difference) = output.difference(expected, other, is_atomic) {
                 let writer = races.writer(difference.element);
-                return Err(other.describe(output.info.name, &difference, seed) + &writer);
+                let place = place.map_or_else(String::new, |place| {
+                    format!(", as they may be through naga: see {place}")
+                });
+                return Err(other.describe(output.info.name, &difference, seed) + &place + &writer);
             }
         }
     }
@@ -78,7 +84,7 @@ impl Other {
         match self {
             Self::Order => RunMode { order: Some(Order { is_reversed: true, ..order }), ..usual },
             Self::Flushing => RunMode { is_flushing: true, ..usual },
-            Self::Fused => RunMode { is_fused: true, ..usual },
+            Self::Arithmetic(change) => RunMode { arithmetic: Some(change), ..usual },
             Self::Subgroups([_, size]) => RunMode { subgroup_size: Some(size), ..usual },
         }
     }
@@ -100,7 +106,12 @@ impl Other {
         match self {
             Self::Order => "in the reverse order".into(),
             Self::Flushing => "where denormals are flushed to zero".into(),
-            Self::Fused => "where multiplications and additions are fused".into(),
+            Self::Arithmetic(Arithmetic::Fused) => {
+                "where multiplications and additions are fused".into()
+            }
+            Self::Arithmetic(Arithmetic::Regrouped) => {
+                "where sums and products are regrouped".into()
+            }
             Self::Subgroups([_, size]) => format!("in subgroups of {size}"),
         }
     }
@@ -121,12 +132,14 @@ impl Other {
         }
     }
 
-    /// Whether two words of an output agree. How much a float may differ between devices is not known here. Integers that are changed
+    /// Whether two words of an output agree. How much a float may differ between devices is not known here: only what is regrouped must not
+    /// make another number of it. Integers that are changed
     /// atomically can be floats, too: their bits for a maximum, or fixed-point sums of them. Subgroups change neither.
     fn agree(self, [one, other]: [[u8; 4]; 2], is_float: bool, is_atomic: bool) -> bool {
-        let is_finite = |word| f32::from_ne_bytes(word).is_finite();
+        let [a, b] = [one, other].map(f32::from_ne_bytes);
+        let may_be_far = !matches!(self, Self::Arithmetic(Arithmetic::Regrouped));
         let may_differ = match is_float {
-            true => is_finite(one) == is_finite(other),
+            true => a.is_finite() == b.is_finite() && (may_be_far || !is_far(a, b)),
             false => is_atomic && !matches!(self, Self::Subgroups(..)),
         };
         one == other || may_differ && !matches!(self, Self::Order)

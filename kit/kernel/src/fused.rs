@@ -1,8 +1,11 @@
-//! Fused multiply-adds on the CPU, for the runs that look for what depends on them.
+//! Fused and regrouped arithmetic on the CPU, for the runs that look for what depends on it.
 
 use core::any::type_name;
+use core::panic::Location;
 
 use crate::lane::Wide;
+use crate::math::TINY;
+use crate::running;
 
 /// Most floats of a value.
 const MOST: usize = 4;
@@ -46,4 +49,26 @@ pub fn fused<A: Copy, B: Copy, C: Copy, O: Copy>(
         unsafe { core::ptr::copy_nonoverlapping(sum.as_ptr(), (&raw mut plain).cast(), count) };
     }
     plain
+}
+
+/// A sum or product as a driver may shorten it, if it is one of floats; otherwise `plain`, which is as it is written. Notes where they are far apart.
+#[track_caller]
+pub fn regrouped<O: Copy, S: Copy>(plain: O, short: impl FnOnce() -> S) -> O {
+    let (written, count) = floats(&plain);
+    if count == 0 || type_name::<O>() != type_name::<S>() {
+        return plain;
+    }
+    let short = short();
+    if (0..count).any(|i| is_far(written[i], floats(&short).0[i])) {
+        running::note_regrouped(Location::caller());
+    }
+    // SAFETY: the types are the same
+    unsafe { core::mem::transmute_copy(&short) }
+}
+
+/// Whether two numbers differ by more than a thousandth of the larger one: by more than some roundings.
+pub fn is_far(a: f32, b: f32) -> bool {
+    let size = a.abs().max(b.abs()).max(TINY);
+    a.to_bits() != b.to_bits()
+        && (a.is_finite() != b.is_finite() || !((a - b).abs() <= 1e-3 * size))
 }

@@ -8,7 +8,7 @@ use bytemuck::Pod;
 use glam::UVec3;
 
 pub use crate::casts::check_cast;
-pub use crate::fused::fused;
+pub use crate::fused::{fused, is_far, regrouped};
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Packed, Read, Shared, Write};
 pub use crate::path::Scope;
@@ -146,12 +146,12 @@ pub struct KernelInfo {
     /// # Safety
     /// The same as for [`CpuRun`].
     pub run_variant: Option<unsafe fn(&[CpuBinding], Invocation)>,
-    /// One invocation of the plain entry point, with the fused arithmetic that a driver may choose; `None` if the kernel is `fused` anyway,
-    /// and in release builds.
+    /// One invocation of the plain entry point, with arithmetic that a driver may choose: fused, and regrouped. `None` if that changes nothing,
+    /// if the kernel is `fused` anyway, and in release builds.
     ///
     /// # Safety
     /// The same as for [`CpuRun`].
-    pub run_fused: Option<unsafe fn(&[CpuBinding], Invocation)>,
+    pub run_arithmetic: [Option<unsafe fn(&[CpuBinding], Invocation)>; 2],
 }
 
 impl KernelInfo {

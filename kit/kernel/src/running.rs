@@ -4,6 +4,7 @@ extern crate std;
 
 use core::cell::Cell;
 use core::fmt;
+use core::panic::Location;
 use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use glam::UVec3;
@@ -33,6 +34,8 @@ std::thread_local! {
     static ITERATIONS: Cell<u32> = const { Cell::new(u32::MAX) };
     /// Whether invocations are ending that have not failed: they print nothing.
     static SILENT: Cell<bool> = const { Cell::new(false) };
+    /// Where arithmetic that was regrouped first gave something else than what is written.
+    static REGROUPED: Cell<Option<&'static Location<'static>>> = const { Cell::new(None) };
 }
 
 /// Sets the thread's workgroup by its first invocation; `None` after the dispatch.
@@ -76,6 +79,16 @@ pub fn iterate() {
 #[track_caller]
 fn too_many_iterations() -> ! {
     panic!("the loops take more iterations than the kernel declares with `iterations`");
+}
+
+/// Notes the place, if it is the first.
+pub(crate) fn note_regrouped(place: &'static Location<'static>) {
+    REGROUPED.set(REGROUPED.get().or(Some(place)));
+}
+
+/// Takes the place that was noted.
+pub fn take_regrouped() -> Option<&'static Location<'static>> {
+    REGROUPED.take()
 }
 
 /// Sets whether invocations are ending that have not failed.

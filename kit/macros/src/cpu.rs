@@ -1,10 +1,10 @@
 //! How the CPU runs a kernel.
 
 use proc_macro2::{Span, TokenStream};
-use quote::{quote, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
 
-use crate::fused::fused_name;
 use crate::parse::{Kernel, Lanes, Parameter, Role};
+use crate::{fused, regrouped};
 
 /// `quote!`, whose local names are others than those of the kernel's bindings.
 macro_rules! hygienic {
@@ -68,32 +68,47 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
     views.collect()
 }
 
-/// `const RUN_FUSED`: one invocation with fused arithmetic, in debug builds.
-pub fn run_fused(kernel: &Kernel) -> TokenStream {
-    let ty = hygienic! {
-        ::core::option::Option<unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)>
-    };
-    if kernel.fused {
-        return hygienic!(const RUN_FUSED: #ty = ::core::option::Option::None;);
-    }
-    let name = fused_name(kernel);
-    let views = views(kernel);
-    let names = kernel.parameters.iter().map(plain_argument);
+/// The changes that drivers may make to arithmetic: the name of each, and what makes it, which says whether it changes something.
+const ARITHMETIC: [(&str, fn(&mut syn::Block) -> bool); 2] =
+    [("fused", fused::fuse), ("regrouped", regrouped::regroup)];
+
+/// The kernel with each change of its arithmetic that there is, unless it allows them.
+pub fn with_other_arithmetic(kernel: &Kernel) -> [Option<syn::ItemFn>; 2] {
+    ARITHMETIC.map(|(name, change)| {
+        let mut function = crate::expand::function(kernel);
+        function.sig.ident = format_ident!("{}_with_{name}_arithmetic", kernel.function.sig.ident);
+        (!kernel.fused && change(&mut function.block)).then_some(function)
+    })
+}
+
+/// `const RUN_ARITHMETIC`: one invocation with each change of its arithmetic, in debug builds.
+pub fn run_arithmetic(kernel: &Kernel) -> TokenStream {
+    let none = hygienic!(::core::option::Option::None);
+    let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     let lane = kernel.lanes.is_some().then(|| hygienic!(::<::muslin::lane::Wide<1, false>>));
+    let views = views(kernel);
+    let runs = with_other_arithmetic(kernel).map(|function| {
+        let Some(name) = function.map(|function| function.sig.ident) else { return none.clone() };
+        hygienic! {{
+            // SAFETY: called as `CpuRun` says
+            unsafe fn run(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
+                #(
+                    // SAFETY: the caller passes bindings of the declared types
+                    #views
+                )*
+                self::#name #lane (id, #(#names),*);
+            }
+            ::core::option::Option::Some(run)
+        }}
+    });
+    let ty = hygienic! {
+        [::core::option::Option<unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)>; 2]
+    };
     hygienic! {
-        // SAFETY: called as `CpuRun` says
         #[cfg(debug_assertions)]
-        unsafe fn run_fused(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
-            #(
-                // SAFETY: the caller passes bindings of the declared types
-                #views
-            )*
-            self::#name #lane (id, #(#names),*);
-        }
-        #[cfg(debug_assertions)]
-        const RUN_FUSED: #ty = ::core::option::Option::Some(run_fused);
+        const RUN_ARITHMETIC: #ty = [#(#runs),*];
         #[cfg(not(debug_assertions))]
-        const RUN_FUSED: #ty = ::core::option::Option::None;
+        const RUN_ARITHMETIC: #ty = [#none; 2];
     }
 }
 

@@ -5,15 +5,14 @@ use quote::{format_ident, quote, quote_spanned};
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
-use crate::cpu::{cpu_run, plain_argument, run_fused, run_variant};
-use crate::fused::fused_name;
+use crate::checks;
+use crate::cpu::{cpu_run, plain_argument, run_arithmetic, run_variant, with_other_arithmetic};
 use crate::inputs::inputs;
 use crate::parse::{Kernel, Parameter, Role};
-use crate::{checks, fused};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
-    let fused = fused_function(kernel);
+    let arithmetic = arithmetic_functions(kernel);
     let variants = if kernel.has_shared_tiles() { &[false, true][..] } else { &[false] };
     let entries = variants.iter().map(|&shared| entry_point(kernel, shared));
     let info = info(kernel);
@@ -24,7 +23,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
         #[inline(always)]
         #[allow(clippy::too_many_arguments)]
         #function
-        #fused
+        #arithmetic
         // names what the declaration names, on the GPU too
         #(const _: u32 = #iterations;)*
         #(#entries)*
@@ -35,7 +34,7 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
 }
 
 /// The kernel itself. On the CPU it knows who it is and what its buffers are called: for messages.
-fn function(kernel: &Kernel) -> syn::ItemFn {
+pub fn function(kernel: &Kernel) -> syn::ItemFn {
     let mut function = kernel.function.clone();
     let name = function.sig.ident.to_string();
     let id = &kernel.id;
@@ -66,22 +65,19 @@ fn function(kernel: &Kernel) -> syn::ItemFn {
     function
 }
 
-/// The kernel as a driver may compile it that fuses arithmetic, unless the kernel allows that. Only debug builds on the CPU have it.
-fn fused_function(kernel: &Kernel) -> Option<TokenStream> {
-    if kernel.fused {
-        return None;
-    }
-    let mut function = function(kernel);
-    fused::fuse(&mut function.block);
-    function.sig.ident = fused_name(kernel);
-    function.vis = syn::Visibility::Inherited;
-    function.attrs.clear();
-    Some(quote! {
+/// The kernel as drivers may compile it that change its arithmetic. Only debug builds on the CPU have it.
+fn arithmetic_functions(kernel: &Kernel) -> TokenStream {
+    let functions = with_other_arithmetic(kernel).into_iter().flatten().map(|mut function| {
+        function.vis = syn::Visibility::Inherited;
+        function.attrs.clear();
+        function
+    });
+    quote! {#(
         #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
         #[allow(warnings, clippy::all)]
         #[inline(always)]
-        #function
-    })
+        #functions
+    )*}
 }
 
 /// Whether the invocations of a workgroup wait for each other: in all entry points, or only where shared tiles are workgroup memory.
@@ -232,7 +228,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let storage_buffers = kernel.parameters.iter().filter(is_storage).count() as u32;
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
-    let run_fused = run_fused(kernel);
+    let run_arithmetic = run_arithmetic(kernel);
     let fused = kernel.fused;
     let subgroups = kernel.subgroups;
     let z_serial = kernel.z_serial;
@@ -247,7 +243,7 @@ fn info(kernel: &Kernel) -> TokenStream {
         #[linkme(crate = ::muslin::dependencies::linkme)]
         static #info_name: ::muslin::kernel::KernelInfo = {
             #run
-            #run_fused
+            #run_arithmetic
             ::muslin::kernel::KernelInfo {
                 name: #name_text,
                 package: ::core::env!("CARGO_PKG_NAME"),
@@ -266,7 +262,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 unordered: &[#(#unordered),*],
                 run: run(),
                 run_variant: #run_variant,
-                run_fused: RUN_FUSED,
+                run_arithmetic: RUN_ARITHMETIC,
             }
         };
         #[cfg(not(target_arch = "spirv"))]

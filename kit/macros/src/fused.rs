@@ -1,20 +1,22 @@
 //! A kernel as a driver may compile it: multiplications and additions are fused.
 
 use proc_macro2::Span;
-use quote::{format_ident, quote_spanned};
+use quote::quote_spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
     BinOp, Block, Expr, ExprBinary, ExprConst, ExprRepeat, GenericArgument, Item, Pat, Type,
 };
 
-use crate::parse::Kernel;
-
-/// Fuses every sum or difference of a product. Types are not known here: what is no float stays as it is.
-pub fn fuse(block: &mut Block) {
-    Fuse.visit_block_mut(block);
+/// Fuses every sum or difference of a product, and says whether there are some. Types are not known here: what is no float stays as it is.
+pub fn fuse(block: &mut Block) -> bool {
+    let mut fuse = Fuse { has_some: false };
+    fuse.visit_block_mut(block);
+    fuse.has_some
 }
 
-struct Fuse;
+struct Fuse {
+    has_some: bool,
+}
 
 /// The factors of a product.
 fn factors(expression: &Expr) -> Option<(&Expr, &Expr)> {
@@ -68,6 +70,7 @@ impl VisitMut for Fuse {
             && let Some(fused) = fused(binary)
         {
             *expression = fused;
+            self.has_some = true;
         }
     }
 
@@ -83,9 +86,4 @@ impl VisitMut for Fuse {
 
     /// A function in a function is another one.
     fn visit_item_mut(&mut self, _: &mut Item) {}
-}
-
-/// The name of the fused function.
-pub fn fused_name(kernel: &Kernel) -> syn::Ident {
-    format_ident!("{}_with_fused_arithmetic", kernel.function.sig.ident)
 }

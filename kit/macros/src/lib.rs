@@ -51,6 +51,7 @@ mod expand;
 mod fused;
 mod inputs;
 mod parse;
+mod regrouped;
 #[cfg(test)]
 mod tests;
 

@@ -140,6 +140,8 @@ corpus! {
         divides_by_a_denormal
         root_of_a_fused_difference
         side_of_a_fused_line
+        rounds_by_a_large_number
+        scales_in_two_steps
     }
     loops {
         understated

@@ -1,0 +1,273 @@
+//! Writes out what compilers and devices take differently.
+//!
+//! | as the compiler writes it | what is wrong | as it becomes |
+//! | --- | --- | --- |
+//! | `%` of signed integers is `OpSRem` | Vulkan leaves it undefined if a number is negative | `a - b (a / b)` |
+//! | `x != y` is true of NaN, as are other comparisons | naga has only those that are false of NaN | `!(x == y)` |
+//! | NaN is what differs from itself | a compiler may take `x == x` for true | the bits are compared with those of infinity |
+//! | `checked_add` of `i32`, and its kin, overflow where `(b < 0) == (a + b > a)` | that is so for b = 0, too | `(b < 0) == (a + b >= a)` |
+
+use std::collections::{BTreeMap, HashMap};
+
+use rspirv::dr::{Builder, Instruction, Module, Operand};
+use rspirv::spirv::{Op, Word};
+
+/// Bits of a number without its sign.
+const SIZE: u32 = 0x7fff_ffff;
+/// Bits of infinity. Those of NaN, without the sign, are larger.
+const INFINITY: u32 = 0x7f80_0000;
+
+/// Writes out all such instructions of a module.
+pub fn expand(module: &mut Module) {
+    let mut builder = Builder::new_from_module(std::mem::take(module));
+    let float = builder.type_float(32, None);
+    let word = builder.type_int(32, 0);
+    let [size, infinity] = [SIZE, INFINITY].map(|bits| builder.constant_bit32(word, bits));
+    *module = builder.module();
+    let globals = module.types_global_values.iter();
+    let all = globals.chain(module.functions.iter().flat_map(|f| f.all_inst_iter()));
+    let definitions = all.filter_map(|i| Some((i.result_id?, i.clone()))).collect();
+    let bound = module.header.as_ref().map_or(0, |header| header.bound);
+    let ids = Ids { float, word, size, infinity };
+    let mut expansion =
+        Expansion { ids, definitions, bound, sums: HashMap::new(), instructions: Vec::new() };
+    for block in module.functions.iter_mut().flat_map(|function| &mut function.blocks) {
+        block.instructions.drain(..).for_each(|instruction| expansion.expand(instruction));
+        block.instructions.append(&mut expansion.instructions);
+    }
+    if let Some(header) = &mut module.header {
+        header.bound = expansion.bound;
+    }
+}
+
+/// Types and constants.
+struct Ids {
+    float: Word,
+    word: Word,
+    size: Word,
+    infinity: Word,
+}
+
+struct Expansion {
+    ids: Ids,
+    definitions: HashMap<Word, Instruction>,
+    /// What [`Expansion::sum`] has found.
+    sums: HashMap<Word, Sum>,
+    bound: Word,
+    /// The instructions of a block, expanded.
+    instructions: Vec<Instruction>,
+}
+
+/// An integer as a sum of products of values, modulo 2^32: each product, and its factor.
+#[derive(Clone, Default, PartialEq)]
+struct Sum(BTreeMap<Vec<Word>, u32>);
+
+/// Most products of a [`Sum`]. What has more counts as a value.
+const MOST: usize = 64;
+
+impl Expansion {
+    /// Adds an instruction, and returns its result.
+    fn add(&mut self, op: Op, kind: Word, operands: [Word; 2]) -> Word {
+        let id = self.bound;
+        self.bound += 1;
+        self.push(op, kind, id, &operands);
+        id
+    }
+
+    fn push(&mut self, op: Op, kind: Word, id: Word, operands: &[Word]) {
+        let operands = operands.iter().map(|id| Operand::IdRef(*id)).collect();
+        self.instructions.push(Instruction::new(op, Some(kind), Some(id), operands));
+    }
+
+    fn expand(&mut self, instruction: Instruction) {
+        let op = instruction.class.opcode;
+        let (Some(kind), Some(id), Some([a, b])) =
+            (instruction.result_type, instruction.result_id, pair(&instruction))
+        else {
+            return self.instructions.push(instruction);
+        };
+        if op == Op::SRem {
+            let quotient = self.add(Op::SDiv, kind, [a, b]);
+            let product = self.add(Op::IMul, kind, [b, quotient]);
+            self.push(Op::ISub, kind, id, &[a, product]);
+        } else if let Some(test) = self.test_of_nan(op, a, b) {
+            let bits = self.bound;
+            self.bound += 1;
+            self.push(Op::Bitcast, self.ids.word, bits, &[a]);
+            let size = self.add(Op::BitwiseAnd, self.ids.word, [bits, self.ids.size]);
+            self.push(test, kind, id, &[size, self.ids.infinity]);
+        } else if let Some(opposite) = opposite(op) {
+            let result = self.add(opposite, kind, [a, b]);
+            self.push(Op::LogicalNot, kind, id, &[result]);
+        } else if let Some((sign, op, operands)) = self.overflow(op, [a, b]) {
+            let result = self.add(op, kind, operands);
+            self.push(Op::LogicalEqual, kind, id, &[sign, result]);
+        } else {
+            self.instructions.push(instruction);
+        }
+    }
+
+    /// How the bits of a number without sign compare with those of infinity, if the comparison is one of it with itself.
+    fn test_of_nan(&self, op: Op, a: Word, b: Word) -> Option<Op> {
+        match op {
+            _ if a != b || !self.is_float(a) => None,
+            Op::FUnordNotEqual => Some(Op::UGreaterThan),
+            Op::FOrdEqual | Op::FOrdLessThanEqual | Op::FOrdGreaterThanEqual => {
+                Some(Op::ULessThanEqual)
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether signed integers overflow, as the compiler decides it: the sign of the one that is added or subtracted, and the right comparison.
+    fn overflow(&mut self, op: Op, [sign, other]: [Word; 2]) -> Option<(Word, Op, [Word; 2])> {
+        let comparison = self.definitions.get(&other).filter(|_| op == Op::LogicalEqual)?;
+        let [result, before] = pair(comparison)?;
+        let (op, [more, less]) = match comparison.class.opcode {
+            Op::SGreaterThan => (Op::SGreaterThanEqual, [result, before]),
+            Op::SLessThan => (Op::SLessThanEqual, [before, result]),
+            _ => return None,
+        };
+        let sign_of = self.definitions.get(&sign)?.clone();
+        let added = self.sum(more).minus(&self.sum(less));
+        let is_formula = match (sign_of.class.opcode, pair(&sign_of)) {
+            (Op::ConstantFalse, _) => added == Sum::default(),
+            (Op::SLessThan, Some([of, zero])) => {
+                self.sum(zero) == Sum::default() && self.sum(of) == added
+            }
+            _ => false,
+        };
+        is_formula.then_some((sign, op, [result, before]))
+    }
+
+    /// An integer, as far as it is a sum of products. The optimizer can have simplified it.
+    fn sum(&mut self, id: Word) -> Sum {
+        if let Some(sum) = self.sums.get(&id) {
+            return sum.clone();
+        }
+        let value = Sum::new([(vec![id], 1)]);
+        let Some(found) = self.definitions.get(&id) else { return value };
+        let op = found.class.opcode;
+        let sum = match (op, &found.operands[..]) {
+            (Op::Constant, [Operand::LiteralBit32(bits)]) => Sum::new([(vec![], *bits)]),
+            (Op::IAdd | Op::ISub | Op::IMul, &[Operand::IdRef(a), Operand::IdRef(b)]) => {
+                let [a, b] = [a, b].map(|id| self.sum(id));
+                match op {
+                    Op::IAdd => a.minus(&Sum::default().minus(&b)),
+                    Op::ISub => a.minus(&b),
+                    _ => a.times(&b),
+                }
+            }
+            (Op::SNegate, &[Operand::IdRef(a)]) => Sum::default().minus(&self.sum(a)),
+            (Op::Bitcast, &[Operand::IdRef(a)]) if !self.is_float(a) => self.sum(a),
+            _ => value.clone(),
+        };
+        let sum = if sum.0.len() > MOST { value } else { sum };
+        self.sums.insert(id, sum.clone());
+        sum
+    }
+
+    fn is_float(&self, id: Word) -> bool {
+        self.definitions.get(&id).is_some_and(|found| found.result_type == Some(self.ids.float))
+    }
+}
+
+impl Sum {
+    fn minus(&self, other: &Self) -> Self {
+        let negated =
+            other.0.iter().map(|(product, factor)| (product.clone(), factor.wrapping_neg()));
+        Self::new(self.0.clone().into_iter().chain(negated))
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let pairs = self.0.iter().flat_map(|one| other.0.iter().map(move |two| (one, two)));
+        Self::new(pairs.map(|((one, factor), (two, by))| {
+            let mut product = [one.as_slice(), two].concat();
+            product.sort_unstable();
+            (product, factor.wrapping_mul(*by))
+        }))
+    }
+
+    fn new(products: impl IntoIterator<Item = (Vec<Word>, u32)>) -> Self {
+        let mut sum = BTreeMap::<_, u32>::new();
+        for (product, factor) in products {
+            let total = sum.entry(product).or_default();
+            *total = total.wrapping_add(factor);
+        }
+        sum.retain(|_, factor| *factor != 0);
+        Self(sum)
+    }
+}
+
+/// The operands of an instruction that has two.
+fn pair(instruction: &Instruction) -> Option<[Word; 2]> {
+    match instruction.operands[..] {
+        [Operand::IdRef(a), Operand::IdRef(b)] => Some([a, b]),
+        _ => None,
+    }
+}
+
+/// The comparison that is false of NaN, and otherwise the opposite of one that is true of NaN.
+fn opposite(op: Op) -> Option<Op> {
+    Some(match op {
+        Op::FUnordNotEqual => Op::FOrdEqual,
+        Op::FUnordLessThan => Op::FOrdGreaterThanEqual,
+        Op::FUnordLessThanEqual => Op::FOrdGreaterThan,
+        Op::FUnordGreaterThan => Op::FOrdLessThanEqual,
+        Op::FUnordGreaterThanEqual => Op::FOrdLessThan,
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use rspirv::spirv::{Capability, FunctionControl};
+
+    use super::*;
+
+    /// The operations of a function of integers x, y and z, once they are expanded.
+    fn expanded(write: impl Fn(&mut Builder, [Word; 2], [Word; 3])) -> Vec<Op> {
+        let mut b = Builder::new();
+        b.capability(Capability::Shader);
+        let [void, int, bool] = [b.type_void(), b.type_int(32, 1), b.type_bool()];
+        let kind = b.type_function(void, [int; 3]);
+        b.begin_function(void, None, FunctionControl::NONE, kind).unwrap();
+        let values = [(); 3].map(|()| b.function_parameter(int).unwrap());
+        b.begin_block(None).unwrap();
+        write(&mut b, [int, bool], values);
+        b.ret().unwrap();
+        b.end_function().unwrap();
+        let mut module = b.module();
+        expand(&mut module);
+        let blocks = module.functions.iter().flat_map(|function| &function.blocks);
+        blocks.flat_map(|block| &block.instructions).map(|i| i.class.opcode).collect()
+    }
+
+    #[test]
+    fn an_overflow_is_told_by_the_right_comparison() {
+        type Sum = fn(&mut Builder, Word, [Word; 3]) -> [Word; 2];
+        let plus: Sum = |b, int, [x, y, _]| [b.i_add(int, None, y, x).unwrap(), x];
+        // x - y + y, which the optimizer has simplified
+        let simplified: Sum = |b, int, [x, y, _]| [x, b.i_sub(int, None, x, y).unwrap()];
+        // another comparison that stands beside a sign
+        let another: Sum = |_, _, [x, _, z]| [z, x];
+        for (sum, is_formula) in [(plus, true), (simplified, true), (another, false)] {
+            let ops = expanded(|b, [int, bool], values| {
+                let zero = b.constant_bit32(int, 0);
+                let [result, before] = sum(b, int, values);
+                let sign = b.s_less_than(bool, None, values[1], zero).unwrap();
+                let rises = b.s_greater_than(bool, None, result, before).unwrap();
+                b.logical_equal(bool, None, sign, rises).unwrap();
+            });
+            assert_eq!(ops.contains(&Op::SGreaterThanEqual), is_formula, "{ops:?}");
+        }
+    }
+
+    #[test]
+    fn a_remainder_is_written_out() {
+        let ops = expanded(|b, [int, _], [x, y, _]| {
+            b.s_rem(int, None, x, y).unwrap();
+        });
+        assert_eq!(ops, [Op::SDiv, Op::IMul, Op::ISub, Op::Return]);
+    }
+}

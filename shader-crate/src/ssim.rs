@@ -155,12 +155,11 @@ impl Similarity {
         let by_difference = of_variances * (two - b);
         let by_sum = -(of_variances * b);
         let constant = of_means - by_difference * mean_d - by_sum * mean_s;
-        let share = Vec4::new(inverse, inverse, inverse, 0.0);
         Self {
             dissimilarity: a + b - a * b,
-            constant: constant * share,
-            by_difference: by_difference * share,
-            by_sum: by_sum * share,
+            constant: (constant * inverse).with_w(0.0),
+            by_difference: (by_difference * inverse).with_w(0.0),
+            by_sum: (by_sum * inverse).with_w(0.0),
         }
     }
 }

@@ -7,7 +7,10 @@ use rspirv::binary::Assemble;
 use rspirv::dr::{self, Module, Operand};
 use rspirv::spirv::{Capability, ExecutionMode};
 
-use crate::{atomic_arguments, contraction, declarations, ids, loops, memory_model};
+use crate::{
+    atomic_arguments, contraction, declarations, ids, loops, memory_model, not_numbers,
+    small_integers,
+};
 
 /// The module for drivers, with the size of its workgroups. With `fused`, they may regroup its arithmetic.
 ///
@@ -15,6 +18,9 @@ use crate::{atomic_arguments, contraction, declarations, ids, loops, memory_mode
 /// If the module has something that it must not have.
 pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     let mut module = dr::load_bytes(spirv).map_err(|error| anyhow!("a broken module: {error}"))?;
+    // what other kernels use is not of interest
+    declarations::sort(&mut module);
+    small_integers::widen(&mut module)?;
     memory_model::lower(&mut module)?;
     loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module)?;
@@ -23,6 +29,7 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     if !fused {
         contraction::forbid(&mut module)?;
     }
+    not_numbers::replace(&mut module)?;
     declarations::sort(&mut module);
     ids::renumber(&mut module);
     Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())

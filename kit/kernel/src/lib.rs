@@ -130,6 +130,8 @@ mod casts;
 pub mod count;
 #[cfg(not(target_arch = "spirv"))]
 pub mod dual;
+#[doc(hidden)]
+pub mod each;
 pub mod fixed;
 #[cfg(not(target_arch = "spirv"))]
 mod fused;
@@ -137,6 +139,7 @@ mod fused;
 pub mod given;
 pub mod gradient;
 pub mod half;
+mod integers;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
 pub mod kernel;

@@ -11,6 +11,7 @@ pub mod color;
 pub mod color_backward;
 pub mod composite;
 pub mod composite_backward;
+pub mod core_functions;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
@@ -109,5 +110,6 @@ pub fn cases() -> Vec<Case> {
         Case::new::<language::ByteHistogram>(),
         Case::new::<language::SortRows>(),
         Case::new::<language::KeepPositive>(),
+        Case::new::<core_functions::CoreFunctions>(),
     ]
 }

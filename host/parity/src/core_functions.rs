@@ -118,7 +118,7 @@ impl Parity for CoreFunctions {
             96 => in_i32(i + j),
             97 => in_i32(i - j),
             98 => f64::from(u).sqrt() as u32,
-            99 => (u64::from(u) * u64::from(v) >> 32) as u32,
+            99 => ((u64::from(u) * u64::from(v)) >> 32) as u32,
             100 if u & 0x7fff <= 0x7c00 => bits(half(u & 0xffff)),
             101 => bits(x.ceil()),
             _ => return None,

@@ -73,7 +73,7 @@ pub fn multiply_high(a: u32, b: u32) -> u32 {
     // by halves, because not every GPU has integers of 64 bits
     let [a_high, a_low] = [a >> 16, a & 0xffff];
     let [b_high, b_low] = [b >> 16, b & 0xffff];
-    let middle = a_high * b_low + (a_low * b_low >> 16);
+    let middle = a_high * b_low + ((a_low * b_low) >> 16);
     let rest = a_low * b_high + (middle & 0xffff);
     a_high * b_high + (middle >> 16) + (rest >> 16)
 }

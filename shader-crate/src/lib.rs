@@ -18,6 +18,7 @@ pub mod color;
 pub mod color_backward;
 pub mod composite;
 pub mod composite_backward;
+pub mod core_functions;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;

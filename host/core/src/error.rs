@@ -278,13 +278,21 @@ impl std::error::Error for FileError {}
 /// assert_eq!(message, "cannot read nowhere.safetensors: there is no such file; check the path");
 /// ```
 #[must_use]
-pub fn chain(error: &dyn std::error::Error) -> String {
+pub fn chain(error: &(dyn std::error::Error + 'static)) -> String {
     let mut message = error.to_string();
+    let is_of_memory = |error: &(dyn std::error::Error + 'static)| {
+        error.downcast_ref::<Error>().is_some_and(Error::is_out_of_memory)
+    };
+    let mut needs_memory = is_of_memory(error);
     let mut source = error.source();
     while let Some(error) = source {
         // Writing to a String does not fail.
         let _ = write!(message, ": {error}");
+        needs_memory |= is_of_memory(error);
         source = error.source();
+    }
+    if needs_memory {
+        message += ": render fewer or smaller tiles at once, or use a smaller scene";
     }
     message
 }

@@ -11,6 +11,7 @@ pub mod color;
 pub mod color_backward;
 pub mod composite;
 pub mod composite_backward;
+pub mod core_functions;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
@@ -112,5 +113,6 @@ pub fn cases() -> Vec<Case> {
         Case::new::<language::AsWritten>(),
         Case::new::<language::Compared>(),
         Case::new::<language::Signed>(),
+        Case::new::<core_functions::CoreFunctions>(),
     ]
 }

@@ -31,13 +31,13 @@ fn function_() {
     var phi_109_: bool;
     var phi_120_: f32;
     var phi_121_: f32;
-    var phi_133_: u32;
-    var phi_142_: f32;
-    var phi_143_: f32;
-    var phi_155_: u32;
-    var phi_166_: f32;
-    var phi_167_: f32;
-    var phi_179_: u32;
+    var phi_136_: u32;
+    var phi_145_: f32;
+    var phi_146_: f32;
+    var phi_159_: u32;
+    var phi_170_: f32;
+    var phi_171_: f32;
+    var phi_184_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -87,52 +87,54 @@ fn function_() {
                     phi_121_ = _e80;
                 }
                 let _e82 = phi_121_;
-                let _e87 = select(select(u32(_e82), 0u, (_e82 < 0f)), 4294967295u, (_e82 > 4294967000f));
-                if (_e82 >= (f32(_e87) + 0.5f)) {
-                    phi_133_ = (_e87 + 1u);
+                let _e83 = bitcast<f32>(0u);
+                let _e84 = bitcast<f32>(1333788671u);
+                let _e90 = select(select(u32(_e82), 0u, !((_e82 >= _e83))), 4294967295u, (_e82 > _e84));
+                if (_e82 >= (f32(_e90) + 0.5f)) {
+                    phi_136_ = (_e90 + 1u);
                 } else {
-                    phi_133_ = _e87;
+                    phi_136_ = _e90;
                 }
-                let _e93 = phi_133_;
+                let _e96 = phi_136_;
                 if (_e54 >= 1f) {
-                    phi_143_ = 255f;
+                    phi_146_ = 255f;
                 } else {
                     if (_e54 > 0f) {
-                        phi_142_ = (_e54 * 255f);
+                        phi_145_ = (_e54 * 255f);
                     } else {
-                        phi_142_ = 0f;
+                        phi_145_ = 0f;
                     }
-                    let _e98 = phi_142_;
-                    phi_143_ = _e98;
+                    let _e101 = phi_145_;
+                    phi_146_ = _e101;
                 }
-                let _e100 = phi_143_;
-                let _e105 = select(select(u32(_e100), 0u, (_e100 < 0f)), 4294967295u, (_e100 > 4294967000f));
-                if (_e100 >= (f32(_e105) + 0.5f)) {
-                    phi_155_ = (_e105 + 1u);
+                let _e103 = phi_146_;
+                let _e109 = select(select(u32(_e103), 0u, !((_e103 >= _e83))), 4294967295u, (_e103 > _e84));
+                if (_e103 >= (f32(_e109) + 0.5f)) {
+                    phi_159_ = (_e109 + 1u);
                 } else {
-                    phi_155_ = _e105;
+                    phi_159_ = _e109;
                 }
-                let _e111 = phi_155_;
+                let _e115 = phi_159_;
                 if (_e59 >= 1f) {
-                    phi_167_ = 255f;
+                    phi_171_ = 255f;
                 } else {
                     if (_e59 > 0f) {
-                        phi_166_ = (_e59 * 255f);
+                        phi_170_ = (_e59 * 255f);
                     } else {
-                        phi_166_ = 0f;
+                        phi_170_ = 0f;
                     }
-                    let _e119 = phi_166_;
-                    phi_167_ = _e119;
+                    let _e123 = phi_170_;
+                    phi_171_ = _e123;
                 }
-                let _e121 = phi_167_;
-                let _e126 = select(select(u32(_e121), 0u, (_e121 < 0f)), 4294967295u, (_e121 > 4294967000f));
-                if (_e121 >= (f32(_e126) + 0.5f)) {
-                    phi_179_ = (_e126 + 1u);
+                let _e125 = phi_171_;
+                let _e131 = select(select(u32(_e125), 0u, !((_e125 >= _e83))), 4294967295u, (_e125 > _e84));
+                if (_e125 >= (f32(_e131) + 0.5f)) {
+                    phi_184_ = (_e131 + 1u);
                 } else {
-                    phi_179_ = _e126;
+                    phi_184_ = _e131;
                 }
-                let _e132 = phi_179_;
-                global_5.member[_e34] = (((_e93 | (_e111 << bitcast<u32>(8i))) | (_e132 << bitcast<u32>(16i))) | select(4278190080u, 0u, select(_e73, true, _e71)));
+                let _e137 = phi_184_;
+                global_5.member[_e34] = (((_e96 | (_e115 << bitcast<u32>(8i))) | (_e137 << bitcast<u32>(16i))) | select(4278190080u, 0u, select(_e73, true, _e71)));
             }
             break;
         }

@@ -13,7 +13,7 @@ use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
 use crate::lower::{self, lower};
-use crate::{Project, module, naga_check, rules, wgsl};
+use crate::{Project, module, naga_check, rules, small_integers, wgsl};
 
 /// SPIR-V 1.5, of Vulkan 1.2, is the newest version that all our drivers read.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
@@ -93,7 +93,8 @@ pub fn build(
         .multimodule(true)
         .spirv_metadata(SpirvMetadata::None)
         .target_dir_path(target.join("spirv"));
-    builder.capabilities = lower::SUBGROUPS.into_iter().chain([lower::AS_WRITTEN]).collect();
+    builder.capabilities =
+        [&lower::SUBGROUPS[..], &small_integers::CAPABILITIES[..], &[lower::AS_WRITTEN]].concat();
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;
     let ModuleResult::MultiModule(paths) = result.module else {

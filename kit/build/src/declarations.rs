@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use rspirv::dr::{Instruction, Module, Operand};
-use rspirv::spirv::Word;
+use rspirv::spirv::{Op, Word};
 
 /// Orders types, constants and global variables, and everything that lists them.
 pub fn sort(module: &mut Module) {
@@ -39,6 +39,42 @@ pub fn sort(module: &mut Module) {
         list.sort_by_cached_key(|instruction| instruction.operands[0].to_string());
     }
     module.types_global_values = sorted;
+}
+
+/// Replaces ids.
+pub fn rename<'a>(
+    instructions: impl IntoIterator<Item = &'a mut Instruction>,
+    names: &HashMap<Word, Word>,
+) {
+    for instruction in instructions {
+        let operands = instruction.operands.iter_mut().filter_map(|operand| match operand {
+            Operand::IdRef(id) => Some(id),
+            _ => None,
+        });
+        for id in operands.chain(&mut instruction.result_type) {
+            *id = *names.get(id).unwrap_or(id);
+        }
+    }
+}
+
+/// Declares each type once, after passes that add or change some. Structs and arrays have a layout, and remain.
+pub fn merge_types(module: &mut Module) {
+    let mut first = HashMap::new();
+    let mut names = HashMap::new();
+    module.types_global_values.retain_mut(|of| {
+        rename([&mut *of], &names);
+        let is_unique = [Op::TypeInt, Op::TypeVector, Op::TypePointer, Op::TypeFunction];
+        let (true, Some(id)) = (is_unique.contains(&of.class.opcode), of.result_id) else {
+            return true;
+        };
+        let key = format!("{:?} {:?}", of.class.opcode, of.operands);
+        let kept = *first.entry(key).or_insert(id);
+        if kept != id {
+            names.insert(id, kept);
+        }
+        kept == id
+    });
+    rename(module.all_inst_iter_mut(), &names);
 }
 
 /// Declarations in the order of their first use.

@@ -7,7 +7,10 @@ use rspirv::binary::Assemble;
 use rspirv::dr::{self, Module, Operand};
 use rspirv::spirv::{Capability, ExecutionMode, Op};
 
-use crate::{atomic_arguments, contraction, declarations, expand, ids, loops, memory_model};
+use crate::{
+    atomic_arguments, contraction, declarations, expand, ids, loops, memory_model, not_numbers,
+    small_integers,
+};
 
 /// The module for drivers, with the size of its workgroups. With `fused`, they may regroup its arithmetic.
 ///
@@ -19,6 +22,9 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
         !module.all_inst_iter().any(|instruction| instruction.class.opcode == Op::FRem),
         "it takes `%` of floats, in helpers too, which a GPU rounds several times: write `x - y * math::truncate(x / y)`"
     );
+    // what other kernels use is not of interest
+    declarations::sort(&mut module);
+    small_integers::widen(&mut module)?;
     memory_model::lower(&mut module)?;
     expand::expand(&mut module);
     loops::end_at_conditions(&mut module)?;
@@ -28,6 +34,7 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     if !fused {
         contraction::forbid(&mut module)?;
     }
+    not_numbers::replace(&mut module)?;
     declarations::sort(&mut module);
     ids::renumber(&mut module);
     Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())

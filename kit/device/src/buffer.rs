@@ -36,6 +36,18 @@ pub(super) enum Memory {
     Planned(u32),
 }
 
+impl Memory {
+    /// Whether it is the same memory, of which each can be a part.
+    pub(super) fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Cpu(one), Self::Cpu(other)) => Arc::ptr_eq(one, other),
+            (Self::Gpu(one), Self::Gpu(other)) => one == other,
+            (Self::Planned(one), Self::Planned(other)) => one == other,
+            _ => false,
+        }
+    }
+}
+
 impl<T: Pod> Buffer<T> {
     pub(super) fn new(raw: RawBuffer) -> Self {
         Self { raw, element: PhantomData }

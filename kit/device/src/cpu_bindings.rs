@@ -17,35 +17,18 @@ pub fn bind(
     refuse_swapped(info, buffers)?;
     let mut buffers = buffers.iter();
     let mut bindings = Vec::with_capacity(info.bindings.len());
-    let mut memories = Vec::with_capacity(info.bindings.len());
     for binding in info.bindings {
-        let (whole, data, bytes) = match binding.access {
-            Access::Uniform => (uniform.as_ptr(), uniform.as_ptr().cast_mut(), uniform.len()),
+        let (data, bytes) = match binding.access {
+            Access::Uniform => (uniform.as_ptr().cast_mut(), uniform.len()),
             Access::Read | Access::Write => {
                 let buffer = buffers.next().expect("the typed dispatch binds every buffer");
                 let Memory::Cpu(memory) = &buffer.memory else {
                     panic!("the buffer `{}` belongs to a GPU", buffer.label)
                 };
-                let whole = memory.data();
-                let begin = whole.wrapping_add(buffer.begin as usize);
-                (whole.cast_const(), begin, buffer.bytes as usize)
+                (memory.data().wrapping_add(buffer.begin as usize), buffer.bytes as usize)
             }
         };
         bindings.push(CpuBinding { data, bytes, monitor: None });
-        memories.push(whole);
-    }
-    for (at, (memory, info_of)) in memories.iter().zip(info.bindings).enumerate() {
-        for (other, info_of_other) in memories.iter().zip(info.bindings).take(at) {
-            let written = [info_of, info_of_other].iter().any(|info| info.access == Access::Write);
-            // GPUs also refuse it, even if the bound parts do not overlap
-            if memory == other && written {
-                let names = (info_of_other.name, info_of.name);
-                return Err(format!(
-                    "`{}` and `{}` are one buffer, and it is written",
-                    names.0, names.1
-                ));
-            }
-        }
     }
     Ok(bindings)
 }

@@ -14,7 +14,7 @@ use crate::count::Count;
 use crate::error::{Error, Result};
 use crate::host::Host;
 use crate::timings::{KernelTime, Timings};
-use crate::workgroups::{Workgroups, workgroups_for};
+use crate::workgroups::{MOST, Workgroups, workgroups_for};
 use crate::{cpu, gpu, plan};
 
 /// A device that runs kernels.
@@ -154,7 +154,9 @@ impl Device {
         let mut buffers = Vec::with_capacity(kernel.info().bindings.len());
         kernel.bind(&mut |buffer| buffers.push(buffer));
         let info = kernel.info();
+        refuse_too_many(info, needed)?;
         refuse_partial(info, &buffers)?;
+        refuse_twice(info, &buffers)?;
         let counts = kernel.counts();
         let uniform = self.fill_in(kernel.uniform(), counts);
         let uniform = &*uniform;
@@ -309,6 +311,8 @@ impl Device {
             return self.dispatch(kernel, needed);
         }
         let [x, y] = workgroups_for(info, invocations.saturating_add(info.workgroup_size[0]));
+        // there may be no room for another one
+        let y = if y > MOST { needed[1] } else { y };
         self.dispatch_with_extra(kernel, [x, y, workgroups_z], needed)
     }
 
@@ -320,7 +324,8 @@ impl Device {
         let [x, y, _] = kernel.info().workgroup_size;
         let extra = u32::from(self.has_extra_workgroup(kernel.info()) && !size.contains(&0));
         let needed = [size[0].div_ceil(x), size[1].div_ceil(y), size[2]];
-        let all = [needed[0] + extra, needed[1] + extra, needed[2]];
+        let with_extra = |workgroups: u32| workgroups + if workgroups < MOST { extra } else { 0 };
+        let all = [with_extra(needed[0]), with_extra(needed[1]), needed[2]];
         self.dispatch_with_extra(kernel, all, needed)
     }
 
@@ -387,6 +392,36 @@ impl Device {
             gpu.lose();
         }
     }
+}
+
+/// Fails if there are more workgroups than a GPU starts.
+fn refuse_too_many(info: &KernelInfo, workgroups: [u32; 3]) -> Result<()> {
+    if workgroups.iter().all(|&along| along <= MOST) {
+        return Ok(());
+    }
+    let [x, y, z] = workgroups;
+    let reason = format!(
+        "{x} x {y} x {z} workgroups, and a GPU starts at most {MOST} along each axis: use `Device::run` for items along x, larger \
+         workgroups, or several dispatches"
+    );
+    Err(Error::Kernel { kernel: info.name.into(), reason })
+}
+
+/// Fails if a buffer that is written is bound twice: then invocations race. wgpu also refuses it if one binding reads, even if the bound
+/// parts do not overlap.
+fn refuse_twice(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
+    for (at, (binding, buffer)) in bound(info, buffers).enumerate() {
+        for (other, other_buffer) in bound(info, buffers).take(at) {
+            let is_written = [binding, other].iter().any(|of| of.access == Access::Write);
+            if is_written && buffer.memory.is(&other_buffer.memory) {
+                let names = [other.name, binding.name];
+                let reason =
+                    format!("`{}` and `{}` are one buffer, and it is written", names[0], names[1]);
+                return Err(Error::Kernel { kernel: info.name.into(), reason });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Fails if a buffer ends within a vector of [`ReadFours`](muslin::memory::ReadFours): a GPU would not reach its end.

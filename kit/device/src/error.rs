@@ -36,8 +36,8 @@ pub enum Error {
 
     /// The GPU stopped answering.
     #[error(
-        "the GPU was lost: {reason}; the work in flight is gone, so start again (a smaller tile \
-         batch helps where a watchdog ended it)"
+        "the GPU was lost: {reason}; the work in flight is gone, so start again (shorter dispatches \
+         help where a watchdog ended it)"
     )]
     DeviceLost {
         /// The driver's message.
@@ -90,8 +90,5 @@ fn describe_memory(needed: u64, available: Option<u64>, what: &str) -> String {
         Some(bytes) => format!(" but {} are available", format_bytes(bytes)),
         None => String::new(),
     };
-    format!(
-        "out of memory: {what}{needed}{available}; render fewer or smaller tiles at once, \
-         or use a smaller scene"
-    )
+    format!("out of memory: {what}{needed}{available}; do the work in smaller parts")
 }

@@ -6,5 +6,5 @@ pub type GpuBuffer = crate::gpu::GpuMemory;
 
 /// No buffer: there is no GPU without the feature `gpu`.
 #[cfg(not(feature = "gpu"))]
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum GpuBuffer {}

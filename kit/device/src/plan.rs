@@ -233,6 +233,24 @@ mod tests {
         assert!(device.take_plan().steps.is_empty());
     }
 
+    /// What every device refuses, not only the CPU.
+    #[test]
+    fn a_dispatch_has_one_limit_and_its_outputs_are_bound_once() {
+        let device = Device::planner();
+        let numbers = device.zeros::<u32>("numbers", 128).unwrap();
+        let output = device.zeros::<u32>("output", 128).unwrap();
+        let counts = device.zeros::<u32>("counts", 4).unwrap();
+        let right = CountFillKernel { placement: &numbers, counts: &counts, parameters: &output };
+        device.run_over(&right, [65_535 * 64, 1, 1]).unwrap();
+        let error = device.run_over(&right, [65_535 * 64 + 1, 1, 1]).unwrap_err().to_string();
+        assert!(error.contains("65536 x 1 x 1 workgroups"), "{error}");
+        assert!(device.run(&right, 1, 65_536).is_err());
+        let tail = numbers.tail(64);
+        let wrong = CountFillKernel { placement: &numbers, counts: &counts, parameters: &tail };
+        let error = device.run(&wrong, 1, 1).unwrap_err().to_string();
+        assert!(error.contains("`placement` and `parameters` are one buffer"), "{error}");
+    }
+
     #[test]
     fn a_planner_has_the_limits_of_browsers_and_nothing_to_read() {
         let device = Device::planner();

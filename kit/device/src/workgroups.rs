@@ -11,11 +11,13 @@ pub struct Workgroups {
     pub needed: [u32; 3],
 }
 
-/// Number of workgroups along x and y with at least `items` invocations in all. No axis exceeds 65,535.
+/// Most workgroups along an axis: every GPU starts as many.
+pub const MOST: u32 = 65_535;
+
+/// Number of workgroups along x and y with at least `items` invocations in all.
 pub fn workgroups_for(info: &KernelInfo, items: u32) -> [u32; 2] {
-    const MAX: u32 = 65_535;
     let groups = items.div_ceil(info.workgroup_size[0]);
-    if groups <= MAX { [groups, u32::from(groups > 0)] } else { [MAX, groups.div_ceil(MAX)] }
+    if groups <= MOST { [groups, u32::from(groups > 0)] } else { [MOST, groups.div_ceil(MOST)] }
 }
 
 #[cfg(test)]

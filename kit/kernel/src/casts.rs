@@ -27,7 +27,7 @@ macro_rules! integers {
 
 integers!(u8 u16 u32 u64 usize i8 i16 i32 i64 isize);
 
-/// Refuses an `f32` that no `I` is the integer of. Values of other types are fine.
+/// Refuses an `f32` that no `I` is the integer of, and a negative number for a `usize`. Values of other types are fine.
 #[inline(always)]
 #[track_caller]
 pub fn check_cast<I: Integer, T: Copy>(value: T) {
@@ -36,6 +36,23 @@ pub fn check_cast<I: Integer, T: Copy>(value: T) {
         let x = f64::from(unsafe { core::mem::transmute_copy::<T, f32>(&value) });
         if !(x > I::ABOVE && x < I::BELOW) {
             refuse(x, I::NAME);
+        }
+    } else if type_name::<T>() == type_name::<i32>() && I::NAME == "usize" {
+        // SAFETY: the types are the same
+        let x = unsafe { core::mem::transmute_copy::<T, i32>(&value) };
+        check_usize(&(x as usize));
+    }
+}
+
+/// Refuses a `usize` that a GPU has no bits for. Values of other types are fine.
+#[inline(always)]
+#[track_caller]
+pub fn check_usize<T>(value: &T) {
+    if type_name::<T>() == type_name::<usize>() {
+        // SAFETY: the types are the same
+        let x = unsafe { core::mem::transmute_copy::<T, usize>(value) };
+        if u32::try_from(x).is_err() && is_checked() {
+            panic!("makes a `usize` of {x}, which has 32 bits on a GPU: use `u32`");
         }
     }
 }
@@ -49,11 +66,27 @@ pub(crate) fn check_number(x: f32) {
     }
 }
 
+/// Refuses a number that has no finite real logarithm.
+#[inline(always)]
+#[track_caller]
+pub(crate) fn check_logarithm(x: f32) {
+    if !(x >= 0.0 && x < f32::INFINITY) && is_checked() {
+        panic!("takes the logarithm or a power of {x}, which is no finite number from 0 on");
+    }
+}
+
 #[cold]
 #[inline(never)]
 #[track_caller]
 fn refuse(x: f64, integer: &str) {
-    if running::current().is_some_and(|place| place.is_checked) {
+    if is_checked() {
         panic!("makes a `{integer}` of {x}: devices differ in what that is");
     }
+}
+
+/// Whether the invocation runs on a device that checks.
+#[cold]
+#[inline(never)]
+fn is_checked() -> bool {
+    running::current().is_some_and(|place| place.is_checked)
 }

@@ -4,10 +4,10 @@ extern crate std;
 
 use core::slice;
 
-use bytemuck::Pod;
+use bytemuck::{NoUninit, Pod};
 use glam::UVec3;
 
-pub use crate::casts::check_cast;
+pub use crate::casts::{check_cast, check_usize};
 pub use crate::fused::{fused, is_far, regrouped};
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Packed, Read, Shared, Write};
@@ -72,6 +72,17 @@ pub struct SharedInfo {
 )]
 pub trait Params: Pod {}
 
+/// Types of the fields of [`Params`]: they lie on a GPU as in Rust.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no type for a field of `#[params]`",
+    label = "use `u32`, `i32` and `f32`: one field for each number"
+)]
+pub trait Number: Pod {}
+
+impl Number for u32 {}
+impl Number for i32 {}
+impl Number for f32 {}
+
 /// The bytes of a kernel's parameters.
 #[doc(hidden)]
 pub fn params_bytes<T: Params>(params: &T) -> &[u8] {
@@ -92,7 +103,9 @@ pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
     let mut bytes = 0;
     let mut i = 0;
     while i < shared.len() {
-        bytes += shared[i].bytes;
+        // a GPU has words for `bool` and small integers
+        let words = 4 * shared[i].len;
+        bytes += if shared[i].bytes < words { words } else { shared[i].bytes };
         i += 1;
     }
     bytes
@@ -379,7 +392,7 @@ impl<'a> CpuBinding<'a> {
 
     /// # Safety
     /// The same as for [`Shared::from_raw`].
-    pub unsafe fn shared<T: Pod, const N: usize>(self) -> Shared<'a, T, N> {
+    pub unsafe fn shared<T: NoUninit, const N: usize>(self) -> Shared<'a, T, N> {
         debug_assert_eq!(self.bytes, size_of::<[T; N]>());
         // SAFETY: the caller's
         unsafe { Shared::from_raw(self.data.cast()) }.monitored(self.monitor)

@@ -9,7 +9,7 @@ use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
 
-use crate::half::half_value;
+use crate::half::normal_half_value;
 use crate::memory::{Read, Write};
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
@@ -71,7 +71,7 @@ pub trait Lane:
     fn sqrt(self) -> Self;
     /// e^x; on the CPU to 1.5 ulp, and 0 below the smallest normal number.
     fn exp(self) -> Self;
-    /// The value without its fraction, for values below 2^31.
+    /// The value without its fraction: see [`math::truncate`](crate::math::truncate).
     fn truncate(self) -> Self;
     /// The value without its fraction as an integer, for values from 0 to 2^31.
     fn index(self) -> Self::Index;
@@ -88,7 +88,7 @@ pub trait Lane:
     fn gather(buffer: Read<f32>, at: Self::Index) -> Self;
     /// Reads two consecutive values each at arbitrary indices.
     fn gather_two(buffer: Read<f32>, at: Self::Index) -> [Self; 2];
-    /// Reads words at arbitrary indices, each with two [16-bit floats](crate::half::half_value), the lower one first.
+    /// Reads words at arbitrary indices, each with two [16-bit floats](crate::half::normal_half_value), the lower one first.
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2];
     /// Stores consecutive values, starting at `first`.
     fn write(self, buffer: Write<f32>, first: u32);
@@ -250,7 +250,7 @@ impl Lane for f32 {
     #[inline(always)]
     fn gather_halves(buffer: Read<u32>, at: u32) -> [Self; 2] {
         let word = buffer.read(at);
-        [half_value(word & 0xffff), half_value(word >> 16)]
+        [normal_half_value(word & 0xffff), normal_half_value(word >> 16)]
     }
 
     #[inline(always)]

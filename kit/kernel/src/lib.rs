@@ -128,12 +128,15 @@ pub mod binned;
 #[cfg(not(target_arch = "spirv"))]
 mod casts;
 pub mod count;
+#[doc(hidden)]
+pub mod each;
 pub mod fixed;
 #[cfg(not(target_arch = "spirv"))]
 mod fused;
 #[cfg(not(target_arch = "spirv"))]
 pub mod given;
 pub mod half;
+mod integers;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
 pub mod kernel;

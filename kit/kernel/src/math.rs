@@ -11,7 +11,8 @@ use spirv_std::num_traits::Float;
 use glam::Vec3;
 
 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
-use crate::casts::check_cast;
+use crate::casts::{check_cast, check_logarithm};
+pub use crate::integers::{Integer, isqrt, multiply_high, saturating_add, saturating_sub};
 use crate::lane::Lane;
 
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
@@ -58,17 +59,18 @@ pub fn sqrt(x: f32) -> f32 {
     }
 }
 
-/// x without its fraction, for |x| below 2^31.
+/// x without its fraction, with its sign; infinity and NaN are what they were.
 #[inline(always)]
 pub fn truncate(x: f32) -> f32 {
     #[cfg(target_arch = "spirv")]
     {
         Float::trunc(x)
     }
-    // one instruction each way, while `libm` computes with bits
+    // an integer and back, while `libm` computes with bits; from 2^23 on there is no fraction
     #[cfg(not(target_arch = "spirv"))]
     {
-        x as i32 as f32
+        let whole = x as i32 as f32;
+        if abs(x) < 8_388_608.0 { whole.copysign(x) } else { x }
     }
 }
 
@@ -121,14 +123,14 @@ pub fn mix<L: Lane>(a: L, b: L, t: L) -> L {
     a + t * (b - a)
 }
 
-/// Largest integer that is not greater than x, for |x| below 2^31. A GPU may take a negative denormal for 0.
+/// Largest integer that is not greater than x; infinity, NaN and -0 are what they were. A GPU may take a negative denormal for 0.
 #[inline(always)]
 pub fn floor<L: Lane>(x: L) -> L {
     let whole = x.truncate();
     L::select(x.less(whole), whole - L::splat(1.0), whole)
 }
 
-/// Nearest integer, for |x| below 2^31; halves away from 0.
+/// Nearest integer, halves away from 0; infinity, NaN and -0 are what they were.
 #[inline(always)]
 pub fn round<L: Lane>(x: L) -> L {
     let whole = x.truncate();
@@ -188,9 +190,13 @@ fn sine_in_quarter<L: Lane>((n, r): (L, L), ahead: f32) -> L {
     L::select(is_negative, -value, value)
 }
 
-/// Natural logarithm, to 5e-7 of its size, for positive numbers from [`TINY`] on.
+/// Natural logarithm, to 5e-7 of its size, for finite numbers from [`TINY`] on. Any other x gives some number. A device that checks
+/// refuses it, but for those from 0 to [`TINY`], whose logarithm is about -88.
 #[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn ln(x: f32) -> f32 {
+    #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+    check_logarithm(x);
     // x = 2^n m with m in [1/sqrt 2, sqrt 2]
     let bits = x.to_bits().wrapping_sub(0x3f35_04f3);
     let n = (bits as i32 >> 23) as f32;
@@ -203,8 +209,10 @@ pub fn ln(x: f32) -> f32 {
     n * 0.693_359_4 + (2.0 * s + (2.0 * s * series - n * 2.121_944_4e-4))
 }
 
-/// x^y for positive x from [`TINY`] on, to 1e-6 (1 + |y ln x|) of its size, as long as it is from [`TINY`] to [`HUGE`].
+/// x^y for positive x from [`TINY`] on, to 1e-6 (1 + |y ln x|) of its size, as long as it is from [`TINY`] to [`HUGE`]. A device that checks
+/// refuses what [`ln`] refuses.
 #[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn pow(x: f32, y: f32) -> f32 {
     exp(y * ln(x))
 }

@@ -1,7 +1,7 @@
 //! Everything that a kernel and the test beside it need: `use muslin::prelude::*`.
 
 pub use bytemuck::{Pod, Zeroable};
-pub use glam::{UVec2, UVec3, UVec4, Vec2, Vec3, Vec4};
+pub use glam::{IVec2, IVec3, IVec4, UVec2, UVec3, UVec4, Vec2, Vec3, Vec4};
 pub use muslin_macros::{kernel, loops, params};
 
 #[cfg(target_arch = "spirv")]

@@ -3,7 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::casts::check_cast;
-use crate::half::half_value;
+use crate::half::normal_half_value;
 use crate::lane::Lane;
 use crate::memory::{Read, Write};
 use crate::wide_index::{WideIndex, WideMask};
@@ -144,8 +144,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn truncate(self) -> Self {
-        let whole = self.wholes();
-        Self(sixteen!(number(whole), lanes!(|i| whole[i] as f32)))
+        Self(vectors!(truncate(self.0), lanes!(|i| crate::math::truncate(self.0[i]))))
     }
 
     #[inline(always)]
@@ -197,8 +196,8 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     #[track_caller]
     fn gather_halves(buffer: Read<u32>, at: Self::Index) -> [Self; 2] {
         let words = buffer.gather(at.0);
-        let lower = lanes!(|i| half_value(words[i] & 0xffff));
-        let upper = lanes!(|i| half_value(words[i] >> 16));
+        let lower = lanes!(|i| normal_half_value(words[i] & 0xffff));
+        let upper = lanes!(|i| normal_half_value(words[i] >> 16));
         [Self(lower), Self(upper)]
     }
 

@@ -87,6 +87,7 @@ pub mod avx2 {
             _mm256_or_ps(_mm256_and_ps(mask, yes), _mm256_andnot_ps(mask, no))
         };
         whole(a: f32) -> i32 => _mm256_cvttps_epi32(a);
+        truncate(a: f32) -> f32 => _mm256_round_ps::<{ _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC }>(a);
     }
 
     #[inline(always)]
@@ -123,11 +124,13 @@ pub mod avx512 {
         both(a: u32, b: u32) -> u32 => _mm512_movm_epi32(mask(a) & mask(b));
         select(which: u32, yes: f32, no: f32) -> f32 => _mm512_mask_blend_ps(mask(which), no, yes);
         whole(a: f32) -> i32 => _mm512_cvttps_epi32(a);
+        truncate(a: f32) -> f32 => {
+            _mm512_roundscale_ps::<{ _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC }>(a)
+        };
     }
 
     by_vectors! {
         __m512i:
-        number(a: i32) -> f32 => _mm512_cvtepi32_ps(a);
         bitxor(a: u32, b: u32) -> u32 => _mm512_xor_si512(a, b);
         bitand(a: u32, b: u32) -> u32 => _mm512_and_si512(a, b);
         wrapping_add(a: u32, b: u32) -> u32 => _mm512_add_epi32(a, b);

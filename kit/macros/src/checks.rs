@@ -1,19 +1,22 @@
 //! Checks in the body of a function, in debug builds on the CPU: iterations of loops are counted, paths to barriers are noted, and casts to
-//! integers are looked at.
+//! integers and arithmetic in `usize` are looked at.
 
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Arm, Block, Expr, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop, ExprRepeat, ExprWhile,
-    FnArg, GenericArgument, Item, ItemFn, Pat, Stmt, Type, parse_quote, parse_quote_spanned,
+    Arm, BinOp, Block, Expr, ExprBinary, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop,
+    ExprRepeat, ExprWhile, FnArg, GenericArgument, Item, ItemFn, Pat, Stmt, Type, parse_quote,
+    parse_quote_spanned,
 };
 
 /// Adds the checks to a function. `has_barriers` says at run time whether its path to barriers matters; `None` if it never does.
 pub fn add(block: &mut Block, has_barriers: Option<Expr>) {
     let notes_paths = has_barriers.is_some();
-    Checks { notes_paths }.visit_block_mut(block);
+    let has_usize = has_usize(block.to_token_stream());
+    Checks { notes_paths, has_usize }.visit_block_mut(block);
     if let Some(has_barriers) = has_barriers {
         let statement = parse_quote! {
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
@@ -58,8 +61,40 @@ pub fn takes_invocation(function: &ItemFn) -> bool {
     })
 }
 
+/// Whether there can be a `usize`.
+fn has_usize(tokens: TokenStream) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Group(group) => has_usize(group.stream()),
+        TokenTree::Ident(word) => word == "usize" || word == "len",
+        _ => false,
+    })
+}
+
 struct Checks {
     notes_paths: bool,
+    has_usize: bool,
+}
+
+/// Whether a result can have more than 32 bits, if its operands have 32.
+fn can_grow(expression: &Expr) -> bool {
+    match expression {
+        Expr::Binary(of) => {
+            matches!(of.op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Shl(_))
+        }
+        Expr::MethodCall(of) => {
+            let name = of.method.to_string();
+            name == "pow" || name.starts_with("wrapping_")
+        }
+        _ => false,
+    }
+}
+
+/// Whether an expression is an assignment to a variable that can so grow.
+fn lets_grow(expression: &Expr) -> bool {
+    use BinOp::{AddAssign, MulAssign, ShlAssign, SubAssign};
+    let Expr::Binary(of) = expression else { return false };
+    let is_meant = matches!(of.op, AddAssign(_) | SubAssign(_) | MulAssign(_) | ShlAssign(_));
+    is_meant && matches!(*of.left, Expr::Path(_))
 }
 
 impl Checks {
@@ -95,7 +130,53 @@ impl Checks {
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
             ::muslin::kernel::check_cast::<#ty, _>(_value);
         };
-        cast.expr = parse_quote! {{ let _value = #value; #check _value }};
+        // a panic of what the cast is a part of has its line, too
+        let span = cast.as_token.span();
+        cast.expr = parse_quote_spanned! { span => { let _value = #value; #check _value }};
+    }
+
+    /// Looks at a result, which is a `usize` or not: types are not known here.
+    fn arithmetic(expression: &mut Expr) {
+        let span = match &*expression {
+            Expr::Binary(of) => of.op.span(),
+            Expr::MethodCall(of) => of.method.span(),
+            of => of.span(),
+        };
+        *expression = match &*expression {
+            Expr::Binary(ExprBinary { left, .. }) if !can_grow(expression) => {
+                parse_quote_spanned! { span => {
+                    #expression;
+                    #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+                    ::muslin::kernel::check_usize(&#left);
+                }}
+            }
+            _ => parse_quote_spanned! { span => {
+                let _value = #expression;
+                #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+                ::muslin::kernel::check_usize(&_value);
+                _value
+            }},
+        };
+    }
+
+    /// A loop over an array gets an index.
+    fn each(of: &mut ExprForLoop) -> Option<Expr> {
+        let (array, is_numbered) = array(&of.expr)?;
+        let ExprForLoop { label, pat, body, .. } = of;
+        let names = Span::mixed_site();
+        let item = match is_numbered {
+            true => quote_spanned!(names => (at as usize, ::muslin::each::Each::at(&array, at))),
+            false => quote_spanned!(names => ::muslin::each::Each::at(&array, at)),
+        };
+        Some(parse_quote_spanned! { names => {
+            let array = #array;
+            let mut at = 0u32;
+            #label while at < ::muslin::each::Each::rounds(&array) {
+                let #pat = #item;
+                at += 1;
+                #body
+            }
+        }})
     }
 
     /// The beginning of a branch.
@@ -104,6 +185,27 @@ impl Checks {
             #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
             let _branch = ::muslin::kernel::Scope::new(_has_barriers);
         }
+    }
+}
+
+/// The array of `array`, `&array`, `[a, b]`, `array.iter()` or `array.iter().enumerate()`, and whether its elements are numbered.
+fn array(iterated: &Expr) -> Option<(Expr, bool)> {
+    match iterated {
+        Expr::Path(_) | Expr::Array(_) | Expr::Repeat(_) => Some((iterated.clone(), false)),
+        Expr::Paren(of) => array(&of.expr),
+        Expr::Reference(of) => {
+            array(&of.expr).map(|(_, is_numbered)| (iterated.clone(), is_numbered))
+        }
+        Expr::MethodCall(of) if of.args.is_empty() => {
+            let (array, is_numbered) = array(&of.receiver)?;
+            match &*of.method.to_string() {
+                "iter" => Some((parse_quote!(&#array), is_numbered)),
+                "into_iter" => Some((array, is_numbered)),
+                "enumerate" if !is_numbered => Some((array, true)),
+                _ => None,
+            }
+        }
+        _ => None,
     }
 }
 
@@ -126,9 +228,18 @@ impl VisitMut for Checks {
         visit_mut::visit_expr_mut(self, expression);
         let span = match expression {
             Expr::While(of) => of.while_token.span(),
-            Expr::ForLoop(of) => of.for_token.span(),
+            Expr::ForLoop(of) => {
+                let span = of.for_token.span();
+                if let Some(each) = Self::each(of) {
+                    *expression = each;
+                }
+                span
+            }
             Expr::Loop(of) => of.loop_token.span(),
             Expr::Cast(of) => return Self::cast(of),
+            of if self.has_usize && (can_grow(of) || lets_grow(of)) => {
+                return Self::arithmetic(of);
+            }
             _ => return,
         };
         if self.notes_paths {

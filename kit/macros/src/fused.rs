@@ -4,7 +4,8 @@ use proc_macro2::Span;
 use quote::quote_spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    BinOp, Block, Expr, ExprBinary, ExprConst, ExprRepeat, GenericArgument, Item, Pat, Type,
+    BinOp, Block, Expr, ExprBinary, ExprConst, ExprRepeat, GenericArgument, Item, Local, Pat, Stmt,
+    Type,
 };
 
 /// Fuses every sum or difference of a product, and says whether there are some. Types are not known here: what is no float stays as it is.
@@ -22,6 +23,15 @@ struct Fuse {
 fn factors(expression: &Expr) -> Option<(&Expr, &Expr)> {
     match expression {
         Expr::Paren(paren) => factors(&paren.expr),
+        // what `checks` looks at
+        Expr::Block(of) => match of.block.stmts.first()? {
+            Stmt::Local(Local { pat: Pat::Ident(name), init: Some(of), .. })
+                if name.ident == "_value" =>
+            {
+                factors(&of.expr)
+            }
+            _ => None,
+        },
         Expr::Binary(ExprBinary { left, op: BinOp::Mul(_), right, .. }) => Some((left, right)),
         _ => None,
     }

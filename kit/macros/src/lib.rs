@@ -76,7 +76,7 @@ pub fn loops(_: TokenStream, item: TokenStream) -> TokenStream {
     quote::quote!(#function).into()
 }
 
-/// Parameters of a kernel: a struct of plain numbers that the host fills and a GPU reads, field after field.
+/// Parameters of a kernel, or an element of a buffer: a struct of plain numbers that the host fills and a GPU reads, field after field.
 ///
 /// It stands for `#[repr(C)]` and the derives of `Clone`, `Copy`, `Debug`, `Pod` and `Zeroable`. Use `u32`, `i32` and `f32`: others
 /// have another layout on a GPU than in Rust.
@@ -87,18 +87,28 @@ pub fn params(_: TokenStream, item: TokenStream) -> TokenStream {
         return error.into_compile_error().into();
     }
     let name = &item.ident;
+    let numbers = item.fields.iter().map(|field| {
+        let ty = &field.ty;
+        quote::quote_spanned!(syn::spanned::Spanned::span(ty) => is_number::<#ty>();)
+    });
     quote::quote! {
         #[repr(C)]
-        #[derive(
-            Clone, Copy, Debug,
-            ::muslin::dependencies::bytemuck::Pod,
-            ::muslin::dependencies::bytemuck::Zeroable,
-        )]
-        #[bytemuck(crate = "::muslin::dependencies::bytemuck")]
+        #[derive(Clone, Copy, Debug)]
         #item
+
+        // SAFETY: its fields are numbers of four bytes, as is checked below: it has no padding
+        unsafe impl ::muslin::dependencies::bytemuck::Pod for #name {}
+        // SAFETY: zero is a number
+        unsafe impl ::muslin::dependencies::bytemuck::Zeroable for #name {}
 
         #[cfg(not(target_arch = "spirv"))]
         impl ::muslin::kernel::Params for #name {}
+
+        #[cfg(not(target_arch = "spirv"))]
+        const _: () = {
+            const fn is_number<T: ::muslin::kernel::Number>() {}
+            #(#numbers)*
+        };
     }
     .into()
 }

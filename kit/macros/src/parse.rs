@@ -384,12 +384,28 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
     Ok(Parameter { name, role, element, device_element })
 }
 
-/// Refuses a struct of parameters with a field that a GPU reads in another way.
+/// Most fields of a struct of parameters: it has a slot of 256 bytes.
+const MOST_FIELDS: usize = 64;
+
+/// Refuses a struct of parameters with a field that a GPU reads in another way, or with a number of fields that a GPU can't bind.
 pub fn check_params(item: &ItemStruct) -> Result<()> {
+    let name = &item.ident;
+    if item.fields.is_empty() {
+        let message =
+            format!("`{name}` has no fields: leave out the parameter of the type `&{name}`");
+        return Err(Error::new(item.span(), message));
+    }
+    if item.fields.len() > MOST_FIELDS {
+        let message = format!(
+            "`{name}` has {} fields, and a kernel has at most {MOST_FIELDS} parameters: put the others into a buffer",
+            item.fields.len()
+        );
+        return Err(Error::new(item.span(), message));
+    }
     for field in &item.fields {
         let wrong = match &field.ty {
             Type::Array(_) => Some(another_layout("an array", "one field for each value")),
-            ty => with_another_layout(ty),
+            ty => with_another_layout(ty).or_else(|| vector(ty)),
         };
         if let Some(wrong) = wrong {
             let name = field.ident.as_ref().map_or_else(String::new, ToString::to_string);
@@ -405,6 +421,20 @@ fn with_another_layout(ty: &Type) -> Option<String> {
     let segment = last_segment(ty)?;
     let (name, advice) = WITH_ANOTHER_LAYOUT.iter().find(|(ty, _)| segment.ident == ty)?;
     Some(another_layout(&format!("`{name}`"), advice))
+}
+
+/// A vector, which a uniform buffer aligns.
+fn vector(ty: &Type) -> Option<String> {
+    let name = last_segment(ty)?.ident.to_string();
+    let number = match name.trim_end_matches(|end: char| end.is_ascii_digit()) {
+        "Vec" => "f32",
+        "UVec" => "u32",
+        "IVec" => "i32",
+        _ => return None,
+    };
+    let count = if name.ends_with('2') { "two" } else { "four" };
+    let advice = format!("{count} `{number}`, and make a vector of them in the kernel");
+    Some(another_layout(&format!("`{name}`"), &advice))
 }
 
 fn another_layout(ty: &str, advice: &str) -> String {

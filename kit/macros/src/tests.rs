@@ -80,6 +80,21 @@ fn parameters_are_plain_numbers() {
     );
     let message = error(quote!(pub sizes: [u32; 4]));
     assert!(message.starts_with("`sizes` of `Size` is an array"), "{message}");
+    let message = error(quote!(pub width: u32, pub shift: glam::Vec2));
+    assert!(message.starts_with("`shift` of `Size` is `Vec2`"), "{message}");
+    assert!(message.ends_with("two `f32`, and make a vector of them in the kernel"), "{message}");
+}
+
+#[test]
+fn parameters_are_neither_none_nor_too_many() {
+    let error = |count: usize| {
+        let fields = (0..count).map(|i| quote::format_ident!("field_{i}"));
+        let item = syn::parse2(quote!(pub struct Size { #(#fields: u32),* })).unwrap();
+        check_params(&item).err().map_or_else(String::new, |error| error.to_string())
+    };
+    assert_eq!((error(1), error(64)), (String::new(), String::new()));
+    assert_eq!(error(0), "`Size` has no fields: leave out the parameter of the type `&Size`");
+    assert!(error(65).starts_with("`Size` has 65 fields, and a kernel has at most 64"));
 }
 
 #[test]

@@ -134,6 +134,8 @@ corpus! {
         nan_of_a_root
         nan_of_a_direction
         sign_is_lost
+        usize_has_64_bits
+        square_by_pow
     }
     machine {
         denormal_is_not_zero
@@ -167,6 +169,7 @@ corpus! {
         rows_have_one_index
         layers_are_not_in_the_index
         stride_of_the_dispatch
+        too_long_an_axis
     }
     values {
         end_of_the_row

@@ -17,6 +17,13 @@ struct Lent {
     pool: MemoryPool,
 }
 
+impl PartialEq for GpuMemory {
+    /// Whether it is the same memory.
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
 impl Deref for GpuMemory {
     type Target = wgpu::Buffer;
 

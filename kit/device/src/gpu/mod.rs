@@ -260,6 +260,7 @@ impl Gpu {
                 _ => panic!("the buffer `{}` belongs to another device", buffer.label),
             })
             .collect();
+        self.failures().kernel = Some(kernel.name);
         self.recorder().dispatch(
             &self.device,
             &self.queue,
@@ -270,7 +271,8 @@ impl Gpu {
             &buffers,
             workgroups,
         );
-        Ok(())
+        self.failures().kernel = None;
+        self.check()
     }
 
     pub fn clear(&self, buffer: &wgpu::Buffer, begin: u64, bytes: u64) {
@@ -334,16 +336,19 @@ impl Gpu {
         self.recorder.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    fn failures(&self) -> std::sync::MutexGuard<'_, Failures> {
+        self.failures.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// The first failure that the device reported since the last call. The loss of the device is reported every time.
     fn check(&self) -> Result<()> {
-        let failures = || self.failures.lock().unwrap_or_else(PoisonError::into_inner);
-        let first = failures().first.take();
+        let first = self.failures().first.take();
         if first.is_some() {
             // on a lost device, new objects are invalid, and their use is reported instead of the loss: polling
             // reports the loss
             let _ = self.device.poll(wgpu::PollType::Poll);
         }
-        match (&failures().lost, first) {
+        match (&self.failures().lost, first) {
             (Some(reason), _) => Err(Error::DeviceLost { reason: reason.clone() }),
             (None, Some(first)) => Err(first),
             (None, None) => Ok(()),
@@ -358,6 +363,8 @@ struct Failures {
     lost: Option<String>,
     /// The first of all other failures.
     first: Option<Error>,
+    /// The kernel whose dispatch is recorded now.
+    kernel: Option<&'static str>,
 }
 
 /// Stores a device's failures, which wgpu reports through callbacks.
@@ -371,12 +378,16 @@ fn record_failures(device: &wgpu::Device, failures: &Arc<Mutex<Failures>>) {
     });
     let uncaptured = failures.clone();
     device.on_uncaptured_error(Arc::new(move |error| {
-        let error = match error {
-            wgpu::Error::OutOfMemory { source } => {
+        let mut failures = uncaptured.lock().unwrap_or_else(PoisonError::into_inner);
+        let error = match (error, failures.kernel) {
+            (wgpu::Error::OutOfMemory { source }, _) => {
                 Error::OutOfMemory { needed: 0, available: None, what: source.to_string() }
             }
-            other => Error::Kernel { kernel: "on the GPU".into(), reason: other.to_string() },
+            (other, Some(kernel)) => {
+                Error::Kernel { kernel: kernel.into(), reason: other.to_string() }
+            }
+            (other, None) => Error::Argument { reason: format!("the GPU's driver: {other}") },
         };
-        uncaptured.lock().unwrap_or_else(PoisonError::into_inner).first.get_or_insert(error);
+        failures.first.get_or_insert(error);
     }));
 }

@@ -1,0 +1,128 @@
+//! The case of `core_functions`: what kernels take of core has the same values on every device.
+
+use muslin::math::HUGE;
+use muslin_check::prelude::*;
+use organza_shaders::core_functions::{CoreFunctionsInputs, CoreParams, ROWS, WORKGROUP};
+
+case!(pub CoreFunctions(CoreFunctionsInputs));
+
+/// Integers at which functions change.
+const INTEGERS: [u32; 25] = [
+    0,
+    1,
+    2,
+    3,
+    7,
+    31,
+    32,
+    33,
+    127,
+    128,
+    255,
+    256,
+    0x7c00,
+    0x7fff,
+    0xffff,
+    0x1_0000,
+    0x7fff_ffff,
+    0x8000_0000,
+    0x8000_0001,
+    0xffff_8000,
+    0xffff_ff80,
+    0xffff_fffe,
+    0xffff_ffff,
+    123_456_789,
+    3_000_000_000,
+];
+
+/// Floats at which functions change. What is no number is not here: through naga, devices do not see it.
+const FLOATS: [f32; 25] = [
+    0.0,
+    -0.0,
+    0.3,
+    -0.3,
+    0.5,
+    -0.5,
+    0.499_999_97,
+    -0.499_999_97,
+    1.5,
+    2.5,
+    -2.5,
+    7.0,
+    -8.0,
+    100.25,
+    8_388_607.5,
+    -8_388_607.5,
+    8_388_608.0,
+    2_147_483_648.0,
+    3e9,
+    -3e9,
+    1e20,
+    HUGE,
+    -HUGE,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+];
+
+impl Parity for CoreFunctions {
+    const KERNEL: &'static str = "core_functions";
+    const WHY: &'static str = "integers, and bits of floats that are not rounded";
+    // the CPU's other values are those of core, with which devices are compared
+    const COMPARED: f64 = 0.15;
+
+    fn sets() -> Vec<(String, Self)> {
+        let places = (0..INTEGERS.len()).flat_map(|a| (0..INTEGERS.len()).map(move |b| [a, b]));
+        let [a, b]: [Vec<_>; 2] = [0, 1].map(|k| places.clone().map(|place| place[k]).collect());
+        let integers = |of: &[usize]| of.iter().map(|&at| INTEGERS[at]).collect();
+        let floats = |of: &[usize]| of.iter().map(|&at| FLOATS[at]).collect();
+        let output = unwritten(a.len() * ROWS as usize);
+        let params = CoreParams { count: a.len() as u32 };
+        let [u, v] = [&a, &b].map(|of| integers(of));
+        let [x, y] = [&a, &b].map(|of| floats(of));
+        vec![("edges".into(), Self(CoreFunctionsInputs { params, u, v, x, y, output }))]
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        runner.run(&self.kernel(), self.params.count * ROWS, 1)
+    }
+
+    /// Of what is not core's own on the CPU.
+    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let at = index % self.u.len();
+        let [u, v] = [self.u[at], self.v[at]];
+        let [a, b] = [u, v].map(i64::from);
+        let [i, j] = [u, v].map(|bits| i64::from(bits as i32));
+        let in_i32 = |x: i64| x.clamp(i32::MIN.into(), i32::MAX.into()) as i32 as u32;
+        let bits = |x: f64| (x as f32).to_bits();
+        let x = f64::from(self.x[at]);
+        let half = |bits: u32| {
+            let [exponent, rest] = [bits >> 10 & 31, bits & 1023].map(f64::from);
+            let size = match exponent {
+                0.0 => rest * 2_f64.powi(-24),
+                31.0 if rest == 0.0 => f64::INFINITY,
+                _ => (1.0 + rest / 1024.0) * 2_f64.powf(exponent - 15.0),
+            };
+            if bits & 0x8000 == 0 { size } else { -size }
+        };
+        let value = match index / self.u.len() {
+            0 => u32::from((index % WORKGROUP ^ 1).is_multiple_of(3)),
+            59 => bits(x.floor()),
+            60 => bits(x.round()),
+            61 => bits(x.trunc()),
+            84 => ((i + 128).rem_euclid(256) - 128) as u32,
+            85 => ((i + 32_768).rem_euclid(65_536) - 32_768) as u32,
+            86 => (a % 256 + b % 65_536) as u32,
+            87 => ((a + b) % 256) as u32,
+            94 => (a + b).min(u32::MAX.into()) as u32,
+            95 => (a - b).max(0) as u32,
+            96 => in_i32(i + j),
+            97 => in_i32(i - j),
+            98 => f64::from(u).sqrt() as u32,
+            99 => ((u64::from(u) * u64::from(v)) >> 32) as u32,
+            100 if u & 0x7fff <= 0x7c00 => bits(half(u & 0xffff)),
+            101 => bits(x.ceil()),
+            _ => return None,
+        };
+        Some(value.into())
+    }
+}

@@ -165,6 +165,10 @@ def test_a_file_becomes_a_scene(files, renderer):
     truth = sorted_images(vertex, cameras[JUDGES], [1, 1, 1])
     close = decibels(renderer.render(scene, cameras[JUDGES]), truth)
     assert abs(close - imported.psnr) < 0.2, (close, imported)
+    for name in ["first.spz", "old.spz", "first.compressed.ply", "first.splat", "first.glb"]:
+        scene = organza.import_splats(folder / name, cameras, steps=1, renderer=renderer).scene
+        x = np.sort(scene.tensors()["gaussians.position"][:, 0])
+        assert np.abs(x - np.sort(vertex["x"])).max() < 0.01, name
 
 
 def test_what_cannot_be_is_refused(files, renderer, tmp_path):
@@ -176,7 +180,7 @@ def test_what_cannot_be_is_refused(files, renderer, tmp_path):
         "`steps` is 0, expected 1": lambda: organza.import_splats(folder / "first.ply", steps=0, renderer=renderer),
         "`background`": lambda: organza.import_splats(folder / "first.ply", background=[0, 0, 2], renderer=renderer),
         "`spz_version` is 3": lambda: organza.export(scene, tmp_path / "scene.spz", cameras, spz_version=3, renderer=renderer),
-        "neither a PLY": lambda: organza.import_splats(folder / "first.glb", renderer=renderer),
+        "no file of Gaussians": lambda: organza.import_splats(__file__, renderer=renderer),
     }
     for message, call in refused.items():
         with pytest.raises(ValueError, match=message):

@@ -181,7 +181,7 @@ fn every_command_takes_a_run_for_a_scene() {
     assert_eq!(run, file);
     let data = json("info data --json");
     assert_eq!([&data["kind"], &data["format"]], ["data set", "nerfstudio"]);
-    assert_eq!((&data["cameras"][1]["distorted"], data.get("missing")), (&json!(false), None));
+    assert_eq!((&data["cameras"][1]["distorted"], &data["missing"]), (&json!(false), &json!([])));
     assert_eq!(
         [0, 1].map(|view| data["cameras"][view]["held_out"].clone()),
         [json!(true), json!(false)]

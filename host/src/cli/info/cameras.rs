@@ -23,10 +23,10 @@ pub struct CameraFile {
     #[serde(skip_serializing_if = "Option::is_none")]
     format: Option<String>,
     /// Photographs of a data set that do not exist, and what else it does not use.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    missing: Vec<PathBuf>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    notes: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    missing: Option<Vec<PathBuf>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    notes: Option<Vec<String>>,
     cameras: Vec<CameraInfo>,
 }
 
@@ -70,8 +70,8 @@ impl CameraFile {
             file: path.display().to_string(),
             file_bytes: Some(file_bytes(path)),
             format: None,
-            missing: Vec::new(),
-            notes: Vec::new(),
+            missing: None,
+            notes: None,
             cameras: cameras.iter().map(CameraInfo::from).collect(),
         }
     }
@@ -90,8 +90,8 @@ impl CameraFile {
             file: path.display().to_string(),
             file_bytes: None,
             format: Some(poses.kind.to_string()),
-            missing: poses.missing,
-            notes: poses.notes,
+            missing: Some(poses.missing),
+            notes: Some(poses.notes),
             cameras,
         })
     }
@@ -109,11 +109,11 @@ impl fmt::Display for CameraFile {
         if distorted > 0 {
             writeln!(f, "{distorted} through a distorting lens; rendered undistorted")?;
         }
-        if let Some(first) = self.missing.first() {
-            let files = count(self.missing.len() as u64, "photograph");
+        if let Some([first, others @ ..]) = self.missing.as_deref() {
+            let files = count(1 + others.len() as u64, "photograph");
             writeln!(f, "{files} missing, the first is {}", first.display())?;
         }
-        self.notes.iter().try_for_each(|note| writeln!(f, "note: {note}"))?;
+        self.notes.iter().flatten().try_for_each(|note| writeln!(f, "note: {note}"))?;
         let held_out = self.cameras.iter().filter(|camera| camera.held_out == Some(true)).count();
         if self.format.is_some() {
             writeln!(f, "{held_out} held out")?;

@@ -49,8 +49,13 @@ pub fn export<'py>(
     let renderer = renderer.0.clone();
     let scene = Arc::clone(&scene.0);
     let dataset = dataset.map(|data| Arc::clone(&data.dataset));
-    let cameras = cameras.map(|cameras| cameras.0.clone());
-    let (found, beside) = job::run_while_awaited(py, move |awaited| {
+    let cameras = cameras.map(|cameras| cameras.in_scene(&scene.config));
+    let (found, beside, offset) = job::run_while_awaited(py, move |awaited| {
+        let placement = scene.config.placement;
+        let dataset = dataset.map(|data| match data.placement == placement {
+            true => data,
+            false => Arc::new(organza::Dataset::clone(&data).placed(placement)),
+        });
         let views = match (cameras, &dataset) {
             (Some(cameras), _) => Views::from_cameras(cameras),
             (None, Some(data)) => Views::from_data_set(data),
@@ -62,11 +67,15 @@ pub fn export<'py>(
         let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
         let beside = splats::compare_splats(&renderer, uploaded, &found.splats, &frames)?;
         awaited()?;
-        splats::save(&found.splats, &path, format, Orbit::around(&views.fitted)?.up)?;
-        Ok((found, beside))
+        let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
+        let mut written = found.splats.clone();
+        let offset = splats::to_world(&mut written, &placement);
+        splats::save(&written, &path, format, up)?;
+        Ok((found, beside, offset))
     })?;
     let dict = PyDict::new(py);
     dict.set_item("gaussians", found.splats.len())?;
+    dict.set_item("offset", offset.unwrap_or_default())?;
     dict.set_item("psnr", found.psnr)?;
     dict.set_item("first_psnr", found.first_psnr)?;
     dict.set_item("scene_psnr", beside.map(|beside| beside.scene))?;

@@ -47,6 +47,7 @@ use organza_core::camera::Camera;
 use organza_core::error::Error;
 use organza_core::error::Result;
 use organza_core::input::has_extension;
+use organza_core::scene::Placement;
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
 
@@ -82,6 +83,8 @@ pub struct Dataset {
     pub background: [f64; 3],
     /// Points from which training may start; empty if the data set has none.
     pub points: Vec<Point>,
+    /// The file of these points.
+    pub points_file: Option<PathBuf>,
     /// Photographs in the data set whose files do not exist. Their frames are left out.
     pub missing: Vec<PathBuf>,
     /// Number of frames with a mask: a file beside the photograph.
@@ -98,6 +101,10 @@ pub struct Dataset {
     pub kind: DatasetKind,
     /// Path of the data set; empty for frames that a caller made.
     pub path: PathBuf,
+    /// Where the coordinates of cameras and points lie in the world, which is the files' own space.
+    pub placement: Placement,
+    /// Each frame's pose as the files give it, in the world.
+    pub poses: Vec<[[f64; 4]; 4]>,
 }
 
 /// A data set before its photographs are read.
@@ -106,12 +113,14 @@ struct Listing {
     shots: Vec<Shot>,
     missing: Vec<PathBuf>,
     points: Vec<Point>,
+    points_file: Option<PathBuf>,
     prepared: usize,
 }
 
 impl Listing {
     fn new(kind: DatasetKind) -> Self {
-        Self { kind, shots: vec![], missing: vec![], points: vec![], prepared: 0 }
+        let points_file = None;
+        Self { kind, shots: vec![], missing: vec![], points: vec![], points_file, prepared: 0 }
     }
 
     /// Adds a photograph that was found. `camera` is that of the whole photograph, and has its name.
@@ -137,8 +146,36 @@ impl Listing {
         };
         self.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
-        self.shots.push(Shot { name, path, mask, camera, lens, factor, held_out });
+        let pose = camera.camera_to_world;
+        self.shots.push(Shot { name, path, mask, camera, pose, lens, factor, held_out });
         Ok(())
+    }
+
+    /// The fingerprint of the files, without the photographs' content.
+    fn fingerprint(&self) -> Fingerprint {
+        let shots = self.shots.iter();
+        let known = shots.map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
+        Fingerprint::new(known, &self.points)
+    }
+
+    /// The placement that the cameras suggest.
+    fn placement(&self) -> Placement {
+        let cameras: Vec<_> = self.shots.iter().map(|shot| shot.camera.clone()).collect();
+        let points: Vec<_> = self.points.iter().map(|point| point.position).collect();
+        Placement::of(&cameras, &points)
+    }
+
+    /// Turns cameras and points into the coordinates of a scene. From here on, all of organza computes in these.
+    fn place(&mut self, placement: &Placement) {
+        if placement.is_identity() {
+            return;
+        }
+        for shot in &mut self.shots {
+            shot.camera = placement.own_camera(&shot.camera);
+        }
+        for point in &mut self.points {
+            point.position = placement.own(point.position);
+        }
     }
 }
 
@@ -174,8 +211,9 @@ impl Dataset {
 
     fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
         let background = poses.background()?;
-        let Poses { missing, outside, kind, path, listing, options, is_part, .. } = poses;
-        let Listing { points, shots, prepared, .. } = listing;
+        let Poses { missing, outside, kind, path, placement, .. } = poses;
+        let Poses { fingerprint, listing, options, is_part, .. } = poses;
+        let Listing { points, points_file, shots, prepared, .. } = listing;
         let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
         let bytes = bytes_of(&shots);
@@ -207,15 +245,16 @@ impl Dataset {
             return invalid(&path, reason);
         }
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
-        let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
-        let fingerprint = Fingerprint::new(known, &digests, &points);
+        let fingerprint = fingerprint.with_photographs(&digests);
         let background = background.map(f64::from);
+        let poses = shots.iter().map(|shot| shot.pose).collect();
         Ok(Self {
             frames,
             train,
             held_out,
             background,
             points,
+            points_file,
             missing,
             masked,
             prepared,
@@ -224,7 +263,25 @@ impl Dataset {
             fingerprint,
             kind,
             path,
+            placement,
+            poses,
         })
+    }
+
+    /// The data set in the coordinates of a scene with this placement.
+    #[must_use]
+    pub fn placed(mut self, placement: Placement) -> Self {
+        let from = std::mem::replace(&mut self.placement, placement);
+        if from != placement {
+            for (frame, &camera_to_world) in self.frames.iter_mut().zip(&self.poses) {
+                let world = Camera { camera_to_world, ..frame.camera.clone() };
+                frame.camera = placement.own_camera(&world);
+            }
+            for Point { position, .. } in &mut self.points {
+                *position = placement.own(from.world(*position));
+            }
+        }
+        self
     }
 
     /// The frames to train on.
@@ -247,13 +304,15 @@ impl Dataset {
             let held_out = is_held_out(index, hold_out_every);
             (&*frame.name, &frame.camera, Lens::default(), held_out)
         });
-        let fingerprint = Fingerprint::new(known, &[], &[]);
+        let fingerprint = Fingerprint::new(known, &[]);
+        let poses = frames.iter().map(|frame| frame.camera.camera_to_world).collect();
         Self {
             frames,
             train,
             held_out,
             background: [0.0; 3],
             points: Vec::new(),
+            points_file: None,
             missing: Vec::new(),
             masked: 0,
             prepared: 0,
@@ -262,6 +321,8 @@ impl Dataset {
             fingerprint,
             kind: DatasetKind::Generated,
             path: PathBuf::new(),
+            placement: Placement::default(),
+            poses,
         }
     }
 }

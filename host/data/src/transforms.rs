@@ -48,7 +48,9 @@ pub(super) fn nerfstudio(
         Some(Value::String(points)) => {
             let points = folder(path).join(points);
             access.check(&points)?;
-            ply::read(&points)?
+            let found = ply::read(&points)?;
+            listing.points_file = Some(points);
+            found
         }
         Some(other) => {
             let reason = format!("`ply_file_path` is {}, expected a path", kind(other));

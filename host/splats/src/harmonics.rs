@@ -72,22 +72,22 @@ pub fn fit(samples: &[Sample]) -> [[f32; 3]; HARMONICS] {
 
 /// Solves a symmetric positive definite system, given by its lower triangle, by Cholesky factorization.
 #[allow(clippy::needless_range_loop, reason = "several arrays have one index")]
-fn solve(
+pub fn solve<const N: usize>(
     mut l: [[f64; HARMONICS]; HARMONICS],
-    mut x: [[f64; 3]; HARMONICS],
-) -> [[f64; 3]; HARMONICS] {
+    mut x: [[f64; N]; HARMONICS],
+) -> [[f64; N]; HARMONICS] {
     for i in 0..HARMONICS {
         for j in 0..=i {
             let rest = l[i][j] - (0..j).map(|k| l[i][k] * l[j][k]).sum::<f64>();
             l[i][j] = if i == j { rest.sqrt() } else { rest / l[j][j] };
         }
-        for channel in 0..3 {
+        for channel in 0..N {
             let sum: f64 = (0..i).map(|k| l[i][k] * x[k][channel]).sum();
             x[i][channel] = (x[i][channel] - sum) / l[i][i];
         }
     }
     for i in (0..HARMONICS).rev() {
-        for channel in 0..3 {
+        for channel in 0..N {
             let sum: f64 = (i + 1..HARMONICS).map(|k| l[k][i] * x[k][channel]).sum();
             x[i][channel] = (x[i][channel] - sum) / l[i][i];
         }

@@ -6,6 +6,7 @@ use organza::data::{Background, Dataset};
 use organza::edit::{Region, largest_cluster};
 use organza::evaluate::Measures;
 use organza::render::Contributions;
+use organza::scene::Placement;
 use organza::{Camera, Renderer, Result, Scene};
 use serde::Serialize;
 
@@ -45,12 +46,12 @@ pub struct Args {
     /// The file of the new scene, safetensors; an older file of this name is replaced
     #[arg(short, long, value_name = "NEW")]
     output: PathBuf,
-    /// Keep what is inside a box along the axes: two opposite corners
+    /// Keep what is inside an upright box: two opposite corners. Its edges lie along the scene's own axes
     #[arg(long = "box", value_name = "X,Y,Z,X,Y,Z", value_parser = parse_box, allow_hyphen_values = true)]
-    cuboid: Option<Region>,
+    cuboid: Option<[[f64; 3]; 2]>,
     /// Keep what is inside a ball: its center and its radius
     #[arg(long, value_name = "X,Y,Z,R", value_parser = parse_sphere, allow_hyphen_values = true)]
-    sphere: Option<Region>,
+    sphere: Option<([f64; 3], f64)>,
     /// Remove what is inside the box or the ball, instead of what is outside
     #[arg(long)]
     outside: bool,
@@ -77,21 +78,14 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-fn parse_box(text: &str) -> Result<Region, String> {
-    let corners: Option<[f64; 6]> = numbers(text);
-    let Some([a, b, c, d, e, f]) = corners.map(|corners| corners.map(|x| x as f32)) else {
-        return Err("expected two corners X,Y,Z,X,Y,Z such as -1,-1,0,1,1,2".to_owned());
-    };
-    let low = [a.min(d), b.min(e), c.min(f)];
-    let high = [a.max(d), b.max(e), c.max(f)];
-    Ok(Region::Box { low, high })
+fn parse_box(text: &str) -> Result<[[f64; 3]; 2], String> {
+    let corners = numbers(text).map(|[a, b, c, d, e, f]| [[a, b, c], [d, e, f]]);
+    corners.ok_or_else(|| "expected two corners X,Y,Z,X,Y,Z such as -1,-1,0,1,1,2".to_owned())
 }
 
-fn parse_sphere(text: &str) -> Result<Region, String> {
+fn parse_sphere(text: &str) -> Result<([f64; 3], f64), String> {
     match numbers(text) {
-        Some([x, y, z, radius]) if radius > 0.0 => {
-            Ok(Region::Sphere { center: [x, y, z].map(|x| x as f32), radius: radius as f32 })
-        }
+        Some([x, y, z, radius]) if radius > 0.0 => Ok(([x, y, z], radius)),
         _ => Err("expected a center and a radius X,Y,Z,R such as 0,0,1,0.5".to_owned()),
     }
 }
@@ -184,12 +178,27 @@ impl Args {
         )
     }
 
+    /// Box and sphere, in the scene's coordinates.
+    fn regions(&self, placement: &Placement) -> Vec<(Region, &'static str)> {
+        let own = |place| placement.own(place).map(|x| x as f32);
+        let cuboid = self.cuboid.map(|corners| {
+            let [a, b] = corners.map(own);
+            let low = std::array::from_fn(|axis| a[axis].min(b[axis]));
+            let high = std::array::from_fn(|axis| a[axis].max(b[axis]));
+            (Region::Box { low, high }, "box")
+        });
+        let sphere = self.sphere.map(|(center, radius)| {
+            let radius = (radius / placement.scale) as f32;
+            (Region::Sphere { center: own(center), radius }, "ball")
+        });
+        cuboid.into_iter().chain(sphere).collect()
+    }
+
     /// Applies box and sphere.
     fn crop(&self, scene: &mut Scene) -> Result<Vec<Removed>> {
         let mut removed = Vec::new();
         let side = if self.outside { "inside" } else { "outside" };
-        for (region, name) in [(self.cuboid, "box"), (self.sphere, "ball")] {
-            let Some(region) = region else { continue };
+        for (region, name) in self.regions(&scene.config.placement) {
             let is_kept = |i: usize, scene: &Scene| {
                 region.contains(scene.gaussians.position[i]) != self.outside
             };
@@ -281,7 +290,7 @@ fn photographs(
     let mut settings = args.data_args.settings(source, named, USAGE)?;
     let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
     settings.background = Background::Color(of_scene);
-    let data = DataSet::open(settings, console)?.refined(source, named)?;
+    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
     if !data.cameras()?.iter().any(|pose| pose.held_out) {
         console.note("no photograph is held out, so PSNR is not measured");
         return Ok(None);

@@ -85,8 +85,17 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         };
         splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut progress)?
     };
-    let up = Orbit::around(&views.fitted)?.up;
-    splats::save(&distilled.splats, &args.output, format, up)?;
+    let placement = &scene.config.placement;
+    let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
+    let mut written = distilled.splats.clone();
+    let offset = splats::to_world(&mut written, placement);
+    if let Some([x, y, z]) = offset {
+        console.warn(&format!(
+            "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
+             relative to {x},{y},{z}"
+        ));
+    }
+    splats::save(&written, &args.output, format, up)?;
     say_psnr(&views, &distilled, args.steps, console);
     if let Some(data) = data {
         let frames: Vec<_> = data.held_out_frames().collect();
@@ -107,7 +116,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         args.output.display(),
         format_bytes(bytes)
     ));
-    if !matches!(format, Format::Sog | Format::Glb | Format::Splat) {
+    if offset.is_none() && !matches!(format, Format::Sog | Format::Glb | Format::Splat) {
         let [red, green, blue] = scene.config.background;
         let file = args.output.display();
         let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
@@ -142,7 +151,8 @@ fn load_views(
         return Ok((views, None));
     }
     let settings = args.data.settings(source, named, USAGE)?;
-    let data = DataSet::open(settings, console)?.refined(source, named)?.read(renderer, console)?;
+    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
+    let data = data.read(renderer, console)?;
     let all = |frames: &mut dyn Iterator<Item = &Frame>| Views {
         fitted: frames.map(|frame| frame.camera.clone()).collect(),
         judges: Vec::new(),

@@ -16,6 +16,7 @@ mod mistakes;
 mod monstrous;
 mod mpi;
 mod own_loss;
+mod placement;
 mod poses;
 pub mod processes;
 mod progress;

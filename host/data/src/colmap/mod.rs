@@ -93,6 +93,7 @@ pub(super) fn list(
         }
     }
     listing.points = points.into_iter().map(|(_, point)| point).collect();
+    listing.points_file = Some(model.points.clone());
     if let Some((index, point)) = listing.points.iter().enumerate().find(|(_, p)| !is_finite(p)) {
         let position = point.position;
         let reason = format!("point {index} is at {position:?}, expected finite coordinates");

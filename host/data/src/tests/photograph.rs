@@ -37,7 +37,7 @@ fn smaller_shot(path: PathBuf, camera: Camera, lens: Lens, factor: u32) -> Shot 
 impl Shot {
     /// Reads the frame, with all memory available.
     fn developed(&self) -> Result<Frame> {
-        let options = DatasetOptions::default();
+        let options = in_the_world();
         self.develop(&options, &Budget::new(u64::MAX)).map(|(frame, _)| frame)
     }
 }

@@ -51,6 +51,9 @@ use organza_core::scene::Placement;
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
 
+/// Places of points in one unit of a scene, which the cameras see from four units.
+const POINT_STEPS: f64 = 16384.0;
+
 /// Photographs with poses.
 ///
 /// ```
@@ -174,7 +177,7 @@ impl Listing {
             shot.camera = placement.own_camera(&shot.camera);
         }
         for point in &mut self.points {
-            point.position = placement.own(point.position);
+            point.position = own_point(placement, point.position);
         }
     }
 }
@@ -278,7 +281,7 @@ impl Dataset {
                 frame.camera = placement.own_camera(&world);
             }
             for Point { position, .. } in &mut self.points {
-                *position = placement.own(from.world(*position));
+                *position = own_point(&placement, from.world(*position));
             }
         }
         self
@@ -325,6 +328,15 @@ impl Dataset {
             poses,
         }
     }
+}
+
+/// A point of the world, in a scene. It is rounded to a place that no data set knows as exactly, so that a run does not
+/// depend on how far coordinates were rounded.
+fn own_point(placement: &Placement, position: [f64; 3]) -> [f64; 3] {
+    if placement.is_identity() {
+        return position;
+    }
+    placement.own(position).map(|x| (x * POINT_STEPS).round() / POINT_STEPS)
 }
 
 /// Whether the frame at a position in the data set's order is held out.

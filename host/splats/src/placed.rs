@@ -107,6 +107,7 @@ mod tests {
             scale: 12.5,
             up: axes.z_axis.to_array(),
             right: axes.x_axis.to_array(),
+            meters: None,
         };
         let own = splats();
         let mut world = own.clone();

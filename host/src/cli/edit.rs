@@ -30,12 +30,13 @@ Examples:
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
   organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --least-contribution=0.5
+  organza edit run -o in-meters.safetensors --measured 0,0,0,1.2,0,0.4,0.25    two points, 25 cm apart
 
 The rules apply in this order: box and sphere, contribution, haze, cluster. Contribution and haze are measured once, in \
 the scene that box and sphere have left. \
 The result is a scene's file, which every command reads that takes a scene.";
 
-/// Remove Gaussians from a scene: crop it, clean it, make it smaller
+/// Remove Gaussians from a scene: crop it, clean it, make it smaller; or give it a scale
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -69,6 +70,12 @@ pub struct Args {
     #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "2")]
     keep_largest: Option<f64>,
+    /// The scene's scale: meters in one unit of its data set. Exported files are then in meters
+    #[arg(long, value_name = "METERS", value_parser = parse_meters, conflicts_with = "measured")]
+    scale: Option<f64>,
+    /// The scene's scale, from two points of the data set's space and their distance in meters
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z,METERS", value_parser = parse_measured, allow_hyphen_values = true)]
+    measured: Option<f64>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -88,6 +95,22 @@ fn parse_sphere(text: &str) -> Result<([f64; 3], f64), String> {
         Some([x, y, z, radius]) if radius > 0.0 => Ok(([x, y, z], radius)),
         _ => Err("expected a center and a radius X,Y,Z,R such as 0,0,1,0.5".to_owned()),
     }
+}
+
+fn parse_meters(text: &str) -> Result<f64, String> {
+    let meters = numbers(text).filter(|[meters]: &[f64; 1]| meters.is_normal() && *meters > 0.0);
+    meters.map(|[meters]| meters).ok_or_else(|| "expected meters above 0".to_owned())
+}
+
+/// Meters in one unit, given two points and the meters between them.
+fn parse_measured(text: &str) -> Result<f64, String> {
+    let scale = numbers(text).map(|[a, b, c, d, e, f, meters]: [f64; 7]| {
+        meters / [a - d, b - e, c - f].iter().map(|x| x * x).sum::<f64>().sqrt()
+    });
+    scale.filter(|scale| scale.is_normal() && *scale > 0.0).ok_or_else(|| {
+        "expected two different points and their distance X,Y,Z,X,Y,Z,METERS such as 0,0,0,1,0,0,0.25"
+            .to_owned()
+    })
 }
 
 fn parse_pixels(text: &str) -> Result<f64, String> {
@@ -149,6 +172,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         args.by_contribution(&mut edited, &cameras, &renderer, &mut removed, console)?;
     }
     removed.extend(args.keep_largest(&mut edited)?);
+    let placement = &mut edited.config.placement;
+    placement.meters = args.scale.or(args.measured).or(placement.meters);
     edited.save(&args.output)?;
     let report = Report {
         scene: args.output.clone(),
@@ -170,11 +195,13 @@ impl Args {
         }
         let has_rule =
             self.least_contribution.is_some() || self.haze.is_some() || self.keep_largest.is_some();
-        if has_region || has_rule {
+        let has_scale = self.scale.is_some() || self.measured.is_some();
+        if has_region || has_rule || has_scale {
             return Ok(());
         }
         refuse(
-            "nothing says what to remove: give `--box`, `--sphere`, `--least-contribution`, `--haze` or `--keep-largest`",
+            "nothing says what to change: give `--box`, `--sphere`, `--least-contribution`, `--haze`, `--keep-largest`, \
+             `--scale` or `--measured`",
         )
     }
 

@@ -85,10 +85,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         };
         splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut progress)?
     };
-    let placement = &scene.config.placement;
+    let placement = scene.config.placement;
     let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
     let mut written = distilled.splats.clone();
-    let offset = splats::to_world(&mut written, placement);
+    let offset = splats::to_world(&mut written, &placement.in_meters());
     if let Some([x, y, z]) = offset {
         console.warn(&format!(
             "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
@@ -116,7 +116,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         args.output.display(),
         format_bytes(bytes)
     ));
-    if offset.is_none() && !matches!(format, Format::Sog | Format::Glb | Format::Splat) {
+    let is_of_cameras = offset.is_none() && placement.meters.is_none();
+    if is_of_cameras && !matches!(format, Format::Sog | Format::Glb | Format::Splat) {
         let [red, green, blue] = scene.config.background;
         let file = args.output.display();
         let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));

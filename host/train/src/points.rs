@@ -49,7 +49,8 @@ pub(super) fn distinct<T: Copy>(
 pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> Option<String> {
     let all = points.len();
     if places < LEAST_PLACES {
-        return Some(format!("its {all} points are in {places} places, which is too few"));
+        let reason = format!("its {all} points lie in fewer than {LEAST_PLACES} different places");
+        return Some(reason);
     }
     let frames: Vec<_> = frames.iter().step_by(frames.len().div_ceil(MOST_FRAMES)).collect();
     let some: Vec<_> = points.iter().step_by(all.div_ceil(MOST_POINTS)).collect();
@@ -176,7 +177,7 @@ mod tests {
         let reason = objection_to(&points(|place| place + DVec3::Y * 30.0)).expect("a reason");
         assert!(reason.contains("only 0% of its 400 points"), "{reason}");
         let reason = objection_to(&points(|_| DVec3::ZERO)).expect("a reason");
-        assert!(reason.contains("its 400 points are in 1 places"), "{reason}");
+        assert!(reason.contains("its 400 points lie in fewer than 8 different places"), "{reason}");
     }
 
     #[test]

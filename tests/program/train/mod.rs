@@ -7,6 +7,7 @@ mod eval;
 mod exposure;
 mod extend;
 mod faults;
+mod first_steps;
 mod folder;
 mod held_out;
 mod hook;

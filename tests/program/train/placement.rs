@@ -108,6 +108,22 @@ fn commands_speak_of_the_world() {
         .run("edit run -o none.safetensors --sphere 0,0,0,50 --backend cpu")
         .assert_refused(&["nothing would be left"]);
 
+    // a file in meters, at 2 cm a unit
+    let words = "edit run -o scaled.safetensors --measured 0,0,0,0,25,0,0.5";
+    sandbox.run(&format!("{words} --backend cpu")).assert_ok();
+    sandbox
+        .run("export scaled.safetensors views/transforms.json -o m.ply --steps 0 --backend cpu")
+        .assert_ok();
+    sandbox.run("export run views/transforms.json -o w.ply --steps 0 --backend cpu").assert_ok();
+    let [meters, world] = ["m.ply", "w.ply"].map(|name| splats::load(sandbox.path(name)).unwrap());
+    for (meters, world) in meters.iter().zip(&world) {
+        let apart = (0..3).map(|i| (meters.position[i] - 0.02 * world.position[i]).abs());
+        assert!(apart.fold(0.0, f32::max) < 1e-4, "{meters:?}, {world:?}");
+    }
+    for bad in ["--scale 0", "--scale x", "--measured 1,1,1,1,1,1,2", "--measured 1,2,3"] {
+        sandbox.run(&format!("edit run -o bad.safetensors {bad}")).assert_refused(&["expected"]);
+    }
+
     let [x, y, z] = offset;
     let film = format!("film run -o film --orbit --center {x},{y},{z} --distance 90 --frames 2");
     sandbox.run(&format!("{film} --backend cpu")).assert_ok();

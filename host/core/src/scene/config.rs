@@ -302,7 +302,8 @@ mod tests {
         assert!(basic().placement.is_identity());
         assert!(!serde_json::to_string(&basic()).unwrap().contains("placement"));
         let offset = [512_345.25, 4_612_345.5, 312.0];
-        let placement = Placement { offset, scale: 0.1, ..Placement::default() };
+        let meters = Some(0.3);
+        let placement = Placement { offset, scale: 0.1, meters, ..Placement::default() };
         let placed = SceneConfig { placement, ..basic() };
         let text = serde_json::to_string(&placed).unwrap();
         assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), placed);
@@ -320,7 +321,7 @@ mod tests {
     #[test]
     fn each_field_is_held_to_its_range() {
         type Change = fn(&mut SceneConfig);
-        let changes: [(&str, Change); 19] = [
+        let changes: [(&str, Change); 20] = [
             ("sh_degree", |config| config.sh_degree = 8),
             ("material", |config| config.material = 257),
             ("extra", |config| config.extra = u32::MAX),
@@ -338,6 +339,7 @@ mod tests {
             ("aabb", |config| config.aabb[1][2] = config.aabb[0][2]),
             ("aabb", |config| config.aabb[0][0] = f64::NEG_INFINITY),
             ("placement", |config| config.placement.scale = 0.0),
+            ("placement", |config| config.placement.meters = Some(-1.0)),
             ("placement", |config| config.placement.offset[1] = f64::INFINITY),
             ("placement", |config| config.placement.right = [1.0, 0.0, 0.1]),
         ];

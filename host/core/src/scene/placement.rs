@@ -51,11 +51,15 @@ pub struct Placement {
     pub up: [f64; 3],
     /// The scene's x axis in the world, a unit vector.
     pub right: [f64; 3],
+    /// Meters in one world unit, if somebody has measured it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub meters: Option<f64>,
 }
 
 impl Default for Placement {
     fn default() -> Self {
-        Self { offset: [0.0; 3], scale: 1.0, up: [0.0, 0.0, 1.0], right: [1.0, 0.0, 0.0] }
+        let up = [0.0, 0.0, 1.0];
+        Self { offset: [0.0; 3], scale: 1.0, up, right: [1.0, 0.0, 0.0], meters: None }
     }
 }
 
@@ -96,7 +100,16 @@ impl Placement {
             scale: unit * target.distance / distance,
             up: up.to_array(),
             right: right.to_array(),
+            meters: None,
         }
+    }
+
+    /// The same in a world whose unit is the meter, if meters are known.
+    #[must_use]
+    pub fn in_meters(&self) -> Self {
+        let meters = self.meters.unwrap_or(1.0);
+        let offset = self.offset.map(|x| x * meters);
+        Self { offset, scale: self.scale * meters, meters: None, ..*self }
     }
 
     /// Whether the scene's coordinates are those of the world.
@@ -166,13 +179,14 @@ impl Placement {
     }
 
     pub(super) fn check(&self) -> Result<(), Problem> {
-        let Self { offset, scale, up, right } = self;
+        let Self { offset, scale, up, right, meters } = self;
         if !offset.iter().all(|value| value.is_finite()) {
             let reason = format!("has the offset {offset:?}, expected finite numbers");
             return Err(Problem::new("placement", reason));
         }
-        if !(scale.is_normal() && *scale > 0.0) {
-            let reason = format!("has the scale {scale}, expected a positive number");
+        let lengths = [Some(*scale), *meters].into_iter().flatten();
+        if let Some(length) = lengths.into_iter().find(|x| !(x.is_normal() && *x > 0.0)) {
+            let reason = format!("has a scale of {length}, expected a positive number");
             return Err(Problem::new("placement", reason));
         }
         let rotation = self.rotation();

@@ -113,12 +113,13 @@ impl fmt::Display for SceneInfo {
 impl SceneInfo {
     /// Where the scene lies in the world.
     fn placed(&self) -> [(&'static str, String); 3] {
-        let Placement { offset, scale, up, .. } = self.config.placement;
+        let Placement { offset, scale, up, meters, .. } = self.config.placement;
+        let meters = meters.map_or(String::new(), |meters| format!(", {} m", scale * meters));
         let [lo, hi] = self.corners;
         [
             ("corners in the world", format!("{lo:?} and {hi:?}")),
             ("its own origin", format!("{offset:?} in the world, up is {up:?}")),
-            ("its own unit", format!("{scale} world units")),
+            ("its own unit", format!("{scale} world units{meters}")),
         ]
     }
 

@@ -126,7 +126,9 @@ impl Poses {
         let moved = self.listing.shots.iter_mut().zip(motions).enumerate();
         for (index, (shot, motion)) in moved {
             let Some(motion) = motion else { continue };
-            shot.camera = shot.camera.moved(*motion);
+            let moved = self.placement.world_camera(&shot.camera.moved(*motion));
+            // as if a file had the moved camera, to the bit
+            shot.camera = self.placement.own_camera(&moved);
             shot.camera.validate(index)?;
         }
         Ok(())

@@ -200,7 +200,7 @@ impl Args {
             return Ok(());
         }
         refuse(
-            "nothing says what to change: give `--box`, `--sphere`, `--least-contribution`, `--haze`, `--keep-largest`, \
+            "nothing says what to remove, or how large the scene is: give `--box`, `--sphere`, `--least-contribution`, `--haze`, `--keep-largest`, \
              `--scale` or `--measured`",
         )
     }

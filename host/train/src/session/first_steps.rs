@@ -23,10 +23,12 @@ impl State<'_, '_, '_> {
     /// Judges a new run by the steps so far.
     pub(super) fn judge(&mut self, report: &StepReport) -> Result<()> {
         let step = self.trainer.steps();
+        // the other part of the loss depends on how coarse images are
+        let loss = if report.l1.is_finite() { report.l1 } else { report.loss };
         if step <= ENDS {
-            self.first_steps.0[0] += report.loss / f64::from(ENDS);
+            self.first_steps.0[0] += loss / f64::from(ENDS);
         } else if (MOVED_AFTER - ENDS + 1..=MOVED_AFTER).contains(&step) {
-            self.first_steps.0[1] += report.loss / f64::from(ENDS);
+            self.first_steps.0[1] += loss / f64::from(ENDS);
         }
         // Gaussians that another program has made may be as good as they can be
         let is_new = self.trainer.config().start.path.is_none();
@@ -42,7 +44,8 @@ impl State<'_, '_, '_> {
                     return Ok(());
                 }
                 format!(
-                    "the loss has not moved in {step} steps: it was {first:.4}, and is {last:.4}"
+                    "the loss has not moved in {step} steps: the mean difference from the photographs was {first:.4}, \
+                     and is {last:.4}"
                 )
             }
             _ => return Ok(()),

@@ -178,9 +178,9 @@ impl Placement {
         }
         let rotation = self.rotation();
         let off = rotation.transpose() * rotation - DMat3::IDENTITY;
-        let most = off.to_cols_array().into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // also fails for NaN
-        if !(most <= ORTHONORMAL) {
+        // not so for NaN
+        let is_small = |x: f64| x.abs() <= ORTHONORMAL;
+        if !off.to_cols_array().into_iter().all(is_small) {
             let reason = format!(
                 "has the axes {right:?} (right) and {up:?} (up), expected unit vectors at right angles"
             );

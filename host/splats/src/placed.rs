@@ -56,6 +56,7 @@ fn turn(splats: &mut [Splat], rotation: DMat3, scale: f64, place: impl Fn([f64; 
 
 /// The matrix that turns coefficients of harmonics. Turned harmonics are sums of harmonics, so least squares find them
 /// exactly.
+#[allow(clippy::needless_range_loop, reason = "several arrays have one index")]
 fn turned_harmonics(rotation: DMat3) -> [[f64; HARMONICS]; HARMONICS] {
     let back = rotation.transpose();
     let mut matrix = [[0.0; HARMONICS]; HARMONICS];

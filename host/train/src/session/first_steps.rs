@@ -78,10 +78,10 @@ impl State<'_, '_, '_> {
             format!("{low} to {high}")
         };
         let world = |place: [f64; 3]| config.placement.world(place);
-        let places = gaussians.position.iter().map(|place| world(place.map(f64::from)));
-        let eyes = cameras.iter().map(Camera::eye).map(world);
-        let places = box_of(&mut places.into_iter());
-        let eyes = box_of(&mut eyes.into_iter());
+        let mut places = gaussians.position.iter().map(|place| world(place.map(f64::from)));
+        let mut eyes = cameras.iter().map(Camera::eye).map(world);
+        let places = box_of(&mut places);
+        let eyes = box_of(&mut eyes);
         let mut text = format!(
             "{inside} of {all} Gaussians are in the image of some photograph; they lie at {places}, and the cameras at {eyes}"
         );

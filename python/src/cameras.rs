@@ -14,7 +14,6 @@ use crate::scene::Scene;
 
 /// Pinhole cameras, in the world.
 #[pyclass(frozen, module = "organza")]
-#[derive(Clone)]
 pub struct Cameras(pub Vec<organza::Camera>);
 
 #[pymethods]
@@ -114,9 +113,7 @@ impl Cameras {
         size: Option<[u32; 2]>,
     ) -> PyResult<Self> {
         let (found, placement) = match (cameras, scene) {
-            (Some(cameras), _) => {
-                (Orbit::around(&cameras.0).map_err(raise)?, Placement::default())
-            }
+            (Some(cameras), _) => (Orbit::around(&cameras.0).map_err(raise)?, Placement::default()),
             (None, Some(scene)) => {
                 let SceneConfig { aabb, placement, .. } = scene.0.config;
                 (Orbit::from_box(aabb, size.unwrap_or(Orbit::SIZE)), placement)

@@ -76,7 +76,7 @@ impl Dataset {
     #[getter]
     fn cameras(&self) -> Cameras {
         let organza::Dataset { frames, poses, .. } = &*self.dataset;
-        let world = |(frame, &camera_to_world): (&Frame, _)| organza::Camera {
+        let world = |(frame, &camera_to_world): (&Frame, &[[f64; 4]; 4])| organza::Camera {
             camera_to_world,
             ..frame.camera.clone()
         };

@@ -87,7 +87,7 @@ impl Renderer {
     ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.clone();
+        let cameras = Cameras(cameras.0.clone());
         let batch = tiles.0.clone();
         let channels = channels_of(&channels)?;
         let rendered = job::run(py, move || {
@@ -108,7 +108,7 @@ impl Renderer {
     ) -> PyResult<Recording> {
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.clone();
+        let cameras = Cameras(cameras.0.clone());
         let batch = tiles.0.clone();
         let shape = batch.output_shape();
         let number = cameras.0.len();
@@ -135,7 +135,7 @@ impl Renderer {
     ) -> PyResult<Bound<'py, PyDict>> {
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.clone();
+        let cameras = Cameras(cameras.0.clone());
         let found = job::run(py, move || {
             let scene = &lock(&held).scene;
             renderer.inspect(scene, &cameras.in_scene(scene.config()), camera, pixel)
@@ -175,7 +175,7 @@ impl Renderer {
         }
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.clone();
+        let cameras = Cameras(cameras.0.clone());
         let batch = tiles.0.clone();
         let options = BenchOptions { repeat, backward };
         let found = job::run(py, move || {

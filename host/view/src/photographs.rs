@@ -26,7 +26,7 @@ enum Source {
     /// A training's photographs, in memory.
     Dataset(Arc<Dataset>),
     /// Photographs in files.
-    Poses(Poses),
+    Poses(Box<Poses>),
     /// Views of the built-in scene, rendered on demand.
     BuiltIn(Vec<Camera>, Option<Box<DeviceScene>>),
 }
@@ -58,7 +58,7 @@ impl Photographs {
     /// Photographs in files.
     #[must_use]
     pub fn from_poses(poses: Poses) -> Self {
-        Self::from(Source::Poses(poses))
+        Self::from(Source::Poses(Box::new(poses)))
     }
 
     /// Views of the built-in scene.

@@ -263,7 +263,7 @@ mod tests {
         ] {
             let world = ring(turn, scale, offset);
             let placement = Placement::of(&world, &[]);
-            placement.check().ok().expect("a rotation and a scale");
+            assert!(placement.check().is_ok(), "{placement:?}");
             for (camera, expected) in world.iter().zip(&expected) {
                 let own = placement.own_camera(camera);
                 let pairs = own.camera_to_world.as_flattened().iter();

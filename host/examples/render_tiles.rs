@@ -6,7 +6,7 @@
 
 use std::time::Instant;
 
-use organza::{Camera, DeviceOptions, Renderer, Scene, TileBatch};
+use organza::{DeviceOptions, Renderer, Scene, TileBatch};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let [scene, cameras, tiles] = std::env::args()
@@ -19,8 +19,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
     println!("{}", renderer.device().choice());
 
-    let scene = renderer.upload(&Scene::load(scene)?)?;
-    let cameras = Camera::load_all(cameras)?;
+    let scene = Scene::load(scene)?;
+    let cameras = scene.config.placement.load_cameras(cameras)?;
+    let scene = renderer.upload(&scene)?;
     let batch = TileBatch::load(tiles)?;
 
     let start = Instant::now();

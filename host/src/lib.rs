@@ -7,11 +7,12 @@
 //! [`Renderer`] renders:
 //!
 //! ```no_run
-//! use organza::{Camera, DeviceOptions, Renderer, Scene, TileBatch};
+//! use organza::{DeviceOptions, Renderer, Scene, TileBatch};
 //!
 //! let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
-//! let scene = renderer.upload(&Scene::load("scene.safetensors")?)?;
-//! let cameras = Camera::load_all("cameras.json")?;
+//! let scene = Scene::load("scene.safetensors")?;
+//! let cameras = scene.config.placement.load_cameras("cameras.json")?;
+//! let scene = renderer.upload(&scene)?;
 //! let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?; // [K, 3, S, S]
 //! renderer.render_view(&scene, &cameras[0])?.save_png("view.png")?;
 //! # Ok::<(), organza::Error>(())

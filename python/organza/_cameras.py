@@ -16,7 +16,7 @@ _FLIP = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
 class Cameras:
-    """C pinhole cameras. Lengths are in world units, images in pixels; the center of the first pixel is (0.5, 0.5)."""
+    """C pinhole cameras in the world. Lengths are in world units, images in pixels; the center of the first pixel is (0.5, 0.5)."""
 
     def __init__(self, core: _organza.Cameras) -> None:
         self._core = core
@@ -84,9 +84,8 @@ class Cameras:
     ) -> Cameras:
         """`frames` cameras once around a scene's box, as in `organza film` without cameras. The arguments are those of `orbit`; the size is
         640 x 480 unless given."""
-        box = scene.config["aabb"]
         numbers = center, up, distance, elevation, field_of_view, size
-        return cls(_organza.Cameras.orbit(frames, None, box, *numbers))
+        return cls(_organza.Cameras.orbit(frames, None, scene, *numbers))
 
     def orbit(
         self,
@@ -107,7 +106,7 @@ class Cameras:
         unless given. Raises `ValueError` for a number out of range, and without cameras.
         """
         numbers = center, up, distance, elevation, field_of_view, size
-        return Cameras(_organza.Cameras.orbit(frames, self._core, [[0.0] * 3] * 2, *numbers))
+        return Cameras(_organza.Cameras.orbit(frames, self._core, None, *numbers))
 
     def among(self, frames: int, *, size: tuple[int, int] | None = None) -> Cameras:
         """`frames` cameras on a way that stays where these stand, and ends where it begins, as in `organza film run`: a ring where they stand

@@ -55,7 +55,7 @@ class Cameras:
     def orbit(
         count: int,
         cameras: Cameras | None,
-        aabb: Sequence[Sequence[float]],
+        scene: Scene | None,
         center: Sequence[float] | None,
         up: Sequence[float] | None,
         distance: float | None,

@@ -18,6 +18,9 @@ class Exported:
 
     gaussians: int
     """The Gaussians of the file. Those that are nearly transparent are left out."""
+    offset: list[float]
+    """To be added to the file's positions. It is 0, unless the scene is so far from the origin that positions of 32 bits would be
+    rounded too much."""
     psnr: float
     """How close images of the file are to the scene's own, in decibels: the mean PSNR over the views that the fit has not seen, or over
     all where there are none of these. At most 60."""

@@ -6,11 +6,13 @@ use std::path::PathBuf;
 use numpy::ndarray::{Array2, Array3};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
 use organza::camera::{CameraPath, Orbit};
+use organza::scene::{Placement, SceneConfig};
 use pyo3::prelude::*;
 
 use crate::error::{invalid, raise};
+use crate::scene::Scene;
 
-/// Pinhole cameras.
+/// Pinhole cameras, in the world.
 #[pyclass(frozen, module = "organza")]
 pub struct Cameras(pub Vec<organza::Camera>);
 
@@ -95,14 +97,14 @@ impl Cameras {
         Self(path.cameras(frames(count)?)).checked()
     }
 
-    /// `count` cameras once around what these look at, or around a box without them. What is given replaces what was
-    /// found; angles are in degrees.
+    /// `count` cameras once around what these look at, or around a scene's box without them. What is given replaces what
+    /// was found, and is of the world; angles are in degrees.
     #[staticmethod]
     #[expect(clippy::too_many_arguments, reason = "the package names them")]
     fn orbit(
         count: usize,
         cameras: Option<&Self>,
-        aabb: [[f64; 3]; 2],
+        scene: Option<&Scene>,
         center: Option<[f64; 3]>,
         up: Option<[f64; 3]>,
         distance: Option<f64>,
@@ -110,9 +112,13 @@ impl Cameras {
         field_of_view: Option<f64>,
         size: Option<[u32; 2]>,
     ) -> PyResult<Self> {
-        let found = match cameras {
-            Some(cameras) => Orbit::around(&cameras.0).map_err(raise)?,
-            None => Orbit::from_box(aabb, size.unwrap_or(Orbit::SIZE)),
+        let (found, placement) = match (cameras, scene) {
+            (Some(cameras), _) => (Orbit::around(&cameras.0).map_err(raise)?, Placement::default()),
+            (None, Some(scene)) => {
+                let SceneConfig { aabb, placement, .. } = scene.0.config;
+                (Orbit::from_box(aabb, size.unwrap_or(Orbit::SIZE)), placement)
+            }
+            (None, None) => return Err(invalid("an orbit needs cameras or a scene")),
         };
         let within = |name: &str, value: Option<f64>, range: RangeInclusive<f64>| match value {
             Some(value) if !range.contains(&value) => {
@@ -126,9 +132,9 @@ impl Cameras {
         let elevation = within("elevation", elevation, Orbit::ELEVATIONS)?.map(f64::to_radians);
         let field_of_view = within("field_of_view", field_of_view, Orbit::FIELDS_OF_VIEW)?;
         let mut orbit = Orbit {
-            center: center.unwrap_or(found.center),
-            up: up.unwrap_or(found.up),
-            distance: distance.unwrap_or(found.distance),
+            center: center.map_or(found.center, |center| placement.own(center)),
+            up: up.map_or(found.up, |up| placement.own_direction(up)),
+            distance: distance.map_or(found.distance, |far| far / placement.scale),
             elevation: elevation.unwrap_or(found.elevation),
             ..found
         };
@@ -138,7 +144,8 @@ impl Cameras {
             orbit.size = size.unwrap_or(orbit.size);
         }
         let found = orbit.cameras(frames(count)?).map_err(raise)?;
-        Self(found.iter().map(|camera| sized(camera, size)).collect()).checked()
+        let world = |camera| placement.world_camera(&sized(camera, size));
+        Self(found.iter().map(world).collect()).checked()
     }
 
     /// The cameras with these indices.
@@ -164,6 +171,11 @@ fn frames(count: usize) -> PyResult<usize> {
 }
 
 impl Cameras {
+    /// The cameras in a scene's coordinates. Here they have those of the world.
+    pub fn in_scene(&self, config: &SceneConfig) -> Vec<organza::Camera> {
+        self.0.iter().map(|camera| config.placement.own_camera(camera)).collect()
+    }
+
     fn checked(self) -> PyResult<Self> {
         for (index, camera) in self.0.iter().enumerate() {
             camera.validate(index).map_err(raise)?;

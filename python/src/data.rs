@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray, PyArray3};
-use organza::data::Background;
+use organza::data::{Background, Frame};
+use organza::scene::Placement;
 use organza::train::built_in;
 use organza::train::config::DataConfig;
 use pyo3::exceptions::PyIndexError;
@@ -42,7 +43,7 @@ impl Dataset {
         data.hold_out_every = hold_out_every;
         data.background = background.map_or(Background::Auto, Background::Color);
         data.allow_outside = allow_outside;
-        Self::open(py, data, None)
+        Self::open(py, data, None, None)
     }
 
     #[staticmethod]
@@ -57,7 +58,7 @@ impl Dataset {
         data.built_in_views = views;
         data.built_in_side = side;
         data.hold_out_every = hold_out_every;
-        Self::open(py, data, Some(&renderer.0))
+        Self::open(py, data, None, Some(&renderer.0))
     }
 
     /// Pixels of a photograph as bytes, `[H, W, 3]`.
@@ -74,7 +75,12 @@ impl Dataset {
 
     #[getter]
     fn cameras(&self) -> Cameras {
-        Cameras(self.dataset.frames.iter().map(|frame| frame.camera.clone()).collect())
+        let organza::Dataset { frames, poses, .. } = &*self.dataset;
+        let world = |(frame, &camera_to_world): (&Frame, &[[f64; 4]; 4])| organza::Camera {
+            camera_to_world,
+            ..frame.camera.clone()
+        };
+        Cameras(frames.iter().zip(poses).map(world).collect())
     }
 
     #[getter]
@@ -114,15 +120,16 @@ impl Dataset {
 }
 
 impl Dataset {
-    /// Reads a data set according to the settings. Photographs of the built-in scene are rendered.
+    /// Reads a data set according to the settings, in the coordinates of a scene if there is one. Photographs of the built-in scene are rendered.
     pub fn open(
         py: Python<'_>,
         data: DataConfig,
+        placement: Option<Placement>,
         renderer: Option<&organza::Renderer>,
     ) -> PyResult<Self> {
         let dataset = match (data.path.clone(), renderer.cloned()) {
             (Some(path), _) => {
-                let options = data.options();
+                let options = data.options().placement(placement);
                 job::run(py, move || organza::Dataset::load(path, &options))?
             }
             (None, Some(renderer)) => {

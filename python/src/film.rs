@@ -47,7 +47,9 @@ pub fn film(
         let mut files = Vec::new();
         for (index, camera) in cameras.iter().enumerate() {
             awaited()?;
-            let image = renderer.render_view(&lock(&held).scene, camera)?;
+            let scene = &lock(&held).scene;
+            let camera = scene.config().placement.own_camera(camera);
+            let image = renderer.render_view(scene, &camera)?;
             let file = folder.join(format!("{index:05}.png"));
             image.save_png(&file)?;
             files.push(file);

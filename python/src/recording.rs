@@ -85,7 +85,12 @@ impl Recording {
             lock(&recording).backward_into(&gradient, &slopes)?;
             let config = held.scene.config();
             let values = gradient.download(device, config, held.scene.len())?.into_values();
-            Ok((values, gradient.read_poses(device)?))
+            let mut poses = gradient.read_poses(device)?;
+            // a shift in world units is a smaller or larger one in the scene
+            for slope in poses.iter_mut().flat_map(|pose| &mut pose[3..]) {
+                *slope /= config.placement.scale as f32;
+            }
+            Ok((values, poses))
         })?;
         let poses = poses.into_flattened().into_pyarray(py).reshape([self.cameras, POSE])?;
         Ok((into_arrays(py, values)?, poses))

@@ -87,11 +87,12 @@ impl Renderer {
     ) -> PyResult<(Bound<'py, PyArray4<f32>>, Bound<'py, PyDict>)> {
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.0.clone();
+        let cameras = Cameras(cameras.0.clone());
         let batch = tiles.0.clone();
         let channels = channels_of(&channels)?;
         let rendered = job::run(py, move || {
             let scene = &lock(&held).scene;
+            let cameras = cameras.in_scene(scene.config());
             renderer.render_channels(scene, &cameras, &batch, &channels, &mut |_, _| {})
         })?;
         into_batch(py, rendered)
@@ -107,13 +108,15 @@ impl Renderer {
     ) -> PyResult<Recording> {
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.0.clone();
+        let cameras = Cameras(cameras.0.clone());
         let batch = tiles.0.clone();
         let shape = batch.output_shape();
-        let number = cameras.len();
+        let number = cameras.0.len();
         let channels = channels_of(&channels)?;
         let recording = job::run(py, move || {
-            renderer.record_channels(&lock(&held).scene, &cameras, &batch, &channels)
+            let scene = &lock(&held).scene;
+            let cameras = cameras.in_scene(scene.config());
+            renderer.record_channels(scene, &cameras, &batch, &channels)
         })?;
         let renderer = self.0.clone();
         let held = Arc::clone(&scene.held);
@@ -132,9 +135,11 @@ impl Renderer {
     ) -> PyResult<Bound<'py, PyDict>> {
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.0.clone();
-        let found =
-            job::run(py, move || renderer.inspect(&lock(&held).scene, &cameras, camera, pixel))?;
+        let cameras = Cameras(cameras.0.clone());
+        let found = job::run(py, move || {
+            let scene = &lock(&held).scene;
+            renderer.inspect(scene, &cameras.in_scene(scene.config()), camera, pixel)
+        })?;
         let contributions = found.contributions.iter().map(|one| {
             let dict = PyDict::new(py);
             dict.set_item("gaussian", one.gaussian)?;
@@ -170,11 +175,13 @@ impl Renderer {
         }
         let held = self.own(scene)?;
         let renderer = self.0.clone();
-        let cameras = cameras.0.clone();
+        let cameras = Cameras(cameras.0.clone());
         let batch = tiles.0.clone();
         let options = BenchOptions { repeat, backward, frame: false };
         let found = job::run(py, move || {
-            measure(&renderer, &lock(&held).scene, &cameras, &batch, options, &mut || ())
+            let scene = &lock(&held).scene;
+            let cameras = cameras.in_scene(scene.config());
+            measure(&renderer, scene, &cameras, &batch, options, &mut || ())
         })?;
         json(py, &serde_json::to_string(&found).expect("numbers and strings"))
     }

@@ -9,7 +9,7 @@ use std::thread::JoinHandle;
 use numpy::{IntoPyArray, PyArrayMethods, PyReadonlyArray4};
 use organza::ranks::Ranks;
 use organza::render::LossGradient;
-use organza::train::{self, ConfigBuilder, Preset, RunFolder};
+use organza::train::{self, CHECKPOINT, ConfigBuilder, Preset, RunFolder};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -110,15 +110,21 @@ impl Training {
         if let Some(ranks) = ranks.clone() {
             config = job::run(py, move || settings_of_first(&ranks, config))?;
         }
-        let opened;
-        let dataset = match dataset {
-            Some(dataset) => &dataset.dataset,
-            None => {
-                opened = Dataset::open(py, config.data.clone(), Some(&renderer.0))?;
-                &opened.dataset
+        // a run goes on in the coordinates of its scene
+        let checkpoint = output.as_ref().filter(|_| resume).map(|path| path.join(CHECKPOINT));
+        let checkpoint = checkpoint.filter(|path| path.exists());
+        let scene = checkpoint.map(organza::Scene::load_config).transpose().map_err(raise)?;
+        let placement = scene.map(|config| config.placement);
+        let dataset = match (dataset, placement) {
+            (Some(Dataset { dataset, .. }), Some(placement)) if dataset.placement != placement => {
+                Arc::new(organza::Dataset::clone(dataset).placed(placement))
+            }
+            (Some(dataset), _) => Arc::clone(&dataset.dataset),
+            (None, _) => {
+                Dataset::open(py, config.data.clone(), placement, Some(&renderer.0))?.dataset
             }
         };
-        config.resolve(dataset);
+        config.resolve(&dataset);
         let is_first = ranks.as_ref().is_none_or(|ranks| ranks.rank() == 0);
         let output = output.filter(|_| is_first);
         let folder = output.map(|path| open_folder(&path, resume)).transpose()?;
@@ -128,7 +134,7 @@ impl Training {
         let run = Run {
             device: renderer.0.clone(),
             config,
-            dataset: Arc::clone(dataset),
+            dataset,
             folder,
             resume,
             time_limit,

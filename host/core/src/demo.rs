@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
 use crate::camera::Camera;
-use crate::scene::{Contraction, Gaussians, GridConfig, MlpConfig, Scene, SceneConfig};
+use crate::scene::{Contraction, Gaussians, GridConfig, MlpConfig, Placement, Scene, SceneConfig};
 use lattice::Splats;
 use light::Surroundings;
 pub use light::key as key_light;
@@ -106,5 +106,6 @@ pub fn config() -> SceneConfig {
         background: BACKGROUND,
         aabb: [[-half; 3], [half; 3]],
         contraction: Contraction::None,
+        placement: Placement::default(),
     }
 }

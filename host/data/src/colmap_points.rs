@@ -1,7 +1,7 @@
 //! The points of a COLMAP model that belongs to a `transforms.json` without points.
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::{DMat3, DVec3};
 
@@ -14,18 +14,21 @@ const LEAST: usize = 3;
 /// Largest distance of a camera from its place, relative to the distances between cameras.
 const CLOSE: f64 = 0.02;
 
-/// The model's points, in the world of a listing's cameras. None if there is no model; the error says why one that is
+/// The model's points, in the world of a listing's cameras, and their file. None if there is no model; the error says why one that is
 /// there is not used.
 ///
 /// Poses often come from such a model, but nerfstudio and instant-ngp rotate, move and scale them. Photographs of the
 /// same name determine the transformation. They need not be where the model expects them.
-pub(super) fn points(folder: &Path, listing: &Listing) -> Result<Vec<Point>, String> {
-    let Some(model) = colmap::find(folder) else { return Ok(Vec::new()) };
+pub(super) fn points(
+    folder: &Path,
+    listing: &Listing,
+) -> Result<Option<(Vec<Point>, PathBuf)>, String> {
+    let Some(model) = colmap::find(folder) else { return Ok(None) };
     let unused = |reason: String| {
         let folder = model.folder.display();
         format!("the points of {folder} are not used, because {reason}")
     };
-    let (cameras, points) = colmap::read(&model)
+    let (cameras, points, file) = colmap::read(&model)
         .map_err(|error| unused(format!("the model cannot be read: {}", chain(&error))))?;
     let mut by_name: HashMap<&str, Vec<&Camera>> = HashMap::new();
     for (camera, _) in &cameras {
@@ -51,7 +54,7 @@ pub(super) fn points(folder: &Path, listing: &Listing) -> Result<Vec<Point>, Str
     };
     let moved =
         |point: Point| Point { position: similarity.apply(point.position).to_array(), ..point };
-    Ok(points.into_iter().map(moved).collect())
+    Ok(Some((points.into_iter().map(moved).collect(), file)))
 }
 
 fn name(camera: &Camera) -> &str {

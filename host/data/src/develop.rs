@@ -24,6 +24,8 @@ pub(super) struct Shot {
     pub mask: Option<PathBuf>,
     /// The camera of the whole photograph.
     pub camera: Camera,
+    /// Its pose as the files give it, in the world.
+    pub pose: [[f64; 4]; 4],
     /// Distortion of the camera's image.
     pub lens: Lens,
     /// Factor by which to downscale.

@@ -47,7 +47,6 @@ impl Fingerprint {
 
     pub(super) fn new<'a>(
         frames: impl Iterator<Item = (&'a str, &'a Camera, Lens, bool)>,
-        photographs: &[Digest],
         points: &[Point],
     ) -> Self {
         let mut hash = Sha256::new();
@@ -64,15 +63,19 @@ impl Fingerprint {
         }
         let frames = digits(hash);
         let mut hash = Sha256::new();
-        photographs.iter().for_each(|digest| hash.update(digest.0));
-        let photographs = if photographs.is_empty() { String::new() } else { digits(hash) };
-        let mut hash = Sha256::new();
         for Point { position, color } in points {
             position.iter().for_each(|value| hash.update(value.to_bits().to_le_bytes()));
             hash.update([u8::from(color.is_some())]);
             hash.update(color.unwrap_or_default());
         }
-        Self { frames, photographs, points: digits(hash) }
+        Self { frames, photographs: String::new(), points: digits(hash) }
+    }
+
+    pub(super) fn with_photographs(self, photographs: &[Digest]) -> Self {
+        let mut hash = Sha256::new();
+        photographs.iter().for_each(|digest| hash.update(digest.0));
+        let photographs = if photographs.is_empty() { String::new() } else { digits(hash) };
+        Self { photographs, ..self }
     }
 }
 

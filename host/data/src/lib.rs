@@ -50,11 +50,14 @@ use organza_core::camera::Camera;
 use organza_core::error::Error;
 use organza_core::error::Result;
 use organza_core::input::has_extension;
+use organza_core::scene::Placement;
 pub use photograph::Photograph;
 pub use poses::{Pose, Poses, kind_of};
 
 /// Focal lengths of lenses, as multiples of an image's longer side: 160 degrees to half a degree.
 const LIKELY_FOCALS: RangeInclusive<f64> = 0.08..=100.0;
+/// Places of points in one unit of a scene, which the cameras see from four units.
+const POINT_STEPS: f64 = 16384.0;
 
 /// Photographs with poses.
 ///
@@ -88,6 +91,8 @@ pub struct Dataset {
     pub background: [f64; 3],
     /// Points from which training may start; empty if the data set has none.
     pub points: Vec<Point>,
+    /// The file of these points.
+    pub points_file: Option<PathBuf>,
     /// Photographs in the data set whose files do not exist. Their frames are left out.
     pub missing: Vec<PathBuf>,
     /// Number of frames with a mask: a file beside the photograph.
@@ -106,6 +111,10 @@ pub struct Dataset {
     pub kind: DatasetKind,
     /// Path of the data set; empty for frames that a caller made.
     pub path: PathBuf,
+    /// Where the coordinates of cameras and points lie in the world, which is the files' own space.
+    pub placement: Placement,
+    /// Each frame's pose as the files give it, in the world.
+    pub poses: Vec<[[f64; 4]; 4]>,
 }
 
 /// A data set before its photographs are read.
@@ -114,13 +123,22 @@ struct Listing {
     shots: Vec<Shot>,
     missing: Vec<PathBuf>,
     points: Vec<Point>,
+    points_file: Option<PathBuf>,
     prepared: usize,
     notes: Vec<String>,
 }
 
 impl Listing {
     fn new(kind: DatasetKind) -> Self {
-        Self { kind, shots: vec![], missing: vec![], points: vec![], prepared: 0, notes: vec![] }
+        Self {
+            kind,
+            shots: vec![],
+            missing: vec![],
+            points: vec![],
+            points_file: None,
+            prepared: 0,
+            notes: vec![],
+        }
     }
 
     /// Adds a photograph that was found. `camera` is that of the whole photograph, and has its name.
@@ -146,7 +164,8 @@ impl Listing {
         };
         self.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
-        self.shots.push(Shot { name, path, mask, camera, lens, factor, held_out });
+        let pose = camera.camera_to_world;
+        self.shots.push(Shot { name, path, mask, camera, pose, lens, factor, held_out });
         Ok(())
     }
 
@@ -183,6 +202,33 @@ impl Listing {
             first.path.display()
         ))
     }
+
+    /// The fingerprint of the files, without the photographs' content.
+    fn fingerprint(&self) -> Fingerprint {
+        let shots = self.shots.iter();
+        let known = shots.map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
+        Fingerprint::new(known, &self.points)
+    }
+
+    /// The placement that the cameras suggest.
+    fn placement(&self) -> Placement {
+        let cameras: Vec<_> = self.shots.iter().map(|shot| shot.camera.clone()).collect();
+        let points: Vec<_> = self.points.iter().map(|point| point.position).collect();
+        Placement::of(&cameras, &points)
+    }
+
+    /// Turns cameras and points into the coordinates of a scene. From here on, all of organza computes in these.
+    fn place(&mut self, placement: &Placement) {
+        if placement.is_identity() {
+            return;
+        }
+        for shot in &mut self.shots {
+            shot.camera = placement.own_camera(&shot.camera);
+        }
+        for point in &mut self.points {
+            point.position = own_point(placement, point.position);
+        }
+    }
 }
 
 impl Dataset {
@@ -216,9 +262,10 @@ impl Dataset {
 
     fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
         let background = poses.background()?;
-        let Poses { missing, outside, kind, path, listing, options, is_part, .. } = poses;
+        let Poses { missing, outside, kind, path, placement, .. } = poses;
+        let Poses { fingerprint, listing, options, is_part, .. } = poses;
         let mut notes = poses.notes;
-        let Listing { points, shots, prepared, .. } = listing;
+        let Listing { points, points_file, shots, prepared, .. } = listing;
         let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
         let bytes = bytes_of(&shots);
@@ -250,16 +297,17 @@ impl Dataset {
             return invalid(&path, reason);
         }
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
-        let known = shots.iter().map(|shot| (&*shot.name, &shot.camera, shot.lens, shot.held_out));
-        let fingerprint = Fingerprint::new(known, &digests, &points);
+        let fingerprint = fingerprint.with_photographs(&digests);
         notes.extend(repeated(&shots, &digests));
         let background = background.map(f64::from);
+        let poses = shots.iter().map(|shot| shot.pose).collect();
         Ok(Self {
             frames,
             train,
             held_out,
             background,
             points,
+            points_file,
             missing,
             masked,
             prepared,
@@ -269,7 +317,25 @@ impl Dataset {
             fingerprint,
             kind,
             path,
+            placement,
+            poses,
         })
+    }
+
+    /// The data set in the coordinates of a scene with this placement.
+    #[must_use]
+    pub fn placed(mut self, placement: Placement) -> Self {
+        let from = std::mem::replace(&mut self.placement, placement);
+        if from != placement {
+            for (frame, &camera_to_world) in self.frames.iter_mut().zip(&self.poses) {
+                let world = Camera { camera_to_world, ..frame.camera.clone() };
+                frame.camera = placement.own_camera(&world);
+            }
+            for Point { position, .. } in &mut self.points {
+                *position = own_point(&placement, from.world(*position));
+            }
+        }
+        self
     }
 
     /// The frames to train on.
@@ -292,13 +358,15 @@ impl Dataset {
             let held_out = is_held_out(index, hold_out_every);
             (&*frame.name, &frame.camera, Lens::default(), held_out)
         });
-        let fingerprint = Fingerprint::new(known, &[], &[]);
+        let fingerprint = Fingerprint::new(known, &[]);
+        let poses = frames.iter().map(|frame| frame.camera.camera_to_world).collect();
         Self {
             frames,
             train,
             held_out,
             background: [0.0; 3],
             points: Vec::new(),
+            points_file: None,
             missing: Vec::new(),
             masked: 0,
             prepared: 0,
@@ -308,6 +376,8 @@ impl Dataset {
             fingerprint,
             kind: DatasetKind::Generated,
             path: PathBuf::new(),
+            placement: Placement::default(),
+            poses,
         }
     }
 }
@@ -340,6 +410,15 @@ fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
 /// A number with two digits.
 fn significant(number: f64) -> String {
     if number < 10.0 { format!("{number:.2}") } else { format!("{number:.0}") }
+}
+
+/// A point of the world, in a scene. It is rounded to a place that no data set knows as exactly, so that a run does not
+/// depend on how far coordinates were rounded.
+fn own_point(placement: &Placement, position: [f64; 3]) -> [f64; 3] {
+    if placement.is_identity() {
+        return position;
+    }
+    placement.own(position).map(|x| (x * POINT_STEPS).round() / POINT_STEPS)
 }
 
 /// Whether the frame at a position in the data set's order is held out.

@@ -3,6 +3,7 @@
 use super::background::{Alpha, Background};
 use super::keep::Keep;
 use organza_core::error::{Error, Result};
+use organza_core::scene::Placement;
 
 /// Options for reading photographs, and for the choice of held-out frames.
 ///
@@ -30,6 +31,9 @@ pub struct DatasetOptions {
     pub allow_outside: bool,
     /// Storage for the photographs.
     pub keep: Keep,
+    /// The coordinates that cameras and points get: those of a scene, or [`Placement::default`] for those of the files.
+    /// `None` finds the data set's own: see [`Placement::of`].
+    pub placement: Option<Placement>,
 }
 
 impl Default for DatasetOptions {
@@ -38,7 +42,8 @@ impl Default for DatasetOptions {
         let alpha = Alpha::default();
         let allow_outside = false;
         let keep = Keep::default();
-        Self { downscale: 1, hold_out_every: 8, background, alpha, allow_outside, keep }
+        let placement = None;
+        Self { downscale: 1, hold_out_every: 8, background, alpha, allow_outside, keep, placement }
     }
 }
 
@@ -82,6 +87,13 @@ impl DatasetOptions {
     #[must_use]
     pub fn keep(mut self, keep: Keep) -> Self {
         self.keep = keep;
+        self
+    }
+
+    /// Sets [`placement`](Self::placement).
+    #[must_use]
+    pub fn placement(mut self, placement: impl Into<Option<Placement>>) -> Self {
+        self.placement = placement.into();
         self
     }
 

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use super::{
-    Access, Background, Budget, Dataset, DatasetKind, DatasetOptions, Frame, Layout, Listing,
-    Point, Shot, folder_of, hint, invalid, list,
+    Access, Background, Budget, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout,
+    Listing, Point, Shot, folder_of, hint, invalid, list,
 };
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
+use organza_core::scene::Placement;
 
 /// The cameras of a data set. Reading them opens no photograph, so it is quick, and finds most mistakes in a data
 /// set. [`Poses::photographs`] reads the photographs.
@@ -24,6 +25,10 @@ pub struct Poses {
     pub kind: DatasetKind,
     /// Path of the data set.
     pub path: PathBuf,
+    /// Where the coordinates of cameras and points lie in the world, which is the files' own space.
+    pub placement: Placement,
+    /// Of the files, whatever the placement.
+    pub(super) fingerprint: Fingerprint,
     pub(super) listing: Listing,
     pub(super) options: DatasetOptions,
     /// Whether frames were left out on purpose, so that there may be none to train on.
@@ -68,13 +73,28 @@ impl Poses {
                 format!("none of the {all} photographs exists; the first should be {first}{hint}");
             return invalid(path, reason);
         }
+        let fingerprint = listing.fingerprint();
+        let placement = options.placement.unwrap_or_else(|| listing.placement());
+        listing.place(&placement);
         let outside = access.outside;
         let path = path.to_owned();
         let options = options.clone();
         let kind = listing.kind;
         let background = OnceLock::new();
         let is_part = false;
-        Ok(Self { missing, outside, notes, kind, path, listing, options, is_part, background })
+        Ok(Self {
+            missing,
+            outside,
+            notes,
+            kind,
+            path,
+            placement,
+            fingerprint,
+            listing,
+            options,
+            is_part,
+            background,
+        })
     }
 
     /// Keeps only the held-out frames, or only those to train on. Nothing else is read. Photographs look the same as
@@ -115,7 +135,9 @@ impl Poses {
         let moved = self.listing.shots.iter_mut().zip(motions).enumerate();
         for (index, (shot, motion)) in moved {
             let Some(motion) = motion else { continue };
-            shot.camera = shot.camera.moved(*motion);
+            let moved = self.placement.world_camera(&shot.camera.moved(*motion));
+            // as if a file had the moved camera, to the bit
+            shot.camera = self.placement.own_camera(&moved);
             shot.camera.validate(index)?;
         }
         Ok(())

@@ -55,6 +55,7 @@ fn add_points(file: &Value, path: &Path, listing: &mut Listing, access: &mut Acc
             let points = find::named(folder(path), points);
             access.check(&points)?;
             listing.points = ply::read(&points)?;
+            listing.points_file = Some(points);
             return Ok(());
         }
         Some(other) => {
@@ -63,7 +64,11 @@ fn add_points(file: &Value, path: &Path, listing: &mut Listing, access: &mut Acc
         }
     }
     match colmap_points::points(folder(path), listing) {
-        Ok(points) => listing.points = points,
+        Ok(None) => {}
+        Ok(Some((points, file))) => {
+            listing.points = points;
+            listing.points_file = Some(file);
+        }
         Err(reason) => listing.notes.push(reason),
     }
     if listing.points.is_empty() {

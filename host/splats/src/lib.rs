@@ -8,6 +8,7 @@ mod between;
 mod distill;
 mod files;
 mod harmonics;
+mod placed;
 mod sorted;
 mod sorted_backward;
 mod turned;
@@ -15,13 +16,14 @@ mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};
 pub use files::{Format, base_color, load, read_from, save};
+pub use placed::{to_own, to_world};
 pub use sorted::render;
 pub use views::{Views, bounds};
 
 use bytemuck::{Pod, Zeroable};
 use harmonics::HARMONICS;
 
-/// One Gaussian, in world space. The fit can change every value.
+/// One Gaussian, in world space, or in that of a scene. The fit can change every value.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Splat {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::camera::Camera;
 use crate::error::Result;
 use crate::scene::{
-    Contraction, Field, Gaussians, GridConfig, Layer, MlpConfig, Scene, SceneConfig,
+    Contraction, Field, Gaussians, GridConfig, Layer, MlpConfig, Placement, Scene, SceneConfig,
 };
 use crate::tile::{Tile, TileBatch};
 use muslin_check::inputs::Random;
@@ -98,6 +98,7 @@ fn config() -> SceneConfig {
         background: [0.1, 0.2, 0.3],
         aabb: [[-1.5; 3], [1.5; 3]],
         contraction: Contraction::None,
+        placement: Placement::default(),
     }
 }
 

@@ -6,6 +6,7 @@ use organza::data::{Background, Dataset};
 use organza::edit::{Region, largest_cluster};
 use organza::evaluate::Measures;
 use organza::render::Contributions;
+use organza::scene::Placement;
 use organza::{Camera, Renderer, Result, Scene};
 use serde::Serialize;
 
@@ -29,12 +30,13 @@ Examples:
   organza edit run -o cropped.safetensors --box -1,-1,0,1,1,2
   organza edit run -o rest.safetensors --sphere 0,0,1,0.5 --outside
   organza edit scene.safetensors data/fox -o small.safetensors --least-contribution=0.5
+  organza edit run -o in-meters.safetensors --measured 0,0,0,1.2,0,0.4,0.25    two points, 25 cm apart
 
 The rules apply in this order: box and sphere, contribution, haze, cluster. Contribution and haze are measured once, in \
 the scene that box and sphere have left. \
 The result is a scene's file, which every command reads that takes a scene.";
 
-/// Remove Gaussians from a scene: crop it, clean it, make it smaller
+/// Remove Gaussians from a scene: crop it, clean it, make it smaller; or give it a scale
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -45,12 +47,12 @@ pub struct Args {
     /// The file of the new scene, safetensors; an older file of this name is replaced
     #[arg(short, long, value_name = "NEW")]
     output: PathBuf,
-    /// Keep what is inside a box along the axes: two opposite corners
+    /// Keep what is inside an upright box: two opposite corners. Its edges lie along the scene's own axes
     #[arg(long = "box", value_name = "X,Y,Z,X,Y,Z", value_parser = parse_box, allow_hyphen_values = true)]
-    cuboid: Option<Region>,
+    cuboid: Option<[[f64; 3]; 2]>,
     /// Keep what is inside a ball: its center and its radius
     #[arg(long, value_name = "X,Y,Z,R", value_parser = parse_sphere, allow_hyphen_values = true)]
-    sphere: Option<Region>,
+    sphere: Option<([f64; 3], f64)>,
     /// Remove what is inside the box or the ball, instead of what is outside
     #[arg(long)]
     outside: bool,
@@ -68,6 +70,12 @@ pub struct Args {
     #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "2")]
     keep_largest: Option<f64>,
+    /// The scene's scale: meters in one unit of its data set. Exported files are then in meters
+    #[arg(long, value_name = "METERS", value_parser = parse_meters, conflicts_with = "measured")]
+    scale: Option<f64>,
+    /// The scene's scale, from two points of the data set's space and their distance in meters
+    #[arg(long, value_name = "X,Y,Z,X,Y,Z,METERS", value_parser = parse_measured, allow_hyphen_values = true)]
+    measured: Option<f64>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -77,23 +85,32 @@ pub struct Args {
     device: DeviceArgs,
 }
 
-fn parse_box(text: &str) -> Result<Region, String> {
-    let corners: Option<[f64; 6]> = numbers(text);
-    let Some([a, b, c, d, e, f]) = corners.map(|corners| corners.map(|x| x as f32)) else {
-        return Err("expected two corners X,Y,Z,X,Y,Z such as -1,-1,0,1,1,2".to_owned());
-    };
-    let low = [a.min(d), b.min(e), c.min(f)];
-    let high = [a.max(d), b.max(e), c.max(f)];
-    Ok(Region::Box { low, high })
+fn parse_box(text: &str) -> Result<[[f64; 3]; 2], String> {
+    let corners = numbers(text).map(|[a, b, c, d, e, f]| [[a, b, c], [d, e, f]]);
+    corners.ok_or_else(|| "expected two corners X,Y,Z,X,Y,Z such as -1,-1,0,1,1,2".to_owned())
 }
 
-fn parse_sphere(text: &str) -> Result<Region, String> {
+fn parse_sphere(text: &str) -> Result<([f64; 3], f64), String> {
     match numbers(text) {
-        Some([x, y, z, radius]) if radius > 0.0 => {
-            Ok(Region::Sphere { center: [x, y, z].map(|x| x as f32), radius: radius as f32 })
-        }
+        Some([x, y, z, radius]) if radius > 0.0 => Ok(([x, y, z], radius)),
         _ => Err("expected a center and a radius X,Y,Z,R such as 0,0,1,0.5".to_owned()),
     }
+}
+
+fn parse_meters(text: &str) -> Result<f64, String> {
+    let meters = numbers(text).filter(|[meters]: &[f64; 1]| meters.is_normal() && *meters > 0.0);
+    meters.map(|[meters]| meters).ok_or_else(|| "expected meters above 0".to_owned())
+}
+
+/// Meters in one unit, given two points and the meters between them.
+fn parse_measured(text: &str) -> Result<f64, String> {
+    let scale = numbers(text).map(|[a, b, c, d, e, f, meters]: [f64; 7]| {
+        meters / [a - d, b - e, c - f].iter().map(|x| x * x).sum::<f64>().sqrt()
+    });
+    scale.filter(|scale| scale.is_normal() && *scale > 0.0).ok_or_else(|| {
+        "expected two different points and their distance X,Y,Z,X,Y,Z,METERS such as 0,0,0,1,0,0,0.25"
+            .to_owned()
+    })
 }
 
 fn parse_pixels(text: &str) -> Result<f64, String> {
@@ -155,6 +172,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         args.by_contribution(&mut edited, &cameras, &renderer, &mut removed, console)?;
     }
     removed.extend(args.keep_largest(&mut edited)?);
+    let placement = &mut edited.config.placement;
+    placement.meters = args.scale.or(args.measured).or(placement.meters);
     edited.save(&args.output)?;
     let report = Report {
         scene: args.output.clone(),
@@ -176,20 +195,37 @@ impl Args {
         }
         let has_rule =
             self.least_contribution.is_some() || self.haze.is_some() || self.keep_largest.is_some();
-        if has_region || has_rule {
+        let has_scale = self.scale.is_some() || self.measured.is_some();
+        if has_region || has_rule || has_scale {
             return Ok(());
         }
         refuse(
-            "nothing says what to remove: give `--box`, `--sphere`, `--least-contribution`, `--haze` or `--keep-largest`",
+            "nothing says what to remove, or how large the scene is: give `--box`, `--sphere`, `--least-contribution`, `--haze`, `--keep-largest`, \
+             `--scale` or `--measured`",
         )
+    }
+
+    /// Box and sphere, in the scene's coordinates.
+    fn regions(&self, placement: &Placement) -> Vec<(Region, &'static str)> {
+        let own = |place| placement.own(place).map(|x| x as f32);
+        let cuboid = self.cuboid.map(|corners| {
+            let [a, b] = corners.map(own);
+            let low = std::array::from_fn(|axis| a[axis].min(b[axis]));
+            let high = std::array::from_fn(|axis| a[axis].max(b[axis]));
+            (Region::Box { low, high }, "box")
+        });
+        let sphere = self.sphere.map(|(center, radius)| {
+            let radius = (radius / placement.scale) as f32;
+            (Region::Sphere { center: own(center), radius }, "ball")
+        });
+        cuboid.into_iter().chain(sphere).collect()
     }
 
     /// Applies box and sphere.
     fn crop(&self, scene: &mut Scene) -> Result<Vec<Removed>> {
         let mut removed = Vec::new();
         let side = if self.outside { "inside" } else { "outside" };
-        for (region, name) in [(self.cuboid, "box"), (self.sphere, "ball")] {
-            let Some(region) = region else { continue };
+        for (region, name) in self.regions(&scene.config.placement) {
             let is_kept = |i: usize, scene: &Scene| {
                 region.contains(scene.gaussians.position[i]) != self.outside
             };
@@ -281,7 +317,7 @@ fn photographs(
     let mut settings = args.data_args.settings(source, named, USAGE)?;
     let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
     settings.background = Background::Color(of_scene);
-    let data = DataSet::open(settings, console)?.refined(source, named)?;
+    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
     if !data.cameras()?.iter().any(|pose| pose.held_out) {
         console.note("no photograph is held out, so PSNR is not measured");
         return Ok(None);

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use organza::camera::Orbit;
 use organza::data::{Dataset, Frame};
 use organza::error::format_bytes;
+use organza::scene::Placement;
 use organza::splats::{self, Distilled, Fit, Format, Splat, SplatComparison, Views};
 use organza::{Renderer, Result, Scene};
 
@@ -88,8 +89,21 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         };
         splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut progress)?
     };
-    let up = Orbit::around(&views.fitted)?.up;
-    let written = splats::save(&distilled.splats, &args.output, format, up)?;
+    let placement = scene.config.placement;
+    let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
+    let mut world = distilled.splats.clone();
+    let meters = placement.in_meters();
+    let offset = splats::to_world(&mut world, &meters);
+    if let Some([x, y, z]) = offset {
+        console.warn(&format!(
+            "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
+             relative to {x},{y},{z}"
+        ));
+    }
+    let mut written = splats::save(&world, &args.output, format, up)?;
+    // what the file holds is compared where the scene is
+    let kept = if offset.is_some() { [0.0; 3] } else { meters.offset };
+    splats::to_own(&mut written, &Placement { offset: kept, ..meters });
     say_psnr(&views, &distilled, &written, args.steps, console);
     if let Some(data) = data {
         let frames: Vec<_> = data.held_out_frames().collect();
@@ -104,13 +118,16 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         args.output.display(),
         format_bytes(bytes)
     ));
-    let [red, green, blue] = scene.config.background;
-    let file = args.output.display();
-    let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
-    let cameras = cameras.collect::<String>();
-    console.note(&format!(
-        "back to a scene: organza import {file}{cameras} -o NEW --background {red:.3},{green:.3},{blue:.3}"
-    ));
+    let is_of_cameras = offset.is_none() && placement.meters.is_none();
+    if is_of_cameras {
+        let [red, green, blue] = scene.config.background;
+        let file = args.output.display();
+        let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));
+        let cameras = cameras.collect::<String>();
+        console.note(&format!(
+            "back to a scene: organza import {file}{cameras} -o NEW --background {red:.3},{green:.3},{blue:.3}"
+        ));
+    }
     Ok(())
 }
 
@@ -137,7 +154,8 @@ fn load_views(
         return Ok((views, None));
     }
     let settings = args.data.settings(source, named, USAGE)?;
-    let data = DataSet::open(settings, console)?.refined(source, named)?.read(renderer, console)?;
+    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
+    let data = data.read(renderer, console)?;
     let all = |frames: &mut dyn Iterator<Item = &Frame>| Views {
         fitted: frames.map(|frame| frame.camera.clone()).collect(),
         judges: Vec::new(),

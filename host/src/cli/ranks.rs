@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::thread;
 
 use organza::ranks::{Ranks, ThreadRanks, check_agreement};
-use organza::scene::SceneShard;
+use organza::scene::{Placement, SceneShard};
 use organza::train::{self, Split, TrainConfig};
 use organza::{Dataset, DeviceOptions, DeviceShard, Renderer, Result, UploadOptions, error};
 
@@ -171,10 +171,11 @@ impl Team {
         })
     }
 
-    /// Sends rank 0's settings to the other ranks, which cannot read them while rank 0 writes the file.
-    pub fn tell(&self, config: &TrainConfig) -> Result<()> {
+    /// Sends rank 0's settings, and the placement of a resumed scene, to the other ranks, which cannot read them while rank 0 writes the file.
+    pub fn tell(&self, config: &TrainConfig, placement: Option<Placement>) -> Result<()> {
         if self.is_mpi {
             self.mine.broadcast(config.to_toml().into_bytes())?;
+            self.mine.broadcast(serde_json::to_vec(&placement).expect("numbers"))?;
         }
         Ok(())
     }
@@ -193,8 +194,10 @@ impl Team {
             signals.keeps_results();
             let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
             let config = TrainConfig::parse(&text, "the settings of rank 0".as_ref())?;
+            let placement: Option<Placement> =
+                serde_json::from_slice(&ranks.broadcast(Vec::new())?).expect("rank 0 wrote it");
             let console = Console::new(Level::Quiet);
-            let data = DataSet::open(config.data, console)?;
+            let data = DataSet::open(config.data, placement, console)?;
             let options = self.places().device(device.options()?, ranks.rank());
             let renderer = device.open_as(&options, console)?;
             let dataset = Arc::new(data.read(&renderer, console)?);

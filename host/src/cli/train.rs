@@ -7,9 +7,9 @@ use std::thread;
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
-use organza::Result;
 use organza::data::Dataset;
 use organza::error::{self, format_bytes};
+use organza::scene::Placement;
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
@@ -17,6 +17,7 @@ use organza::train::{
     TrainConfig,
 };
 use organza::view::TrainingView;
+use organza::{Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -309,6 +310,13 @@ pub struct Job<'a> {
 }
 
 impl Job<'_> {
+    /// The placement of the scene that the run goes on with.
+    fn placement(&self) -> Result<Option<Placement>> {
+        let checkpoint = self.folder.join(CHECKPOINT);
+        let is_there = self.resume && checkpoint.exists();
+        is_there.then(|| Ok(Scene::load_config(checkpoint)?.placement)).transpose()
+    }
+
     /// Creates the folder, reads the photographs, and trains.
     pub fn run(
         mut self,
@@ -320,10 +328,11 @@ impl Job<'_> {
         let mut config = self.config.clone();
         config.check_memory()?;
         let team = self.team.take();
+        let placement = self.placement()?;
         if let Some(team) = &team {
-            team.tell(&config)?;
+            team.tell(&config, placement)?;
         }
-        let data = DataSet::open(config.data.clone(), console)?;
+        let data = DataSet::open(config.data.clone(), placement, console)?;
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
         let made = Folder::make(self.folder)?;

@@ -226,7 +226,7 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
         }
     }
     let settings = args.data_args.settings(source, named, usage)?;
-    let data = DataSet::open(settings, console)?.refined(source, named)?;
+    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
     let poses = data.cameras()?;
     let (photographs, points) = data.photographs();
     Ok(Surroundings { poses, photographs, points })

@@ -25,7 +25,7 @@ pub use table::{
 
 use organza_core::error::{Error, Result};
 use organza_core::input::read_text;
-use organza_core::scene::SceneConfig;
+use organza_core::scene::{Placement, SceneConfig};
 use organza_core::write_atomic;
 use organza_data::{Background, Dataset, DatasetOptions};
 
@@ -118,6 +118,7 @@ impl TrainConfig {
             background,
             aabb,
             contraction: shape.contraction,
+            placement: Placement::default(),
         }
     }
 

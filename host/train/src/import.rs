@@ -9,10 +9,10 @@ use super::trainer::Trainer;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::image::to_8_bit;
-use organza_core::scene::Scene;
+use organza_core::scene::{Placement, Scene};
 use organza_data::{Dataset, Frame, Photograph};
 use organza_render::Renderer;
-use organza_splats::{Splat, Views, render};
+use organza_splats::{Splat, Views, render, to_own};
 
 /// Settings for turning Gaussians into a scene.
 #[derive(Clone, Copy, Debug)]
@@ -62,9 +62,14 @@ pub fn import(
     progress: &mut dyn FnMut(usize) -> Result<()>,
 ) -> Result<Imported> {
     let Views { fitted: cameras, judges } = views;
+    let all: Vec<_> = cameras.iter().chain(judges).cloned().collect();
+    let placement = Placement::of(&all, &[]);
+    let mut splats = splats.to_vec();
+    to_own(&mut splats, &placement);
     let frame = |(index, camera): (usize, &Camera)| {
         let camera = camera.within(options.side);
-        let colors = render(splats, &camera, options.background);
+        let own = placement.own_camera(&camera);
+        let colors = render(&splats, &own, options.background);
         let pixels = colors.into_iter().map(|color| color.map(to_8_bit)).collect();
         let image = Photograph::new([camera.width, camera.height], pixels, None)?;
         Ok(Frame { name: format!("view-{index:03}"), camera, image })
@@ -74,12 +79,13 @@ pub fn import(
     let pixels = frames.iter().flat_map(|frame| frame.image.pixels());
     let covered = pixels.clone().filter(|&&pixel| pixel != background).count() as f64;
     let covered = covered / pixels.count() as f64;
-    let mut dataset = Dataset::from_frames(frames, 0);
+    let mut dataset = Dataset::from_frames(frames, 0).placed(placement);
     dataset.held_out = dataset.train.split_off(cameras.len());
     dataset.background = options.background.map(f64::from);
     let config = config(splats.len(), options.steps);
     let fitted: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-    let scene = from_splats(splats, &config, dataset.background, &fitted)?;
+    let mut scene = from_splats(&splats, &config, dataset.background, &fitted)?;
+    scene.config.placement = placement;
     let begin = Checkpoint::begin(scene, &config)?;
     let mut trainer = Trainer::resume(renderer, config, dataset, &begin)?;
     while !trainer.is_finished() {

@@ -21,6 +21,7 @@ pub mod metrics;
 mod optimizer;
 mod per_photograph;
 mod plan;
+mod points;
 mod pose;
 mod progress;
 mod ranks;

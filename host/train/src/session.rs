@@ -1,5 +1,6 @@
 //! A run from its first step, or from a checkpoint, to its end: its settings, log, checkpoints and scores in its folder.
 
+mod first_steps;
 mod run;
 mod state;
 

@@ -12,6 +12,7 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::config::TrainConfig;
+use super::points::{distinct, objection, resolution};
 use super::requirements;
 use super::space::scene_box;
 use organza_core::camera::{Camera, Target};
@@ -34,15 +35,38 @@ const TRANSMITTANCE_BIAS: f32 = 5.0;
 /// # Errors
 /// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
 pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
+    first_scene_with(config, dataset, &mut |_| Ok(()))
+}
+
+/// Like [`first_scene`], but calls `warn` if training does not start from the data set's points.
+pub(super) fn first_scene_with(
+    config: &TrainConfig,
+    dataset: &Dataset,
+    warn: &mut dyn FnMut(&str) -> Result<()>,
+) -> Result<Scene> {
     requirements::check(config, dataset)?;
     let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
     let background = dataset.background;
-    if let Some(path) = &config.start.path {
-        return start_from(path, config, background, &cameras);
-    }
-    let frames: Vec<_> = dataset.train_frames().collect();
-    let found = points(config, &frames, &dataset.points)?;
-    start(config, background, &cameras, &found)
+    let mut scene = match &config.start.path {
+        Some(path) => start_from(path, config, dataset, &cameras)?,
+        None => {
+            let frames: Vec<_> = dataset.train_frames().collect();
+            let target = Target::from_cameras(&cameras);
+            let resolution = resolution(&target, dataset.points.len());
+            let mut known = distinct(&dataset.points, |point| point.position, resolution);
+            if !known.is_empty()
+                && let Some(reason) = objection(&dataset.points, known.len(), &frames)
+            {
+                let file = dataset.points_file.as_deref().unwrap_or(&dataset.path).display();
+                warn(&format!("{file}: {reason}; so training starts as without points"))?;
+                known.clear();
+            }
+            let found = points(config, &frames, &known)?;
+            start(config, background, &cameras, &found)?
+        }
+    };
+    scene.config.placement = dataset.placement;
+    Ok(scene)
 }
 
 /// The scene before the first step.
@@ -72,7 +96,7 @@ pub fn start(
     };
     let aabb = scene_box(cameras, &target, points, &places);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
-    place(config, &mut scene, &places, &mut random_places);
+    place(config, &mut scene, &places, &target, &mut random_places);
     fill_vectors(config, &mut scene, &colors, &mut random_places);
     fill_fields(config, &mut scene);
     Ok(scene)
@@ -87,10 +111,11 @@ pub fn start(
 pub fn start_from(
     path: &Path,
     config: &TrainConfig,
-    background: [f64; 3],
+    dataset: &Dataset,
     cameras: &[Camera],
 ) -> Result<Scene> {
-    let splats = splats::load(path)?;
+    let mut splats = splats::load(path)?;
+    splats::to_own(&mut splats, &dataset.placement);
     let count = splats.len();
     let most = config.growth.max_gaussians;
     if count > most as usize {
@@ -99,7 +124,7 @@ pub fn start_from(
         );
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
-    from_splats(&splats, config, background, cameras)
+    from_splats(&splats, config, dataset.background, cameras)
 }
 
 /// [`start_from`], with Gaussians already read from a file.
@@ -216,33 +241,41 @@ fn choose(
 }
 
 /// Root mean square distance of each place to its three nearest neighbors.
-fn spacing(places: &[DVec3]) -> Vec<f64> {
+/// Nearer ones than the `resolution` are the same place. `alone` is for a place without neighbors.
+fn spacing(places: &[DVec3], resolution: f64, alone: f64) -> Vec<f64> {
     let entries: Vec<_> = places.iter().map(DVec3::to_array).collect();
-    let tree = ImmutableKdTree::new_from_slice(&entries);
+    let tree = ImmutableKdTree::new_from_slice(&distinct(&entries, |place| *place, resolution));
     let neighbors = NonZero::new(4).expect("four is not zero");
-    let Ok(tree) = tree else { return vec![1.0; places.len()] };
+    let Ok(tree) = tree else { return vec![alone; places.len()] };
     entries
         .par_iter()
         .map(|entry| {
-            // the first result is the place itself
+            // one of the results is the place itself
             let found = tree.query(entry).nearest_n::<SquaredEuclidean<f64>>(neighbors).execute();
             let (sum, count) = found
                 .iter()
-                .skip(1)
+                .filter(|item| item.distance > resolution * resolution)
+                .take(3)
                 .fold((0.0, 0.0), |(sum, count), item| (sum + item.distance, count + 1.0));
-            if count > 0.0 { f64::sqrt(sum / count) } else { 1.0 }
+            if count > 0.0 { f64::sqrt(sum / count) } else { alone }
         })
         .collect()
 }
 
-fn place(config: &TrainConfig, scene: &mut Scene, places: &[DVec3], random: &mut Pcg64) {
+fn place(
+    config: &TrainConfig,
+    scene: &mut Scene,
+    places: &[DVec3],
+    target: &Target,
+    random: &mut Pcg64,
+) {
     let start = &config.start;
     let logit = logit(start.opacity);
-    let spacing = spacing(places);
+    let spacing = spacing(places, resolution(target, places.len()), target.radius);
     let gaussians = &mut scene.gaussians;
     for (i, place) in places.iter().enumerate() {
         gaussians.position[i] = place.as_vec3().to_array();
-        let scale = (spacing[i] * f64::from(start.scale)).max(1e-7).ln() as f32;
+        let scale = (spacing[i] * f64::from(start.scale)).ln() as f32;
         gaussians.log_scale[i] = [scale; 3];
         gaussians.rotation[i] = std::array::from_fn(|_| StandardNormal.sample(random));
         gaussians.opacity[i] = logit;
@@ -323,6 +356,21 @@ mod tests {
         assert!(scene.gaussians.position.iter().all(is_seen));
         assert_eq!(scene, start(&config, [0.0; 3], &cameras, &[]).unwrap());
         scene.validate().unwrap();
+    }
+
+    /// The size of a Gaussian is the distance to its neighbors, however often its place is there.
+    #[test]
+    fn repeated_places_have_the_size_of_the_space_between_places() {
+        let grid = |by: f64| {
+            (0..100).map(move |i| DVec3::new(f64::from(i % 10) + by, f64::from(i / 10), 0.0) * 0.1)
+        };
+        for (copies, by) in [(1, 0.0), (4, 0.0), (4, 1e-7)] {
+            let places: Vec<_> = (0..copies).flat_map(|copy| grid(by * f64::from(copy))).collect();
+            // the neighbors are at 0.1, and in a corner one is at 0.14
+            for spacing in spacing(&places, 1e-3, 1.0) {
+                assert!((0.0999..0.12).contains(&spacing), "{copies}: {spacing}");
+            }
+        }
     }
 
     #[test]

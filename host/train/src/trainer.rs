@@ -121,6 +121,11 @@ impl Trainer {
         shared: Option<(Arc<dyn Ranks>, usize)>,
     ) -> Result<Self> {
         check(&config, &dataset)?;
+        if checkpoint.scene.config.placement != dataset.placement {
+            let reason = "the scene has other coordinates than the data set: read the data set with \
+                          `DatasetOptions::placement` and the scene's `config.placement`";
+            return Err(Error::Argument { reason: reason.to_owned() });
+        }
         let frames: Vec<_> = dataset.train_frames().collect();
         let mut cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
         let batches = Batches::new(&frames, &config.run)?;
@@ -221,6 +226,13 @@ impl Trainer {
     #[must_use]
     pub fn gaussians(&self) -> usize {
         self.state.gaussians
+    }
+
+    /// Number of Gaussians that steps have shown since growth last changed them; `None` if this rank has a shard of them.
+    pub(super) fn seen(&self) -> Result<Option<usize>> {
+        let Some(_) = self.scene() else { return Ok(None) };
+        let statistics = self.state.statistics(self.renderer.device())?;
+        Ok(Some(statistics.iter().filter(|[_, views, ..]| *views > 0.0).count()))
     }
 
     /// Renders the held-out frames and compares them with their photographs.

@@ -7,7 +7,7 @@ use super::message::{CameraMessage, Mode};
 use crate::film::Kind;
 use organza_core::camera::{Camera, Orbit, upward};
 use organza_core::demo;
-use organza_core::scene::bounds;
+use organza_core::scene::{Placement, bounds};
 use organza_data::{Point, Pose};
 use organza_render::{DeviceScene, Renderer};
 
@@ -34,6 +34,7 @@ pub struct About {
     json: String,
     /// Positions as f32, followed by colors.
     points: Vec<u8>,
+    pub(super) placement: Placement,
 }
 
 #[derive(Serialize)]
@@ -43,9 +44,11 @@ struct Told<'a> {
     device: &'a str,
     gaussians: usize,
     aabb: [[f64; 3]; 2],
+    /// Where the scene lies in the world. The page computes in the scene's coordinates, and shows those of the world.
+    placement: Placement,
     step: f64,
     background: [f64; 3],
-    /// A unit vector that points up in the world.
+    /// A unit vector that points up.
     up: [f64; 3],
     /// Center of the camera's orbit.
     center: [f64; 3],
@@ -100,6 +103,7 @@ impl About {
             device: renderer.device().choice(),
             gaussians: scene.len(),
             aabb: config.aabb,
+            placement: config.placement,
             step: config.step,
             background: config.background,
             up: up.to_array(),
@@ -116,7 +120,8 @@ impl About {
             modes: Mode::ALL.into_iter().map(|mode| (mode, mode.ramp())).collect(),
         };
         let json = serde_json::to_string(&told).expect("numbers and names");
-        Self { json, points: [bytemuck::cast_slice(&positions), &*colors].concat() }
+        let points = [bytemuck::cast_slice(&positions), &*colors].concat();
+        Self { json, points, placement: config.placement }
     }
 
     pub(super) fn json(&self) -> &str {

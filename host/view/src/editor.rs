@@ -189,12 +189,13 @@ impl Editor {
         let depth = depth(stage, &camera)?;
         let [width, height] = depth.size();
         let scale = f64::from(width) / f64::from(camera.width);
+        let world_units = self.scene.config.placement.scale;
         let at = |x: f64, side: u32| ((x * scale) as usize).min(side as usize - 1);
         for (place, selected) in self.scene.gaussians.position.iter().zip(&mut self.selected) {
             let Some([x, y, far]) = camera.project(place.map(f64::from)) else { continue };
             if !*selected && stroke.is_over(DVec2::new(x, y)) {
                 let surface = depth.values()[at(y, height) * width as usize + at(x, width)];
-                *selected = far <= (1.0 + BEHIND) * f64::from(surface);
+                *selected = far * world_units <= (1.0 + BEHIND) * f64::from(surface);
             }
         }
         Ok(())

@@ -79,7 +79,7 @@ pub fn explain(
     let (position, _) = position.as_chunks::<3>();
     let row = |(contribution, trace): (Contribution, Trace)| {
         let depth = camera.depth(position[contribution.gaussian].map(f64::from));
-        Row::new(contribution, trace, depth)
+        Row::new(contribution, trace, depth * scene.config().placement.scale)
     };
     let explanation = Explanation {
         pixel,

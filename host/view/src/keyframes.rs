@@ -8,6 +8,7 @@ use serde_json::Value;
 use super::message::{CameraMessage, checked, refuse};
 use organza_core::camera::{Camera, CameraPath, encode, parse};
 use organza_core::error::Result;
+use organza_core::scene::Placement;
 
 /// Most keyframes in a file.
 const MAX_KEYFRAMES: usize = 1000;
@@ -54,13 +55,14 @@ pub fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
     serde_json::to_vec(&cameras).or_else(|error| refuse(error.to_string()))
 }
 
-/// Writes keyframes as a file.
-pub fn write(keyframes: &[CameraMessage]) -> Result<Vec<u8>> {
-    encode(&keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?)
+/// Writes keyframes as a file, in the world where a scene lies.
+pub fn write(keyframes: &[CameraMessage], placement: &Placement) -> Result<Vec<u8>> {
+    let world = |keyframe| Ok(placement.world_camera(&checked(keyframe)?));
+    encode(&keyframes.iter().map(world).collect::<Result<Vec<_>>>()?)
 }
 
-/// Reads the keyframes of a file: cameras in any form of a `transforms.json`.
-pub fn read(file: &Value) -> Result<Vec<u8>> {
+/// Reads the keyframes of a file: cameras of the world, in any form of a `transforms.json`.
+pub fn read(file: &Value, placement: &Placement) -> Result<Vec<u8>> {
     let cameras: Vec<Camera> = parse::cameras(file, Path::new("the file"))?;
     if cameras.len() > MAX_KEYFRAMES {
         let number = cameras.len();
@@ -68,5 +70,6 @@ pub fn read(file: &Value) -> Result<Vec<u8>> {
             "the file has {number} cameras, more than {MAX_KEYFRAMES} keyframes"
         ));
     }
-    listed(&cameras)
+    let own: Vec<_> = cameras.iter().map(|camera| placement.own_camera(camera)).collect();
+    listed(&own)
 }

@@ -160,6 +160,7 @@ fn depths(scene: &DeviceScene, camera: &Camera) -> Range {
     let (near, far) = (0..8)
         .map(depth)
         .fold((f64::INFINITY, 0.0_f64), |(near, far), depth| (near.min(depth), far.max(depth)));
+    let [near, far] = [near, far].map(|depth| depth * scene.config().placement.scale);
     let far = if far > 0.0 { far } else { 1.0 };
     Range { low: near.clamp(0.0, 0.99 * far), high: far }
 }

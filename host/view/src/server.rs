@@ -316,7 +316,7 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
         }
         (&Method::POST, "/cameras.json") => {
             let keyframes: Vec<CameraMessage> = parsed(&body(request).await?)?;
-            json(&keyframes::write(&keyframes).map_err(refused)?)
+            json(&keyframes::write(&keyframes, &viewer.about.placement).map_err(refused)?)
         }
         (&Method::POST, "/path") => {
             let path: PathRequest = parsed(&body(request).await?)?;
@@ -325,7 +325,7 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
         }
         (&Method::POST, "/keyframes") => {
             let file = parsed(&body(request).await?)?;
-            json(&keyframes::read(&file).map_err(refused)?)
+            json(&keyframes::read(&file, &viewer.about.placement).map_err(refused)?)
         }
         (&Method::POST, "/film") => {
             let request: FilmRequest = parsed(&body(request).await?)?;

@@ -1,6 +1,6 @@
 //! Scenes from a recipe: small, built in code, the same on every system.
 
-use organza::scene::{Contraction, GridConfig, MlpConfig, Network, SceneConfig};
+use organza::scene::{Contraction, GridConfig, MlpConfig, Network, Placement, SceneConfig};
 use organza::{Camera, Scene};
 
 /// Pseudo-random numbers in [0, 1).
@@ -109,6 +109,7 @@ impl Recipe {
             background: [0.129, 0.499, 0.601],
             aabb: [[-1.5, -1.2, -1.0], [1.5, 1.2, 1.4]],
             contraction: Contraction::None,
+            placement: Placement::default(),
         };
         for grid in [&config.color_grid, &config.transmittance_grid] {
             let hashed = grid.levels_geometry().iter().filter(|level| level.hashed).count();

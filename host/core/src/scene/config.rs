@@ -6,6 +6,7 @@ pub use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE, 
 use serde::{Deserialize, Serialize};
 
 use super::grid::{GridConfig, Problem};
+use super::placement::Placement;
 use crate::error::{Error, IN_MEMORY, Result};
 
 /// Largest number of hidden layers in a network.
@@ -45,11 +46,14 @@ pub struct SceneConfig {
     pub antialiased: bool,
     /// Background color: red, green, blue.
     pub background: [f64; 3],
-    /// The scene's box in world space, `[lo, hi]`.
+    /// The scene's box, `[lo, hi]`, in its own coordinates.
     pub aabb: [[f64; 3]; 2],
     /// Treatment of space outside this box. A file without this field has [`Contraction::None`].
     #[serde(default, skip_serializing_if = "Contraction::is_none")]
     pub contraction: Contraction,
+    /// Where the scene lies in the world. A file without this field has the world's own coordinates.
+    #[serde(default, skip_serializing_if = "Placement::is_identity")]
+    pub placement: Placement,
 }
 
 /// Treatment of space outside the scene's box. `docs/conventions.md` has the equations.
@@ -177,7 +181,8 @@ impl SceneConfig {
             let reason = format!("is {:?}, expected three finite numbers", self.background);
             return Err(Problem::new("background", reason));
         }
-        self.check_aabb()
+        self.check_aabb()?;
+        self.placement.check()
     }
 
     fn check_step(&self) -> Result<(), Problem> {
@@ -293,6 +298,18 @@ mod tests {
     }
 
     #[test]
+    fn a_scene_without_a_placement_has_the_coordinates_of_the_world() {
+        assert!(basic().placement.is_identity());
+        assert!(!serde_json::to_string(&basic()).unwrap().contains("placement"));
+        let offset = [512_345.25, 4_612_345.5, 312.0];
+        let meters = Some(0.3);
+        let placement = Placement { offset, scale: 0.1, meters, ..Placement::default() };
+        let placed = SceneConfig { placement, ..basic() };
+        let text = serde_json::to_string(&placed).unwrap();
+        assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), placed);
+    }
+
+    #[test]
     fn step_is_limited_by_samples() {
         let smallest = DIAGONAL / f64::from(MAX_SAMPLES);
         assert!(SceneConfig { step: smallest, ..basic() }.validate().is_ok());
@@ -304,7 +321,7 @@ mod tests {
     #[test]
     fn each_field_is_held_to_its_range() {
         type Change = fn(&mut SceneConfig);
-        let changes: [(&str, Change); 16] = [
+        let changes: [(&str, Change); 20] = [
             ("sh_degree", |config| config.sh_degree = 8),
             ("material", |config| config.material = 257),
             ("extra", |config| config.extra = u32::MAX),
@@ -321,6 +338,10 @@ mod tests {
             ("background", |config| config.background[1] = f64::NAN),
             ("aabb", |config| config.aabb[1][2] = config.aabb[0][2]),
             ("aabb", |config| config.aabb[0][0] = f64::NEG_INFINITY),
+            ("placement", |config| config.placement.scale = 0.0),
+            ("placement", |config| config.placement.meters = Some(-1.0)),
+            ("placement", |config| config.placement.offset[1] = f64::INFINITY),
+            ("placement", |config| config.placement.right = [1.0, 0.0, 0.1]),
         ];
         for (expected, change) in changes {
             let mut config = basic();

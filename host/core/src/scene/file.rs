@@ -71,6 +71,16 @@ impl Scene {
         Ok(unused)
     }
 
+    /// The configuration in a scene file. Reads only the header.
+    ///
+    /// # Errors
+    /// The same errors as [`Self::load`], for the header and the configuration.
+    pub fn load_config(path: impl AsRef<Path>) -> Result<SceneConfig> {
+        let path = path.as_ref();
+        let (file, length) = open_regular(path)?;
+        read_config(&Header::read(&mut BufReader::new(file), length, path)?, path)
+    }
+
     fn with_encoding<T>(
         &self,
         write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<T>,

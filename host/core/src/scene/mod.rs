@@ -7,6 +7,7 @@ mod gaussians;
 mod gradient;
 mod grid;
 mod network;
+mod placement;
 mod shard;
 mod spec;
 mod tensor_file;
@@ -30,6 +31,7 @@ pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
+pub use placement::Placement;
 pub use shard::range_of;
 pub use shard::{GAUSSIANS_PER_BLOCK, SceneShard};
 pub use spec::TensorSpec;

@@ -151,7 +151,7 @@ pub(super) fn list(
 ) -> Result<Listing> {
     let mut listing = Listing::new(DatasetKind::Colmap);
     listing.notes.extend(model.note());
-    let (cameras, points) = read(model)?;
+    let (cameras, points, file) = read(model)?;
     for (position, (camera, lens)) in cameras.into_iter().enumerate() {
         let name = camera.file_path.clone().unwrap_or_default();
         let photograph = |name: &str| find::photograph(folder, name, None, options.downscale);
@@ -166,6 +166,7 @@ pub(super) fn list(
         }
     }
     listing.points = points;
+    listing.points_file = Some(file);
     if listing.points.is_empty() {
         let reason = format!("that is {POINTS_PLY} in {}", model.folder.display());
         listing.notes.extend(find::unused_clouds(folder, &reason));
@@ -175,7 +176,7 @@ pub(super) fn list(
 
 /// A model's cameras by the names of their images, and its points by id, because COLMAP writes both in no particular
 /// order. A camera's `file_path` is the name.
-pub(super) fn read(model: &Model) -> Result<(Lensed, Vec<Point>)> {
+pub(super) fn read(model: &Model) -> Result<(Lensed, Vec<Point>, PathBuf)> {
     let path = &model.file("cameras");
     let (file, length) = open_regular(path)?;
     let cameras = match model.is_binary {
@@ -213,7 +214,7 @@ pub(super) fn read(model: &Model) -> Result<(Lensed, Vec<Point>)> {
         let reason = format!("point {index} is at {position:?}, expected finite coordinates");
         return invalid(&file, reason);
     }
-    Ok((cameras, points))
+    Ok((cameras, points, file))
 }
 
 fn is_finite(point: &Point) -> bool {

@@ -57,7 +57,7 @@ fn alpha_lets_the_background_through() {
         ([0.0, 0.2, 1.0], [[100, 76, 152], [200, 100, 50], [0, 51, 255]]),
     ] {
         let color = Background::Color(background);
-        let options = DatasetOptions { background: color, ..DatasetOptions::default() };
+        let options = DatasetOptions { background: color, ..in_the_world() };
         let dataset = Dataset::load(folder.path(), &options).unwrap();
         assert_eq!(dataset.background, background.map(f64::from));
         let colors: Vec<_> = dataset.frames.iter().map(|frame| frame.image.pixels()[0]).collect();
@@ -80,7 +80,7 @@ fn alpha_is_in_front_of_white_unless_told_otherwise() {
     // nerfstudio's data sets have no such tables
     let folder = self::folder();
     write_json(&folder.path().join("transforms.json"), &blender(&["./train/r_0"]));
-    let options = DatasetOptions { hold_out_every: 0, ..DatasetOptions::default() };
+    let options = DatasetOptions { hold_out_every: 0, ..in_the_world() };
     let dataset = Dataset::load(folder.path(), &options).unwrap();
     assert_eq!((dataset.kind, dataset.background), (DatasetKind::Nerfstudio, [0.0; 3]));
 }

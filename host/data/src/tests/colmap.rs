@@ -6,7 +6,7 @@ use super::*;
 fn dataset(model: &Model, binary: bool) -> Dataset {
     let folder = tempfile::tempdir().unwrap();
     write(folder.path(), model, binary);
-    Dataset { path: PathBuf::new(), ..load(folder.path()).unwrap() }
+    Dataset { path: PathBuf::new(), points_file: None, ..load(folder.path()).unwrap() }
 }
 
 /// The pixel position of a point in organza's camera.

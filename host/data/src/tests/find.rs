@@ -6,7 +6,7 @@ use super::colmap_files::{self, sample};
 use super::*;
 
 fn load_with(path: &Path, edit: impl FnOnce(&mut DatasetOptions)) -> Result<Dataset> {
-    let mut options = DatasetOptions::default();
+    let mut options = in_the_world();
     edit(&mut options);
     Dataset::load(path, &options)
 }

@@ -44,7 +44,7 @@ fn every_eighth_frame_is_held_out() {
     assert_eq!(dataset.train.len(), 15);
     assert!(dataset.train.iter().all(|index| index % 8 != 0));
     let every = |hold_out_every| {
-        let options = DatasetOptions { hold_out_every, ..DatasetOptions::default() };
+        let options = DatasetOptions { hold_out_every, ..in_the_world() };
         Dataset::load(folder.path(), &options).unwrap().held_out
     };
     assert_eq!(every(7), [0, 7, 14]);

@@ -10,6 +10,7 @@ mod load;
 mod nasty;
 mod nerfstudio;
 mod photograph;
+mod placement;
 mod ply;
 
 use std::path::Path;
@@ -57,8 +58,13 @@ fn nerfstudio_folder(file: &Value) -> TempDir {
     folder
 }
 
+/// Options with which cameras and points stay where the files have them.
+fn in_the_world() -> DatasetOptions {
+    DatasetOptions::default().placement(Placement::default())
+}
+
 fn load(path: &Path) -> Result<Dataset> {
-    Dataset::load(path, &DatasetOptions::default())
+    Dataset::load(path, &in_the_world())
 }
 
 /// Asserts that a data set is refused, with all the facts in the message.

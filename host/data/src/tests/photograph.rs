@@ -26,7 +26,7 @@ fn camera(width: u32, height: u32) -> Camera {
 fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
     let name = "a".to_owned();
     let mask = None;
-    Shot { name, path, mask, camera, lens, factor: 1, held_out: false }
+    Shot { name, path, mask, camera, pose: POSE, lens, factor: 1, held_out: false }
 }
 
 /// A photograph to be reduced by `factor`.
@@ -37,7 +37,7 @@ fn smaller_shot(path: PathBuf, camera: Camera, lens: Lens, factor: u32) -> Shot 
 impl Shot {
     /// Reads the frame, with all memory available.
     fn developed(&self) -> Result<Frame> {
-        let options = DatasetOptions::default();
+        let options = in_the_world();
         self.develop(&options, &Budget::new(u64::MAX)).map(|(frame, _)| frame)
     }
 }

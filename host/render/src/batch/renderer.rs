@@ -26,7 +26,7 @@ use organza_core::tile::TileBatch;
 ///
 /// // DeviceOptions::default() takes a GPU if there is one
 /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);
-/// // or Scene::load("scene.safetensors") and Camera::load_all("cameras.json")
+/// // or Scene::load("scene.safetensors"), and scene.config.placement.load_cameras("cameras.json")
 /// let scene = renderer.upload(&demo::scene())?;
 /// let cameras = demo::turntable(2, 48);
 ///

@@ -10,6 +10,7 @@ use super::weighted_sum::weighted_sum;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Result};
 use organza_core::Channel;
+use organza_core::scene::Placement;
 
 /// The sums that a channel is made of.
 #[derive(Clone, Copy, PartialEq)]
@@ -31,8 +32,8 @@ fn source(channel: Channel) -> Source {
 /// depend on the device.
 const LEAST_WEIGHT: f32 = 1e-30;
 
-/// The channel of one tile, `[planes, S, S]`, of its sums `[4, S, S]`.
-fn resolve(channel: Channel, sum: &[f32], area: usize) -> Vec<f32> {
+/// The channel of one tile, `[planes, S, S]`, of its sums `[4, S, S]`, in the world where a scene lies.
+fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) -> Vec<f32> {
     let weight = &sum[3 * area..];
     // NaN is covered: it shows what an overflowing network makes of its pixels.
     let is_empty = |weight: f32| weight < LEAST_WEIGHT;
@@ -42,16 +43,22 @@ fn resolve(channel: Channel, sum: &[f32], area: usize) -> Vec<f32> {
         sum.iter().zip(weight).map(|(sum, &weight)| covered(sum / weight, weight)).collect()
     };
     match channel {
-        Channel::Depth => mean(0),
+        Channel::Depth => {
+            let mut depths: Vec<f32> = mean(0);
+            depths.iter_mut().for_each(|depth| *depth *= placement.scale as f32);
+            depths
+        }
         Channel::Visibility => mean(1),
         Channel::Alpha => weight.iter().map(|&weight| covered(weight, weight)).collect(),
         Channel::Normal => {
             let mut normals = sum[..3 * area].to_vec();
+            let to_world = (!placement.is_identity()).then(|| placement.rotation().as_mat3());
             for at in 0..area {
                 let sum = Vec3::from([0, 1, 2].map(|axis| normals[axis * area + at]));
                 let sum = if is_empty(weight[at]) { Vec3::ZERO } else { sum };
                 // the squares of small weights would be 0
                 let normal = (sum / sum.abs().max_element()).normalize_or_zero();
+                let normal = to_world.map_or(normal, |rotation| rotation * normal);
                 for axis in 0..3 {
                     normals[axis * area + at] = normal[axis];
                 }
@@ -71,7 +78,10 @@ pub struct Seen<'a> {
 }
 
 /// The sums of a part's tiles that its channels need, on the device: `[tiles, 4, S, S]` each.
-pub struct ChannelSums(Vec<(Source, Buffer<u32>)>);
+pub struct ChannelSums {
+    sums: Vec<(Source, Buffer<u32>)>,
+    placement: Placement,
+}
 
 impl ChannelSums {
     pub fn new(
@@ -81,13 +91,14 @@ impl ChannelSums {
         channels: &[Channel],
     ) -> Result<Self> {
         let device = scene.device();
+        let placement = scene.config.placement;
         let is_needed = |wanted: &Source| channels.iter().any(|c| source(*c) == *wanted);
         let mut sums = Vec::new();
         if is_needed(&Source::Color) {
             sums.push((Source::Color, composite.sum.view()));
         }
         if ![Source::Measure, Source::Normals].iter().any(is_needed) {
-            return Ok(Self(sums));
+            return Ok(Self { sums, placement });
         }
         let pairs = &bins.pairs;
         let capacity = pairs.count.upper_bound();
@@ -112,23 +123,23 @@ impl ChannelSums {
             let (sum, _) = weighted_sum(scene, side, bins, transmittance, values)?;
             sums.push((source, sum.view()));
         }
-        Ok(Self(sums))
+        Ok(Self { sums, placement })
     }
 
     /// The buffers to read for [`Self::resolve`].
     pub fn buffers(&self) -> impl Iterator<Item = Buffer<u32>> {
-        self.0.iter().map(|(_, sum)| sum.view())
+        self.sums.iter().map(|(_, sum)| sum.view())
     }
 
     /// The channels `[tiles, planes, S, S]`, of the words of [`Self::buffers`].
     pub fn resolve(&self, words: &[Vec<u32>], side: u32, channels: &[Channel]) -> Vec<Vec<f32>> {
         let area = (side * side) as usize;
         let channel = |channel: &Channel| {
-            let mut sums = self.0.iter().zip(words);
+            let mut sums = self.sums.iter().zip(words);
             let found = sums.find(|((found, _), _)| *found == source(*channel));
             let (_, sum) = found.expect("its source is among those needed");
             let tiles = bytemuck::cast_slice(sum).chunks_exact(SUM_PLANES as usize * area);
-            tiles.flat_map(|sum| resolve(*channel, sum, area)).collect()
+            tiles.flat_map(|sum| resolve(*channel, sum, area, &self.placement)).collect()
         };
         channels.iter().map(channel).collect()
     }

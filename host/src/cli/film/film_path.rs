@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 
 use organza::camera::{CameraPath, Orbit};
+use organza::scene::Placement;
 use organza::{Camera, Result, Scene};
 
 use crate::cli::console::Console;
@@ -81,6 +82,7 @@ impl PathArgs {
         console: Console,
     ) -> Result<FilmPath> {
         let Inputs { source, named, data, .. } = *inputs;
+        let placement = &inputs.scene.config.placement;
         let is_between = self.between || (named.is_some() && !self.orbit);
         let has_cameras = named.is_some() || data.is_given() || source.settings()?.is_some();
         let cameras = match is_between || has_cameras {
@@ -100,11 +102,12 @@ impl PathArgs {
             Some(cameras) => {
                 let mut orbit = Orbit::around(&cameras.list)?;
                 orbit.size = [cameras.list[0].width, cameras.list[0].height];
-                self.orbit(orbit, frames, size)?
+                self.orbit(orbit, placement, frames, size)?
             }
             None => {
                 let aabb = inputs.scene.visible_box();
-                self.orbit(Orbit::from_box(aabb, self.size.unwrap_or(Orbit::SIZE)), frames, size)?
+                let orbit = Orbit::from_box(aabb, self.size.unwrap_or(Orbit::SIZE));
+                self.orbit(orbit, placement, frames, size)?
             }
         };
         Ok(FilmPath { frames, cameras })
@@ -135,13 +138,15 @@ impl PathArgs {
     fn orbit(
         &self,
         found: Orbit,
+        placement: &Placement,
         frames: usize,
         size: impl Fn(&Camera) -> [u32; 2],
     ) -> Result<Vec<Camera>> {
+        // what the user gives is of the world
         let orbit = Orbit {
-            center: self.center.unwrap_or(found.center),
-            up: self.up.unwrap_or(found.up),
-            distance: self.distance.unwrap_or(found.distance),
+            center: self.center.map_or(found.center, |center| placement.own(center)),
+            up: self.up.map_or(found.up, |up| placement.own_direction(up)),
+            distance: self.distance.map_or(found.distance, |far| far / placement.scale),
             elevation: self.elevation.map_or(found.elevation, f64::to_radians),
             angle: self.field_of_view.map_or(found.angle, f64::to_radians),
             ..found

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use organza::data::{Pose, Poses};
 use organza::error::format_bytes;
+use organza::scene::Placement;
 use organza::{Camera, DatasetOptions, Result};
 use serde::Serialize;
 
@@ -76,9 +77,10 @@ impl CameraFile {
         }
     }
 
-    /// Reads a data set's cameras as training has them, unless an option says otherwise.
+    /// Reads a data set's cameras as training has them, unless an option says otherwise, but in the world.
     pub fn from_data_set(path: &Path) -> Result<Self> {
-        let poses = Poses::load(path, &DatasetOptions::default())?;
+        let options = DatasetOptions::default().placement(Placement::default());
+        let poses = Poses::load(path, &options)?;
         let info = |pose: Pose| CameraInfo {
             held_out: Some(pose.held_out),
             distorted: pose.distorted,

@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use organza::error::format_bytes;
-use organza::scene::{Contraction, GridConfig, SceneConfig, TensorSpec};
+use organza::scene::{Contraction, GridConfig, Placement, SceneConfig, TensorSpec};
 use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
@@ -21,6 +21,8 @@ pub struct SceneInfo {
     values: usize,
     device_bytes: u64,
     config: SceneConfig,
+    /// Two opposite corners of the box, in the world.
+    corners: [[f64; 3]; 2],
     color_network: Vec<usize>,
     transmittance_network: Vec<usize>,
     color_levels: Vec<Level>,
@@ -59,6 +61,7 @@ impl SceneInfo {
             tensors: tensors.iter().map(info).collect(),
             warnings: scene.warnings(),
             unused_tensors: Scene::unused_tensors(path)?,
+            corners: config.aabb.map(|corner| config.placement.world(corner)),
             config: config.clone(),
         })
     }
@@ -108,6 +111,18 @@ impl fmt::Display for SceneInfo {
 }
 
 impl SceneInfo {
+    /// Where the scene lies in the world.
+    fn placed(&self) -> [(&'static str, String); 3] {
+        let Placement { offset, scale, up, meters, .. } = self.config.placement;
+        let meters = meters.map_or(String::new(), |meters| format!(", {} m", scale * meters));
+        let [lo, hi] = self.corners;
+        [
+            ("corners in the world", format!("{lo:?} and {hi:?}")),
+            ("its own origin", format!("{offset:?} in the world, up is {up:?}")),
+            ("its own unit", format!("{scale} world units{meters}")),
+        ]
+    }
+
     fn write_summary(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let config = &self.config;
         let widths = |widths: &[usize]| {
@@ -152,7 +167,8 @@ impl SceneInfo {
             ("box", format!("{lo:?} to {hi:?}")),
             ("outside the box", outside.to_owned()),
         ];
-        for (label, value) in lines {
+        let placed = (!config.placement.is_identity()).then(|| self.placed()).into_iter().flatten();
+        for (label, value) in lines.into_iter().chain(placed) {
             writeln!(f, "{label:<21}  {value}")?;
         }
         Ok(())

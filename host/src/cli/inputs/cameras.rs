@@ -27,8 +27,7 @@ pub struct Cameras {
 }
 
 impl Cameras {
-    /// Reads cameras. Those of a transforms.json are unchanged; those of a data set are as training has them. A
-    /// folder is a data set, and so is a file if an option of [`DataArgs`] is given. Without a name, the data set is
+    /// Reads cameras, in the scene's coordinates. Those of a data set are undistorted and downscaled. A folder is a data set, and so is a file if an option of [`DataArgs`] is given. Without a name, the data set is
     /// that of the scene's run. `usage` shows how to name cameras.
     pub fn load(
         scene: &SceneSource,
@@ -38,7 +37,7 @@ impl Cameras {
         console: Console,
     ) -> Result<Self> {
         let cameras = match named {
-            Some(file) if !file.is_dir() && !args.is_given() => Self::from_file(file)?,
+            Some(file) if !file.is_dir() && !args.is_given() => Self::from_file(scene, file)?,
             _ => Self::from_data_set(scene, named, args, usage, console)?,
         };
         let number = count(cameras.list.len() as u64, "view");
@@ -46,9 +45,9 @@ impl Cameras {
         Ok(cameras)
     }
 
-    fn from_file(file: &Path) -> Result<Self> {
-        let list =
-            Camera::load_all(file).map_err(|error| told_apart(error, file, Expected::Cameras))?;
+    fn from_file(scene: &SceneSource, file: &Path) -> Result<Self> {
+        let list = scene.placement().load_cameras(file);
+        let list = list.map_err(|error| told_apart(error, file, Expected::Cameras))?;
         let named = list.iter().flat_map(|camera| photographs(camera, file));
         let photographs = existing(named);
         Ok(Self { all: list.clone(), list, origin: file.to_owned(), photographs })
@@ -63,7 +62,9 @@ impl Cameras {
     ) -> Result<Self> {
         let settings = args.settings(scene, named, usage)?;
         let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
-        let poses = DataSet::open(settings, console)?.refined(scene, named)?.cameras()?;
+        let poses = DataSet::open(settings, scene.placement(), console)?
+            .refined(scene, named)?
+            .cameras()?;
         let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));
         let all = poses.iter().map(|pose| pose.camera.clone()).collect();
         let split = args.split(Split::All);

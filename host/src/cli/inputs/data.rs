@@ -5,6 +5,7 @@ use std::path::Path;
 
 use clap::ValueEnum;
 use organza::data::{Background, Dataset, Point, Pose, Poses};
+use organza::scene::Placement;
 use organza::train::config::DataConfig;
 use organza::train::{Checkpoint, built_in};
 use organza::view::Photographs;
@@ -128,8 +129,14 @@ impl Split {
 
 impl DataSet {
     /// Reads the cameras, and warns of files that are missing or outside. [`Self::read`] reads the photographs.
-    pub fn open(settings: DataConfig, console: Console) -> Result<Self> {
-        let open = |path| Poses::load(path, &settings.options());
+    /// Cameras and points get the coordinates of a scene with this placement; without one, the data set's own.
+    pub fn open(
+        settings: DataConfig,
+        placement: impl Into<Option<Placement>>,
+        console: Console,
+    ) -> Result<Self> {
+        let options = settings.options().placement(placement);
+        let open = |path| Poses::load(path, &options);
         let poses = match &settings.path {
             Some(path) => Some(open(path).map_err(|e| told_apart(e, path, Expected::DataSet))?),
             None => None,

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use organza::scene::Placement;
 use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
 use organza::{Error, Result, Scene};
 
@@ -69,6 +70,12 @@ impl SceneSource {
             start.elapsed().as_secs_f64()
         ));
         Ok(scene)
+    }
+
+    /// Where the scene lies in the world. Other files, such as Gaussians to import, have the world's coordinates; what is no
+    /// file of organza is reported when it is read.
+    pub fn placement(&self) -> Placement {
+        Scene::load_config(&self.file).map(|config| config.placement).unwrap_or_default()
     }
 
     /// The settings of the run, if the user named a run's folder.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
 
+use super::first_steps::FirstSteps;
 use super::state::State;
 use super::{Event, Outcome, Session, Watch};
 use crate::binding::Change;
@@ -17,7 +18,7 @@ use crate::progress::Progress;
 use crate::ranks::{self, Split};
 use crate::resume::OpenLog;
 use crate::shard::check_shards;
-use crate::start::first_scene;
+use crate::start::first_scene_with;
 use crate::trainer::Trainer;
 use organza_core::error::{self, Result};
 use organza_core::ranks::Grid;
@@ -83,6 +84,7 @@ impl Session<'_> {
             best,
             stages: BTreeMap::new(),
             since: (0, progress.seconds),
+            first_steps: FirstSteps::default(),
             watch,
             hooks,
         }
@@ -102,7 +104,10 @@ impl Session<'_> {
         let resumes = resume && path.exists();
         let scene = match resumes {
             true => None,
-            false => Some(first_scene(self.config, self.dataset)?),
+            false => {
+                let mut warn = |text: &str| watch(Event::Warning(text));
+                Some(first_scene_with(self.config, self.dataset, &mut warn)?)
+            }
         };
         let shard = |index: usize| match &scene {
             Some(scene) => {

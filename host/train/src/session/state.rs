@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
+use super::first_steps::FirstSteps;
 use super::{Event, Outcome, Session, Watch};
 use crate::binding::{Binding, Change};
 use crate::evaluate::Evaluation;
@@ -41,6 +42,7 @@ pub(super) struct State<'a, 'w, 'h> {
     pub stages: BTreeMap<&'static str, f64>,
     /// Tiles since the last logged line, and the seconds at that time.
     pub since: (usize, f64),
+    pub first_steps: FirstSteps,
     pub watch: &'w mut Watch<'w>,
     pub hooks: &'w mut StepHooks<'h>,
 }
@@ -204,6 +206,7 @@ impl State<'_, '_, '_> {
                 rates,
             })?;
         }
+        self.judge(&report)?;
         let seconds = self.seconds;
         let scene = self.trainer.scene();
         let report = &report;
@@ -233,12 +236,13 @@ impl State<'_, '_, '_> {
     fn save_cameras(&self) -> Result<()> {
         let Some(refined) = self.trainer.refined_cameras() else { return Ok(()) };
         let Session { dataset, folder, .. } = self.session;
-        let mut cameras: Vec<_> = dataset.frames.iter().map(|frame| frame.camera.clone()).collect();
+        let given = dataset.frames.iter().zip(&dataset.poses).map(|(frame, &camera_to_world)| {
+            let file_path = Some(frame.name.clone());
+            Camera { camera_to_world, file_path, ..frame.camera.clone() }
+        });
+        let mut cameras: Vec<_> = given.collect();
         for (&frame, camera) in dataset.train.iter().zip(refined) {
-            cameras[frame] = camera.clone();
-        }
-        for (camera, frame) in cameras.iter_mut().zip(&dataset.frames) {
-            camera.file_path = Some(frame.name.clone());
+            cameras[frame].camera_to_world = dataset.placement.world_camera(camera).camera_to_world;
         }
         Camera::save_all(folder.path().join(CAMERAS), &cameras)
     }

@@ -13,6 +13,12 @@ export const cross = (a, b) => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
+// A place of the scene, in the world.
+export function toWorld({ offset, scale: units, up, right }, [x, y, z]) {
+  const turned = add(add(scale(right, x), scale(cross(up, right), y)), scale(up, z));
+  return add(offset, scale(turned, units));
+}
+
 export const column = (pose, axis) => [pose[0][axis], pose[1][axis], pose[2][axis]];
 export const eyeOf = (pose) => column(pose, 3);
 export const forwardOf = (pose) => scale(column(pose, 2), -1);

@@ -58,7 +58,7 @@ const view = {
   // Orbit around what is behind a pixel: the depth is that of the Gaussian with the largest alpha.
   async focus(pixel) {
     const depth = await explain.depth(pixel.map(Math.floor));
-    if (depth) view.center = unproject(view.camera, pixel, depth);
+    if (depth) view.center = unproject(view.camera, pixel, depth / scene.placement.scale);
     overlay.ping(view.center);
   },
   // In the mode of depth, the depth where the pointer rests.

@@ -1,0 +1,303 @@
+//! Where a scene lies in the world.
+
+use std::path::Path;
+
+use glam::{DMat3, DVec3};
+use serde::{Deserialize, Serialize};
+
+use super::grid::Problem;
+use crate::camera::{Camera, Target, median, upward};
+use crate::error::Result;
+
+/// Distance of the cameras from what they look at, in units of the scene. The near plane at 0.01 is then close to them.
+const DISTANCE: f64 = 4.0;
+/// The same where the cameras look at no common place: some may stand close to what they show.
+const SPREAD_DISTANCE: f64 = 100.0;
+/// Cosine of the angle between the cameras' upward direction and an axis of the world, within which the axis is taken:
+/// somebody has aligned the data set. It is 5 degrees.
+const ALIGNED: f64 = 0.996_194_698_091_745_5;
+/// Smallest distance between cameras, relative to their coordinates, that is not a rounding error.
+const ROUNDING: f64 = 1e-12;
+/// Largest difference of the axes from unit vectors at right angles.
+const ORTHONORMAL: f64 = 1e-6;
+
+/// Where a scene lies in the world, which is the data set's own space: `world = offset + scale R own`.
+///
+/// A scene has coordinates of its own, so that positions as f32 keep their digits, the near plane fits, and up is z. The default
+/// leaves everything where it is.
+///
+/// ```
+/// use organza_core::Camera;
+/// use organza_core::scene::Placement;
+///
+/// // a ring of cameras 4 mm from an object, in meters, and far from the origin
+/// let camera = |turn: f64| {
+///     let eye = [5e5 + 0.004 * turn.cos(), 5e6 + 0.004 * turn.sin(), 300.0];
+///     Camera::look_at(eye, [5e5, 5e6, 300.0], [0.0, 0.0, 1.0], 0.8, [640, 480])
+/// };
+/// let cameras: Vec<_> = (0..8).map(|i| camera(f64::from(i))).collect::<Result<_, _>>()?;
+/// let placement = Placement::of(&cameras, &[]);
+/// let own = placement.own_camera(&cameras[0]);
+/// assert!(own.eye().iter().all(|x| x.abs() < 4.1));
+/// # Ok::<(), organza_core::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Placement {
+    /// The scene's origin, in world units.
+    pub offset: [f64; 3],
+    /// World units in one unit of the scene.
+    pub scale: f64,
+    /// The scene's z axis in the world, a unit vector.
+    pub up: [f64; 3],
+    /// The scene's x axis in the world, a unit vector.
+    pub right: [f64; 3],
+    /// Meters in one world unit, if somebody has measured it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub meters: Option<f64>,
+}
+
+impl Default for Placement {
+    fn default() -> Self {
+        let up = [0.0, 0.0, 1.0];
+        Self { offset: [0.0; 3], scale: 1.0, up, right: [1.0, 0.0, 0.0], meters: None }
+    }
+}
+
+impl Placement {
+    /// The placement in which cameras surround the origin at about one distance, and z is up. It moves, turns and grows
+    /// with the cameras. `points` give a distance to cameras that stand still.
+    #[must_use]
+    pub fn of(cameras: &[Camera], points: &[[f64; 3]]) -> Self {
+        let eye = |camera: &Camera| DVec3::from(camera.eye());
+        // first the axes, so that nothing else depends on those of the world
+        let up = aligned(upward(cameras.iter()));
+        let right = cameras.first().map_or(DVec3::X, |first| rightward(first, up));
+        let axes = Self { up: up.to_array(), right: right.to_array(), ..Self::default() };
+        let along = |axis: usize| median(cameras.iter().map(|camera| axes.own(camera.eye())[axis]));
+        let middle = DVec3::from(axes.world([along(0), along(1), along(2)]));
+        let spread = median(cameras.iter().map(|camera| eye(camera).distance(middle)));
+        let is_still = spread <= ROUNDING * middle.abs().max_element();
+        let unit = match is_still {
+            false => spread,
+            true => median(points.iter().map(|point| DVec3::from(*point).distance(middle))),
+        };
+        let unit = if unit > 0.0 && unit.is_finite() { unit } else { 1.0 };
+        // from here on, numbers are near 1
+        let near = Self { offset: middle.to_array(), scale: unit, ..axes };
+        let cameras: Vec<_> = cameras.iter().map(|camera| near.own_camera(camera)).collect();
+        let target = Target::from_cameras(&cameras);
+        let distance = if target.is_met || is_still { DISTANCE } else { SPREAD_DISTANCE };
+        let offset = near.world(target.center.to_array());
+        Self { offset, scale: unit * target.distance / distance, ..axes }
+    }
+
+    /// The same in a world whose unit is the meter, if meters are known.
+    #[must_use]
+    pub fn in_meters(&self) -> Self {
+        let meters = self.meters.unwrap_or(1.0);
+        let offset = self.offset.map(|x| x * meters);
+        Self { offset, scale: self.scale * meters, meters: None, ..*self }
+    }
+
+    /// Whether the scene's coordinates are those of the world.
+    #[must_use]
+    pub fn is_identity(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// The rotation from the scene's axes to those of the world.
+    #[must_use]
+    pub fn rotation(&self) -> DMat3 {
+        let up = DVec3::from(self.up);
+        let right = DVec3::from(self.right);
+        DMat3::from_cols(right, up.cross(right), up)
+    }
+
+    /// A place of the world, in the scene.
+    #[must_use]
+    pub fn own(&self, place: [f64; 3]) -> [f64; 3] {
+        let offset = DVec3::from(place) - DVec3::from(self.offset);
+        (self.rotation().transpose() * offset / self.scale).to_array()
+    }
+
+    /// A place of the scene, in the world.
+    #[must_use]
+    pub fn world(&self, place: [f64; 3]) -> [f64; 3] {
+        let offset = self.rotation() * DVec3::from(place) * self.scale;
+        (DVec3::from(self.offset) + offset).to_array()
+    }
+
+    /// A direction of the world, in the scene.
+    #[must_use]
+    pub fn own_direction(&self, direction: [f64; 3]) -> [f64; 3] {
+        (self.rotation().transpose() * DVec3::from(direction)).to_array()
+    }
+
+    /// A direction of the scene, in the world.
+    #[must_use]
+    pub fn world_direction(&self, direction: [f64; 3]) -> [f64; 3] {
+        (self.rotation() * DVec3::from(direction)).to_array()
+    }
+
+    /// A camera of the world, in the scene. Its image stays as it is.
+    #[must_use]
+    pub fn own_camera(&self, camera: &Camera) -> Camera {
+        if self.is_identity() {
+            return camera.clone();
+        }
+        placed(camera, self.rotation().transpose(), self.own(camera.eye()))
+    }
+
+    /// Reads cameras of the world, as [`Camera::load_all`] does, into the scene.
+    ///
+    /// # Errors
+    /// The same errors as [`Camera::load_all`].
+    pub fn load_cameras(&self, path: impl AsRef<Path>) -> Result<Vec<Camera>> {
+        Ok(Camera::load_all(path)?.iter().map(|camera| self.own_camera(camera)).collect())
+    }
+
+    /// A camera of the scene, in the world. Its image stays as it is.
+    #[must_use]
+    pub fn world_camera(&self, camera: &Camera) -> Camera {
+        if self.is_identity() {
+            return camera.clone();
+        }
+        placed(camera, self.rotation(), self.world(camera.eye()))
+    }
+
+    pub(super) fn check(&self) -> Result<(), Problem> {
+        let Self { offset, scale, up, right, meters } = self;
+        if !offset.iter().all(|value| value.is_finite()) {
+            let reason = format!("has the offset {offset:?}, expected finite numbers");
+            return Err(Problem::new("placement", reason));
+        }
+        let lengths = [Some(*scale), *meters].into_iter().flatten();
+        if let Some(length) = lengths.into_iter().find(|x| !(x.is_normal() && *x > 0.0)) {
+            let reason = format!("has a scale of {length}, expected a positive number");
+            return Err(Problem::new("placement", reason));
+        }
+        let rotation = self.rotation();
+        let off = rotation.transpose() * rotation - DMat3::IDENTITY;
+        // not so for NaN
+        let is_small = |x: f64| x.abs() <= ORTHONORMAL;
+        if !off.to_cols_array().into_iter().all(is_small) {
+            let reason = format!(
+                "has the axes {right:?} (right) and {up:?} (up), expected unit vectors at right angles"
+            );
+            return Err(Problem::new("placement", reason));
+        }
+        Ok(())
+    }
+}
+
+/// The horizontal direction to the right, given the one upward. The axes of the world stay axes; otherwise it is the one from
+/// which the first camera looks.
+fn rightward(first: &Camera, up: DVec3) -> DVec3 {
+    if up.abs().max_element() == 1.0 {
+        return if up.x == 0.0 { DVec3::X } else { -up.x * DVec3::Z };
+    }
+    let axis = |column: usize| {
+        let axis = std::array::from_fn(|row| first.camera_to_world[row][column]);
+        DVec3::from_array(axis).reject_from_normalized(up)
+    };
+    // a camera that looks straight down has an upper edge
+    let level = if axis(2).length() > 1e-3 { axis(2) } else { axis(1) };
+    level.try_normalize().unwrap_or_else(|| up.any_orthonormal_vector())
+}
+
+/// An axis of the world that is near a direction, or else the direction itself.
+fn aligned(up: DVec3) -> DVec3 {
+    let axis = up.round();
+    if axis.length_squared() == 1.0 && axis.dot(up) >= ALIGNED { axis } else { up }
+}
+
+/// A camera with turned axes, at another place.
+fn placed(camera: &Camera, turn: DMat3, eye: [f64; 3]) -> Camera {
+    let mut placed = camera.clone();
+    let rows = &mut placed.camera_to_world;
+    for axis in 0..3 {
+        let column =
+            DVec3::from_array(std::array::from_fn(|row| camera.camera_to_world[row][axis]));
+        let turned = (turn * column).to_array();
+        turned.into_iter().zip(rows.iter_mut()).for_each(|(value, row)| row[axis] = value);
+    }
+    eye.into_iter().zip(rows.iter_mut()).for_each(|(value, row)| row[3] = value);
+    placed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ring of cameras around a place, in a world that a similarity has moved.
+    fn ring(turn: DMat3, scale: f64, offset: DVec3) -> Vec<Camera> {
+        let camera = |i: u32| {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 12.0).sin_cos();
+            let place = |place: [f64; 3]| (offset + scale * (turn * DVec3::from(place))).to_array();
+            let eye = place([1.0 + 4.0 * cos, 2.0 + 4.0 * sin, 5.0]);
+            let up = (turn * DVec3::Z).to_array();
+            Camera::look_at(eye, place([1.0, 2.0, 3.0]), up, 0.8, [64, 48]).unwrap()
+        };
+        (0..12).map(camera).collect()
+    }
+
+    #[test]
+    fn own_coordinates_do_not_depend_on_those_of_the_world() {
+        let turned = DMat3::from_rotation_x(0.7) * DMat3::from_rotation_z(-2.0);
+        let upside_down = DMat3::from_rotation_x(std::f64::consts::PI);
+        let y_down = DMat3::from_rotation_x(std::f64::consts::FRAC_PI_2);
+        let expected = ring(DMat3::IDENTITY, 1.0, DVec3::ZERO);
+        let at_home = Placement::of(&expected, &[]);
+        assert_eq!((at_home.up, at_home.right), ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]));
+        let expected: Vec<_> = expected.iter().map(|camera| at_home.own_camera(camera)).collect();
+        let utm = DVec3::new(512_345.25, 4_612_345.5, 312.0);
+        let ecef = DVec3::new(3_782_000.0, 902_000.0, 5_038_000.0);
+        for (turn, scale, offset) in [
+            (DMat3::IDENTITY, 1e-4, DVec3::ZERO),
+            (DMat3::IDENTITY, 1e4, DVec3::ZERO),
+            (DMat3::IDENTITY, 1.0, utm),
+            (turned, 1.0, ecef),
+            (turned, 1e-4, DVec3::ONE),
+            (y_down, 1.0, DVec3::ZERO),
+            (upside_down, 1.0, DVec3::ZERO),
+        ] {
+            let world = ring(turn, scale, offset);
+            let placement = Placement::of(&world, &[]);
+            assert!(placement.check().is_ok(), "{placement:?}");
+            for (camera, expected) in world.iter().zip(&expected) {
+                let own = placement.own_camera(camera);
+                let pairs = own.camera_to_world.as_flattened().iter();
+                for (found, expected) in pairs.zip(expected.camera_to_world.as_flattened()) {
+                    assert!((found - expected).abs() < 1e-7, "{scale}, {offset}: {own:?}");
+                }
+                let back = placement.world_camera(&own);
+                let apart = DVec3::from(back.eye()).distance(DVec3::from(camera.eye()));
+                assert!(apart <= 1e-9 * scale.max(offset.length()), "{apart}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_cameras_surround_the_origin_at_one_distance_and_stand_upright() {
+        let placement = Placement::of(&ring(DMat3::from_rotation_y(0.4), 30.0, DVec3::ONE), &[]);
+        let world = ring(DMat3::from_rotation_y(0.4), 30.0, DVec3::ONE);
+        for camera in world.iter().map(|camera| placement.own_camera(camera)) {
+            assert!((DVec3::from(camera.eye()).length() - DISTANCE).abs() < 1e-6);
+            // level images: the direction to the right has no part along z
+            assert!(camera.camera_to_world[2][0].abs() < 1e-6);
+            assert!(camera.camera_to_world[2][1] > 0.0);
+        }
+    }
+
+    #[test]
+    fn points_are_the_measure_of_a_camera_that_stands_still() {
+        let up = [0.0, 0.0, 1.0];
+        for scale in [1e-4, 1.0, 1e4] {
+            let look = [scale, 0.0, 0.0];
+            let camera = Camera::look_at([0.0; 3], look, up, 0.8, [64, 48]).unwrap();
+            let placement = Placement::of(&[camera], &[look, look, [0.0, scale, 0.0]]);
+            let place = DVec3::from(placement.own(look)) - DVec3::from(placement.own([0.0; 3]));
+            assert!((place.length() - DISTANCE).abs() < 1e-9, "{scale}: {placement:?}");
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Data sets in any units, anywhere: scenes have coordinates of their own.
+
+use std::fs;
+
+use organza::scene::Placement;
+use organza::train::CHECKPOINT;
+use organza::{Camera, Scene, splats};
+use serde_json::{Value, json};
+
+use super::runs::{TINY, sandbox};
+use crate::sandbox::Sandbox;
+
+/// Moves a sandbox's photographs: `world = offset + scale R old`, where R exchanges the axes if `is_turned`.
+fn move_world(sandbox: &Sandbox, scale: f64, offset: [f64; 3], is_turned: bool) {
+    let path = sandbox.path("views/transforms.json");
+    let mut file: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    for frame in file["frames"].as_array_mut().unwrap() {
+        let old = frame["transform_matrix"].clone();
+        for row in 0..3 {
+            let from = if is_turned { (row + 1) % 3 } else { row };
+            for column in 0..4 {
+                let value = old[from][column].as_f64().unwrap();
+                let moved = if column == 3 { offset[row] + scale * value } else { value };
+                frame["transform_matrix"][row][column] = json!(moved);
+            }
+        }
+    }
+    fs::write(path, file.to_string()).unwrap();
+}
+
+fn json_of(sandbox: &Sandbox, words: &str) -> Value {
+    serde_json::from_str(&sandbox.run(words).assert_ok().stdout).expect("JSON")
+}
+
+#[test]
+fn a_world_is_learned_alike_in_any_units_and_anywhere() {
+    let psnr = |scale: f64, offset: [f64; 3], is_turned: bool| {
+        let sandbox = sandbox();
+        move_world(&sandbox, scale, offset, is_turned);
+        json_of(&sandbox, &format!("{TINY} run --json"))["psnr"].as_f64().unwrap()
+    };
+    let expected = psnr(1.0, [0.0; 3], false);
+    for (scale, offset, is_turned) in [
+        (1e-4, [0.0; 3], false),
+        (1e4, [0.0; 3], false),
+        (1.0, [512_345.25, 4_612_345.5, 312.0], false),
+        (1e-3, [3_782_000.0, 902_000.0, 5_038_000.0], true),
+    ] {
+        let found = psnr(scale, offset, is_turned);
+        println!("{scale:e} {offset:?} {is_turned}: {found} dB, and {expected} dB at home");
+        assert!((found - expected).abs() < 0.5, "{scale}, {offset:?}: {found}, not {expected}");
+    }
+}
+
+/// What goes in and comes out has the coordinates of the data set.
+#[test]
+fn commands_speak_of_the_world() {
+    let sandbox = sandbox();
+    let offset = [100.0, -200.0, 300.0];
+    move_world(&sandbox, 30.0, offset, true);
+    sandbox.run(&format!("{TINY} run --refine-poses")).assert_ok();
+    let given = Camera::load_all(sandbox.path("views/transforms.json")).unwrap();
+    let refined = Camera::load_all(sandbox.path("run/cameras.json")).unwrap();
+    for (given, refined) in given.iter().zip(&refined) {
+        let apart = (0..3).map(|axis| (given.eye()[axis] - refined.eye()[axis]).abs());
+        assert!(apart.fold(0.0, f64::max) < 3.0, "{given:?}, {refined:?}");
+    }
+    assert_eq!(given[0].camera_to_world, refined[0].camera_to_world);
+
+    // the same view by its own name and from a file of the world; depths are those of the world
+    let depth = "--channels depth --format exr --backend cpu --views 1";
+    sandbox.run(&format!("render run -o by-run {depth}")).assert_ok();
+    sandbox.run(&format!("render run run/cameras.json -o by-file {depth}")).assert_ok();
+    let file = |name: &str| fs::read(sandbox.path(name)).unwrap();
+    assert!(file("by-run/view-001.png") == file("by-file/view-001.png"));
+    let scene = Scene::load(sandbox.path("run").join(CHECKPOINT)).unwrap();
+    let placement = scene.config.placement;
+    let center = placement.world([0.0; 3]);
+    assert!((0..3).all(|axis| (center[axis] - offset[axis]).abs() < 6.0), "{center:?}");
+    // z has become y
+    assert!(placement.up[1] > 0.99, "{placement:?}");
+    for camera in &given {
+        let apart = (0..3).map(|axis| (camera.eye()[axis] - center[axis]).powi(2)).sum::<f64>();
+        let units = apart.sqrt() / placement.scale;
+        assert!((units - 4.0).abs() < 0.6, "{units}");
+    }
+
+    // Gaussians of the scene, in the world
+    sandbox.run("export run -o run.ply --steps 0 --backend cpu").assert_ok();
+    let written = splats::load(sandbox.path("run.ply")).unwrap();
+    let places: Vec<_> = scene.gaussians.position.iter().collect();
+    for splat in &written {
+        let own = placement.own(splat.position.map(f64::from)).map(|x| x as f32);
+        let near = places.iter().any(|place| (0..3).all(|i| (place[i] - own[i]).abs() < 1e-3));
+        assert!(near, "{own:?}");
+    }
+
+    let info = json_of(&sandbox, "info run --json");
+    let corner: Vec<f64> = serde_json::from_value(info["corners"][0].clone()).unwrap();
+    let low = placement.world(scene.config.aabb[0]);
+    assert_eq!(corner, low);
+    // the box of the scene keeps all that is in it, and a ball around the origin nothing
+    let corners = info["corners"].as_array().unwrap();
+    let corners = corners.iter().flat_map(|corner| corner.as_array().unwrap());
+    let corners: Vec<_> = corners.map(Value::to_string).collect();
+    let words = format!("edit run -o cut.safetensors --box {} --json", corners.join(","));
+    let [lo, hi] = scene.config.aabb;
+    let inside = places
+        .iter()
+        .filter(|place| (0..3).all(|i| (lo[i] as f32..=hi[i] as f32).contains(&place[i])));
+    assert_eq!(json_of(&sandbox, &words)["gaussians"], inside.count());
+    sandbox
+        .run("edit run -o none.safetensors --sphere 0,0,0,50 --backend cpu")
+        .assert_refused(&["nothing would be left"]);
+
+    // a file in meters, at 2 cm a unit
+    let words = "edit run -o scaled.safetensors --measured 0,0,0,0,25,0,0.5";
+    sandbox.run(&format!("{words} --backend cpu")).assert_ok();
+    sandbox
+        .run("export scaled.safetensors views/transforms.json -o m.ply --steps 0 --backend cpu")
+        .assert_ok();
+    sandbox.run("export run views/transforms.json -o w.ply --steps 0 --backend cpu").assert_ok();
+    let [meters, world] = ["m.ply", "w.ply"].map(|name| splats::load(sandbox.path(name)).unwrap());
+    for (meters, world) in meters.iter().zip(&world) {
+        let apart = (0..3).map(|i| (meters.position[i] - 0.02 * world.position[i]).abs());
+        assert!(apart.fold(0.0, f32::max) < 1e-4, "{meters:?}, {world:?}");
+    }
+    for bad in ["--scale 0", "--scale x", "--measured 1,1,1,1,1,1,2", "--measured 1,2,3"] {
+        sandbox.run(&format!("edit run -o bad.safetensors {bad}")).assert_refused(&["expected"]);
+    }
+
+    let [x, y, z] = offset;
+    let film = format!("film run -o film --orbit --center {x},{y},{z} --distance 90 --frames 2");
+    sandbox.run(&format!("{film} --backend cpu")).assert_ok();
+}
+
+/// A run of an older version has no placement. It goes on in the coordinates of its files.
+#[test]
+fn a_run_without_a_placement_goes_on_where_it_is() {
+    let sandbox = sandbox();
+    move_world(&sandbox, 3.0, [1.0, 2.0, 3.0], false);
+    sandbox.run(&format!("{TINY} run --steps 10")).assert_ok();
+    let path = sandbox.path("run").join(CHECKPOINT);
+    let mut scene = Scene::load(&path).unwrap();
+    assert!(!scene.config.placement.is_identity());
+    // the header is text, with room for spaces at its end
+    let mut file = fs::read(&path).unwrap();
+    let length = u64::from_le_bytes(file[..8].try_into().unwrap()) as usize;
+    let header = String::from_utf8(file[8..8 + length].to_vec()).unwrap();
+    let begin = header.find(r#",\"placement\""#).expect("a placement");
+    let end = begin + header[begin..].find("}}").expect("its end") + 1;
+    let old = format!("{}{}{}", &header[..begin], &header[end..], " ".repeat(end - begin));
+    file[8..8 + length].copy_from_slice(old.as_bytes());
+    fs::write(&path, file).unwrap();
+    scene.config.placement = Placement::default();
+    assert_eq!(Scene::load(&path).unwrap(), scene);
+
+    sandbox.run("train --resume run --steps 12 --backend cpu").assert_ok();
+    let scene = Scene::load(&path).unwrap();
+    assert!(scene.config.placement.is_identity());
+}

@@ -94,7 +94,7 @@ impl Args {
             return self.frame(source, console);
         }
         let (Some(cameras), Some(tiles)) = (&self.cameras, &self.tiles) else {
-            return refuse(format!("cameras and tiles are missing: `{usage}`, or add `--frame`"));
+            return refuse(format!("cameras and tiles are required: `{usage}`, or add `--frame`"));
         };
         let batch = load_batch(tiles)?;
         let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;

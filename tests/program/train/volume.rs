@@ -112,7 +112,7 @@ fn a_step_sends_as_much_as_ever() {
     // two shards, and two groups of two
     let shards = [2, 4].map(sent_by_shards);
     insta::assert_snapshot!([views, shards.concat()].concat(), @"
-    sum 16, max 24, exchange 18952, gather 7200, or 488, sum 17408, gather 80
+    sum 16, max 24, exchange 19024, gather 7200, or 488, sum 17408, gather 80
     sum 16, max 24, exchange 13112, gather 7128, or 488, sum 17408, gather 80
     sum 32808, or 512, sum 16, max 24, or 460, sum 17408, gather 0, exchange 0
     sum 32808, or 512, sum 16, max 24, or 460, sum 17408, gather 1600, exchange 33600

@@ -51,32 +51,34 @@ pub fn export<'py>(
     let scene = Arc::clone(&scene.0);
     let dataset = dataset.map(|data| Arc::clone(&data.dataset));
     let cameras = cameras.map(|cameras| cameras.in_scene(&scene.config));
-    let (psnr, gaussians, first_psnr, beside, offset) = job::run_while_awaited(py, move |awaited| {
-        let placement = scene.config.placement;
-        let dataset = dataset.map(|data| match data.placement == placement {
-            true => data,
-            false => Arc::new(organza::Dataset::clone(&data).placed(placement)),
-        });
-        let views = match (cameras, &dataset) {
-            (Some(cameras), _) => Views::from_cameras(cameras),
-            (None, Some(data)) => Views::from_data_set(data),
-            (None, None) => Views::around(scene.visible_box())?,
-        };
-        let uploaded = &lock(&held).scene;
-        let mut check_signals = |_| awaited();
-        let found = splats::distill(&renderer, &scene, uploaded, &views, fit, &mut check_signals)?;
-        let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
-        awaited()?;
-        let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
-        let mut world = found.splats.clone();
-        let offset = splats::to_world(&mut world, &placement);
-        let mut written = splats::save(&world, &path, format, up)?;
-        // what the file holds is compared where the scene is
-        let kept = if offset.is_some() { [0.0; 3] } else { placement.offset };
-        splats::to_own(&mut written, &Placement { offset: kept, ..placement });
-        let beside = splats::compare_splats(&renderer, uploaded, &written, &frames)?;
-        Ok((found.psnr_of(&written), written.len(), found.first_psnr, beside, offset))
-    })?;
+    let (psnr, gaussians, first_psnr, beside, offset) =
+        job::run_while_awaited(py, move |awaited| {
+            let placement = scene.config.placement;
+            let dataset = dataset.map(|data| match data.placement == placement {
+                true => data,
+                false => Arc::new(organza::Dataset::clone(&data).placed(placement)),
+            });
+            let views = match (cameras, &dataset) {
+                (Some(cameras), _) => Views::from_cameras(cameras),
+                (None, Some(data)) => Views::from_data_set(data),
+                (None, None) => Views::around(scene.visible_box())?,
+            };
+            let uploaded = &lock(&held).scene;
+            let mut check_signals = |_| awaited();
+            let found =
+                splats::distill(&renderer, &scene, uploaded, &views, fit, &mut check_signals)?;
+            let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
+            awaited()?;
+            let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
+            let mut world = found.splats.clone();
+            let offset = splats::to_world(&mut world, &placement);
+            let mut written = splats::save(&world, &path, format, up)?;
+            // what the file holds is compared where the scene is
+            let kept = if offset.is_some() { [0.0; 3] } else { placement.offset };
+            splats::to_own(&mut written, &Placement { offset: kept, ..placement });
+            let beside = splats::compare_splats(&renderer, uploaded, &written, &frames)?;
+            Ok((found.psnr_of(&written), written.len(), found.first_psnr, beside, offset))
+        })?;
     let dict = PyDict::new(py);
     dict.set_item("gaussians", gaussians)?;
     dict.set_item("offset", offset.unwrap_or_default())?;

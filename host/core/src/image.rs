@@ -14,6 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
 pub use origin::{Marked, Origin, read_origin};
 use png::{BitDepth, ColorType};
+use rayon::prelude::*;
 
 use crate::error::{Error, Result};
 use crate::rendered::RenderedTiles;
@@ -129,24 +130,31 @@ impl Image {
     ///
     /// # Panics
     /// If there are fewer words than pixels in the tiles.
-    pub fn paste_words(&mut self, side: u32, tiles: impl Iterator<Item = Tile>, words: &[u32]) {
+    pub fn paste_words(&mut self, side: u32, tiles: &[Tile], words: &[u32]) {
         let [width, height] = self.size();
         let side = side as usize;
-        for (tile, words) in tiles.zip(words.chunks(side * side)) {
-            let [left, top] = tile.origin.map(i64::from);
-            let columns = visible(left, side, width);
-            for y in visible(top, side, height) {
-                let first = (y - top) as usize * side;
-                let row = &words[first + (columns.start - left) as usize
-                    ..first + (columns.end - left) as usize];
-                let to = y as usize * width as usize + columns.start as usize;
-                for (pixel, word) in self.pixels[to..to + row.len()].iter_mut().zip(row) {
+        let tiles: Vec<_> = tiles.iter().zip(words.chunks(side * side)).collect();
+        let paste = |(y, row): (usize, &mut [[u8; 3]])| {
+            let mut not_finite = 0;
+            for (tile, words) in &tiles {
+                let [left, top] = tile.origin.map(i64::from);
+                if !visible(top, side, height).contains(&(y as i64)) {
+                    continue;
+                }
+                let columns = visible(left, side, width);
+                let first = (y as i64 - top) as usize * side;
+                let words = &words[first + (columns.start - left) as usize..];
+                let pixels = &mut row[columns.start as usize..columns.end as usize];
+                for (pixel, word) in pixels.iter_mut().zip(words) {
                     let [r, g, b, is_finite] = word.to_le_bytes();
                     *pixel = [r, g, b];
-                    self.not_finite += u64::from(is_finite == 0);
+                    not_finite += u64::from(is_finite == 0);
                 }
             }
-        }
+            not_finite
+        };
+        let rows = self.pixels.par_chunks_mut((width as usize).max(1)).enumerate();
+        self.not_finite += rows.map(paste).sum::<u64>();
     }
 
     /// Copies `other` to column `left` and row `top`. Parts beyond the edge are cut off.

@@ -20,6 +20,7 @@ mod module;
 mod naga_check;
 mod not_numbers;
 mod rules;
+mod shared_bools;
 mod small_integers;
 mod snapshots;
 mod tool;

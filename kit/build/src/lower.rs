@@ -9,7 +9,7 @@ use rspirv::spirv::{Capability, ExecutionMode, Op};
 
 use crate::{
     atomic_arguments, contraction, declarations, expand, ids, loops, memory_model, not_numbers,
-    small_integers,
+    shared_bools, small_integers,
 };
 
 /// The module for drivers, with the size of its workgroups. With `fused`, they may regroup its arithmetic.
@@ -25,6 +25,7 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     // what other kernels use is not of interest
     declarations::sort(&mut module);
     small_integers::widen(&mut module)?;
+    shared_bools::widen(&mut module)?;
     memory_model::lower(&mut module)?;
     expand::expand(&mut module);
     loops::end_at_conditions(&mut module)?;

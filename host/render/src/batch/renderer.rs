@@ -155,7 +155,8 @@ impl Renderer {
             };
             let (words, needed) =
                 device.run_in_pool(|| self.with_predicted_capacity(scene, plan, paint))?;
-            image.paste_words(plan.side, plan.tiles.iter().map(|planned| planned.tile), &words[0]);
+            let tiles: Vec<_> = plan.tiles.iter().map(|planned| planned.tile).collect();
+            device.run_in_pool(|| image.paste_words(plan.side, &tiles, &words[0]));
             report.add(&report_of_part(words[1][0], needed));
             Ok(true)
         })?;

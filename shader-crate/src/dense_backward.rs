@@ -441,7 +441,7 @@ const BLOCKS_TOGETHER: u32 = 4;
 /// there are so many: their rows lie in 48 cache lines, and those of 2 blocks and 16 columns in 72.
 #[inline(always)]
 fn place_of(index: u32, columns: u32) -> [u32; 2] {
-    if columns % 8 == 0 {
+    if columns.is_multiple_of(8) {
         let group = index / (BLOCKS_TOGETHER * columns);
         let at = index % (BLOCKS_TOGETHER * columns);
         [BLOCKS_TOGETHER * group + at / 8 % BLOCKS_TOGETHER, at / 32 * 8 + at % 8]

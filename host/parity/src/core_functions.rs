@@ -105,7 +105,7 @@ impl Parity for CoreFunctions {
             if bits & 0x8000 == 0 { size } else { -size }
         };
         let value = match index / self.u.len() {
-            0 => u32::from((index % WORKGROUP ^ 1).is_multiple_of(3)),
+            0 => u32::from(((index % WORKGROUP) ^ 1).is_multiple_of(3)),
             59 => bits(x.floor()),
             60 => bits(x.round()),
             61 => bits(x.trunc()),

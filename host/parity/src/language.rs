@@ -177,6 +177,7 @@ impl AsWritten {
         divisor.is_finite() && divisor.abs() > 2.0_f32.powi(126)
     }
 
+    #[expect(clippy::eq_op, reason = "of NaN and infinity they are neither 0 nor 1")]
     fn row(row: usize, x: f64, y: f64) -> f64 {
         let r = rounded;
         let c = |x: f32| f64::from(x);

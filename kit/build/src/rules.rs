@@ -297,11 +297,12 @@ impl<'ast> Visit<'ast> for Rules<'_> {
             Expr::Break(_) => self.exit(expression.span(), "break"),
             Expr::Continue(_) => self.exit(expression.span(), "continue"),
             Expr::MethodCall(call) => self.method(call),
-            Expr::Binary(of) if can_grow(of) => {
-                if self.function.as_ref().is_some_and(|of| of.is_uncounted && !of.is_const) {
-                    let remedy = "it has 64 bits on the CPU and 32 on a GPU; use `u32`, or put `#[loops]` on the function: then the CPU run looks at it";
-                    self.report(of.op.span(), "arithmetic in `usize`", remedy);
-                }
+            Expr::Binary(of)
+                if can_grow(of)
+                    && self.function.as_ref().is_some_and(|of| of.is_uncounted && !of.is_const) =>
+            {
+                let remedy = "it has 64 bits on the CPU and 32 on a GPU; use `u32`, or put `#[loops]` on the function: then the CPU run looks at it";
+                self.report(of.op.span(), "arithmetic in `usize`", remedy);
             }
             Expr::Cast(cast) => {
                 if let Type::Path(ty) = &*cast.ty

@@ -69,6 +69,7 @@ pub fn regrouped<O: Copy, S: Copy>(plain: O, short: impl FnOnce() -> S) -> O {
 /// Whether two numbers differ by more than a thousandth of the larger one: by more than some roundings.
 pub fn is_far(a: f32, b: f32) -> bool {
     let size = a.abs().max(b.abs()).max(TINY);
+    let difference = (a - b).abs();
     a.to_bits() != b.to_bits()
-        && (a.is_finite() != b.is_finite() || !((a - b).abs() <= 1e-3 * size))
+        && (a.is_finite() != b.is_finite() || difference.is_nan() || difference > 1e-3 * size)
 }

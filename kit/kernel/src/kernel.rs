@@ -158,13 +158,13 @@ pub struct KernelInfo {
     ///
     /// # Safety
     /// The same as for [`CpuRun`].
-    pub run_variant: Option<unsafe fn(&[CpuBinding], Invocation)>,
+    pub run_variant: Option<InvocationRun>,
     /// One invocation of the plain entry point, with arithmetic that a driver may choose: fused, and regrouped. `None` if that changes nothing,
     /// if the kernel is `fused` anyway, and in release builds.
     ///
     /// # Safety
     /// The same as for [`CpuRun`].
-    pub run_arithmetic: [Option<unsafe fn(&[CpuBinding], Invocation)>; 2],
+    pub run_arithmetic: [Option<InvocationRun>; 2],
 }
 
 impl KernelInfo {
@@ -209,10 +209,13 @@ pub enum CpuRun {
     /// Runs a workgroup.
     Workgroup(WorkgroupRun),
     /// Runs one invocation, which may wait at barriers.
-    Invocation(unsafe fn(&[CpuBinding], Invocation)),
+    Invocation(InvocationRun),
     /// Like `Workgroup`, for each instruction set.
     Lanes(LaneRuns),
 }
+
+/// Runs one invocation of a kernel on the CPU, as [`CpuRun`] says.
+pub type InvocationRun = unsafe fn(&[CpuBinding], Invocation);
 
 /// Runs a workgroup: bindings, workgroup, workgroups, and the first of its invocations with the end of them, along each axis.
 ///

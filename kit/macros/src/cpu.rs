@@ -68,9 +68,11 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
     views.collect()
 }
 
-/// The changes that drivers may make to arithmetic: the name of each, and what makes it, which says whether it changes something.
-const ARITHMETIC: [(&str, fn(&mut syn::Block) -> bool); 2] =
-    [("fused", fused::fuse), ("regrouped", regrouped::regroup)];
+/// Changes a block's arithmetic. Returns whether there was something to change.
+type Change = fn(&mut syn::Block) -> bool;
+
+/// The changes that drivers may make to arithmetic, with their names.
+const ARITHMETIC: [(&str, Change); 2] = [("fused", fused::fuse), ("regrouped", regrouped::regroup)];
 
 /// The kernel with each change of its arithmetic that there is, unless it allows them.
 pub fn with_other_arithmetic(kernel: &Kernel) -> [Option<syn::ItemFn>; 2] {

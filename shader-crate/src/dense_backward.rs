@@ -428,7 +428,7 @@ pub fn dense_weight_backward<L: Lane>(
     }
 }
 
-/// Invocations of [`dense_weight_backward`] for a layer: as many blocks as [`place_of`] puts together.
+/// Invocations of [`dense_weight_backward`] for a layer: neighbors take four blocks of inputs together.
 #[cfg(not(target_arch = "spirv"))]
 pub fn weight_invocations(inputs: u32, columns: u32) -> u32 {
     (inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1).next_multiple_of(BLOCKS_TOGETHER) * columns

@@ -94,7 +94,9 @@ impl Args {
             return self.frame(source, console);
         }
         let (Some(cameras), Some(tiles)) = (&self.cameras, &self.tiles) else {
-            return refuse(format!("cameras and tiles are required: `{usage}`, or add `--frame`"));
+            return refuse(format!(
+                "the arguments CAMERAS and TILES are required: `{usage}`; an image needs `--frame`"
+            ));
         };
         let batch = load_batch(tiles)?;
         let cameras = Cameras::load(&source, Some(cameras), &self.data, usage, console)?.list;

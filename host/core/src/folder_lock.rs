@@ -3,6 +3,7 @@
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use crate::error::{Error, Result};
 
@@ -75,10 +76,17 @@ fn lock(
     path: &Path,
     try_lock: fn(&File) -> Result<(), TryLockError>,
 ) -> io::Result<Result<File, String>> {
+    let mut patience = 10;
     loop {
         let mut file = open(path)?;
         match try_lock(&file) {
             Ok(()) => {}
+            // the last of those that share a lock has it for itself, for a moment at its end
+            Err(TryLockError::WouldBlock) if patience > 0 => {
+                patience -= 1;
+                std::thread::sleep(Duration::from_millis(10));
+                continue;
+            }
             Err(TryLockError::WouldBlock) => {
                 let mut holder = String::new();
                 let _ = (&mut file).take(64).read_to_string(&mut holder);

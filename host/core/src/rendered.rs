@@ -2,6 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use muslin_device::memory;
+
+use crate::error::Result;
 use crate::tile::TileBatch;
 
 /// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/conventions.md` has the
@@ -74,14 +77,19 @@ pub struct RenderReport {
 
 impl RenderedTiles {
     /// The tiles of a batch, without values yet.
-    #[must_use]
-    pub fn new(batch: &TileBatch, channels: &[Channel]) -> Self {
-        Self {
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory) if there is no room for them: before hours of rendering.
+    pub fn new(batch: &TileBatch, channels: &[Channel]) -> Result<Self> {
+        let planes = 3 + channels.iter().map(|channel| channel.planes()).sum::<usize>();
+        let values = batch.tiles.len() as u64 * planes as u64 * u64::from(batch.side).pow(2);
+        memory::check(values * size_of::<f32>() as u64, "the rendered batch")?;
+        Ok(Self {
             side: batch.side,
             count: batch.tiles.len(),
             channels: channels.iter().map(|&channel| (channel, Vec::new())).collect(),
             ..Self::default()
-        }
+        })
     }
 
     /// Red, green and blue of a pixel: column `x` and row `y` of a tile. Values can be outside 0 to 1.

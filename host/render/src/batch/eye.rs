@@ -252,7 +252,7 @@ impl Renderer {
         cache.look_from(camera.for_kernels().eye, scene)?;
         let device = self.device();
         let channels = options.channels;
-        let mut tiles = RenderedTiles::new(batch, channels);
+        let mut tiles = RenderedTiles::new(batch, channels)?;
         let is_whole = self.render_parts(scene, batch, &mut |_, _| {}, &mut |plan| {
             let part = device.run_in_pool(|| cache.render(scene, camera, plan, options))?;
             let Some(part) = part else { return Ok(false) };

@@ -99,7 +99,7 @@ impl Renderer {
         scene.require_gradients()?;
         let version = version(from_ref(scene));
         let (parts, tiles) = self.in_parts(scene, batch, |plans| {
-            let mut tiles = RenderedTiles::new(batch, channels);
+            let mut tiles = RenderedTiles::new(batch, channels)?;
             let mut parts: Vec<KeptPart> = Vec::with_capacity(plans.len());
             let mut most = KEPT_PARTS;
             for plan in plans {

@@ -120,7 +120,7 @@ impl Renderer {
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
-        let mut tiles = RenderedTiles::new(batch, channels);
+        let mut tiles = RenderedTiles::new(batch, channels)?;
         self.render_parts(scene, batch, progress, &mut |plan| {
             let (_, part) = self.render_part(scene, cameras, plan, channels, false)?;
             place(&mut tiles, plan, part, channels)?;

@@ -83,7 +83,7 @@ impl Renderer {
             parts.push(of_slice);
         }
         let (sums, report) = all.finish(ranks, report)?;
-        let mut tiles = RenderedTiles::new(batch, &[]);
+        let mut tiles = RenderedTiles::new(batch, &[])?;
         tiles.data = self.resolve_sums(&shard.fields, batch, &sums)?;
         tiles.report = report;
         Ok(ShardForward { tiles, sums, parts })

@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use organza::camera::Orbit;
 use organza::data::Background;
-use organza::scene::Placement;
 use organza::splats::{self, Fit, Format, Import, Views};
 use organza_core::check_writable;
 use pyo3::prelude::*;
@@ -69,13 +68,9 @@ pub fn export<'py>(
                 splats::distill(&renderer, &scene, uploaded, &views, fit, &mut check_signals)?;
             let frames: Vec<_> = dataset.iter().flat_map(|data| data.held_out_frames()).collect();
             awaited()?;
-            let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
-            let mut world = found.splats.clone();
-            let offset = splats::to_world(&mut world, &placement);
-            let mut written = splats::save(&world, &path, format, up)?;
-            // what the file holds is compared where the scene is
-            let kept = if offset.is_some() { [0.0; 3] } else { placement.offset };
-            splats::to_own(&mut written, &Placement { offset: kept, ..placement });
+            let up = Orbit::around(&views.fitted)?.up;
+            let (written, offset) =
+                splats::save_scene(&found.splats, &path, format, up, &placement)?;
             let beside = splats::compare_splats(&renderer, uploaded, &written, &frames)?;
             Ok((found.psnr_of(&written), written.len(), found.first_psnr, beside, offset))
         })?;

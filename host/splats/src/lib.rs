@@ -16,7 +16,7 @@ mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};
 pub use files::{Format, base_color, load, read_from, save};
-pub use placed::{to_own, to_world};
+pub use placed::{save_scene, to_own};
 pub use sorted::render;
 pub use views::{Views, bounds};
 

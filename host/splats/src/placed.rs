@@ -1,10 +1,13 @@
 //! Gaussians in other coordinates: files have those of the world, scenes their own.
 
+use std::path::Path;
+
 use glam::DVec3;
+use organza_core::error::Result;
 use organza_core::scene::Placement;
 
-use super::Splat;
 use super::turned::turn;
+use super::{Format, Splat, save};
 
 /// Offsets beyond this many units of a scene leave too few digits of an f32 to positions.
 const FARTHEST: f64 = 1e4;
@@ -17,17 +20,40 @@ pub fn to_own(splats: &mut [Splat], placement: &Placement) {
     }
 }
 
-/// Moves Gaussians from a scene into the world. Returns the offset that is left out, because the positions of files
-/// could not hold it: it is many times as large as the scene.
-pub fn to_world(splats: &mut [Splat], placement: &Placement) -> Option<[f64; 3]> {
-    let offset = placement.offset;
-    let is_far = DVec3::from(offset).length() > FARTHEST * placement.scale;
-    let kept = if is_far { [0.0; 3] } else { offset };
-    let placement = Placement { offset: kept, ..*placement };
-    if !placement.is_identity() {
-        turn(splats, placement.rotation(), placement.scale, |place| placement.world(place));
+/// Writes the Gaussians of a scene with [`save`]: in the world, and in meters if these are known. `up` is a direction of the
+/// scene. Returns the Gaussians as they are in the file, in the scene's coordinates, and the offset that the file leaves out, because its
+/// positions could not hold it.
+///
+/// # Errors
+/// The same errors as [`save`].
+pub fn save_scene(
+    splats: &[Splat],
+    path: impl AsRef<Path>,
+    format: Format,
+    up: [f64; 3],
+    placement: &Placement,
+) -> Result<(Vec<Splat>, Option<[f64; 3]>)> {
+    let placement = placement.in_meters();
+    let mut world = splats.to_vec();
+    let offset = to_world(&mut world, &placement);
+    let mut written = save(&world, path, format, placement.world_direction(up))?;
+    to_own(&mut written, &in_file(&placement));
+    Ok((written, offset))
+}
+
+/// Moves Gaussians from a scene into the world of a file. Returns the offset that is left out.
+fn to_world(splats: &mut [Splat], placement: &Placement) -> Option<[f64; 3]> {
+    let in_file = in_file(placement);
+    if !in_file.is_identity() {
+        turn(splats, in_file.rotation(), in_file.scale, |place| in_file.world(place));
     }
-    is_far.then_some(offset)
+    (in_file != *placement).then_some(placement.offset)
+}
+
+/// A placement without an offset that is many times as large as the scene: the positions of files could not hold it.
+fn in_file(placement: &Placement) -> Placement {
+    let is_far = DVec3::from(placement.offset).length() > FARTHEST * placement.scale;
+    Placement { offset: if is_far { [0.0; 3] } else { placement.offset }, ..*placement }
 }
 
 #[cfg(test)]

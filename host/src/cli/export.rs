@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use organza::camera::Orbit;
 use organza::data::{Dataset, Frame};
 use organza::error::format_bytes;
-use organza::scene::Placement;
 use organza::splats::{self, Distilled, Fit, Format, Splat, SplatComparison, Views};
 use organza::{Renderer, Result, Scene};
 
@@ -90,20 +89,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut progress)?
     };
     let placement = scene.config.placement;
-    let up = placement.world_direction(Orbit::around(&views.fitted)?.up);
-    let mut world = distilled.splats.clone();
-    let meters = placement.in_meters();
-    let offset = splats::to_world(&mut world, &meters);
+    let up = Orbit::around(&views.fitted)?.up;
+    let (written, offset) =
+        splats::save_scene(&distilled.splats, &args.output, format, up, &placement)?;
     if let Some([x, y, z]) = offset {
         console.warn(&format!(
             "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
              relative to {x},{y},{z}"
         ));
     }
-    let mut written = splats::save(&world, &args.output, format, up)?;
-    // what the file holds is compared where the scene is
-    let kept = if offset.is_some() { [0.0; 3] } else { meters.offset };
-    splats::to_own(&mut written, &Placement { offset: kept, ..meters });
     say_psnr(&views, &distilled, &written, args.steps, console);
     if let Some(data) = data {
         let frames: Vec<_> = data.held_out_frames().collect();

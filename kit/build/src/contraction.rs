@@ -12,13 +12,15 @@ use anyhow::{Context, Result};
 use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, Op, Word};
 
+use crate::writer::{Writer, rewrite};
+
 /// Operations that can have the decoration.
 const ARITHMETIC: [Op; 6] =
     [Op::FAdd, Op::FSub, Op::FMul, Op::FDiv, Op::FNegate, Op::VectorTimesScalar];
 
 /// Forbids a driver to change a module's arithmetic.
 pub fn forbid(module: &mut Module) -> Result<()> {
-    write_zeros(module)?;
+    write_zeros(module);
     let blocks = module.functions.iter().flat_map(|function| &function.blocks);
     let arithmetic = blocks
         .flat_map(|block| &block.instructions)
@@ -52,50 +54,37 @@ struct Ids {
     nan: Word,
 }
 
-/// A block that is written anew.
-struct Writer<'a> {
-    ids: &'a Ids,
-    bound: &'a mut Word,
-    instructions: Vec<Instruction>,
-}
-
-impl Writer<'_> {
-    fn add(&mut self, op: Op, kind: Word, operands: &[Word]) -> Word {
-        *self.bound += 1;
-        let operands = operands.iter().copied().map(Operand::IdRef).collect();
-        self.instructions.push(Instruction::new(op, Some(kind), Some(*self.bound - 1), operands));
-        *self.bound - 1
-    }
-
-    fn extract(&mut self, vector: Word, lane: usize) -> Word {
-        let id = self.add(Op::CompositeExtract, self.ids.float, &[vector]);
-        if let Some(last) = self.instructions.last_mut() {
+impl Ids {
+    /// An element of a vector.
+    fn extract(&self, writer: &mut Writer, vector: Word, lane: usize) -> Word {
+        let id = writer.add(Op::CompositeExtract, self.float, &[vector]);
+        if let Some(last) = writer.instructions.last_mut() {
             last.operands.push(Operand::LiteralBit32(lane as u32));
         }
         id
     }
 
     /// `x * zero`, or `zero / x`.
-    fn zero(&mut self, x: Word, zero: u32, is_product: bool) -> Word {
-        let Ids { float, word, bool, one, sign, size, infinity, nan } = *self.ids;
-        let mut bits = self.add(Op::Bitcast, word, &[x]);
+    fn zero(&self, writer: &mut Writer, x: Word, zero: u32, is_product: bool) -> Word {
+        let Self { float, word, bool, one, sign, size, infinity, nan } = *self;
+        let mut bits = writer.add(Op::Bitcast, word, &[x]);
         // 0.0 / 0.0 is NaN: one less than 0 is a large number
-        let mut rest = self.add(Op::BitwiseAnd, word, &[bits, size]);
+        let mut rest = writer.add(Op::BitwiseAnd, word, &[bits, size]);
         if !is_product {
-            rest = self.add(Op::ISub, word, &[rest, one]);
+            rest = writer.add(Op::ISub, word, &[rest, one]);
         }
         if zero != 0 {
-            bits = self.add(Op::Not, word, &[bits]);
+            bits = writer.add(Op::Not, word, &[bits]);
         }
-        let signed = self.add(Op::BitwiseAnd, word, &[bits, sign]);
-        let is_zero = self.add(Op::ULessThan, bool, &[rest, infinity]);
-        let result = self.add(Op::Select, word, &[is_zero, signed, nan]);
-        self.add(Op::Bitcast, float, &[result])
+        let signed = writer.add(Op::BitwiseAnd, word, &[bits, sign]);
+        let is_zero = writer.add(Op::ULessThan, bool, &[rest, infinity]);
+        let result = writer.add(Op::Select, word, &[is_zero, signed, nan]);
+        writer.add(Op::Bitcast, float, &[result])
     }
 }
 
 /// Writes products with constant zeros, and quotients of them, with bits. Vectors with a zero are taken apart.
-fn write_zeros(module: &mut Module) -> Result<()> {
+fn write_zeros(module: &mut Module) {
     let mut builder = Builder::new_from_module(std::mem::take(module));
     let [float, word, bool] =
         [builder.type_float(32, None), builder.type_int(32, 0), builder.type_bool()];
@@ -104,62 +93,52 @@ fn write_zeros(module: &mut Module) -> Result<()> {
     let ids = Ids { float, word, bool, one, sign, size, infinity, nan };
     *module = builder.module();
     let numbers = Numbers::new(module, float);
-    let bound = &mut module.header.as_mut().context("the module has no header")?.bound;
-    for block in module.functions.iter_mut().flat_map(|function| &mut function.blocks) {
-        let mut writer = Writer { ids: &ids, bound: &mut *bound, instructions: Vec::new() };
-        for instruction in block.instructions.drain(..) {
-            let op = instruction.class.opcode;
-            let parts = match (instruction.result_type, &instruction.operands[..]) {
-                (Some(kind), &[Operand::IdRef(a), Operand::IdRef(b)]) if PRODUCTS.contains(&op) => {
-                    let is_zero = |id| numbers.is_zero(id);
-                    let has_zero = is_zero(a) || is_zero(b) && op != Op::FDiv;
-                    has_zero.then_some((kind, [a, b]))
-                }
-                _ => None,
-            };
-            let Some((kind, operands)) = parts else {
-                writer.instructions.push(instruction);
-                continue;
-            };
-            let count = numbers.lanes.get(&kind).copied();
-            let results: Vec<_> = (0..count.unwrap_or(1))
-                .map(|lane| {
-                    let is_vector =
-                        [count.is_some(), count.is_some() && op != Op::VectorTimesScalar];
-                    let part =
-                        |at: usize, writer: &mut Writer<'_>| match numbers.parts.get(&operands[at])
-                        {
-                            Some(parts) => parts[if is_vector[at] { lane } else { 0 }],
-                            None if is_vector[at] => writer.extract(operands[at], lane),
-                            None => operands[at],
-                        };
-                    let pair = [part(0, &mut writer), part(1, &mut writer)];
-                    let bits = pair.map(|id| numbers.bits.get(&id).copied());
-                    let zero = |at: usize| bits[at].filter(|bits| bits & SIZE == 0);
-                    match (zero(0), zero(1)) {
-                        (Some(zero), None) if bits[1].is_none() => {
-                            writer.zero(pair[1], zero, op != Op::FDiv)
-                        }
-                        (None, Some(zero)) if bits[0].is_none() && op != Op::FDiv => {
-                            writer.zero(pair[0], zero, true)
-                        }
-                        _ => {
-                            let op = if op == Op::FDiv { Op::FDiv } else { Op::FMul };
-                            writer.add(op, float, &pair)
-                        }
+    rewrite(module, |writer, instruction| {
+        let op = instruction.class.opcode;
+        let parts = match (instruction.result_type, &instruction.operands[..]) {
+            (Some(kind), &[Operand::IdRef(a), Operand::IdRef(b)]) if PRODUCTS.contains(&op) => {
+                let is_zero = |id| numbers.is_zero(id);
+                let has_zero = is_zero(a) || is_zero(b) && op != Op::FDiv;
+                has_zero.then_some((kind, [a, b]))
+            }
+            _ => None,
+        };
+        let Some((kind, operands)) = parts else {
+            return writer.instructions.push(instruction);
+        };
+        let count = numbers.lanes.get(&kind).copied();
+        let is_vector = [count.is_some(), count.is_some() && op != Op::VectorTimesScalar];
+        let results: Vec<_> = (0..count.unwrap_or(1))
+            .map(|lane| {
+                let mut part = |at: usize| match numbers.parts.get(&operands[at]) {
+                    Some(parts) => parts[if is_vector[at] { lane } else { 0 }],
+                    None if is_vector[at] => ids.extract(writer, operands[at], lane),
+                    None => operands[at],
+                };
+                let pair = [part(0), part(1)];
+                let bits = pair.map(|id| numbers.bits.get(&id).copied());
+                let zero = |at: usize| bits[at].filter(|bits| bits & SIZE == 0);
+                match (zero(0), zero(1)) {
+                    (Some(zero), None) if bits[1].is_none() => {
+                        ids.zero(writer, pair[1], zero, op != Op::FDiv)
                     }
-                })
-                .collect();
-            if count.is_some() {
-                writer.add(Op::CompositeConstruct, kind, &results);
-            }
-            if let Some(last) = writer.instructions.last_mut() {
-                last.result_id = instruction.result_id;
-            }
+                    (None, Some(zero)) if bits[0].is_none() && op != Op::FDiv => {
+                        ids.zero(writer, pair[0], zero, true)
+                    }
+                    _ => {
+                        let op = if op == Op::FDiv { Op::FDiv } else { Op::FMul };
+                        writer.add(op, float, &pair)
+                    }
+                }
+            })
+            .collect();
+        if count.is_some() {
+            writer.add(Op::CompositeConstruct, kind, &results);
         }
-        block.instructions = writer.instructions;
-    }
-    Ok(())
+        if let Some(last) = writer.instructions.last_mut() {
+            last.result_id = instruction.result_id;
+        }
+    });
 }
 
 /// Operations whose result a zero decides.

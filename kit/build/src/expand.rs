@@ -12,6 +12,8 @@ use std::collections::{BTreeMap, HashMap};
 use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
+use crate::writer::{Writer, rewrite};
+
 /// Bits of a number without its sign.
 const SIZE: u32 = 0x7fff_ffff;
 /// Bits of infinity. Those of NaN, without the sign, are larger.
@@ -27,17 +29,9 @@ pub fn expand(module: &mut Module) {
     let globals = module.types_global_values.iter();
     let all = globals.chain(module.functions.iter().flat_map(|f| f.all_inst_iter()));
     let definitions = all.filter_map(|i| Some((i.result_id?, i.clone()))).collect();
-    let bound = module.header.as_ref().map_or(0, |header| header.bound);
     let ids = Ids { float, word, size, infinity };
-    let mut expansion =
-        Expansion { ids, definitions, bound, sums: HashMap::new(), instructions: Vec::new() };
-    for block in module.functions.iter_mut().flat_map(|function| &mut function.blocks) {
-        block.instructions.drain(..).for_each(|instruction| expansion.expand(instruction));
-        block.instructions.append(&mut expansion.instructions);
-    }
-    if let Some(header) = &mut module.header {
-        header.bound = expansion.bound;
-    }
+    let mut expansion = Expansion { ids, definitions, sums: HashMap::new() };
+    rewrite(module, |writer, instruction| expansion.expand(writer, instruction));
 }
 
 /// Types and constants.
@@ -53,9 +47,6 @@ struct Expansion {
     definitions: HashMap<Word, Instruction>,
     /// What [`Expansion::sum`] has found.
     sums: HashMap<Word, Sum>,
-    bound: Word,
-    /// The instructions of a block, expanded.
-    instructions: Vec<Instruction>,
 }
 
 /// An integer as a sum of products of values, modulo 2^32: each product, and its factor.
@@ -66,44 +57,29 @@ struct Sum(BTreeMap<Vec<Word>, u32>);
 const MOST: usize = 64;
 
 impl Expansion {
-    /// Adds an instruction, and returns its result.
-    fn add(&mut self, op: Op, kind: Word, operands: [Word; 2]) -> Word {
-        let id = self.bound;
-        self.bound += 1;
-        self.push(op, kind, id, &operands);
-        id
-    }
-
-    fn push(&mut self, op: Op, kind: Word, id: Word, operands: &[Word]) {
-        let operands = operands.iter().map(|id| Operand::IdRef(*id)).collect();
-        self.instructions.push(Instruction::new(op, Some(kind), Some(id), operands));
-    }
-
-    fn expand(&mut self, instruction: Instruction) {
+    fn expand(&mut self, writer: &mut Writer, instruction: Instruction) {
         let op = instruction.class.opcode;
         let (Some(kind), Some(id), Some([a, b])) =
             (instruction.result_type, instruction.result_id, pair(&instruction))
         else {
-            return self.instructions.push(instruction);
+            return writer.instructions.push(instruction);
         };
         if op == Op::SRem {
-            let quotient = self.add(Op::SDiv, kind, [a, b]);
-            let product = self.add(Op::IMul, kind, [b, quotient]);
-            self.push(Op::ISub, kind, id, &[a, product]);
+            let quotient = writer.add(Op::SDiv, kind, &[a, b]);
+            let product = writer.add(Op::IMul, kind, &[b, quotient]);
+            writer.push(Op::ISub, kind, id, &[a, product]);
         } else if let Some(test) = self.test_of_nan(op, a, b) {
-            let bits = self.bound;
-            self.bound += 1;
-            self.push(Op::Bitcast, self.ids.word, bits, &[a]);
-            let size = self.add(Op::BitwiseAnd, self.ids.word, [bits, self.ids.size]);
-            self.push(test, kind, id, &[size, self.ids.infinity]);
+            let bits = writer.add(Op::Bitcast, self.ids.word, &[a]);
+            let size = writer.add(Op::BitwiseAnd, self.ids.word, &[bits, self.ids.size]);
+            writer.push(test, kind, id, &[size, self.ids.infinity]);
         } else if let Some(opposite) = opposite(op) {
-            let result = self.add(opposite, kind, [a, b]);
-            self.push(Op::LogicalNot, kind, id, &[result]);
+            let result = writer.add(opposite, kind, &[a, b]);
+            writer.push(Op::LogicalNot, kind, id, &[result]);
         } else if let Some((sign, op, operands)) = self.overflow(op, [a, b]) {
-            let result = self.add(op, kind, operands);
-            self.push(Op::LogicalEqual, kind, id, &[sign, result]);
+            let result = writer.add(op, kind, &operands);
+            writer.push(Op::LogicalEqual, kind, id, &[sign, result]);
         } else {
-            self.instructions.push(instruction);
+            writer.instructions.push(instruction);
         }
     }
 

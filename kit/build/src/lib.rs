@@ -27,6 +27,7 @@ mod tool;
 mod validate;
 mod watch;
 mod wgsl;
+mod writer;
 
 use std::borrow::Cow;
 use std::fs;

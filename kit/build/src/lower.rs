@@ -25,7 +25,7 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     // what other kernels use is not of interest
     declarations::sort(&mut module);
     small_integers::widen(&mut module)?;
-    shared_bools::widen(&mut module)?;
+    shared_bools::widen(&mut module);
     memory_model::lower(&mut module)?;
     expand::expand(&mut module);
     loops::end_at_conditions(&mut module)?;

@@ -86,6 +86,9 @@ impl Scene {
     }
 
     /// Every tensor by name, `float32`. The arrays are the scene's own memory, so they are read-only.
+    ///
+    /// Positions and scales are in the scene's own coordinates. `config["placement"]` says where these lie in the world:
+    /// `world = offset + scale R own`, where R has the columns right, up x right and up. A scene without one lies where it is.
     fn tensors<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(slf.py());
         for (spec, values) in slf.get().0.tensors() {

@@ -10,7 +10,7 @@ pub const SCRIPT: &str = "text/javascript; charset=utf-8";
 const STYLE: &str = "text/css; charset=utf-8";
 
 /// Every file of the page.
-const ASSETS: [Asset; 16] = [
+const ASSETS: [Asset; 17] = [
     ("/", PAGE, include_str!("page/index.html")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.css", STYLE, include_str!("page/page.css")),
@@ -22,6 +22,7 @@ const ASSETS: [Asset; 16] = [
     ("/film.js", SCRIPT, include_str!("page/film.js")),
     ("/frames.js", SCRIPT, include_str!("page/frames.js")),
     ("/keyframes.js", SCRIPT, include_str!("page/keyframes.js")),
+    ("/measure.js", SCRIPT, include_str!("page/measure.js")),
     ("/overlay.js", SCRIPT, include_str!("page/overlay.js")),
     ("/page.js", SCRIPT, include_str!("page/page.js")),
     ("/training.js", SCRIPT, include_str!("page/training.js")),

@@ -42,6 +42,8 @@ pub enum EditRequest {
     Remove,
     /// Removes what is inside a box, or outside.
     Crop(Crop),
+    /// Says how many meters one world unit has.
+    Meters(f64),
     /// Takes back the last removal.
     Undo,
     /// Writes the scene.
@@ -161,6 +163,10 @@ impl Editor {
                     places.map(|&place| region.contains(place) != *outside).collect();
                 self.remove(stage, &removed)?;
             }
+            EditRequest::Meters(meters) if meters.is_normal() && *meters > 0.0 => {
+                self.scene.config.placement.meters = Some(*meters);
+            }
+            EditRequest::Meters(_) => return refuse("expected meters above 0".to_owned()),
             EditRequest::Undo => self.undo(stage)?,
             EditRequest::Save => saved = Some(self.save()?),
         }

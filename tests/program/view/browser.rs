@@ -250,10 +250,45 @@ fn a_scene_is_edited_in_a_browser() {
     page.wait(&format!("organza.edit.answer.left === {}", all - selected));
     page.wait(REST);
     let painted = shown(&mut page);
+
+    // two clicks are a distance; a known one gives the saved scene meters
+    page.key("g");
+    page.key("m");
+    let clicked = [-30.0, 30.0].map(|across| {
+        page.click([middle[0] + across, middle[1]]);
+        page.wait(if across < 0.0 { "organza.measure.places[0]" } else { "organza.measure.distance" });
+        let pixel = page.eval(&format!(
+            "(() => {{ const box = document.getElementById('overlay').getBoundingClientRect(); \
+             return organza.view.camera.w * ({} - box.left) / box.width; }})()",
+            middle[0] + across
+        ));
+        pixel.as_f64().expect("a column")
+    });
+    let camera = page.eval("organza.view.camera");
+    let ends = clicked.map(|column| {
+        let row = camera["h"].as_f64().unwrap() / 2.0;
+        let pixel = [column.floor() as i32, row.floor() as i32];
+        let answer = viewer.post("/explain", &json!({"camera": camera, "pixel": pixel})).json();
+        let depth = answer["gaussians"][0]["depth"].as_f64().expect("a depth");
+        let beside = |at: f64, lens: &str, center: &str| {
+            (at - camera[center].as_f64().unwrap()) / camera[lens].as_f64().unwrap() * depth
+        };
+        [beside(column, "fl_x", "cx"), beside(row, "fl_y", "cy"), depth]
+    });
+    let expected = (0..3).map(|i| (ends[0][i] - ends[1][i]).powi(2)).sum::<f64>().sqrt();
+    let distance = page.eval("organza.measure.distance").as_f64().expect("a distance");
+    assert!((distance / expected - 1.0).abs() < 1e-6, "{distance} {expected}");
+    page.eval("document.getElementById('meters').value = 0.25; organza.measure.say()");
+    page.screenshot("viewer-measure");
+    page.eval("document.getElementById('set-meters').click(); organza.edit.asked");
+    page.wait("document.getElementById('distance').textContent === '0.2500 m'");
     page.eval("document.getElementById('save-edit').click(); organza.edit.asked");
     page.wait("organza.edit.answer.saved");
     page.screenshot("viewer-saved");
     let camera = page.eval("organza.view.camera");
+    let saved = organza::Scene::load(sandbox.path("cut.safetensors")).unwrap();
+    let meters = saved.config.placement.meters.expect("meters");
+    assert!((meters * expected / 0.25 - 1.0).abs() < 1e-6, "{meters}");
     fs::rename(sandbox.path("cut.safetensors"), sandbox.path("scene.safetensors")).unwrap();
     assert!(
         painted == rendered(&sandbox, &viewer, &camera),

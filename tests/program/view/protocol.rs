@@ -350,6 +350,7 @@ fn a_scene_is_edited_only_where_that_is_allowed() {
         (json!({"save": "/tmp/other.safetensors"}), 400),
         (json!("format"), 400),
         (json!({"paint": {"camera": camera, "places": [[null]], "radius": 1}}), 400),
+        (json!({"meters": 0}), 422),
         (paint(-1.0), 422),
         (paint(1e9), 422),
         (long, 422),

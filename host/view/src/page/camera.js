@@ -19,6 +19,12 @@ export function toWorld({ offset, scale: units, up, right }, [x, y, z]) {
   return add(offset, scale(turned, units));
 }
 
+// Rounds coordinates to four digits of a size, wherever that lies in the world.
+export function digits(size) {
+  const places = Math.min(Math.max(3 - Math.floor(Math.log10(size)), 0), 20);
+  return (x) => Number(x.toFixed(places));
+}
+
 export const column = (pose, axis) => [pose[0][axis], pose[1][axis], pose[2][axis]];
 export const eyeOf = (pose) => column(pose, 3);
 export const forwardOf = (pose) => scale(column(pose, 2), -1);

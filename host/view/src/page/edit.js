@@ -1,6 +1,6 @@
 // Removes Gaussians: a box with handles, a brush, undo, and save. The program keeps what is left.
 
-import { add, dot, project, scale, sub, toWorld, unproject, eyeOf, length } from "./camera.js";
+import { add, digits, dot, project, scale, sub, toWorld, unproject, eyeOf, length } from "./camera.js";
 import { post } from "./frames.js";
 import { $, css } from "./page.js";
 
@@ -176,11 +176,8 @@ export class Edit {
       context.fill();
       this.overlay.outlined("#fff", 1.5);
     }
-    // four digits of the box's size, wherever it lies in the world
     const { placement } = this.view.scene, size = length(sub(...this.box)) * placement.scale;
-    const digits = Math.min(Math.max(3 - Math.floor(Math.log10(size)), 0), 20);
     const corners = this.box.flatMap((corner) => toWorld(placement, corner));
-    const shown = corners.map((x) => Number(x.toFixed(digits))).join(",");
-    $("box-words").textContent = `--box ${shown}`;
+    $("box-words").textContent = `--box ${corners.map(digits(size)).join(",")}`;
   }
 }

@@ -6,6 +6,7 @@ import { Edit } from "./edit.js";
 import { Explain } from "./explain.js";
 import { Frames, post } from "./frames.js";
 import { Keyframes } from "./keyframes.js";
+import { Measure } from "./measure.js";
 import { Overlay } from "./overlay.js";
 import { $, download } from "./page.js";
 import { Training } from "./training.js";
@@ -54,7 +55,7 @@ const view = {
     $("view").value = "";
     compare();
   },
-  click: (pixel) => explain.ask(pixel.map(Math.floor)),
+  click: (pixel) => (measure.isOn ? measure.click(pixel) : explain.ask(pixel.map(Math.floor))),
   // Orbit around what is behind a pixel: the depth is that of the Gaussian with the largest alpha.
   async focus(pixel) {
     const depth = await explain.depth(pixel.map(Math.floor));
@@ -94,6 +95,7 @@ const controls = new Controls($("overlay"), view);
 const explain = new Explain(view, overlay);
 const keyframes = new Keyframes(view, overlay, frames);
 const edit = scene.purpose === "edit" ? new Edit(view, overlay, frames, controls) : null;
+const measure = new Measure(view, overlay, explain, edit);
 const training = scene.purpose === "train" ? new Training(frames) : null;
 frames.refines = !training;
 frames.idle = say;
@@ -334,7 +336,7 @@ function key(event) {
     "?": () => $("help").showModal(), ",": () => beside(-1), ".": () => beside(1), r: reset,
     c: () => $("show-cameras").click(), o: () => scene.points && $("show-points").click(),
     b: () => edit?.choose("box"), g: () => edit?.choose("brush"), z: () => edit?.ask("undo"), Delete: () => edit?.ask("remove"),
-    k: () => keyframes.add(), p: () => keyframes.toggle(), l: () => { controls.level(); view.moved(); },
+    m: () => measure.toggle(), k: () => keyframes.add(), p: () => keyframes.toggle(), l: () => { controls.level(); view.moved(); },
     "[": () => { controls.zoom(0.94); view.moved(); }, "]": () => { controls.zoom(1.06); view.moved(); },
     Escape: () => { explain.close(); keyframes.stop(); },
   }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
@@ -348,4 +350,4 @@ view.camera = withSize(scene.home, size());
 frames.settle();
 place();
 document.documentElement.dataset.ready = "";
-Object.assign(window, { organza: { view, frames, keyframes, explain, training, edit } });
+Object.assign(window, { organza: { view, frames, keyframes, explain, training, edit, measure } });

@@ -49,6 +49,7 @@ export class Overlay {
     if (this.pinged) this.paintPing(camera);
     if (this.marked) this.paintMarked();
     this.edit?.paint(context, camera, this.unit);
+    this.measure?.paint(context, camera, this.unit);
   }
 
   paintPoints(camera) {

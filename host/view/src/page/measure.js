@@ -1,0 +1,81 @@
+// The distance between two places, by two clicks. A known distance gives the scene meters.
+
+import { digits, length, project, sub, toWorld, unproject } from "./camera.js";
+import { $, css } from "./page.js";
+
+export class Measure {
+  constructor(view, overlay, explain, edit) {
+    Object.assign(this, { view, overlay, explain, edit, isOn: false, places: [] });
+    overlay.measure = this;
+    $("measure").onclick = () => this.toggle();
+    $("meters").oninput = () => this.say();
+    $("set-meters").hidden = !edit;
+    $("set-meters").onclick = () => this.keep();
+  }
+
+  toggle() {
+    this.isOn = !this.isOn;
+    this.places = [];
+    $("measure").ariaPressed = this.isOn;
+    $("measured").hidden = !this.isOn;
+    this.say();
+    this.overlay.draw();
+  }
+
+  // An end of the line. A third click begins a new line.
+  async click(pixel) {
+    const { camera, scene } = this.view;
+    const depth = await this.explain.depth(pixel.map(Math.floor));
+    if (!this.isOn) return;
+    if (this.places.length === 2) this.places = [];
+    if (depth) this.places.push(unproject(camera, pixel, depth / scene.placement.scale));
+    this.say(depth ? null : "Nothing is there.");
+    this.overlay.draw();
+  }
+
+  // Between the two places, in world units; null where they are not two.
+  get distance() {
+    const [a, b] = this.places;
+    return b ? length(sub(a, b)) * this.view.scene.placement.scale : null;
+  }
+
+  // Meters in one world unit, by what the user has typed.
+  get meters() {
+    const typed = Number($("meters").value);
+    return this.distance && typed > 0 ? typed / this.distance : null;
+  }
+
+  say(problem = null) {
+    const { distance, meters, places } = this, { placement } = this.view.scene;
+    const known = placement.meters ? `${(distance * placement.meters).toPrecision(4)} m` : `${distance?.toPrecision(4)} world units`;
+    $("distance").textContent = problem ?? (distance ? known : places.length ? "Click the other end." : "Click two places.");
+    $("known").hidden = !distance;
+    $("set-meters").disabled = !meters;
+    const ends = () => places.flatMap((place) => toWorld(placement, place)).map(digits(distance)).join(",");
+    $("measure-words").textContent = meters && !this.edit ? `organza edit … --measured ${ends()},${$("meters").value}` : "";
+  }
+
+  // The scene that is saved then has meters.
+  async keep() {
+    const { meters } = this;
+    await this.edit.ask({ meters });
+    this.view.scene.placement.meters = meters;
+    $("meters").value = "";
+    this.say();
+  }
+
+  paint(context, camera, unit) {
+    if (this.places.length === 2) {
+      context.beginPath();
+      this.overlay.line(camera, ...this.places);
+      this.overlay.outlined(css("--path"), 2);
+    }
+    for (const place of this.places) {
+      const [x, y, depth] = project(camera, place);
+      if (depth < 0) continue;
+      context.beginPath();
+      context.arc(x, y, 4 * unit, 0, 7);
+      this.overlay.outlined("#fff", 2);
+    }
+  }
+}

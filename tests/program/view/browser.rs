@@ -240,6 +240,24 @@ fn a_scene_is_edited_in_a_browser() {
     page.wait(REST);
     assert!(left(&mut page) == all && shown(&mut page) == whole, "undo");
 
+    // the page shows world coordinates as the program computes them
+    let placement = organza::scene::Placement {
+        offset: [5e5, -20.0, 3.0],
+        scale: 0.25,
+        up: [0.6, 0.0, 0.8],
+        right: [0.0, 1.0, 0.0],
+        meters: None,
+    };
+    let world = page.eval(&format!(
+        "(async () => {{ const {{ toWorld }} = await import('./camera.js'); \
+         return toWorld({}, [1.5, -2.0, 0.5]); }})()",
+        serde_json::to_value(placement).unwrap()
+    ));
+    let world: [f64; 3] = serde_json::from_value(world).expect("a place");
+    for (shown, expected) in world.into_iter().zip(placement.world([1.5, -2.0, 0.5])) {
+        assert!((shown - expected).abs() < 1e-9, "{shown} {expected}");
+    }
+
     // the brush
     page.key("g");
     page.drag([middle[0] - 40.0, middle[1]], [middle[0] + 40.0, middle[1]]);
@@ -256,7 +274,11 @@ fn a_scene_is_edited_in_a_browser() {
     page.key("m");
     let clicked = [-30.0, 30.0].map(|across| {
         page.click([middle[0] + across, middle[1]]);
-        page.wait(if across < 0.0 { "organza.measure.places[0]" } else { "organza.measure.distance" });
+        page.wait(if across < 0.0 {
+            "organza.measure.places[0]"
+        } else {
+            "organza.measure.distance"
+        });
         let pixel = page.eval(&format!(
             "(() => {{ const box = document.getElementById('overlay').getBoundingClientRect(); \
              return organza.view.camera.w * ({} - box.left) / box.width; }})()",

@@ -128,7 +128,7 @@ def test_a_loss_of_torch_trains(renderer, dataset, tmp_path):
 
 
 def test_settings_are_read_and_refused(renderer, tmp_path):
-    config = organza.TrainConfig("fast", settings={"run.steps": 7, "scene.color_mlp.hidden": [16, 16], "exposure.learn": False})
+    config = organza.TrainConfig("fast", settings={"run.steps": 7, "scene.color_mlp.hidden": [16, 16], "exposure.learn": "off"})
     assert config["run.steps"] == 7 and config["scene.color_mlp.hidden"] == [16, 16]
     path = tmp_path / "mine.toml"
     path.write_text(config.to_toml())

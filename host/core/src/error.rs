@@ -377,10 +377,10 @@ fn describe_read(source: &io::Error) -> String {
 fn describe_write(path: &Path, source: &io::Error) -> String {
     match source.kind() {
         io::ErrorKind::StorageFull => {
-            "the disk is full; free some space and run again (nothing was left behind)".to_owned()
+            "the disk is full; free some space and run again (this file is as it was before)".to_owned()
         }
         io::ErrorKind::QuotaExceeded => {
-            "the disk quota is used up; free some space and run again (nothing was left behind)"
+            "the disk quota is used up; free some space and run again (this file is as it was before)"
                 .to_owned()
         }
         io::ErrorKind::NotFound => match path.parent() {

@@ -3,7 +3,6 @@
 //! An image does not depend on the cut.
 
 mod channel;
-mod origin;
 #[cfg(test)]
 mod tests;
 
@@ -12,7 +11,6 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
-pub use origin::{Marked, Origin, read_origin};
 use png::{BitDepth, ColorType};
 use rayon::prelude::*;
 
@@ -198,25 +196,15 @@ impl Image {
     /// # Errors
     /// [`Error::WriteFile`].
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
-        write_atomic(path, |writer| self.encode(writer, None, None))
+        write_atomic(path, |writer| self.encode(writer, None))
     }
 
-    /// Writes the image as PNG, atomically, with its origin. `stop` ends the encoding, which is then an error.
+    /// Writes the image as PNG, atomically. `stop` ends the encoding, which is then an error.
     ///
     /// # Errors
     /// [`Error::WriteFile`].
-    pub fn save_with_origin(
-        &self,
-        path: &Path,
-        origin: &Origin,
-        stop: Option<&AtomicBool>,
-    ) -> Result<()> {
-        write_atomic(path, |writer| {
-            let mut file = Vec::new();
-            self.encode(&mut file, Some(origin), stop)?;
-            origin::seal(&mut file, path)?;
-            writer.write_all(&file)
-        })
+    pub fn save_png_unless(&self, path: &Path, stop: &AtomicBool) -> Result<()> {
+        write_atomic(path, |writer| self.encode(writer, Some(stop)))
     }
 
     /// The image as a PNG file.
@@ -225,23 +213,18 @@ impl Image {
     /// If the encoder fails. It writes to memory.
     pub fn encode_png(&self) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
-        self.encode(&mut bytes, None, None)?;
+        self.encode(&mut bytes, None)?;
         Ok(bytes)
     }
 
-    fn encode(
-        &self,
-        writer: impl Write,
-        origin: Option<&Origin>,
-        stop: Option<&AtomicBool>,
-    ) -> io::Result<()> {
+    fn encode(&self, writer: impl Write, stop: Option<&AtomicBool>) -> io::Result<()> {
         let pixels = Pixels {
             bytes: self.pixels.as_flattened(),
             size: self.size(),
             color: ColorType::Rgb,
             depth: BitDepth::Eight,
         };
-        pixels.write_png(writer, origin, stop)
+        pixels.write_png(writer, stop)
     }
 }
 
@@ -254,21 +237,13 @@ struct Pixels<'a> {
 }
 
 impl Pixels<'_> {
-    fn write_png(
-        &self,
-        writer: impl Write,
-        origin: Option<&Origin>,
-        stop: Option<&AtomicBool>,
-    ) -> io::Result<()> {
+    fn write_png(&self, writer: impl Write, stop: Option<&AtomicBool>) -> io::Result<()> {
         let [width, height] = self.size;
         let mut encoder = png::Encoder::new(writer, width, height);
         encoder.set_color(self.color);
         encoder.set_depth(self.depth);
         encoder.set_compression(png::Compression::Fast);
         encoder.set_filter(png::Filter::Adaptive);
-        if let Some(origin) = origin {
-            encoder.add_text_chunk(origin::KEY.to_owned(), origin.text())?;
-        }
         let mut writer = encoder.write_header()?;
         let mut rows = writer.stream_writer_with_size(1 << 20)?;
         let row = self.bytes.len() / (height as usize).max(1);

@@ -127,12 +127,6 @@ impl Photograph {
         self.alpha.as_ref().map_or(1.0, |alpha| f32::from(alpha[index]) / 255.0)
     }
 
-    /// Whether every pixel is opaque.
-    #[must_use]
-    pub fn is_opaque(&self) -> bool {
-        self.alpha.is_none()
-    }
-
     fn index(&self, x: u32, y: u32) -> usize {
         assert!(x < self.width && y < self.height, "pixel {x},{y} is outside the photograph");
         y as usize * self.width as usize + x as usize

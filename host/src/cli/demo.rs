@@ -4,7 +4,6 @@ mod photographs;
 
 use std::path::{Path, PathBuf};
 
-use organza::image::Origin;
 use organza::{Camera, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
 use serde::Serialize;
 
@@ -15,7 +14,6 @@ use super::picture::{Picture, Pictures, Shown, warn_not_finite};
 use super::refuse;
 use super::summary::{Cost, Summary, count};
 use super::views::names;
-use super::written::Written;
 
 /// Default number of views, and of pixels of their sides.
 const VIEWS: u16 = 24;
@@ -77,16 +75,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     scene.save(&scene_file)?;
     Camera::save_all(&cameras_file, &cameras)?;
     center_tiles(&cameras).save(&tiles_file)?;
-    let written = Written::new(&folder, &scene_file, &cameras, &())?;
-    let (images, cost) = render(&renderer, &scene, &cameras, &folder, written.origin(), console)?;
-    let removed = written.remove_stale(console)?;
+    let (images, cost) = render(&renderer, &scene, &cameras, &folder, console)?;
     console.note(&whats_next(&args.output, &cameras));
     if args.json {
         let scene = scene_file;
         let cameras = cameras_file;
         let tiles = tiles_file;
         let folder = args.output.clone();
-        return print_json(&Made { folder, scene, cameras, tiles, sheet, images, removed, cost });
+        return print_json(&Made { folder, scene, cameras, tiles, sheet, images, cost });
     }
     Ok(())
 }
@@ -103,8 +99,6 @@ struct Made {
     tiles: PathBuf,
     sheet: PathBuf,
     images: Vec<Picture>,
-    /// Number of removed images, which an earlier call had written.
-    removed: usize,
     #[serde(flatten)]
     cost: Cost,
 }
@@ -129,7 +123,6 @@ fn render(
     scene: &Scene,
     cameras: &[Camera],
     folder: &Folder,
-    origin: &Origin,
     console: Console,
 ) -> Result<(Vec<Picture>, Cost)> {
     let scene = renderer.upload(scene)?;
@@ -147,7 +140,7 @@ fn render(
             progress.say(&format!("rendering {}", names[view]));
             let image = pictures.render(view, &mut summary, &progress)?;
             let file = folder.file(&format!("{}.png", names[view]))?;
-            image.save_with_origin(&file, origin, None)?;
+            image.save_png(&file)?;
             images.push(Picture::new(view, &file, &cameras[view]));
             sheet.add(&image)?;
             not_finite += image.not_finite();

@@ -32,7 +32,7 @@ pub struct RanksArgs {
     /// With `--split gaussians`: distribute the Gaussians in N shards, over groups of N ranks. The groups share the
     /// views. N divides the number of ranks. The scene's bits do not depend on it [default: the number of ranks, so
     /// one group]
-    #[arg(long, value_name = "N", requires = "split", alias = "shares")]
+    #[arg(long, value_name = "N", requires = "split")]
     shards: Option<usize>,
     /// Allow ranks with different programs or devices; the scene's bits then depend on which rank computes what
     #[arg(long, requires = "ranks")]

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use organza::image::{ChannelFormat, ChannelImage, Origin};
+use organza::image::{ChannelFormat, ChannelImage};
 use organza::tile::MAX_TILE_SIDE;
 use organza::{Channel, DeviceShard, Image, Renderer, Result};
 use serde::Serialize;
@@ -18,7 +18,7 @@ use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
 use super::verbosity::Level;
 use super::views::{ViewList, ViewShard, names, warn_distorted};
-use super::written::Written;
+use super::written::refuse_others;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,12 +38,11 @@ run's folder says which frames are held out. Views count within the split.
 If each camera names a photograph of its own, files are named after these; otherwise after the \
 view's index. The tile size does not change the image.
 
-Each image has a hash of its scene and cameras in its metadata. The next call removes images of another scene or of \
-other cameras from the folder, unless you have changed or renamed them. It removes nothing else.
+A folder with files that are no images of these cameras is refused, unless you pass `--overwrite`. Nothing is removed.
 
 `--shard I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
-one folder at the same time. A shard removes nothing. With `--missing`, images that are there and were made from the \
-same scene, cameras and options stay as they are, and the others are rendered: after a shard has failed, or was killed.
+one folder at the same time. With `--missing`, images that are there stay as they are, and the others are rendered: after \
+a shard has failed, or was killed.
 
 A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
 covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
@@ -71,6 +70,9 @@ pub struct Args {
     /// Render only images that do not exist yet
     #[arg(long)]
     missing: bool,
+    /// Write to a folder with other files. They stay; images of the same names are replaced
+    #[arg(long)]
+    overwrite: bool,
     #[command(flatten)]
     ranks: SharesArgs,
     /// Side of the tiles that an image is cut into, in pixels
@@ -161,6 +163,14 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
     let endings: Vec<_> =
         std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();
     let files = files(&folder, source, cameras, views, &endings)?;
+    if !args.overwrite {
+        let names = names(&cameras.all);
+        let is_image = |file: &str| {
+            let of = |name: &String| file.strip_prefix(name.as_str());
+            names.iter().filter_map(of).any(|rest| rest.starts_with('.'))
+        };
+        refuse_others(&folder, is_image)?;
+    }
 
     let renderer = &match rank {
         Some(rank) => rank.open(&args.device, console)?,
@@ -174,13 +184,8 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
     };
     let pictures =
         Pictures { renderer, shown, cameras: list, tile_size: args.tile_size, stop: None };
-    let of_ranks = rank.is_some().then_some("added up by ranks");
-    let options = (&args.scene_args, format, of_ranks);
-    let written = Written::new(&folder, source.file(), &cameras.all, &options)?;
-    let todo = match args.missing {
-        true => written.missing(files.iter().map(Vec::as_slice))?,
-        false => (0..views.len()).collect(),
-    };
+    let is_wanted = |files: &[PathBuf]| !args.missing || !files.iter().all(|file| file.exists());
+    let todo: Vec<_> = (0..views.len()).filter(|&place| is_wanted(&files[place])).collect();
     if todo.len() < views.len() {
         let there = views.len() - todo.len();
         let all = count(views.len() as u64, "view");
@@ -192,9 +197,7 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
         rank.ranks.broadcast(bytemuck::cast_slice(&todo).to_vec())?;
     }
     let output = (&channels[..], format);
-    let cost = write_all(&pictures, &rendered, output, written.origin(), console)?;
-    // Another shard may be writing the image again.
-    let removed = if args.shard.is_some() { 0 } else { written.remove_stale(console)? };
+    let cost = write_all(&pictures, &rendered, output, console)?;
     let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();
     console.note(&match names.as_slice() {
         [] => "nothing to render".to_owned(),
@@ -214,7 +217,7 @@ fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> 
         let images = views.iter().zip(&files).map(image).collect();
         let folder = &*args.output;
         let rendered = rendered.len();
-        return print_json(&Rendered { folder, images, rendered, removed, cost });
+        return print_json(&Rendered { folder, images, rendered, cost });
     }
     Ok(())
 }
@@ -226,8 +229,6 @@ struct Rendered<'a> {
     images: Vec<Picture>,
     /// Number of views that this call rendered. Earlier calls rendered the others.
     rendered: usize,
-    /// Number of removed images, which an earlier call had written.
-    removed: usize,
     #[serde(flatten)]
     cost: Cost,
 }
@@ -236,7 +237,6 @@ fn write_all(
     pictures: &Pictures<'_>,
     todo: &[(usize, &Vec<PathBuf>)],
     (channels, format): (&[Channel], ChannelFormat),
-    origin: &Origin,
     console: Console,
 ) -> Result<Cost> {
     let mut summary = Summary::start();
@@ -250,10 +250,10 @@ fn write_all(
             progress.say(&format!("rendering {}", name(&paths[0])));
             let (image, beside) =
                 pictures.render_channels(view, channels, &mut summary, &progress)?;
-            image.save_with_origin(&paths[0], origin, None)?;
+            image.save_png(&paths[0])?;
             not_finite += image.not_finite();
             for (image, path) in beside.iter().zip(&paths[1..]) {
-                image.save(path, format, Some(origin))?;
+                image.save(path, format)?;
                 clipped += image.clipped(format);
                 not_finite_channels += image.not_finite();
             }

@@ -413,7 +413,7 @@ fn say_exposures(dataset: &Dataset, learn: LearnExposure, console: Console) {
     let found = format!("the photographs' exposures differ by {:.0}%", 100.0 * spread);
     match learn {
         LearnExposure::On => console.note(&format!(
-            "{found}, so the run learns them; `--set exposure.learn=false` takes colors as they are"
+            "{found}, so the run learns them; `--set exposure.learn=off` takes colors as they are"
         )),
         _ => console.detail(&found),
     }

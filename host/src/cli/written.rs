@@ -1,162 +1,83 @@
-//! Knows the images that earlier calls wrote to a folder, so that no image of another scene stays beside the new ones.
-//!
-//! Each image that the program writes has its [`Origin`] in its file. At the end of a call, images of another origin
-//! are removed. Nothing else is ever removed: no file that says nothing of an origin, none that was changed or has
-//! another name since, no link and no folder.
+//! What is in a folder already that images go to. A call removes and replaces nothing that it was not told to.
 
-use std::ffi::OsStr;
 use std::fmt::Debug;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use organza::image::{Marked, Origin, read_origin};
 use organza::{Error, Result};
+use organza_core::{hex, write_atomic};
 use sha2::{Digest, Sha256};
 
-use super::console::Console;
 use super::output::Folder;
 use super::refuse;
-use super::summary::count;
 
-/// The images of a folder, and the origin of those that this call writes.
-#[derive(Debug)]
-pub struct Written {
-    folder: PathBuf,
-    origin: Origin,
+/// The file that says which film a folder's frames are of.
+const MARK: &str = ".organza-film";
+
+/// The visible files of a folder.
+fn visible(folder: &Folder) -> Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder.path()).map_err(|error| Error::read(folder.path(), error))?;
+    let paths = entries.flatten().map(|entry| entry.path());
+    Ok(paths.filter(|path| !name(path).starts_with('.')).collect())
 }
 
-/// The file under the name of an image.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Found {
-    Nothing,
-    /// The image itself: an earlier call wrote it for the same scene and cameras.
-    Image,
-    /// An earlier call wrote it for another scene or other cameras, or with other options.
-    Stale,
-    /// No call has written it, or somebody has changed it.
-    Foreign,
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-impl Written {
-    /// `scene` is the scene's file. `cameras` are all cameras of the file or data set, with everything else that images
-    /// depend on. So a call that renders some views does not make the others stale. `options` is what images depend on
-    /// besides. An image with other options is not [`Found::Image`], but it is not removed for this reason.
-    pub fn new(
-        folder: &Folder,
-        scene: &Path,
-        cameras: &dyn Debug,
-        options: &dyn Debug,
-    ) -> Result<Self> {
-        let mut source = Sha256::new();
-        File::open(scene)
-            .and_then(|mut file| io::copy(&mut file, &mut source))
-            .map_err(|error| Error::read(scene, error))?;
-        source.update(format!("{cameras:?}"));
-        let options = Sha256::new_with_prefix(format!("{options:?}"));
-        let origin = Origin::new(source, options);
-        Ok(Self { folder: folder.path().to_owned(), origin })
-    }
-
-    /// The origin of the images that this call writes.
-    pub fn origin(&self) -> &Origin {
-        &self.origin
-    }
-
-    /// Indices of those `files` that do not exist yet. A file of somebody else in their place is kept, and is an
-    /// error.
-    pub fn missing<'a>(
-        &self,
-        files: impl IntoIterator<Item = &'a [PathBuf]>,
-    ) -> Result<Vec<usize>> {
-        let mut missing = Vec::new();
-        for (index, files) in files.into_iter().enumerate() {
-            for file in files {
-                match self.found(file)? {
-                    Found::Image => continue,
-                    Found::Nothing | Found::Stale if missing.last() == Some(&index) => {}
-                    Found::Nothing | Found::Stale => missing.push(index),
-                    Found::Foreign => {
-                        let folder = self.folder.display();
-                        let file = file.display();
-                        return refuse(format!(
-                            "{file} is not an image that the program wrote, or was changed since; move it away from \
-                             {folder}, or choose another place to write to"
-                        ));
-                    }
-                }
-            }
-        }
-        Ok(missing)
-    }
-
-    /// The file in the place of an image.
-    pub fn found(&self, path: &Path) -> Result<Found> {
-        Ok(match marked(path)? {
-            Some(Marked { origin, unchanged: true }) if origin == self.origin => Found::Image,
-            Some(Marked { unchanged: true, .. }) => Found::Stale,
-            Some(_) => Found::Foreign,
-            None if fs::symlink_metadata(path).is_ok() => Found::Foreign,
-            None => Found::Nothing,
-        })
-    }
-
-    /// Removes images of other scenes and cameras, with a note. Returns their number.
-    pub fn remove_stale(&self, console: Console) -> Result<usize> {
-        let [removed, changed] = self.remove(|origin| origin.source != self.origin.source)?;
-        let folder = self.folder.display();
-        if removed > 0 {
-            let images = count(removed, "image");
-            console.note(&format!("removed {images} of an earlier call from {folder}"));
-        }
-        if changed > 0 {
-            let images = count(changed, "image");
-            console.warn(&format!(
-                "changed or renamed since an earlier call wrote them, so kept: {images} in {folder}"
-            ));
-        }
-        Ok(removed as usize)
-    }
-
-    /// Removes all images that the program wrote. They have served their purpose.
-    pub fn remove_all(&self) -> Result<()> {
-        self.remove(|_| true).map(drop)
-    }
-
-    /// Removes images by their origin. Returns the number of these, and of others that were changed.
-    fn remove(&self, is_stale: impl Fn(&Origin) -> bool) -> Result<[u64; 2]> {
-        let mut removed = 0;
-        let mut changed = 0;
-        let entries =
-            fs::read_dir(&self.folder).map_err(|source| Error::read(&self.folder, source))?;
-        for entry in entries.flatten() {
-            let path = entry.path();
-            let is_image =
-                ["png", "exr"].map(OsStr::new).contains(&path.extension().unwrap_or_default());
-            if !is_image {
-                continue;
-            }
-            match marked(&path)? {
-                Some(found) if !is_stale(&found.origin) => {}
-                Some(found) if found.unchanged => {
-                    fs::remove_file(&path).map_err(|source| Error::write(&path, source))?;
-                    removed += 1;
-                }
-                Some(_) => changed += 1,
-                None => {}
-            }
-        }
-        Ok([removed, changed])
-    }
+/// Fails if a folder has a visible file that is none of the call's own.
+pub fn refuse_others(folder: &Folder, is_own: impl Fn(&str) -> bool) -> Result<()> {
+    let mut files = visible(folder)?.into_iter();
+    let Some(other) = files.find(|path| !is_own(&name(path))) else { return Ok(()) };
+    refuse(format!(
+        "{} has other files, such as {}; choose another folder, or pass --overwrite: it replaces images of the same \
+         names and leaves the others",
+        folder.path().display(),
+        name(&other)
+    ))
 }
 
-/// Reads the origin of an image. Returns `None` for what is no image of the program, and for nothing.
-fn marked(path: &Path) -> Result<Option<Marked>> {
-    match fs::symlink_metadata(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-        // A link may lead anywhere, and reading a pipe may block.
-        Ok(found) if !found.is_file() => return Ok(None),
-        _ => {}
+/// Prepares a folder for the frames of a film. Those that an earlier call made of the same scene and cameras stay; other
+/// frames are removed with `overwrite`, and refused without it.
+pub fn continue_film(
+    folder: &Folder,
+    scene: &Path,
+    cameras: &dyn Debug,
+    overwrite: bool,
+) -> Result<()> {
+    let mut film = Sha256::new();
+    File::open(scene)
+        .and_then(|mut file| io::copy(&mut file, &mut film))
+        .map_err(|error| Error::read(scene, error))?;
+    film.update(format!("{cameras:?}"));
+    let film = hex(film);
+    let mark = folder.file(MARK)?;
+    if fs::read_to_string(&mark).is_ok_and(|found| found == film) {
+        return Ok(());
     }
-    read_origin(path).map_err(|source| Error::read(path, source))
+    if !overwrite {
+        refuse_others(folder, |_| false)?;
+    }
+    let is_frame = |path: &PathBuf| {
+        let name = name(path);
+        let number = name.strip_suffix(".png").unwrap_or_default();
+        number.len() == 5 && number.bytes().all(|digit| digit.is_ascii_digit()) && path.is_file()
+    };
+    for frame in visible(folder)?.into_iter().filter(is_frame) {
+        fs::remove_file(&frame).map_err(|error| Error::write(&frame, error))?;
+    }
+    write_atomic(&mark, |writer| writer.write_all(film.as_bytes()))
+}
+
+/// Removes the frames, which are in the film now, and the folder if nothing else is in it.
+pub fn remove_frames(folder: &mut Folder, frames: &[PathBuf]) -> Result<()> {
+    for file in frames.iter().chain([&folder.join(MARK)]) {
+        fs::remove_file(file).map_err(|error| Error::write(file, error))?;
+    }
+    organza_core::remove_leftovers(folder.path());
+    folder.unlock();
+    // It fails on purpose if somebody has put a file into the folder.
+    let _ = fs::remove_dir(folder.path());
+    Ok(())
 }

@@ -100,9 +100,7 @@ impl Binding {
         folder: &Path,
     ) -> Result<Vec<Change>> {
         let invalid = |reason| Err(Error::Invalid { origin: folder.join(CONFIG), reason });
-        // a setting of earlier versions, which no scene depends on
-        let settings = self.settings.replace("tensorboard = true\n", "");
-        let then = TrainConfig::parse(&settings, &folder.join(CHECKPOINT))?;
+        let then = TrainConfig::parse(&self.settings, &folder.join(CHECKPOINT))?;
         if config.run.steps != then.run.steps && config.run.steps <= step {
             let steps = config.run.steps;
             return invalid(format!(

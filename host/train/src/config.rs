@@ -6,7 +6,6 @@ mod check;
 mod learn_exposure;
 mod optimizer;
 mod preset;
-mod retired;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -133,9 +132,7 @@ impl TrainConfig {
     /// Fails if a run's own file, which has every setting, lacks one.
     pub(super) fn check_complete(&self, path: &Path) -> Result<()> {
         let text = read_text(path, MAX_BYTES, "settings")?;
-        let mut found: toml::Table = toml::from_str(&text).unwrap_or_default();
-        // reading the file has already reported wrong values of retired settings
-        let _ = retired::replace(&mut found);
+        let found: toml::Table = toml::from_str(&text).unwrap_or_default();
         let has = |name: &str| {
             let mut keys = name.split('.');
             let table = keys.next().and_then(|key| found.get(key));

@@ -380,7 +380,7 @@ impl Trainer {
         let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS
         } else if self.exposures.is_some() && hooks.loss.is_some() {
-            "a loss of your own does not know the photographs' exposures: set `exposure.learn` to false"
+            "a loss of your own does not know the photographs' exposures: set `exposure.learn` to off"
         } else if self.config.loss.distortion_weight > 0.0 && hooks.loss.is_some() {
             "a loss of your own has no term for the distortion: set `loss.distortion_weight` to 0"
         } else {

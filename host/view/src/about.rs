@@ -89,8 +89,10 @@ impl About {
         let [low, high] = visible.map(DVec3::from);
         let center = (low + high) / 2.0;
         let up = upward(poses.iter().map(|pose| &pose.camera));
-        let first = poses.iter().find(|pose| pose.held_out).or(poses.first());
-        let home = first.map_or_else(|| overview(visible), |pose| pose.camera.clone());
+        // where a film begins, which is among the cameras; few cameras have no such place
+        let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
+        let among = Orbit::among(&cameras, 2).unwrap_or_default().into_iter().next();
+        let home = among.or(cameras.into_iter().next()).unwrap_or_else(|| overview(visible));
         let view = |(index, pose): (usize, &Pose)| View {
             name: pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}")),
             held_out: pose.held_out,

@@ -197,12 +197,6 @@ impl Queue {
         !state.questions.is_empty()
             || state.clients.values().any(|client| client.job.as_deref().is_some_and(is_urgent))
     }
-
-    /// Whether anything waits.
-    #[must_use]
-    pub fn has_work(&self) -> bool {
-        self.state().is_waiting()
-    }
 }
 
 fn is_urgent(job: &FrameJob) -> bool {

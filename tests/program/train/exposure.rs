@@ -77,7 +77,7 @@ fn exposures_are_learned_and_held_out_views_keep_their_colors() {
 #[test]
 fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
     let sandbox = sandbox();
-    let settings = "--set exposure.learn=true";
+    let settings = "--set exposure.learn=on";
     sandbox.run(&format!("{TINY} whole {settings}")).assert_ok();
     stopped(&sandbox, "cut", "whole", 13);
     sandbox.run("train --resume cut --backend cpu").assert_ok();

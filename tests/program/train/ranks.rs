@@ -105,8 +105,8 @@ fn a_run_of_ranks_is_one_run() {
     run("of-3", "--ranks 3 --threads 1");
     assert_same_run(&sandbox, "of-3", "one");
     assert!(files("of-3") == files("one"), "the pictures");
-    run("exposed", "--set exposure.learn=true");
-    run("exposed-of-3", "--set exposure.learn=true --ranks 3 --threads 1");
+    run("exposed", "--set exposure.learn=on");
+    run("exposed-of-3", "--set exposure.learn=on --ranks 3 --threads 1");
     assert_same_run(&sandbox, "exposed-of-3", "exposed");
     // stopped, and continued with another number of ranks
     run("other", "--ranks 4 --time-limit 1");

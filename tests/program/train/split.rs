@@ -252,7 +252,7 @@ fn ranks_train_what_a_trainer_alone_trains() {
 fn a_run_of_shards_is_one_run() {
     let sandbox = sandbox();
     let run = |name: &str, words: &str| {
-        let learned = "--set exposure.learn=true --refine-poses";
+        let learned = "--set exposure.learn=on --refine-poses";
         let words = format!("{TINY} {name} --steps 24 --split gaussians {learned} {words}");
         sandbox.run(&words).assert_ok();
     };

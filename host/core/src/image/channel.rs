@@ -1,13 +1,11 @@
 //! Channels besides color as images: 16-bit PNG, or OpenEXR.
 
-use std::io::{self, Cursor};
+use std::io::{self, Cursor, Write};
 use std::path::Path;
 
-use exr::meta::attribute::{AttributeValue, Text};
 use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, WritableImage};
 use png::{BitDepth, ColorType};
 
-use super::origin::{self, Origin};
 use super::{Image, Pixels, to_8_bit, visible_pixels};
 use crate::error::{Error, Result};
 use crate::rendered::{Channel, RenderedTiles};
@@ -134,7 +132,7 @@ impl ChannelImage {
         self.values.iter().filter(|value| !value.is_finite()).count() as u64
     }
 
-    /// Writes the image, atomically, with its origin if there is one.
+    /// Writes the image, atomically.
     ///
     /// - PNG: depth times `depth_scale`; alpha and visibility from 0 to 1; each component of a normal from -1 to 1.
     ///   Values are clamped, and rounded to the nearest of 65,536 levels. NaN is 0.
@@ -142,22 +140,10 @@ impl ChannelImage {
     ///
     /// # Errors
     /// [`Error::WriteFile`].
-    pub fn save(
-        &self,
-        path: impl AsRef<Path>,
-        format: ChannelFormat,
-        origin: Option<&Origin>,
-    ) -> Result<()> {
-        let path = path.as_ref();
-        write_atomic(path, |writer| {
-            let mut file = match format {
-                ChannelFormat::Png { depth_scale } => self.encode_png(depth_scale, origin)?,
-                ChannelFormat::Exr => self.encode_exr(origin)?,
-            };
-            if origin.is_some() {
-                origin::seal(&mut file, path)?;
-            }
-            writer.write_all(&file)
+    pub fn save(&self, path: impl AsRef<Path>, format: ChannelFormat) -> Result<()> {
+        write_atomic(path, |writer| match format {
+            ChannelFormat::Png { depth_scale } => self.encode_png(writer, depth_scale),
+            ChannelFormat::Exr => writer.write_all(&self.encode_exr()?),
         })
     }
 
@@ -185,7 +171,7 @@ impl ChannelImage {
         Image::from_pixels(self.size, &colors)
     }
 
-    fn encode_png(&self, depth_scale: f32, origin: Option<&Origin>) -> io::Result<Vec<u8>> {
+    fn encode_png(&self, writer: impl Write, depth_scale: f32) -> io::Result<()> {
         let planes = self.channel.planes();
         let pixels = self.values.len() / planes;
         let level = |value: f32| match self.channel {
@@ -201,12 +187,10 @@ impl ChannelImage {
             color: if planes == 3 { ColorType::Rgb } else { ColorType::Grayscale },
             depth: BitDepth::Sixteen,
         };
-        let mut file = Vec::new();
-        pixels.write_png(&mut file, origin, None)?;
-        Ok(file)
+        pixels.write_png(writer, None)
     }
 
-    fn encode_exr(&self, origin: Option<&Origin>) -> io::Result<Vec<u8>> {
+    fn encode_exr(&self) -> io::Result<Vec<u8>> {
         let names: &[&str] = if self.channel.planes() == 3 { &["R", "G", "B"] } else { &["Y"] };
         let planes = self.values.chunks_exact(self.values.len() / names.len());
         let channels: SmallVec<_> = names
@@ -215,15 +199,11 @@ impl ChannelImage {
             .map(|(&name, plane)| AnyChannel::new(name, FlatSamples::F32(plane.to_vec())))
             .collect();
         let size = self.size.map(|size| size as usize);
-        let mut image = exr::image::Image::from_encoded_channels(
+        let image = exr::image::Image::from_encoded_channels(
             (size[0], size[1]),
             Encoding::SMALL_LOSSLESS,
             AnyChannels::sort(channels),
         );
-        if let Some(origin) = origin {
-            let text = AttributeValue::Text(Text::from(origin.text().as_str()));
-            image.attributes.other.insert(Text::from(origin::KEY), text);
-        }
         // in EXR, offsets of the lines come first
         let mut file = Cursor::new(Vec::new());
         image.write().non_parallel().to_buffered(&mut file).map_err(io::Error::other)?;

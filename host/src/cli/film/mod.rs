@@ -3,14 +3,12 @@
 mod film_path;
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::film::{Frames, Kind};
-use organza::image::{ChannelImage, Origin};
+use organza::image::ChannelImage;
 use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
-use organza_core::remove_leftovers;
 use serde::Serialize;
 
 use super::channels::ChannelName;
@@ -22,7 +20,7 @@ use super::picture::{Pictures, Shown, warn_not_finite};
 use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
-use super::written::{Found, Written};
+use super::written::{continue_film, remove_frames};
 use film_path::{Inputs, PathArgs, described};
 
 const TILE_SIZE: u32 = 64;
@@ -48,7 +46,8 @@ Between cameras, position, rotation and field of view change smoothly, at an eve
 the film, whatever the film's size.
 
 Ctrl-C stops. Finished frames are kept in FILE.frames, or in the folder, and the same command continues from there, even \
-if the program was killed. A file that is already there under the film's name is replaced when the film is complete, not \
+if the program was killed. A folder with other files, or with frames of another film, is refused without `--overwrite`. A \
+file that is already there under the film's name is replaced when the film is complete, not \
 before. A film's frames are the images that `organza render` writes of the same cameras.";
 
 /// Make a film: where a run's cameras stood, around a scene, or along a path through cameras
@@ -70,6 +69,9 @@ pub struct Args {
     #[arg(long, value_name = "F", default_value_t = 30)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=240))]
     fps: u32,
+    /// Replace the frames of another film, and write to a folder with other files, which stay
+    #[arg(long)]
+    overwrite: bool,
     /// Show a channel instead of the color: depth from red (near) to blue, alpha and visibility in gray, a normal as a
     /// color
     #[arg(long, value_enum)]
@@ -179,41 +181,32 @@ impl Film<'_> {
         };
         let mut folder = Folder::make(&folder)?;
         folder.lock(false)?;
-        let written = Written::new(&folder, source.file(), &(self.cameras, self.look), &())?;
+        let cameras = (self.cameras, self.look);
+        continue_film(&folder, source.file(), &cameras, args.overwrite)?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
         let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;
-        let todo = written.missing(files.iter().map(std::slice::from_ref))?;
+        let todo: Vec<_> = (0..files.len()).filter(|&frame| !files[frame].exists()).collect();
         // before this, a signal has ended the program, and nothing was changed
         let signals = Signals::listen()?;
         signals.keeps_results();
-        let cost = self.render(&files, &todo, written.origin(), &signals, console)?;
-        let Some(cost) = cost else { return stopped(&written, &files, &folder) };
-        match kind {
-            Kind::Frames => {
-                written.remove_stale(console)?;
+        let cost = self.render(&files, &todo, &signals, console)?;
+        let Some(cost) = cost else { return stopped(&files, &folder) };
+        if kind != Kind::Frames {
+            let progress = console.progress(files.len() as u64, "frames");
+            progress.say("encoding");
+            let kept = format!("the frames are kept in {}", folder.path().display());
+            let frames = Frames {
+                files: &files,
+                fps: args.fps,
+                scratch: folder.path(),
+                progress: &|| progress.advance(1),
+            };
+            if let Err(error) = kind.write(&frames, &args.output) {
+                drop(progress);
+                console.note(&kept);
+                return Err(error);
             }
-            Kind::Mp4 | Kind::Png => {
-                let progress = console.progress(files.len() as u64, "frames");
-                progress.say("encoding");
-                let kept = format!("the frames are kept in {}", folder.path().display());
-                let frames = Frames {
-                    files: &files,
-                    fps: args.fps,
-                    scratch: folder.path(),
-                    progress: &|| progress.advance(1),
-                };
-                let result = kind.write(&frames, &args.output);
-                if let Err(error) = result {
-                    drop(progress);
-                    console.note(&kept);
-                    return Err(error);
-                }
-                written.remove_all()?;
-                remove_leftovers(folder.path());
-                folder.unlock();
-                // fails on purpose if somebody has put a file into the folder
-                let _ = fs::remove_dir(folder.path());
-            }
+            remove_frames(&mut folder, &files)?;
         }
         let described = described(self.cameras, args.fps);
         console.note(&format!("wrote {}: {described}", args.output.display()));
@@ -228,7 +221,6 @@ impl Film<'_> {
         &self,
         files: &[PathBuf],
         todo: &[usize],
-        origin: &Origin,
         signals: &Signals,
         console: Console,
     ) -> Result<Option<Cost>> {
@@ -251,7 +243,7 @@ impl Film<'_> {
                 let stop = signals.stop();
                 let saved =
                     self.frame(frame, Some(stop), &mut summary, &silent).and_then(|image| {
-                        image.save_with_origin(&files[frame], origin, Some(stop))?;
+                        image.save_png_unless(&files[frame], stop)?;
                         Ok(image.not_finite())
                     });
                 not_finite += match saved {
@@ -323,11 +315,8 @@ impl Film<'_> {
 }
 
 /// The error after a signal.
-fn stopped<T>(written: &Written, files: &[PathBuf], folder: &Folder) -> Result<T> {
-    let mut there = 0;
-    for file in files {
-        there += u64::from(written.found(file)? == Found::Image);
-    }
+fn stopped<T>(files: &[PathBuf], folder: &Folder) -> Result<T> {
+    let there = files.iter().filter(|file| file.exists()).count() as u64;
     let all = files.len();
     let folder = folder.path().display();
     refuse(format!(

@@ -116,10 +116,13 @@ fn find(key: &str) -> Result<Value, String> {
     }
 }
 
-/// The setting whose name, with or without its table, is most similar to a key.
+/// The setting whose name, with or without its table, begins with a key or is most similar to it.
 fn nearest(key: &str) -> Option<String> {
     let alike = |name: &str| {
         let last = name.rsplit('.').next().unwrap_or(name);
+        if !key.is_empty() && (name.starts_with(key) || last.starts_with(key)) {
+            return 1.0;
+        }
         strsim::jaro_winkler(key, name).max(strsim::jaro_winkler(key, last))
     };
     let rated = defaults().into_iter().map(|(name, _)| (alike(&name), name));
@@ -217,6 +220,7 @@ mod tests {
             ("run.steps", "`run.steps` sets nothing; write KEY=VALUE"),
             ("run.stesp=3", "no setting `run.stesp`; did you mean `run.steps`?"),
             ("max_gaussians=3", "did you mean `growth.max_gaussians`?"),
+            ("growth.max=3", "did you mean `growth.max_gaussians`?"),
             ("opacity=3", "did you mean `"),
             ("xyz=3", "there is no setting `xyz`"),
             ("=3", "there is no setting ``"),

@@ -7,7 +7,6 @@ use toml::Table;
 
 use super::assignment::{self, merge};
 use super::preset::Preset;
-use super::retired;
 use super::{MAX_BYTES, TrainConfig};
 use organza_core::error::{Error, Result};
 use organza_core::input::read_text;
@@ -65,8 +64,7 @@ impl ConfigBuilder {
             let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
             format!("line {line}: {}", error.message())
         };
-        let mut table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
-        retired::replace(&mut table).map_err(invalid)?;
+        let table: Table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
         merge(&mut self.table, table.clone());
         let config = self.parse().map_err(|reason| {
             let alone = toml::from_str::<TrainConfig>(text).err();

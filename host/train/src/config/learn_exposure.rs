@@ -1,8 +1,5 @@
 //! Whether a run learns the photographs' exposures.
 
-use std::fmt;
-use std::str::FromStr;
-
 use serde::{Deserialize, Serialize};
 
 use organza_data::Dataset;
@@ -11,25 +8,17 @@ use organza_data::Dataset;
 // docs/experiments.md has the measurements: 10% is not worth it, 13% is.
 const SPREAD: f64 = 0.12;
 
-/// Whether a run learns the photographs' exposures: `auto`, true or false in a file.
+/// Whether a run learns the photographs' exposures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "Written", into = "Written")]
+#[serde(rename_all = "lowercase")]
 pub enum LearnExposure {
-    /// If they differ by more than 12%, measured at the data set's points. A data set without points tells nothing.
+    /// If they differ by more than 12%, measured at the data set's points. Without points, nothing is known.
     #[default]
     Auto,
     /// Yes.
     On,
     /// No.
     Off,
-}
-
-/// The forms in a file.
-#[derive(Serialize, Deserialize)]
-#[serde(untagged, expecting = "expected auto, true or false")]
-enum Written {
-    Flag(bool),
-    Text(String),
 }
 
 impl LearnExposure {
@@ -47,50 +36,6 @@ impl LearnExposure {
 impl From<bool> for LearnExposure {
     fn from(learn: bool) -> Self {
         if learn { Self::On } else { Self::Off }
-    }
-}
-
-impl FromStr for LearnExposure {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "auto" => Ok(Self::Auto),
-            "true" => Ok(Self::On),
-            "false" => Ok(Self::Off),
-            _ => Err("expected auto, true or false".to_owned()),
-        }
-    }
-}
-
-impl fmt::Display for LearnExposure {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::Auto => "auto",
-            Self::On => "true",
-            Self::Off => "false",
-        })
-    }
-}
-
-impl TryFrom<Written> for LearnExposure {
-    type Error = String;
-
-    fn try_from(written: Written) -> Result<Self, String> {
-        match written {
-            Written::Flag(learn) => Ok(learn.into()),
-            Written::Text(text) => text.parse(),
-        }
-    }
-}
-
-impl From<LearnExposure> for Written {
-    fn from(learn: LearnExposure) -> Self {
-        match learn {
-            LearnExposure::Auto => Self::Text(learn.to_string()),
-            LearnExposure::On => Self::Flag(true),
-            LearnExposure::Off => Self::Flag(false),
-        }
     }
 }
 
@@ -123,30 +68,10 @@ mod tests {
             (LearnExposure::Off, [false; 2]),
         ] {
             let found = [&alike, &different].map(|dataset| learn.decide(dataset));
-            assert_eq!(found, expected, "{learn}");
+            assert_eq!(found, expected, "{learn:?}");
         }
         // nothing is known without points
         let dataset = Dataset::from_frames(different.frames, 0);
         assert!(!LearnExposure::Auto.decide(&dataset));
-    }
-
-    #[test]
-    fn files_have_a_word_or_a_truth_value() {
-        #[derive(Debug, PartialEq, Serialize, Deserialize)]
-        struct File {
-            learn: LearnExposure,
-        }
-        for (text, learn) in [
-            ("learn = \"auto\"\n", LearnExposure::Auto),
-            ("learn = true\n", LearnExposure::On),
-            ("learn = false\n", LearnExposure::Off),
-        ] {
-            assert_eq!(toml::from_str(text), Ok(File { learn }));
-            assert_eq!(toml::to_string(&File { learn }).unwrap(), text);
-        }
-        for bad in ["learn = \"yes\"", "learn = 1"] {
-            let error = toml::from_str::<File>(bad).unwrap_err().to_string();
-            assert!(error.contains("expected auto, true or false"), "{error}");
-        }
     }
 }

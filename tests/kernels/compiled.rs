@@ -7,7 +7,7 @@ use muslin_manifest::{Interface, sha256, source_hash};
 use organza::MODULES;
 
 const REMEDY: &str = "run `cargo xtask kernels` and commit what it writes to host/render/kernels \
-                      (docs/rebuilding-kernels.md says how to get the compiler)";
+                      (docs/adding-a-kernel.md says how to get the compiler)";
 
 #[test]
 fn kernels_are_compiled_from_these_sources() {

@@ -79,7 +79,7 @@ fn with_lpips(sandbox: &Sandbox, words: &str) {
     assert!(!sandbox.path("late").exists());
 }
 
-/// Weights in AlexNet's shapes, as described in docs/conventions.md, from a formula: trained weights are too large
+/// Weights in AlexNet's shapes, as described in docs/pipeline.md, from a formula: trained weights are too large
 /// for the repository.
 fn save_weights(path: &Path) {
     let mut tensors = Vec::new();

@@ -7,7 +7,7 @@ use muslin_device::memory;
 use crate::error::Result;
 use crate::tile::TileBatch;
 
-/// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/conventions.md` has the
+/// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/pipeline.md` has the
 /// definitions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Channel {

@@ -1,4 +1,4 @@
-//! One kernel in several sizes: a generic function, and a kernel for each size. docs/kernels.md shows it.
+//! One kernel in several sizes: a generic function, and a kernel for each size. docs/kernels.md shows one.
 
 use muslin::prelude::*;
 use muslin_check::{KernelRunner, devices};

@@ -65,7 +65,7 @@ fn a_pixel_of_a_contracted_scene_is_explained() {
     assert_explained("contracted");
 }
 
-/// The equations of docs/conventions.md that map a place of the world to the unit cube.
+/// The equations of docs/pipeline.md that map a place of the world to the unit cube.
 fn in_the_cube(config: &SceneConfig, place: [f64; 3]) -> [f64; 3] {
     let [low, high] = config.aabb;
     let part = |axis: usize| (place[axis] - low[axis]) / (high[axis] - low[axis]);

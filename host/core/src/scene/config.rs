@@ -41,7 +41,7 @@ pub struct SceneConfig {
     /// Added to the diagonal of each projected covariance, in square pixels.
     pub blur: f64,
     /// Whether the blur leaves a Gaussian's weight as it is: what it makes wider becomes fainter. A file without this
-    /// field has `false`. `docs/conventions.md` has the equation.
+    /// field has `false`. `docs/pipeline.md` has the equation.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub antialiased: bool,
     /// Background color: red, green, blue.
@@ -56,7 +56,7 @@ pub struct SceneConfig {
     pub placement: Placement,
 }
 
-/// Treatment of space outside the scene's box. `docs/conventions.md` has the equations.
+/// Treatment of space outside the scene's box. `docs/pipeline.md` has the equations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Contraction {

@@ -1,8 +1,7 @@
 //! The equations in f64, one file per stage. [`Parity::exact`](muslin_check::Parity::exact) of each case calls them, and so do the
 //! tests of whole scenes.
 //!
-//! They are written from docs/pipeline.md and docs/conventions.md, over plain numbers. They share no code and no constant with
-//! the kernels.
+//! They are written from docs/pipeline.md, over plain numbers. They share no code and no constant with the kernels.
 
 pub mod adam;
 pub mod batch;

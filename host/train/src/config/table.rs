@@ -250,12 +250,12 @@ macro_rules! define {
                 /// sigma, length of a transmittance step in the unit cube.
                 step: f64 = 0.05;
                 /// What becomes of space outside the scene's box: `none` ends rays there, `cube` contracts it.
-                #[see("conventions.md#contraction")]
+                #[see("pipeline.md#contraction")]
                 contraction: Contraction = Contraction::None;
                 /// Added to the diagonal of every projected covariance, in square pixels.
                 blur: f64 = 0.3;
                 /// Let the blur make Gaussians wider, but not heavier: what is thin looks alike in images of all sizes.
-                #[see("conventions.md#projection-and-support")]
+                #[see("pipeline.md#projection-and-support")]
                 antialiased: bool = true;
                 /// The color network: widths of its hidden layers.
                 color_mlp: MlpConfig = MlpConfig { hidden: vec![32, 32] };

@@ -92,8 +92,15 @@ fn documented(command: &str) -> BTreeSet<String> {
     let section = page.split("\n## ").find(|section| section.starts_with(&format!("{command}\n")));
     let section = section.unwrap_or_else(|| panic!("no section `{command}`"));
     let rows = section.lines().filter(|line| line.starts_with("| `"));
-    let first = rows.flat_map(|row| row.split('|').nth(1)).flat_map(|cell| cell.split(','));
-    first.map(|key| key.trim().trim_matches('`').to_owned()).collect()
+    let first = rows.flat_map(|row| row.split('|').nth(1)).flat_map(|cell| cell.split(", "));
+    first.flat_map(|key| expanded(key.trim().trim_matches('`'))).collect()
+}
+
+/// `a.{b,c}` stands for `a.b` and `a.c`.
+fn expanded(key: &str) -> Vec<String> {
+    let parts = key.split_once('{').and_then(|(begin, rest)| Some((begin, rest.split_once('}')?)));
+    let Some((begin, (choices, end))) = parts else { return vec![key.to_owned()] };
+    choices.split(',').flat_map(|choice| expanded(&format!("{begin}{choice}{end}"))).collect()
 }
 
 /// Every key, with the path of its objects: `views[].name`.

@@ -25,7 +25,6 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza bench [", "it shows the syntax"),
     ("python bench/", "it takes minutes, and needs other programs"),
     ("organza film run -o film.mp4", "it needs ffmpeg, which not everybody has"),
-    ("docs/experiments/parts.py", "it takes hours, and needs photographs"),
     ("SHARD=7/40 scripts/mutants.sh", "it takes hours, and needs cargo-mutants"),
     ("apt install", "it changes the machine"),
     ("organza capture", "it needs ffmpeg and COLMAP; `.ci/nightly` runs it"),

@@ -18,6 +18,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("scripts/build-rust-gpu-toolchain.sh", "`.ci/run` runs it: it takes 25 minutes at first"),
     ("cargo run -- parity", "tests/program/parity.rs runs it"),
     ("cargo build", "it compiles"),
+    ("cargo install", "it compiles; `.ci/run` runs it"),
     ("organza view", "it shows a page until Ctrl-C; tests/program/view does that"),
     ("cd tests/cases", "a debugger follows"),
     ("rust-gdb", "it is a debugger, and asks questions"),

@@ -15,7 +15,7 @@ const SPREAD: f64 = 0.12;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "Written", into = "Written")]
 pub enum LearnExposure {
-    /// If they differ by more than 12%, measured at the data set's points. A data set without points tells nothing.
+    /// If they differ by more than 12%, measured at the data set's points. Without points, none are learned.
     #[default]
     Auto,
     /// Yes.

@@ -41,7 +41,7 @@ pub(super) fn replace(settings: &mut Table) -> Result<(), String> {
         if settings.get(group).and_then(|group| group.get(name)).is_some() {
             let hint = if name == "tensorboard" { TENSORBOARD } else { "" };
             return Err(format!(
-                "`{group}.{name}` is no setting any more, and this value of it means nothing today: remove it{hint}"
+                "the setting `{group}.{name}` no longer exists, and no other setting replaces this value: remove it{hint}"
             ));
         }
     }

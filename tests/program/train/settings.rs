@@ -1,4 +1,4 @@
-//! The table of settings in `docs/training.md` must match the program.
+//! The list of settings in `docs/training.md` must match the program.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,8 +16,8 @@ fn page() -> String {
     fs::read_to_string(path()).expect("the page")
 }
 
-/// The table of settings, from the program.
-fn table() -> String {
+/// The list of settings, from the program.
+fn list() -> String {
     let defaults = config::defaults();
     // as `--set` takes it; a default in words is in the meaning
     let assignment = |name: &str, value: &str| match value.is_empty() || value.contains(' ') {
@@ -34,7 +34,7 @@ fn table() -> String {
         });
         format!("`{name}` {}", parts.collect::<Vec<_>>().join(" "))
     };
-    let mut table = "| setting and default | meaning |\n| --- | --- |\n".to_owned();
+    let mut list = String::new();
     for setting in SETTINGS.iter().filter(|setting| !setting.is_hidden()) {
         let option = setting.option.split(' ').next().filter(|option| !option.is_empty());
         let option = option.map_or(String::new(), |option| format!(" (`{option}`)"));
@@ -45,18 +45,18 @@ fn table() -> String {
         let name = setting.name;
         let text = setting.text();
         assert!(!text.is_empty(), "{name} has no meaning");
-        table += &format!("| {}{option} | {text}{see} |\n", assignments(name));
+        list += &format!("- {}{option}: {text}{see}\n", assignments(name));
     }
-    table
+    list
 }
 
-/// `INSTA_UPDATE=always` writes the table into the page.
+/// `INSTA_UPDATE=always` writes the list into the page.
 #[test]
-fn the_table_of_settings_is_that_of_the_program() {
+fn the_list_of_settings_is_that_of_the_program() {
     let page = page();
-    let expected = table();
-    let start = page.find("| setting and default |").expect("a table");
-    let length = page[start..].find("\n\n").expect("text behind the table") + 1;
+    let expected = list();
+    let start = page.find("- `data.path`").expect("a list");
+    let length = page[start..].find("\n\n").expect("text behind the list") + 1;
     if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
         let text = [&page[..start], &expected, &page[start + length..]].concat();
         fs::write(path(), text).expect("the page");

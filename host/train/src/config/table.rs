@@ -1,7 +1,7 @@
 //! The table of settings. A setting is one row: everything else follows from it.
 //!
 //! The struct of its group, its default, the check of its range, the option of `organza train`, the list of
-//! `organza help train`, and the row in `docs/training.md` are made from the row.
+//! `organza help train`, and the line in `docs/training.md` are made from the row.
 
 use std::fmt::Display;
 use std::ops::{RangeBounds, RangeFrom, RangeInclusive};

@@ -161,7 +161,8 @@ macro_rules! define {
                 #[option("--background <COLOR>")]
                 #[see("data.md#background")]
                 background: Background = Background::Auto;
-                /// Use of an alpha channel: `background` shows through, `mask` hides pixels below one half.
+                /// Use of an alpha channel: with `background`, the background shows through; with `mask`, pixels below one
+                /// half are hidden.
                 alpha: Alpha = Alpha::default();
                 /// Where to keep photographs: `memory`, `disk`, or `auto`.
                 #[see("data.md#photographs-that-do-not-fit-in-memory")]

@@ -2,7 +2,7 @@
 """How time and memory grow: `organza bench` over synthetic workloads that differ in one number, as tables and a plot.
 
     pip install numpy safetensors matplotlib
-    python bench/growth.py --organza target/release/organza --plot docs/growth.svg [--options '--backend cpu']
+    python bench/growth.py --organza target/release/organza --plot growth.svg [--options '--backend cpu']
 
 Prints Markdown. Each series changes one number of the workload of bench/synthetic.py and leaves the others.
 """

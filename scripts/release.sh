@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes what people install without a compiler: the program for Linux on x86-64, and the Python wheel. Both work with glibc 2.17, of 2012,
-# and later. Then it installs both into empty folders, and runs the first command of the README and the first block of the Python page.
+# and later. Then it installs both into empty folders, and runs the first training of the README and the first block of the Python page.
 #
 # usage: scripts/release.sh [FOLDER]      (target/release-files by default)
 #
@@ -60,8 +60,8 @@ check() {
   folder=$(mktemp -d)
   tar -C "$folder" --strip-components 1 -xzf "$out"/organza-*-x86_64-linux.tar.gz
   command=$(scripts/readme-command.sh run)
-  command=${command//cargo run --release -p organza --/$folder/organza}
-  (cd "$folder" && bash -euxo pipefail -c "$command")
+  command=${command/cargo install*--locked/}
+  (cd "$folder" && PATH=$folder:$PATH bash -euxo pipefail -c "$command")
   test -s "$folder/run/report.html"
   python3 -m venv "$folder/venv"
   "$folder/venv/bin/pip" install --quiet --disable-pip-version-check "$out"/organza-*manylinux*.whl

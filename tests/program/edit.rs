@@ -168,7 +168,7 @@ fn a_run_is_edited_and_every_command_takes_the_result() {
 fn what_cannot_be_is_refused() {
     let sandbox = Sandbox::new("tiny");
     for (words, facts) in [
-        ("", &["what to remove", "--box"][..]),
+        ("", &["nothing to do", "--box"][..]),
         ("--outside --haze", &["--outside", "--sphere"]),
         ("--box 0,0,0", &["--box", "two corners"]),
         ("--sphere 0,0,0,-1", &["--sphere", "radius"]),

@@ -85,15 +85,22 @@ fn the_short_help_is_short() {
     }
 }
 
-/// `docs/json.md` has a table of keys for each command that prints JSON.
+/// `docs/json.md` has a list of keys for each command that prints JSON.
 fn documented(command: &str) -> BTreeSet<String> {
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/json.md");
     let page = fs::read_to_string(page).unwrap();
     let section = page.split("\n## ").find(|section| section.starts_with(&format!("{command}\n")));
     let section = section.unwrap_or_else(|| panic!("no section `{command}`"));
-    let rows = section.lines().filter(|line| line.starts_with("| `"));
-    let first = rows.flat_map(|row| row.split('|').nth(1)).flat_map(|cell| cell.split(','));
-    first.map(|key| key.trim().trim_matches('`').to_owned()).collect()
+    let rows = section.lines().filter_map(|line| line.strip_prefix("- `")?.split_once("`: "));
+    let keys = rows.flat_map(|(keys, _)| keys.split("`, `"));
+    keys.flat_map(expanded).collect()
+}
+
+/// `a.{b,c}` stands for `a.b` and `a.c`.
+fn expanded(key: &str) -> Vec<String> {
+    let parts = key.split_once('{').and_then(|(begin, rest)| Some((begin, rest.split_once('}')?)));
+    let Some((begin, (choices, end))) = parts else { return vec![key.to_owned()] };
+    choices.split(',').flat_map(|choice| expanded(&format!("{begin}{choice}{end}"))).collect()
 }
 
 /// Every key, with the path of its objects: `views[].name`.
@@ -116,7 +123,7 @@ fn add_keys(value: &Value, above: &str, found: &mut BTreeSet<String>) {
     }
 }
 
-/// Asserts that a command printed exactly the keys in its table.
+/// Asserts that a command printed exactly the keys in its list.
 #[track_caller]
 pub fn assert_documented(command: &str, results: &[Value]) {
     let mut found = BTreeSet::new();

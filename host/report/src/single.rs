@@ -147,8 +147,9 @@ fn views(run: &Run, last: &Evaluation<'_>) -> Markup {
         "Held-out views",
         &html! {
             p.quiet {
-                "After step " (grouped(last.step)) ". The error is the absolute difference of values of 0 to 1, mean of \
-                 the channels, times " (ERROR_FACTOR) ". It is 0 where the photograph has no pixels."
+                "After step " (grouped(last.step)) ". The error is the absolute difference of values from 0 to 1, averaged \
+                 over the channels, times " (ERROR_FACTOR) ". Where the photograph has no valid pixel, such as behind a \
+                 mask, the error is 0."
             }
             (error_legend())
             @for figure in &figures { (figure) }

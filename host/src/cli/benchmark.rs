@@ -26,12 +26,12 @@ Examples:
   organza benchmark data/* -o small --steps 600 --downscale 4 --seed 1
   organza benchmark data/fox -o results --lpips lpips-alex.safetensors
 
-FOLDER gets a training run for each capture, named as its folder is, and the table as results.md and results.csv. \
-A capture whose run is there already is continued, or counted as it is: the same command goes on after Ctrl-C.
+organza writes a training run for each capture to FOLDER, under the name of the capture's folder, and the table to \
+results.md and results.csv. After Ctrl-C, the same command continues: it resumes an unfinished run and keeps finished ones.
 
 PSNR and SSIM are those of the held-out views after the last step. MB is the size of the scene, in 10^6 bytes, \
 without the state of training. Minutes are those of training, without evaluations. scripts/lpips-weights.py makes \
-the file of --lpips.";
+the file for --lpips.";
 
 /// Train on several captures, and compare them in one table (`bench` measures the speed of a device)
 #[derive(Debug, clap::Args)]

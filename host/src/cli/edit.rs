@@ -34,7 +34,7 @@ Examples:
 
 The rules apply in this order: box and sphere, contribution, haze, cluster. Contribution and haze are measured once, in \
 the scene that box and sphere have left. \
-The result is a scene's file, which every command reads that takes a scene.";
+The result is a scene's file, for every command that takes a scene.";
 
 /// Remove Gaussians from a scene: crop it, clean it, make it smaller; or give it a scale
 #[derive(Debug, clap::Args)]
@@ -65,8 +65,8 @@ pub struct Args {
     /// tenth of the views, but 3 at least]
     #[arg(long, value_name = "VIEWS", value_parser = parse_views, num_args = 0..=1, require_equals = true)]
     haze: Option<Option<f64>>,
-    /// Keep only the largest cluster. Two Gaussians are in one cluster if a cube around the larger one, REACH of its standard
-    /// deviations, or the cube next to it, reaches the other
+    /// Keep only the largest cluster of Gaussians that are close to each other: within about REACH standard deviations of
+    /// the larger one [default: 2]
     #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "2")]
     keep_largest: Option<f64>,
@@ -200,7 +200,7 @@ impl Args {
             return Ok(());
         }
         refuse(
-            "nothing says what to remove, or how large the scene is: give `--box`, `--sphere`, `--least-contribution`, `--haze`, `--keep-largest`, \
+            "there is nothing to do: give `--box`, `--sphere`, `--least-contribution`, `--haze`, `--keep-largest`, \
              `--scale` or `--measured`",
         )
     }

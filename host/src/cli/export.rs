@@ -48,7 +48,7 @@ pub struct Args {
     /// one color for all directions
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Number of times that views are compared and the Gaussians corrected; 0 fits only to the networks
+    /// Steps in which a view is compared and the Gaussians are corrected; 0 only fits colors to the networks
     #[arg(long, value_name = "N", default_value_t = Fit::default().steps)]
     #[arg(value_parser = clap::value_parser!(u32).range(Fit::STEPS))]
     steps: u32,
@@ -178,7 +178,7 @@ fn say_psnr(views: &Views, distilled: &Distilled, written: &[Splat], steps: u32,
     let cost = distilled.psnr - psnr;
     if cost > NOTICED {
         console.warn(&format!(
-            "what this format rounds or leaves out costs {cost:.2} dB of {:.2} dB; a .ply has all values",
+            "this format rounds or leaves out values, which costs {cost:.2} dB of {:.2} dB; a .ply keeps all values",
             distilled.psnr
         ));
     }

@@ -21,17 +21,17 @@ use super::verbosity::Level;
 #[command(next_help_heading = "Ranks")]
 pub struct RanksArgs {
     /// Share the training among N threads, each with its own device; or `mpi`: among the processes that mpirun or
-    /// srun has started. The result does not depend on the number of ranks, and has the same bits as without this
-    /// option (docs/cluster.md)
+    /// srun has started. The result has the same bits with any number of ranks, and without this option
+    /// (docs/cluster.md)
     #[arg(long, value_name = "N|mpi")]
     ranks: Option<Kind>,
     /// The work that ranks share. `views`: each rank holds the whole scene. `gaussians`: each rank holds some of the
     /// Gaussians, for scenes that do not fit on one device. The scene's bits depend on this [default: views]
     #[arg(long, value_name = "WHAT", requires = "ranks")]
     split: Option<SplitName>,
-    /// With `--split gaussians`: distribute the Gaussians in N shards, over groups of N ranks. The groups share the
-    /// views. N divides the number of ranks. The scene's bits do not depend on it [default: the number of ranks, so
-    /// one group]
+    /// With `--split gaussians`: form groups of N ranks. The ranks of a group share the Gaussians, and the groups share
+    /// the views. N must divide the number of ranks. The scene's bits do not depend on it [default: one group of all
+    /// ranks]
     #[arg(long, value_name = "N", requires = "split")]
     shards: Option<usize>,
     /// Allow ranks with different programs or devices; the scene's bits then depend on which rank computes what

@@ -32,8 +32,8 @@ Examples:
   organza render scene.safetensors transforms.json -o images --missing     what is not there yet
   mpirun -n 8 organza render scene.safetensors transforms.json -o images --ranks mpi
 
-A folder is a data set: its cameras are as training has them, undistorted and downscaled, and a \
-run's folder says which frames are held out. Views count within the split.
+The cameras of a data set are those of training: undistorted and downscaled. With a run's folder, its settings say \
+which frames are held out. `--views` counts the frames that `--split` chooses.
 
 If each camera names a photograph of its own, files are named after these; otherwise after the \
 view's index. The tile size does not change the image.

@@ -26,8 +26,8 @@ Examples:
   organza tiles scene.safetensors cameras.json tiles.json --grad-output G.safetensors --grad gradient.safetensors
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --ranks 2
 
-A data set in the place of CAMERAS gives its cameras as training has them; a tile's camera counts \
-within `--split`.
+CAMERAS may be a data set: its cameras are those of training, and `camera` is an index among the \
+frames of `--split`.
 
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
 origin is the column and the row of its upper left pixel. OUT holds `tiles`, F32 [K, 3, S, S]: \

@@ -77,8 +77,9 @@ pub struct Args {
     /// The folder for the run; created if it does not exist
     #[arg(short, long, value_name = "RUN", required_unless_present_any = ["resume", "print_config"])]
     output: Option<PathBuf>,
-    /// Continue a run that was stopped, with its own settings; --steps and --max-gaussians extend it, --minutes goes on
-    /// for so many more, --evaluate-every, --checkpoint-every and --set run.log_every change what is written
+    /// Continue a run that was stopped, with its own settings. Only these options may change them: --steps and
+    /// --max-gaussians; --minutes, which trains for that many more minutes; --evaluate-every, --checkpoint-every and --set
+    /// run.log_every
     #[arg(long, value_name = "RUN", conflicts_with_all = ["output", "data", "preset", "config"])]
     resume: Option<PathBuf>,
     #[command(flatten)]
@@ -86,8 +87,8 @@ pub struct Args {
     /// Print all settings as TOML, and do nothing else
     #[arg(long)]
     print_config: bool,
-    /// Finish after this many seconds of training, wherever the run is. Unlike --minutes, it plans nothing: what changes
-    /// over the steps, such as growth and learning rates, may be cut off
+    /// Finish after this many seconds of training, whatever step the run has reached. Unlike with --minutes, growth and
+    /// learning rates are not planned for this time
     #[arg(long, value_name = "SECONDS", conflicts_with = "minutes")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     time_limit: Option<u32>,
@@ -125,8 +126,8 @@ pub struct SettingsArgs {
     set: Vec<String>,
     #[command(flatten)]
     options: SettingOptions,
-    /// Choose the number of steps so that the run takes this many minutes, evaluations included. The number is written
-    /// to config.toml
+    /// Choose the number of steps so that the run takes this many minutes, evaluations included. config.toml keeps the
+    /// number
     #[arg(long, value_name = "M", conflicts_with = "run.steps")]
     #[arg(value_parser = minutes)]
     minutes: Option<f64>,

@@ -44,13 +44,13 @@ pub struct Args {
     scene: PathBuf,
     /// A data set, or a transforms.json, with or without photographs [default: that of the run]
     data: Option<PathBuf>,
-    /// Let the browser render with its own GPU: serve the page of `organza export-web`. This needs WebGPU, which
-    /// browsers allow for pages of this machine, and for those that `ssh -L` brings here. The page has no
-    /// photographs, and explains no pixels
+    /// Let the browser render with its own GPU: serve the page of `organza export-web`. Browsers allow that (WebGPU) only
+    /// for pages at `localhost`, where `ssh -L` also puts those of other machines. The page has no photographs, and
+    /// explains no pixels
     #[arg(long, help_heading = "Page")]
     client: bool,
-    /// Let the page remove Gaussians. What is left is saved as this scene, and further times with a number behind the
-    /// name; nothing is replaced
+    /// Let the page remove Gaussians, and save what is left to this file. Later saves add a number to its name; no file is
+    /// replaced
     #[arg(long, value_name = "SCENE", conflicts_with = "client", help_heading = "Page")]
     edit: Option<PathBuf>,
     #[command(flatten)]

@@ -262,7 +262,9 @@ impl Device {
                 })
             }
             (Kind::Planner(_), _) => Err(Error::Argument {
-                reason: format!("`{label}` cannot be read: a planner runs nothing"),
+                reason: format!(
+                    "`{label}` has no values to read: this device only records what another one will run"
+                ),
             }),
             _ => panic!("the buffer `{label}` belongs to another device"),
         }

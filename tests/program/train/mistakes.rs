@@ -37,7 +37,7 @@ fn bad_requests() {
         ("-o new --time-limit 0", ["--time-limit", "0"]),
         ("-o new --preset quick", ["'quick'", "fast, default, best, built-in"]),
         ("-o new --set run.stesp=5", ["no setting `run.stesp`", "did you mean `run.steps`?"]),
-        ("-o new --set run.steps", ["`run.steps` sets nothing", "KEY=VALUE"]),
+        ("-o new --set run.steps", ["`run.steps` has no value", "KEY=VALUE"]),
         ("-o new --set run.steps=0", ["`run.steps` is 0", "1 or more"]),
     ] {
         sandbox.assert_refuses(&format!("train {words} --backend cpu"), &facts);

@@ -132,7 +132,7 @@ impl<'a> Colmap<'a> {
         if models(folder).is_empty() {
             return refuse(format!(
                 "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
-                 neighbors, from different places: walk around the scene, slowly. All that COLMAP says is in {}",
+                 neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
                 self.job.path("log.txt").display()
             ));
         }

@@ -32,9 +32,9 @@ Examples:
 Walk slowly around what you want to show, and look at it from many places: turning on the spot shows no depth. Keep the \
 light and the zoom as they are.
 
-Of a video, the sharpest frames are taken by ffmpeg. COLMAP finds out where the camera stood: minutes for 100 images, \
-hours for a thousand. Both programs must be installed. Ctrl-C stops, and the same command goes on: steps that are done \
-are not repeated. The folder then has images without lens distortion and their cameras, ready for `organza train`.";
+ffmpeg takes the sharpest frames of a video. COLMAP finds out where the camera stood, which takes minutes for 100 images \
+and hours for a thousand. Both programs must be installed. After Ctrl-C, the same command continues, and repeats no \
+finished step. In the end, FOLDER has images without lens distortion and their cameras, ready for `organza train`.";
 
 /// Make a data set from a video or from photographs: sharp frames by ffmpeg, poses by COLMAP
 #[derive(Debug, clap::Args)]
@@ -54,7 +54,7 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = 1920)]
     #[arg(value_parser = clap::value_parser!(u32).range(64..=16_384))]
     side: u32,
-    /// Compare each frame of a video with all others, not only with those before it. It takes longer, and helps where
+    /// Compare each frame of a video with all others, not only with those before it. This takes longer, and helps where
     /// the camera came back to a place
     #[arg(long)]
     exhaustive: bool,
@@ -302,8 +302,8 @@ fn finish(args: &Args, done: &Done, console: Console) -> Result<()> {
     let Done { images, posed, .. } = done;
     if 2 * posed < *images {
         console.warn(&format!(
-            "COLMAP found out where the camera stood for {posed} of {images} images: the scene will show only a part. \
-             More images of what lies between help, and `--exhaustive` for a video"
+            "COLMAP found the poses of only {posed} of {images} images, so the scene will show only a part. Add images \
+             of what lies between. For a video, `--exhaustive` may also help"
         ));
     }
     console.note(&format!("wrote {output}: {posed} of {images} images have a pose"));

@@ -71,7 +71,7 @@ impl<'a> Programs<'a> {
     /// Fails after a signal.
     pub fn check(&self) -> Result<()> {
         if self.stop.load(Ordering::Relaxed) {
-            return refuse("stopped by a signal; the same command goes on from here");
+            return refuse("stopped by a signal; the same command continues from here");
         }
         Ok(())
     }
@@ -109,8 +109,8 @@ impl<'a> Programs<'a> {
         }
         self.finish(&name, &mut child, || {
             let said = last.iter().rev().find(|line| !line.trim().is_empty());
-            let said = said.map_or("it says nothing", |line| line.trim());
-            format!("{said}. All that it says is in {}", self.log.display())
+            let said = said.map_or("it printed nothing", |line| line.trim());
+            format!("{said}. Its whole output is in {}", self.log.display())
         })
     }
 
@@ -137,7 +137,7 @@ impl<'a> Programs<'a> {
             }
         }
         self.finish(&name, &mut child, || {
-            errors.iter().next().unwrap_or_else(|| "it says nothing".to_owned())
+            errors.iter().next().unwrap_or_else(|| "it printed nothing".to_owned())
         })
     }
 
@@ -148,7 +148,7 @@ impl<'a> Programs<'a> {
         if status.success() {
             return Ok(());
         }
-        refuse(format!("{name} fails ({status}): {}", said()))
+        refuse(format!("{name} failed ({status}): {}", said()))
     }
 }
 

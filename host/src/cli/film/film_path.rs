@@ -21,8 +21,8 @@ const LONGEST_SIDE: u32 = 1920;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Camera")]
 pub struct PathArgs {
-    /// Turn once around the point that the cameras look at. The default without CAMERAS is an arc or a ring that stays where
-    /// the run's cameras stood; without any cameras it is this full turn
+    /// Turn once around the point that the cameras look at [default for a scene without cameras]. Without CAMERAS, the
+    /// default for a run is an arc or a ring where its cameras stood
     #[arg(long, conflicts_with = "between")]
     orbit: bool,
     /// Move smoothly through the cameras, in their order [default with CAMERAS]

@@ -78,7 +78,7 @@ pub fn merge(under: &mut Table, over: Table) {
 /// Parses an assignment into a table with one setting.
 pub fn parse(text: &str) -> Result<Table, String> {
     let Some((key, value)) = text.split_once('=') else {
-        return Err(format!("`{text}` sets nothing; write KEY=VALUE, such as run.steps=3000"));
+        return Err(format!("`{text}` has no value; write KEY=VALUE, such as run.steps=3000"));
     };
     let key = key.trim();
     let text = value.trim();
@@ -217,7 +217,7 @@ mod tests {
     #[test]
     fn mistakes_are_named() {
         for (assignment, expected) in [
-            ("run.steps", "`run.steps` sets nothing; write KEY=VALUE"),
+            ("run.steps", "`run.steps` has no value; write KEY=VALUE"),
             ("run.stesp=3", "no setting `run.stesp`; did you mean `run.steps`?"),
             ("max_gaussians=3", "did you mean `growth.max_gaussians`?"),
             ("growth.max=3", "did you mean `growth.max_gaussians`?"),

@@ -68,8 +68,8 @@ impl TrainConfig {
             plan.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[1][0] < pair[0][1]);
         let first = plan.first().is_none_or(|entry| entry[0] == 0);
         if !ascends || !first || plan.iter().any(|[step, steps]| step >= steps) {
-            return Err("`run.plan` is not one that a run has written: its steps ascend from 0, and each is before \
-                        the end that was planned; remove it"
+            return Err("`run.plan` is not a plan of `--minutes`: its steps must ascend from 0, and each must be less \
+                        than the number of all steps that was planned there; remove it"
                 .to_owned());
         }
         match plan.last() {

@@ -12,7 +12,7 @@ const SPREAD: f64 = 0.12;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LearnExposure {
-    /// If they differ by more than 12%, measured at the data set's points. Without points, nothing is known.
+    /// If they differ by more than 12%, measured at the data set's points. Without points, none are learned.
     #[default]
     Auto,
     /// Yes.

@@ -1,7 +1,7 @@
 //! The table of settings. A setting is one row: everything else follows from it.
 //!
 //! The struct of its group, its default, the check of its range, the option of `organza train`, the list of
-//! `organza help train`, and the row in `docs/training.md` are made from the row.
+//! `organza help train`, and the line in `docs/training.md` are made from the row.
 
 use std::fmt::Display;
 use std::ops::{RangeBounds, RangeFrom, RangeInclusive};
@@ -153,25 +153,25 @@ macro_rules! define {
                 /// Shrink photographs by this factor.
                 #[option("--downscale <N>")]
                 downscale: u32 = 1, in 1..;
-                /// Hold out every Nth frame, starting with the first; 0 holds out none.
+                /// Hold out every Nth frame, starting with the first; 0: none.
                 #[option("--hold-out-every <N>")]
                 hold_out_every: usize = 8;
                 /// Color behind the scene, and behind photographs with an alpha channel: a name such as white, or red,
-                /// green and blue from 0 to 1 such as 1,1,1. `auto` is white for Blender data with alpha, else black.
+                /// green and blue from 0 to 1 such as 1,1,1. `auto` chooses.
                 #[option("--background <COLOR>")]
                 #[see("data.md#background")]
                 background: Background = Background::Auto;
-                /// What an alpha channel is for: `background` puts the photograph in front of it, `mask` leaves out
-                /// pixels of less than half.
+                /// Use of an alpha channel: with `background`, the background shows through; with `mask`, pixels below one
+                /// half are hidden.
                 alpha: Alpha = Alpha::default();
-                /// Where photographs are kept: `memory`, `disk`, or `auto`.
+                /// Where to keep photographs: `memory`, `disk`, or `auto`.
                 #[see("data.md#photographs-that-do-not-fit-in-memory")]
                 keep: Keep = Keep::default();
-                /// Number of views of the built-in scene.
+                /// Views of the built-in scene.
                 built_in_views: u32 = 48, in 2..=1000;
-                /// Width and height of these views, in pixels.
+                /// Width and height of these views.
                 built_in_side: u32 = 128, in 16..=2048;
-                /// Read what the data set names outside its own folder, by a path or a link.
+                /// Read files that the data set names outside its own folder.
                 #[option("--allow-outside")]
                 #[serde(skip_serializing_if = "std::ops::Not::not")]
                 allow_outside: bool = false;
@@ -179,10 +179,10 @@ macro_rules! define {
 
             /// The run's length, the size of a step, and how often something is written.
             run: RunConfig {
-                /// Number of training steps. Learning rates decay until the last.
+                /// Number of training steps.
                 #[option("--steps <N>")]
                 steps: u32 = 2000, in 1..;
-                /// What `--minutes` writes: pairs of a step and of the number of all steps that was planned there.
+                /// The plans of `--minutes`: pairs of a step and the number of all steps that was planned there.
                 plan: Vec<[u32; 2]> = Vec::new();
                 /// Seed of all random choices.
                 #[option("--seed <N>")]
@@ -193,20 +193,18 @@ macro_rules! define {
                 /// S, side of a tile in pixels.
                 #[option("--tile-size <S>")]
                 tile_size: u32 = 64, in 1..=512;
-                /// Take the tiles of a step in groups of this many neighbors from one image: a Gaussian that several of
-                /// them show is evaluated once. 1 draws each tile on its own.
+                /// Draw this many neighboring tiles from each image: a Gaussian that several of them show is evaluated
+                /// once.
                 tiles_per_view: u32 = 1, in 1..;
-                /// Part of the run, at its start, in which photographs have half their size and steps of T are twice as
-                /// long.
+                /// First part of the run, with photographs of half their size and steps of T twice as long.
                 #[see("#coarse-to-fine")]
                 coarse: f64 = 0.7, in 0.0..=1.0;
-                /// Steps between evaluations on the held-out views; 0 evaluates only at the end.
+                /// Steps between evaluations on the held-out views; 0: only at the end.
                 #[option("--evaluate-every <N>")]
                 evaluate_every: u32 = 1000;
-                /// Held-out views that these evaluations measure, evenly spaced; 0 measures all. The evaluation at the
-                /// end measures all.
+                /// Number of held-out views that these evaluations measure; 0: all, as at the end.
                 evaluate_views: u32 = 0;
-                /// Steps between checkpoints. The end always writes one.
+                /// Steps between checkpoints.
                 #[option("--checkpoint-every <N>")]
                 checkpoint_every: u32 = 250, in 1..;
                 /// Steps between `step` records of the log.
@@ -217,22 +215,22 @@ macro_rules! define {
             loss: LossConfig {
                 /// w, the weight of SSIM.
                 ssim_weight: f32 = 0.2, in 0.0..=1.0;
-                /// Weight of the distortion, which is added to the loss; try 0.03.
+                /// Weight of the distortion, which reduces haze; try 0.03.
                 #[see("#distortion")]
                 distortion_weight: f32 = 0.0, in 0.0..=1e3;
             }
 
             /// The exposure of each photograph.
             exposure: ExposureConfig {
-                /// Also learn each photograph's exposure: a gain and an offset for each channel. `auto` learns them if
-                /// they differ by more than 12% at the data set's points.
+                /// Learn each photograph's exposure: a gain and an offset for each channel. `auto`: if they differ by
+                /// more than 12%.
                 #[see("#exposure")]
                 learn: LearnExposure = LearnExposure::Auto;
             }
 
             /// The poses of the photographs' cameras.
             poses: PosesConfig {
-                /// Also learn the pose of each photograph's camera: for poses that are a little off.
+                /// Also learn the cameras' poses: for poses that are a little off.
                 #[option("--refine-poses")]
                 #[see("#poses")]
                 refine: bool = false;
@@ -240,7 +238,7 @@ macro_rules! define {
 
             /// The shape of the scene: see [`SceneConfig`](organza_core::scene::SceneConfig).
             scene: ShapeConfig {
-                /// D, degree of the spherical harmonics: how much colors change with the view direction.
+                /// D, degree of the spherical harmonics: how finely colors change with the view direction.
                 #[option("--sh-degree <N>")]
                 sh_degree: u32 = 2;
                 /// Length of a Gaussian's material vector.
@@ -249,21 +247,22 @@ macro_rules! define {
                 extra: u32 = 2;
                 /// sigma, length of a transmittance step in the unit cube.
                 step: f64 = 0.05;
-                /// What becomes of space outside the scene's box: `none` ends rays there, `cube` contracts it.
+                /// Space outside the scene's box: `none` ends rays there, `cube` contracts it.
                 #[see("pipeline.md#contraction")]
                 contraction: Contraction = Contraction::None;
-                /// Added to the diagonal of every projected covariance, in square pixels.
+                /// Added to the diagonal of projected covariances, in square pixels.
                 blur: f64 = 0.3;
-                /// Let the blur make Gaussians wider, but not heavier: what is thin looks alike in images of all sizes.
+                /// Let the blur widen Gaussians without making them heavier: thin things look alike in images of all
+                /// sizes.
                 #[see("pipeline.md#projection-and-support")]
                 antialiased: bool = true;
                 /// The color network: widths of its hidden layers.
                 color_mlp: MlpConfig = MlpConfig { hidden: vec![32, 32] };
                 /// The transmittance network: widths of its hidden layers.
                 transmittance_mlp: MlpConfig = MlpConfig { hidden: vec![32, 32] };
-                /// The color network's hash grid: its levels, features of an entry, log2 of the largest number of
-                /// entries of a level, cells along a side of the coarsest level, and how much finer each level is than
-                /// the one before.
+                /// The color network's hash grid: levels, features per entry, log2 of a level's largest number of
+                /// entries, cells along a side of the coarsest level, and how much finer each level is than the one
+                /// before.
                 color_grid: GridConfig = grid();
                 /// The transmittance network's hash grid.
                 transmittance_grid: GridConfig = grid();
@@ -276,8 +275,8 @@ macro_rules! define {
                 #[see("splats.md#import")]
                 #[serde(skip_serializing_if = "Option::is_none")]
                 path: Option<PathBuf> = None;
-                /// Number of Gaussians to start with, if the data set has no points. If it has, there is one at each, up
-                /// to `growth.max_gaussians`.
+                /// Number of first Gaussians if the data set has no points. If it has, there is one at each, up to
+                /// `growth.max_gaussians`.
                 gaussians: u32 = 12_000, in 1..;
                 /// Their opacity.
                 opacity: f32 = 0.1, in 1e-4..=0.9999;
@@ -294,15 +293,15 @@ macro_rules! define {
                 beta1: f64 = 0.9, in 0.0..=0.999_999;
                 /// Adam's beta2.
                 beta2: f64 = 0.99, in 0.0..=0.999_999_9;
-                /// Part of the run, at its end, in which all learning rates also fall linearly, to a fiftieth; 0: none.
+                /// Last part of the run, in which all learning rates also fall linearly, to a fiftieth; 0: none.
                 // What noise moved comes to rest: Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond
                 // Fixed Training Durations".
                 cooldown: f64 = 0.3, in 0.0..=1.0;
                 /// Weight decay of the transmittance network's grid: each step multiplies its values by 1 minus this
-                /// times their learning rate, whatever the gradient; 0: none.
+                /// times their learning rate.
                 // AdamW, Loshchilov and Hutter 2019. Space stays empty unless photographs ask for more.
                 transmittance_decay: f64 = 1.0, in 0.0..=1.0;
-                /// T is trained at every Nth step: its network, its grid and the extra values. All else is trained at every step.
+                /// Train T, that is its network, its grid and the extra values, at every Nth step only.
                 transmittance_every: u32 = 2, in 1..=1_000;
                 $(
                     #[doc = concat!("Learning rate of `gaussians.", stringify!($tensor), "`.")]
@@ -314,24 +313,23 @@ macro_rules! define {
                 networks: Rate = Rate { first: 5e-3, last: 5e-3 };
                 /// Learning rate of exposures.
                 exposure: Rate = Rate { first: 1e-2, last: 1e-3 };
-                /// Learning rate of poses: of rotations, in radians; of shifts, relative to half the longest side of the
-                /// scene's box.
+                /// Learning rate of poses: radians for rotations; half the longest side of the scene's box for shifts.
                 pose: Rate = Rate { first: 3e-4, last: 3e-5 };
             }
 
             /// How the number of Gaussians changes: those whose center has the strongest gradient are split, and
             /// transparent ones are removed.
             growth: GrowthConfig {
-                /// Largest number of Gaussians. The option also limits the number at the start.
+                /// Largest number of Gaussians. The option also limits the first ones.
                 #[option("--max-gaussians <N>")]
                 max_gaussians: u32 = 30_000, in 1..;
                 /// Steps between changes.
                 every: u32 = 100, in 1..;
-                /// The first change, as a fraction of all steps.
+                /// First change, as a fraction of all steps.
                 begin: f64 = 0.1, in 0.0..=1.0;
-                /// The last change, as a fraction of all steps; 0: none.
+                /// Last change, as a fraction of all steps; 0: none.
                 end: f64 = 0.8, in 0.0..=1.0;
-                /// Gaussians added by each change, as a fraction of those there are.
+                /// Gaussians that a change adds, as a fraction of all.
                 rate: f64 = 0.1, in 0.0..=1.0;
                 /// Gaussians less opaque than this are removed.
                 min_opacity: f32 = 0.005, in 0.0..=0.5;

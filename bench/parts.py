@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the worth of each part of the method: trains without it, or with another, and prints the table of docs/experiments.md.
 
-    docs/experiments/parts.py RUNS ORGANZA CAPTURE...
+    python bench/parts.py RUNS ORGANZA CAPTURE...
 
 The first row has PSNR and SSIM, the others what they have more or less. The same command goes on after Ctrl-C.
 """

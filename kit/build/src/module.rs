@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
-use muslin::{EntryPoint, KernelInfo};
+use muslin_kernel::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
 
@@ -226,7 +226,7 @@ mod tests {
 
     /// A mistake in a module.
     fn wrong(module: &[u8]) -> String {
-        let mut kernels = muslin::kernels();
+        let mut kernels = muslin_kernel::kernels();
         let kernel = kernels.find(|kernel| kernel.name == "count_fill").expect("a kernel");
         check(kernel, &kernel.plain(), module).err().map_or_else(String::new, |e| e.to_string())
     }

@@ -5,6 +5,7 @@
 //! A kernel's case has its inputs, its equation in f64, and the error allowed on a device. It implements [`Parity`]:
 //!
 //! ```
+//! # extern crate muslin_kernel as muslin;
 //! use muslin_check::prelude::*;
 //! use muslin::prelude::*;
 //!

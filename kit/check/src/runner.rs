@@ -1,8 +1,8 @@
 //! Runs one kernel on one device.
 
 use bytemuck::Pod;
-use muslin::given::Given;
-use muslin::kernel::{Access, BindingInfo, Dispatch};
+use muslin_kernel::given::Given;
+use muslin_kernel::kernel::{Access, BindingInfo, Dispatch};
 
 use super::canary::Canary;
 use super::given::{self, Uploaded};

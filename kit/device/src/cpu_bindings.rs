@@ -1,7 +1,7 @@
 //! The CPU backend's bindings of a kernel: memory, and monitors of its use.
 
-use muslin::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
-use muslin::memory::AccessMonitor;
+use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
+use muslin_kernel::memory::AccessMonitor;
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::races::{Elements, Races, Reads};

@@ -1,7 +1,7 @@
 //! The host's side of kernels.
 
 use bytemuck::Pod;
-use muslin::kernel::Storage;
+use muslin_kernel::kernel::Storage;
 
 use crate::buffer::{Buffer, RawBuffer};
 use crate::count::Count;

@@ -1,6 +1,6 @@
 //! A dispatch on the CPU, and the ways to run it.
 
-use muslin::kernel::{CpuBinding, KernelInfo};
+use muslin_kernel::kernel::{CpuBinding, KernelInfo};
 
 use crate::buffer::RawBuffer;
 use crate::order::Order;

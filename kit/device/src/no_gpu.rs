@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::time::Duration;
 
-use muslin::{EntryPoint, KernelInfo};
+use muslin_kernel::{EntryPoint, KernelInfo};
 
 use crate::buffer::RawBuffer;
 use crate::count::Count;

@@ -1,7 +1,7 @@
 //! Runs each dispatch in several ways that must agree: devices differ in them.
 
-use muslin::kernel::{Access, BindingInfo, CpuBinding, is_far};
-use muslin::{KernelInfo, running, subgroup};
+use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, is_far};
+use muslin_kernel::{KernelInfo, running, subgroup};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;

@@ -1,6 +1,6 @@
 //! How many workgroups a dispatch has.
 
-use muslin::KernelInfo;
+use muslin_kernel::KernelInfo;
 
 /// The workgroups of a dispatch, along each axis.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +26,7 @@ mod tests {
 
     #[test]
     fn workgroups_hold_all_items() {
-        let info = muslin::kernels().find(|k| k.name == "count_fill").expect("a kernel");
+        let info = muslin_kernel::kernels().find(|k| k.name == "count_fill").expect("a kernel");
         for items in [0, 1, 63, 64, 65, 65_535 * 64, 65_535 * 64 + 1, 1 << 31, u32::MAX] {
             let [x, y] = workgroups_for(info, items);
             assert!(x <= 65_535 && y <= 65_535);

@@ -4,6 +4,8 @@
 //! The tests run them as the author of a kernel would, and compare the table of `docs/corpus.md` with the results. A
 //! line with a mistake ends with `//~`.
 
+extern crate muslin_kernel as muslin;
+
 mod bug;
 mod page;
 

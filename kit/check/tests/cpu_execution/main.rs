@@ -4,6 +4,8 @@
 //! The broken kernels are declared here with `#[kernel]`, like all kernels. What one kernel alone can do wrong is in the
 //! corpus beside.
 
+extern crate muslin_kernel as muslin;
+
 mod broken;
 
 use std::process::Command;
@@ -287,6 +289,11 @@ fn one_buffer_is_not_bound_twice_where_it_is_written() {
     let buffer = device.zeros("both", 100).unwrap();
     let message = failure(&device, &ReachesTooFarKernel { input: &buffer, output: &buffer }, 100);
     assert_contains(&message, &["`input` and `output` are one buffer, and it is written"]);
+    let [tail, view] = [buffer.tail(64), buffer.view::<f32>().view()];
+    for input in [&tail, &view] {
+        let message = failure(&device, &ReachesTooFarKernel { input, output: &buffer }, 36);
+        assert_contains(&message, &["are one buffer, and it is written"]);
+    }
 }
 
 /// Runs inside [`a_test_that_calls_a_kernel_says_which_invocation_failed`].

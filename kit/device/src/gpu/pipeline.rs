@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use muslin::{Access, EntryPoint, KernelInfo};
+use muslin_kernel::{Access, EntryPoint, KernelInfo};
 
 use super::variants::Variants;
 use crate::error::{Error, Result};
@@ -146,7 +146,7 @@ fn module(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use muslin::prelude::*;
+    use muslin_kernel::prelude::*;
 
     /// Writes the sum of each subgroup.
     #[kernel(threads(64), subgroups)]

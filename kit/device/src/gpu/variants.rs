@@ -1,6 +1,6 @@
 //! Chooses between a kernel's plain entry point and its variant, on a GPU.
 
-use muslin::kernel::{EntryPoint, KernelInfo};
+use muslin_kernel::kernel::{EntryPoint, KernelInfo};
 
 /// Whether a device runs the variants of kernels.
 #[derive(Clone, Copy, Debug)]

@@ -13,7 +13,7 @@ use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
 use crate::lower::{self, lower};
-use crate::{Project, module, naga_check, rules, small_integers, wgsl};
+use crate::{Project, module, naga_check, rules, small_integers};
 
 /// SPIR-V 1.5, of Vulkan 1.2, is the newest version that all our drivers read.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
@@ -42,7 +42,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         module::check(kernel, &point, &spirv).with_context(context)?;
         naga_check::check(&spirv).with_context(context)?;
         let wgsl = match project.wgsl && point.name == kernel.name {
-            true => wgsl::translate(&spirv).with_context(context)?,
+            true => naga_check::to_wgsl(&spirv).with_context(context)?,
             false => None,
         };
         let entry = entry(kernel, &point, &spirv, wgsl.as_deref());

@@ -5,8 +5,8 @@ use muslin_kernel::KernelInfo;
 use muslin_kernel::given::Given;
 use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, Storage};
 
-use super::canary::Canary;
 use super::measure::{Output, Values};
+use super::runner::Canary;
 
 /// The contents of a kernel's storage buffers.
 pub(super) fn contents<'a>(

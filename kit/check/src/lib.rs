@@ -69,7 +69,6 @@
 
 mod assert;
 pub mod bench;
-pub mod canary;
 pub mod case;
 mod debugger;
 pub mod devices;
@@ -87,7 +86,6 @@ pub mod skip;
 pub mod snapshot;
 
 pub use assert::assert_parity;
-pub use canary::{Canary, unwritten};
 pub use case::{Case, missing};
 // the result type of cases
 pub use muslin_device::Result;
@@ -95,4 +93,4 @@ pub use muslin_device::Result;
 pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use parity::{Parity, Rounding};
 pub use report::{Report, Row};
-pub use runner::KernelRunner;
+pub use runner::{Canary, KernelRunner, unwritten};

@@ -4,8 +4,8 @@ use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
 use muslin_kernel::memory::AccessMonitor;
 
 use crate::buffer::{Memory, RawBuffer};
+use crate::job::Workgroups;
 use crate::races::{Elements, Races, Reads};
-use crate::workgroups::Workgroups;
 use crate::written::Written;
 
 /// The memory of every binding, in order.

@@ -15,8 +15,7 @@ use crate::cpu::Cpu;
 use crate::cpu_bindings::{Monitor, bind, monitors};
 use crate::error::{Error, Result};
 use crate::flushing::Flushing;
-use crate::job::{Job, RunMode};
-use crate::workgroups::Workgroups;
+use crate::job::{Job, RunMode, Workgroups};
 use crate::{supervise, thorough, watchdog};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.

@@ -9,12 +9,12 @@ use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInf
 
 use muslin_kernel::work::Work;
 
+use crate::buffer::Host;
 use crate::buffer::RawBuffer;
 use crate::count::Count;
 use crate::error::{Error, Result};
-use crate::host::Host;
+use crate::job::{MOST, Workgroups, workgroups_for};
 use crate::timings::{KernelTime, Timings};
-use crate::workgroups::{MOST, Workgroups, workgroups_for};
 use crate::{cpu, gpu, plan};
 
 /// A device that runs kernels.

@@ -80,14 +80,11 @@ mod error;
 mod flushing;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
-mod gpu_buffer;
-mod host;
 mod job;
 pub mod memory;
 mod modules;
 mod open;
 mod options;
-mod order;
 mod plan;
 mod races;
 mod supervise;
@@ -95,15 +92,13 @@ mod thorough;
 mod timings;
 mod transfer;
 mod watchdog;
-mod workgroups;
 mod written;
 
-pub use buffer::{Buffer, TAIL_ALIGNMENT};
+pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};
 pub use count::Count;
 pub use device::Device;
 pub use error::{Error, Result, format_bytes};
 pub use gpu::adapters;
-pub use host::Host;
 #[doc(hidden)]
 pub use modules::Aligned;
 pub use modules::{CompiledKernel, Modules};

@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
 
+use crate::buffer::GpuBuffer;
 use crate::buffer::RawBuffer;
 use crate::count::Count;
 use crate::error::{Error, Result};
-use crate::gpu_buffer::GpuBuffer;
 use crate::modules::Modules;
 use crate::options::{AdapterInfo, DeviceOptions};
 

@@ -12,7 +12,7 @@ use muslin_kernel::memory::{AccessMonitor, Touch};
 use muslin_kernel::running::{self, unlinear};
 use muslin_kernel::{BindingInfo, KernelInfo};
 
-use crate::workgroups::Workgroups;
+use crate::job::Workgroups;
 use crate::written::Written;
 
 /// Monitors a binding that is only read: parts of the buffer may be unwritten.

@@ -6,8 +6,7 @@ use muslin_kernel::{KernelInfo, running, subgroup};
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
 use crate::cpu_bindings::Monitor;
-use crate::job::{Arithmetic, Job, RunMode};
-use crate::order::Order;
+use crate::job::{Arithmetic, Job, Order, RunMode};
 use crate::written::Written;
 
 /// The elements of one binding that a kernel can write.

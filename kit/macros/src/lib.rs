@@ -49,7 +49,6 @@ mod checks;
 mod cpu;
 mod expand;
 mod fused;
-mod inputs;
 mod parse;
 mod regrouped;
 #[cfg(test)]

@@ -6,7 +6,6 @@ mod memory;
 mod pipeline;
 mod recorder;
 mod timer;
-mod variants;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -23,9 +22,8 @@ use crate::options::{DeviceOptions, SpirvPath};
 pub use adapter::adapters;
 pub use memory::GpuMemory;
 use memory::MemoryPool;
-use pipeline::Pipelines;
+use pipeline::{Pipelines, Variants};
 use recorder::{Counted, Recorder};
-use variants::Variants;
 
 /// The largest buffer for reading that is kept, in bytes.
 const MAX_STAGING: u64 = 64 << 20;

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 
 use crate::checks;
 use crate::cpu::{cpu_run, plain_argument, run_arithmetic, run_variant, with_other_arithmetic};
-use crate::parse::{Kernel, Parameter, Role};
+use crate::parse::{Attribute, Kernel, Parameter, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
@@ -228,10 +228,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
     let run_arithmetic = run_arithmetic(kernel);
-    let fused = kernel.fused;
-    let subgroups = kernel.subgroups;
-    let z_serial = kernel.z_serial;
-    let z_innermost = kernel.z_innermost;
+    let Attribute { fused, subgroups, z_serial, z_innermost, .. } = &kernel.attribute;
     let each = each(kernel);
     let limit = limit(kernel);
     let work = work(kernel);

@@ -69,7 +69,7 @@ fn arguments(instruction: &mut Instruction) -> impl Iterator<Item = &mut Word> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rspirv::binary::Assemble;
+    use crate::lower::bytes;
     use rspirv::dr::Builder;
     use rspirv::spirv::{
         AddressingModel, Capability, Decoration, ExecutionMode, ExecutionModel, FunctionControl,
@@ -125,10 +125,6 @@ mod tests {
         b.entry_point(ExecutionModel::GLCompute, main, "main", []);
         b.execution_mode(main, ExecutionMode::LocalSize, [1, 1, 1]);
         b.module()
-    }
-
-    fn bytes(module: &Module) -> Vec<u8> {
-        module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
     }
 
     /// Copies one value, after which naga takes the module.

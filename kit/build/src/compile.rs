@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use muslin::{EntryPoint, KernelInfo};
+use muslin_kernel::{EntryPoint, KernelInfo};
 use muslin_manifest as manifest;
 use muslin_manifest::{Interface, KernelEntry, Manifest, Translation};
 use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
@@ -13,7 +13,7 @@ use spirv_builder::{ModuleResult, SpirvBuilder, SpirvMetadata};
 use crate::artifacts::Artifacts;
 use crate::compiler::Compiler;
 use crate::lower::{self, lower};
-use crate::{Project, module, naga_check, rules, small_integers, wgsl};
+use crate::{Project, module, naga_check, rules, small_integers};
 
 /// SPIR-V 1.5, of Vulkan 1.2, is the newest version that all our drivers read.
 pub const TARGET: &str = "spirv-unknown-vulkan1.2";
@@ -30,7 +30,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
     let mut entries = Vec::new();
     let mut files = BTreeMap::new();
     refuse_one_name_twice()?;
-    let kernels = muslin::kernels();
+    let kernels = muslin_kernel::kernels();
     let all = kernels.flat_map(|kernel| kernel.entry_points().map(move |entry| (kernel, entry)));
     for (kernel, point) in all {
         let name = point.name;
@@ -42,7 +42,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         module::check(kernel, &point, &spirv).with_context(context)?;
         naga_check::check(&spirv).with_context(context)?;
         let wgsl = match project.wgsl && point.name == kernel.name {
-            true => wgsl::translate(&spirv).with_context(context)?,
+            true => naga_check::to_wgsl(&spirv).with_context(context)?,
             false => None,
         };
         let entry = entry(kernel, &point, &spirv, wgsl.as_deref());
@@ -69,7 +69,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
 /// All entry points are compiled together, so two kernels must not have the same name.
 fn refuse_one_name_twice() -> Result<()> {
     let mut found: BTreeMap<_, &KernelInfo> = BTreeMap::new();
-    for kernel in muslin::kernels() {
+    for kernel in muslin_kernel::kernels() {
         if let Some(other) = found.insert(kernel.name, kernel) {
             let one = kernel.source();
             let other = other.source();

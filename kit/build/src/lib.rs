@@ -11,7 +11,6 @@ mod contraction;
 mod coverage;
 mod declarations;
 mod expand;
-mod ids;
 mod isa;
 mod loops;
 mod lower;
@@ -25,8 +24,6 @@ mod small_integers;
 mod snapshots;
 mod tool;
 mod validate;
-mod watch;
-mod wgsl;
 mod writer;
 
 use std::borrow::Cow;
@@ -209,7 +206,7 @@ pub struct Options {
 /// Errors of the compiler or of the check.
 pub fn run(project: &Project, options: Options) -> Result<()> {
     if options.watch {
-        return watch::run(project, || watch::compile(project, options.validate));
+        return tool::watch(project, || tool::compile(project, options.validate));
     }
     let start = Instant::now();
     isolate();

@@ -8,7 +8,7 @@ use rspirv::dr::{self, Module, Operand};
 use rspirv::spirv::{Capability, ExecutionMode, Op};
 
 use crate::{
-    atomic_arguments, contraction, declarations, expand, ids, loops, memory_model, not_numbers,
+    atomic_arguments, contraction, declarations, expand, loops, memory_model, not_numbers,
     shared_bools, small_integers,
 };
 
@@ -37,8 +37,13 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     }
     not_numbers::replace(&mut module)?;
     declarations::sort(&mut module);
-    ids::renumber(&mut module);
-    Ok(module.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
+    declarations::renumber(&mut module);
+    Ok(bytes(&module))
+}
+
+/// A module as its file has it.
+pub fn bytes(module: &Module) -> Vec<u8> {
+    module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
 }
 
 /// Writes the size of a workgroup: in the source it is an expression, which the compiler's attribute does not take.

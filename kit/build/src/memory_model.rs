@@ -162,7 +162,6 @@ fn constant(module: &Module, id: Word) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rspirv::binary::Assemble;
     use rspirv::dr::{self, Builder};
 
     fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
@@ -189,7 +188,7 @@ mod tests {
         b.atomic_i_add(uint, None, counter, scope, semantics, scope).unwrap();
         b.ret().unwrap();
         b.end_function().unwrap();
-        b.module().assemble().into_iter().flat_map(u32::to_le_bytes).collect()
+        crate::lower::bytes(&b.module())
     }
 
     #[test]

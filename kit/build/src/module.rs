@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use anyhow::{Context, Result, anyhow, bail, ensure};
-use muslin::{EntryPoint, KernelInfo};
+use muslin_kernel::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
 
@@ -189,11 +189,11 @@ fn stride(module: &Module, variable: &Instruction) -> Option<u32> {
 
 #[cfg(test)]
 mod tests {
-    use rspirv::binary::Assemble;
     use rspirv::dr::Builder;
     use rspirv::spirv::{Capability, FunctionControl, LoopControl};
 
     use super::*;
+    use crate::lower::bytes;
 
     /// The module of `count_fill`, with a buffer whose elements are `stride` bytes apart, and maybe with a loop.
     fn module(stride: u32, has_loop: bool) -> Vec<u8> {
@@ -221,12 +221,12 @@ mod tests {
         b.end_function().unwrap();
         b.entry_point(ExecutionModel::GLCompute, function, "count_fill", [placement]);
         b.execution_mode(function, ExecutionMode::LocalSize, [64, 1, 1]);
-        b.module().assemble().into_iter().flat_map(u32::to_le_bytes).collect()
+        bytes(&b.module())
     }
 
     /// A mistake in a module.
     fn wrong(module: &[u8]) -> String {
-        let mut kernels = muslin::kernels();
+        let mut kernels = muslin_kernel::kernels();
         let kernel = kernels.find(|kernel| kernel.name == "count_fill").expect("a kernel");
         check(kernel, &kernel.plain(), module).err().map_or_else(String::new, |e| e.to_string())
     }
@@ -244,8 +244,7 @@ mod tests {
         let mut module = dr::load_bytes(module(4, false)).unwrap();
         let capability = vec![Operand::Capability(Capability::GroupNonUniformBallot)];
         module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
-        let words = module.assemble();
-        let message = wrong(&words.into_iter().flat_map(u32::to_le_bytes).collect::<Vec<_>>());
+        let message = wrong(&bytes(&module));
         assert!(message.starts_with("it has operations of subgroups, in helpers too"), "{message}");
     }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 
-use crate::{Project, tool, watch};
+use crate::{Project, tool};
 
 /// Options for pictures.
 #[derive(clap::Args)]
@@ -22,7 +22,7 @@ pub struct Options {
 /// Runs the project's snapshots, and makes the page of their failures.
 pub fn run(project: &Project, options: &Options) -> Result<()> {
     match options.watch {
-        true => watch::run(project, || look(project, &options.more)),
+        true => tool::watch(project, || look(project, &options.more)),
         false => look(project, &options.more),
     }
 }

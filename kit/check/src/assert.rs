@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
-use muslin::{KernelInfo, kernels};
 use muslin_device::{Device, InstructionSet, Modules, STALE};
+use muslin_kernel::{KernelInfo, kernels};
 
 use super::case::Case;
 use super::parity::Rounding;

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::time::Instant;
 
-use muslin::work::Work;
 use muslin_device::{Device, KernelTime, Modules, Result, Table, grouped};
+use muslin_kernel::work::Work;
 use serde::Serialize;
 
 use crate::devices;

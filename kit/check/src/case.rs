@@ -4,8 +4,8 @@ use super::exact::compare_with_exact;
 use super::measure::Measure;
 use super::parity::{Parity, Rounding};
 use super::runner::KernelRunner;
-use muslin::KernelInfo;
 use muslin_device::{Device, Result};
+use muslin_kernel::KernelInfo;
 
 /// A kernel's case, without the type of its inputs.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ impl Case {
     /// The name of the entry point that a device runs.
     #[must_use]
     pub fn entry_point(&self, device: &Device) -> &'static str {
-        let kernel = muslin::kernels().find(|kernel| kernel.name == self.kernel);
+        let kernel = muslin_kernel::kernels().find(|kernel| kernel.name == self.kernel);
         kernel.map_or(self.kernel, |kernel| device.entry_point(kernel).name)
     }
 
@@ -94,7 +94,7 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
 
 /// Lists what to do so that each of some kernels has a case, and each case a kernel. `folder` is the place for cases.
 ///
-/// A program passes its own kernels, [`kernels_of`](muslin::kernels_of): kernels of its dependencies are
+/// A program passes its own kernels, [`kernels_of`](muslin_kernel::kernels_of): kernels of its dependencies are
 /// linked in, too.
 #[must_use]
 pub fn missing(

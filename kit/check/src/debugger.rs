@@ -2,8 +2,8 @@
 
 use std::env;
 
-use muslin::running::stop_at;
 use muslin_device::InstructionSet;
+use muslin_kernel::running::stop_at;
 
 use crate::case::Case;
 use crate::devices;

@@ -92,7 +92,7 @@ pub fn thorough(seed: u64) -> Device {
     Device::open(&DeviceOptions::thorough(seed), Modules::none()).expect("the CPU")
 }
 
-/// Like [`checked`], but with the [variants](muslin::KernelInfo::variant) of kernels: so their copies to
+/// Like [`checked`], but with the [variants](muslin_kernel::KernelInfo::variant) of kernels: so their copies to
 /// workgroup memory run without a GPU.
 ///
 /// # Panics

@@ -2,9 +2,9 @@
 
 use muslin_device::{Device, Result};
 
-use super::canary::Canary;
 use super::measure::{Bound, Measure, Output, Values};
 use super::parity::{Parity, Rounding};
+use super::runner::Canary;
 use super::runner::KernelRunner;
 
 /// Runs all sets and compares them with [`Parity::exact`].

@@ -1,12 +1,12 @@
 //! A kernel's buffers as a case gives them: in the host's memory.
 
-use muslin::KernelInfo;
-use muslin::given::Given;
-use muslin::kernel::{Access, BindingInfo, Dispatch, Storage};
 use muslin_device::{Buffer, Host};
+use muslin_kernel::KernelInfo;
+use muslin_kernel::given::Given;
+use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, Storage};
 
-use super::canary::Canary;
 use super::measure::{Output, Values};
+use super::runner::Canary;
 
 /// The contents of a kernel's storage buffers.
 pub(super) fn contents<'a>(

@@ -1,6 +1,6 @@
 //! Inputs for kernels, the same on every machine: random numbers, and numbers that break careless code.
 
-use muslin::math::TINY;
+use muslin_kernel::math::TINY;
 
 /// Numbers of items around the size of a workgroup.
 pub const SIZES: [u32; 9] = [0, 1, 63, 64, 65, 127, 128, 129, 1000];

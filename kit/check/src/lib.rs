@@ -5,6 +5,7 @@
 //! A kernel's case has its inputs, its equation in f64, and the error allowed on a device. It implements [`Parity`]:
 //!
 //! ```
+//! # extern crate muslin_kernel as muslin;
 //! use muslin_check::prelude::*;
 //! use muslin::prelude::*;
 //!
@@ -68,7 +69,6 @@
 
 mod assert;
 pub mod bench;
-pub mod canary;
 pub mod case;
 mod debugger;
 pub mod devices;
@@ -86,7 +86,6 @@ pub mod skip;
 pub mod snapshot;
 
 pub use assert::assert_parity;
-pub use canary::{Canary, unwritten};
 pub use case::{Case, missing};
 // the result type of cases
 pub use muslin_device::Result;
@@ -94,4 +93,4 @@ pub use muslin_device::Result;
 pub use measure::{Bound, Measure, Output, Values, Worst};
 pub use parity::{Parity, Rounding};
 pub use report::{Report, Row};
-pub use runner::KernelRunner;
+pub use runner::{Canary, KernelRunner, unwritten};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use muslin::math::TINY;
+use muslin_kernel::math::TINY;
 use serde::Serialize;
 
 /// One output of a kernel.

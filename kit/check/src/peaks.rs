@@ -1,10 +1,10 @@
 //! Measures a device's peak computation and memory bandwidth.
 
-use muslin::peak::{
+use muslin_device::{Device, Result};
+use muslin_kernel::peak::{
     MAX_PEAK_STEPS, PeakMultiplyAddKernel, PeakMultiplyAddParams, PeakReadKernel, PeakReadParams,
     READS,
 };
-use muslin_device::{Device, Result};
 
 /// The peak performance of a device, using all its threads.
 #[derive(Clone, Copy, Debug, PartialEq)]

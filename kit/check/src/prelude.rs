@@ -2,4 +2,4 @@
 
 pub use crate::inputs::{self, Fill, ITEMS, Random, SIZES};
 pub use crate::{Bound, KernelRunner, Output, Parity, Result, Rounding, Values, case, unwritten};
-pub use muslin::math::TINY;
+pub use muslin_kernel::math::TINY;

@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::canary::Canary;
 use super::case::Case;
 use super::measure::{Measure, Worst};
 use super::parity::Rounding;
+use super::runner::Canary;
 use muslin_device::{AdapterInfo, Device, DeviceOptions, Modules, Result, SpirvPath, Table};
 
 /// The results of the cases on a device.

@@ -1,5 +1,7 @@
 //! Storage barriers order what a workgroup does to buffers, and plain barriers do not.
 
+extern crate muslin_kernel as muslin;
+
 use muslin::prelude::*;
 use muslin_check::devices;
 use muslin_device::Device;

@@ -1,5 +1,7 @@
 //! Subgroups of every size: what they compute, and what is said of wrong ones.
 
+extern crate muslin_kernel as muslin;
+
 use muslin::prelude::*;
 use muslin::subgroup::SIZES;
 use muslin_check::devices;

@@ -1,5 +1,7 @@
 //! The thorough device: what depends on the order of invocations is found, and what is declared to have none is not.
 
+extern crate muslin_kernel as muslin;
+
 use muslin::atomic;
 use muslin::prelude::*;
 use muslin_check::devices;

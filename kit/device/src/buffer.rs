@@ -4,9 +4,10 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 
 use bytemuck::Pod;
+use muslin_kernel::kernel::Storage;
 
+use crate::count::Count;
 use crate::cpu_memory::CpuMemory;
-use crate::gpu_buffer::GpuBuffer;
 
 /// `len` values of `T` on a device.
 #[derive(Debug)]
@@ -119,3 +120,30 @@ impl<T: Pod> Buffer<T> {
         self.raw.bytes
     }
 }
+
+/// Marks the host's side of kernels: buffers are those of a [`Device`](crate::Device).
+#[derive(Debug)]
+pub enum Host {}
+
+impl Storage for Host {
+    type Buffer<T: Pod> = Buffer<T>;
+    type Binding<'a> = &'a RawBuffer;
+    type Count = Count;
+
+    fn bind<T: Pod>(buffer: &Buffer<T>) -> &RawBuffer {
+        buffer.raw()
+    }
+
+    fn upper_bound(count: &Count) -> u32 {
+        count.upper_bound()
+    }
+}
+
+/// A buffer of a GPU.
+#[cfg(feature = "gpu")]
+pub type GpuBuffer = crate::gpu::GpuMemory;
+
+/// No buffer: there is no GPU without the feature `gpu`.
+#[cfg(not(feature = "gpu"))]
+#[derive(Clone, Debug, PartialEq)]
+pub enum GpuBuffer {}

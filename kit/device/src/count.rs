@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use muslin::count::{self, OVERFLOW};
+use muslin_kernel::count::{self, OVERFLOW};
 
 use crate::buffer::{Buffer, Memory};
 
@@ -17,7 +17,7 @@ pub struct Count {
 /// The total of which a number on the device is a part.
 #[derive(Clone, Debug)]
 pub(super) struct Total {
-    /// The buffer of counts: see [`muslin::count`].
+    /// The buffer of counts: see [`muslin_kernel::count`].
     pub counts: Arc<Buffer<u32>>,
     pub place: u32,
     /// Number of items before this piece.

@@ -6,8 +6,8 @@ use std::sync::Mutex;
 use std::time::Duration;
 
 use glam::UVec3;
-use muslin::KernelInfo;
-use muslin::kernel::{EntryPoint, InstructionSet};
+use muslin_kernel::KernelInfo;
+use muslin_kernel::kernel::{EntryPoint, InstructionSet};
 use rayon::prelude::*;
 
 use crate::cpu_memory::{CpuMemory, MemoryPool};
@@ -77,7 +77,7 @@ impl Cpu {
             let reason = format!("this CPU does not have {}", instruction_set.as_str());
             return Err(Error::Argument { reason });
         }
-        let sizes = muslin::subgroup::SIZES;
+        let sizes = muslin_kernel::subgroup::SIZES;
         let of_seed = |seed| sizes[(seed % sizes.len() as u64) as usize];
         let subgroup_size =
             options.subgroup_size.unwrap_or_else(|| options.thorough.map_or(32, of_seed));

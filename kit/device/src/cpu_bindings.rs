@@ -1,11 +1,11 @@
 //! The CPU backend's bindings of a kernel: memory, and monitors of its use.
 
-use muslin::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
-use muslin::memory::AccessMonitor;
+use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
+use muslin_kernel::memory::AccessMonitor;
 
 use crate::buffer::{Memory, RawBuffer};
+use crate::job::Workgroups;
 use crate::races::{Elements, Races, Reads};
-use crate::workgroups::Workgroups;
 use crate::written::Written;
 
 /// The memory of every binding, in order.

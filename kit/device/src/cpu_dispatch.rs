@@ -4,10 +4,10 @@ use std::sync::PoisonError;
 use std::time::Duration;
 
 use glam::{UVec3, Vec3Swizzles};
-use muslin::invocation::Invocation;
-use muslin::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
-use muslin::running::{RunningInvocation, begin, enter, unlinear};
-use muslin::workgroup;
+use muslin_kernel::invocation::Invocation;
+use muslin_kernel::kernel::{CpuBinding, CpuRun, KernelInfo, SharedInfo};
+use muslin_kernel::running::{RunningInvocation, begin, enter, unlinear};
+use muslin_kernel::workgroup;
 use rayon::prelude::*;
 
 use crate::buffer::RawBuffer;
@@ -15,8 +15,7 @@ use crate::cpu::Cpu;
 use crate::cpu_bindings::{Monitor, bind, monitors};
 use crate::error::{Error, Result};
 use crate::flushing::Flushing;
-use crate::job::{Job, RunMode};
-use crate::workgroups::Workgroups;
+use crate::job::{Job, RunMode, Workgroups};
 use crate::{supervise, thorough, watchdog};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.

@@ -5,16 +5,16 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use muslin::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInfo};
+use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInfo};
 
-use muslin::work::Work;
+use muslin_kernel::work::Work;
 
+use crate::buffer::Host;
 use crate::buffer::RawBuffer;
 use crate::count::Count;
 use crate::error::{Error, Result};
-use crate::host::Host;
+use crate::job::{MOST, Workgroups, workgroups_for};
 use crate::timings::{KernelTime, Timings};
-use crate::workgroups::{MOST, Workgroups, workgroups_for};
 use crate::{cpu, gpu, plan};
 
 /// A device that runs kernels.
@@ -424,7 +424,7 @@ fn refuse_twice(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
     Ok(())
 }
 
-/// Fails if a buffer ends within a vector of [`ReadFours`](muslin::memory::ReadFours): a GPU would not reach its end.
+/// Fails if a buffer ends within a vector of [`ReadFours`](muslin_kernel::memory::ReadFours): a GPU would not reach its end.
 fn refuse_partial(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
     for (binding, buffer) in bound(info, buffers) {
         if !buffer.bytes.is_multiple_of(u64::from(binding.device_bytes)) {

@@ -8,6 +8,7 @@
 //! Buffers live on the device. The host uploads inputs, runs kernels and reads what it needs; in between, nothing leaves the device.
 //!
 //! ```
+//! # extern crate muslin_kernel as muslin;
 //! use muslin_device::{Device, DeviceOptions, Modules};
 //! use muslin::prelude::*;
 //!
@@ -64,6 +65,10 @@
 //! elements. Allocate the outputs of kernels with [`Device::unwritten`]. It also runs one workgroup more than needed,
 //! which must do nothing.
 
+// `#[kernel]` writes the path `::muslin`
+#[cfg(test)]
+extern crate muslin_kernel as muslin;
+
 mod buffer;
 mod count;
 mod cpu;
@@ -75,14 +80,11 @@ mod error;
 mod flushing;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
-mod gpu_buffer;
-mod host;
 mod job;
 pub mod memory;
 mod modules;
 mod open;
 mod options;
-mod order;
 mod plan;
 mod races;
 mod supervise;
@@ -90,19 +92,17 @@ mod thorough;
 mod timings;
 mod transfer;
 mod watchdog;
-mod workgroups;
 mod written;
 
-pub use buffer::{Buffer, TAIL_ALIGNMENT};
+pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};
 pub use count::Count;
 pub use device::Device;
 pub use error::{Error, Result, format_bytes};
 pub use gpu::adapters;
-pub use host::Host;
 #[doc(hidden)]
 pub use modules::Aligned;
 pub use modules::{CompiledKernel, Modules};
-pub use muslin::kernel::{InstructionSet, kernels_of};
+pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use muslin::{EntryPoint, KernelInfo};
+use muslin_kernel::{EntryPoint, KernelInfo};
 use muslin_manifest::{Interface, KernelEntry, Manifest};
 
 use crate::error::{Error, Result};

@@ -3,12 +3,12 @@
 use std::ops::Range;
 use std::time::Duration;
 
-use muslin::{EntryPoint, KernelInfo};
+use muslin_kernel::{EntryPoint, KernelInfo};
 
+use crate::buffer::GpuBuffer;
 use crate::buffer::RawBuffer;
 use crate::count::Count;
 use crate::error::{Error, Result};
-use crate::gpu_buffer::GpuBuffer;
 use crate::modules::Modules;
 use crate::options::{AdapterInfo, DeviceOptions};
 

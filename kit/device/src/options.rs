@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use muslin::kernel::InstructionSet;
+use muslin_kernel::kernel::InstructionSet;
 
 /// The backend to use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -89,12 +89,12 @@ pub struct DeviceOptions {
     pub thorough: Option<u64>,
     /// Whether the CPU flushes denormals to zero, as some GPUs do: in arithmetic, and where numbers are compared. Only on x86-64.
     pub flush_denormals: bool,
-    /// Number of lanes of a [subgroup](muslin::subgroup) on the CPU, one of its [sizes](muslin::subgroup::SIZES). By default 32, and on a
+    /// Number of lanes of a [subgroup](muslin_kernel::subgroup) on the CPU, one of its [sizes](muslin_kernel::subgroup::SIZES). By default 32, and on a
     /// [thorough](Self::thorough) device one that the seed chooses.
     pub subgroup_size: Option<u32>,
     /// Instruction set of kernels with lanes, on the CPU. By default, the best one of the CPU.
     pub instruction_set: Option<InstructionSet>,
-    /// Whether a GPU runs the [variant](muslin::KernelInfo::variant) of a kernel that has one, or its plain
+    /// Whether a GPU runs the [variant](muslin_kernel::KernelInfo::variant) of a kernel that has one, or its plain
     /// entry point. By default, a hardware device runs variants. The CPU runs variants if this is set together with
     /// [`check_races`](Self::check_races).
     pub variants: Option<bool>,
@@ -133,95 +133,34 @@ impl DeviceOptions {
     pub fn thorough(seed: u64) -> Self {
         Self { thorough: Some(seed), ..Self::checked() }
     }
+}
 
-    /// Sets [`backend`](Self::backend).
-    #[must_use]
-    pub fn backend(mut self, backend: BackendChoice) -> Self {
-        self.backend = backend;
-        self
-    }
+/// A method for each option, which sets it.
+macro_rules! setters {
+    ($($name:ident: $type:ty,)*) => {
+        impl DeviceOptions {$(
+            #[doc = concat!("Sets [`", stringify!($name), "`](Self::", stringify!($name), ").")]
+            #[must_use]
+            pub fn $name(mut self, value: $type) -> Self {
+                self.$name = value.into();
+                self
+            }
+        )*}
+    };
+}
 
-    /// Sets [`spirv`](Self::spirv).
-    #[must_use]
-    pub fn spirv(mut self, path: impl Into<Option<SpirvPath>>) -> Self {
-        self.spirv = path.into();
-        self
-    }
-
-    /// Sets [`threads`](Self::threads).
-    #[must_use]
-    pub fn threads(mut self, threads: impl Into<Option<usize>>) -> Self {
-        self.threads = threads.into();
-        self
-    }
-
-    /// Sets [`adapter`](Self::adapter).
-    #[must_use]
-    pub fn adapter(mut self, name: impl Into<Option<String>>) -> Self {
-        self.adapter = name.into();
-        self
-    }
-
-    /// Sets [`place`](Self::place).
-    #[must_use]
-    pub fn place(mut self, place: usize) -> Self {
-        self.place = place;
-        self
-    }
-
-    /// Sets [`check_races`](Self::check_races).
-    #[must_use]
-    pub fn check_races(mut self, check: bool) -> Self {
-        self.check_races = check;
-        self
-    }
-
-    /// Sets [`check_nan`](Self::check_nan).
-    #[must_use]
-    pub fn check_nan(mut self, check: bool) -> Self {
-        self.check_nan = check;
-        self
-    }
-
-    /// Sets [`extra_workgroup`](Self::extra_workgroup).
-    #[must_use]
-    pub fn extra_workgroup(mut self, extra: bool) -> Self {
-        self.extra_workgroup = extra;
-        self
-    }
-
-    /// Sets [`time_limit`](Self::time_limit).
-    #[must_use]
-    pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
-        self.time_limit = limit.into();
-        self
-    }
-
-    /// Sets [`flush_denormals`](Self::flush_denormals).
-    #[must_use]
-    pub fn flush_denormals(mut self, flush: bool) -> Self {
-        self.flush_denormals = flush;
-        self
-    }
-
-    /// Sets [`subgroup_size`](Self::subgroup_size).
-    #[must_use]
-    pub fn subgroup_size(mut self, size: impl Into<Option<u32>>) -> Self {
-        self.subgroup_size = size.into();
-        self
-    }
-
-    /// Sets [`instruction_set`](Self::instruction_set).
-    #[must_use]
-    pub fn instruction_set(mut self, set: impl Into<Option<InstructionSet>>) -> Self {
-        self.instruction_set = set.into();
-        self
-    }
-
-    /// Sets [`variants`](Self::variants).
-    #[must_use]
-    pub fn variants(mut self, variants: impl Into<Option<bool>>) -> Self {
-        self.variants = variants.into();
-        self
-    }
+setters! {
+    backend: BackendChoice,
+    spirv: impl Into<Option<SpirvPath>>,
+    threads: impl Into<Option<usize>>,
+    adapter: impl Into<Option<String>>,
+    place: usize,
+    check_races: bool,
+    check_nan: bool,
+    extra_workgroup: bool,
+    time_limit: impl Into<Option<Duration>>,
+    flush_denormals: bool,
+    subgroup_size: impl Into<Option<u32>>,
+    instruction_set: impl Into<Option<InstructionSet>>,
+    variants: impl Into<Option<bool>>,
 }

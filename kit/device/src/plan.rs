@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use muslin::KernelInfo;
+use muslin_kernel::KernelInfo;
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::count::Count;
@@ -76,7 +76,7 @@ pub enum Step {
     PublishCounts,
 }
 
-/// A kernel parameter that `count_fill` writes: see [`muslin::count`].
+/// A kernel parameter that `count_fill` writes: see [`muslin_kernel::count`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlannedCount {
     /// Offset in the parameters, in bytes.
@@ -201,7 +201,7 @@ mod tests {
 
     use super::*;
     use crate::device::Device;
-    use muslin::count::CountFillKernel;
+    use muslin_kernel::count::CountFillKernel;
 
     #[test]
     fn what_was_asked_for_is_written_down() {

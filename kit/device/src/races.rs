@@ -6,13 +6,13 @@ use std::ptr;
 use std::sync::atomic::{AtomicPtr, AtomicU64, Ordering};
 
 use glam::UVec3;
-use muslin::invocation::Invocation;
-use muslin::kernel::CpuRun;
-use muslin::memory::{AccessMonitor, Touch};
-use muslin::running::{self, unlinear};
-use muslin::{BindingInfo, KernelInfo};
+use muslin_kernel::invocation::Invocation;
+use muslin_kernel::kernel::CpuRun;
+use muslin_kernel::memory::{AccessMonitor, Touch};
+use muslin_kernel::running::{self, unlinear};
+use muslin_kernel::{BindingInfo, KernelInfo};
 
-use crate::workgroups::Workgroups;
+use crate::job::Workgroups;
 use crate::written::Written;
 
 /// Monitors a binding that is only read: parts of the buffer may be unwritten.

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Once;
 
-use muslin::running;
+use muslin_kernel::running;
 
 thread_local! {
     /// The place of the thread's last panic.

@@ -1,13 +1,12 @@
 //! Runs each dispatch in several ways that must agree: devices differ in them.
 
-use muslin::kernel::{Access, BindingInfo, CpuBinding, is_far};
-use muslin::{KernelInfo, running, subgroup};
+use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, is_far};
+use muslin_kernel::{KernelInfo, running, subgroup};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
 use crate::cpu_bindings::Monitor;
-use crate::job::{Arithmetic, Job, RunMode};
-use crate::order::Order;
+use crate::job::{Arithmetic, Job, Order, RunMode};
 use crate::written::Written;
 
 /// The elements of one binding that a kernel can write.

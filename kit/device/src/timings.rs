@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use muslin::work::Work;
+use muslin_kernel::work::Work;
 
 /// The total cost of a kernel's dispatches.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -98,7 +98,7 @@ mod imp {
     use corosensei::stack::DefaultStack;
     use corosensei::trap::{CoroutineTrapHandler, TrapHandlerRegs};
     use corosensei::{Coroutine, CoroutineResult};
-    use muslin::{running, workgroup};
+    use muslin_kernel::{running, workgroup};
 
     /// Programs ignore it, unless they have asked for it.
     const SIGNAL: libc::c_int = libc::SIGURG;

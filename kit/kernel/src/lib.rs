@@ -32,81 +32,7 @@
 //! [`Shared`](memory::Shared), and wait for each other, [`Invocation::barrier`](invocation::Invocation::barrier). [`atomic`] lets
 //! invocations count together. [`lane`] and [`samples`] are SIMD on the CPU.
 //!
-//! # How it runs
-//!
-//! On the CPU a kernel is compiled with the rest of the program. For GPUs, `muslin-build` compiles it to SPIR-V with
-//! [Rust-GPU](https://rust-gpu.github.io). The attribute also writes a struct with a field for each binding, here `SquareKernel`. With
-//! `muslin-device` the host fills it and runs it, on either:
-//!
-//! ```ignore
-//! let output = device.unwritten("output", input.len())?;
-//! let params = SquareParams { count: input.len() as u32 };
-//! device.run(&SquareKernel { params, input: &device.upload("input", &input)?, output: &output }, params.count, 1)?;
-//! let squares: Vec<f32> = device.read(&output)?;
-//! ```
-//!
-//! All kernels that a program is linked with are in a [registry](kernel::kernels). A program finds its own by the
-//! [package](kernel::kernels_of) that declares them.
-//!
-//! # How to test it
-//!
-//! A test beside the kernel calls it as a function. [`Workgroup`](workgroup::Workgroup) does so for every invocation of a workgroup,
-//! with barriers, in a second:
-//!
-//! ```
-//! # extern crate muslin_kernel as muslin;
-//! # use muslin::prelude::*;
-//! # #[params] pub struct SquareParams { pub count: u32 }
-//! # #[kernel(threads(64))]
-//! # pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
-//! #     if id.index() < params.count {
-//! #         output.write(id.index(), input.read(id.index()) * input.read(id.index()));
-//! #     }
-//! # }
-//! use muslin::workgroup::Workgroup;
-//!
-//! # fn main() {
-//! let (params, mut output) = (SquareParams { count: 3 }, [0.0; 3]);
-//! let (input, view) = (Read::from(&[1.0, 2.0, -3.0][..]), Write::from(&mut output[..]));
-//! Workgroup::new([64, 1, 1]).run(|id| square(id, &params, input, view));
-//! assert_eq!(output, [1.0, 4.0, 9.0]);
-//! # }
-//! ```
-//!
-//! The CPU run is strict where a GPU continues with garbage. It reports an index out of range, a missing or divergent
-//! barrier, a race, a read of unwritten memory, and a loop that runs longer than declared. Each message has the
-//! kernel, the line, the invocation and the buffer:
-//!
-//! ```text
-//! kernel `square`: index 100 is out of range of `input`, which has 100 elements, at kernels/src/lib.rs:14:29,
-//! in invocation [36, 0, 0] of workgroup [1, 0, 0], [100, 0, 0] in the dispatch
-//! ```
-//!
-//! `DeviceOptions::checked()` of `muslin-device` is the device that finds most mistakes.
-//!
-//! # How to compare devices
-//!
-//! `muslin-check` runs a kernel with many inputs on the CPU and on a GPU, with both paths of SPIR-V to a driver. It
-//! compares the results with each other and with the equations in f64. It also keeps snapshots of tensors and
-//! pictures.
-//!
-//! # How to debug it
-//!
-//! On the CPU a kernel is an ordinary function, and a debugger stops in it. Compile without optimizations, so that every variable can
-//! be printed, and start the test's program, whose path `cargo test --no-run` prints:
-//!
-//! ```text
-//! $ cargo test --no-run --config 'profile.dev.package.my-kernels.opt-level=0'
-//! $ rust-gdb -ex 'break lib.rs:14' --args target/debug/deps/my_kernels-0123456789abcdef squares
-//! (gdb) run
-//! (gdb) print id
-//! (gdb) condition 1 id.local.x == 7
-//! (gdb) continue
-//! ```
-//!
-//! The condition stops in one invocation. Kernels with lanes show single values with `InstructionSet::Scalar`, which
-//! `DeviceOptions::checked()` uses. If a GPU's result differs from the CPU's, the parity test names the output and
-//! the element: stop at this element.
+//! [`muslin`](https://docs.rs/muslin) says how to run, test and compare kernels; it exports this crate.
 //!
 //! # The crate
 //!
@@ -164,8 +90,6 @@ mod wide_macros;
 mod wide;
 #[cfg(not(target_arch = "spirv"))]
 mod wide_index;
-#[cfg(not(target_arch = "spirv"))]
-mod wide_math;
 #[cfg(not(target_arch = "spirv"))]
 mod wide_samples;
 #[cfg(all(not(target_arch = "spirv"), target_arch = "x86_64"))]

@@ -10,17 +10,13 @@
 mod device;
 #[cfg(not(target_arch = "spirv"))]
 mod host;
-#[cfg(not(target_arch = "spirv"))]
-mod monitor;
 
 #[cfg(target_arch = "spirv")]
 pub use device::{
     Packed, Read, ReadBuffer, ReadFours, Shared, SharedBuffer, Write, WriteBuffer, WriteFours,
 };
 #[cfg(not(target_arch = "spirv"))]
-pub use host::{Packed, Read, ReadFours, Shared, Write, WriteFours};
-#[cfg(not(target_arch = "spirv"))]
-pub use monitor::{AccessMonitor, Touch};
+pub use host::{AccessMonitor, Packed, Read, ReadFours, Shared, Touch, Write, WriteFours};
 
 /// Numbers of which a GPU reads and writes four at once: those of [`ReadFours`] and [`WriteFours`].
 pub trait Fours {

@@ -7,7 +7,6 @@ use crate::half::normal_half_value;
 use crate::lane::Lane;
 use crate::memory::{Read, Write};
 use crate::wide_index::{WideIndex, WideMask};
-use crate::wide_math::{fma, pairwise};
 use crate::{atomic, fixed};
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
@@ -295,6 +294,28 @@ fn exp<const N: usize, const FUSED: bool>(x: Wide<N, FUSED>) -> Wide<N, FUSED> {
     let first = vectors!(first_power(shifted.0), lanes!(|i| power(half[i])));
     let second = vectors!(second_power(shifted.0), lanes!(|i| power(whole[i] - half[i])));
     p * Wide(first) * Wide(second)
+}
+
+/// The sum as a tree of pairs. It is not inlined: otherwise the compiler would keep the terms in pairs of lanes.
+#[inline(never)]
+fn pairwise<const N: usize>(values: &[f32; N]) -> f32 {
+    let mut values = *values;
+    let mut width = N / 2;
+    while width > 0 {
+        let mut i = 0;
+        while i < width {
+            values[i] += values[i + width];
+            i += 1;
+        }
+        width /= 2;
+    }
+    values[0]
+}
+
+/// `a b + c`, with one rounding if the instruction set has that.
+#[inline(always)]
+fn fma<const FUSED: bool>(a: f32, b: f32, c: f32) -> f32 {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
 
 #[cfg(test)]

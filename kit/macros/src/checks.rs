@@ -7,9 +7,8 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Arm, BinOp, Block, Expr, ExprBinary, ExprCast, ExprConst, ExprForLoop, ExprIf, ExprLoop,
-    ExprRepeat, ExprWhile, FnArg, GenericArgument, Item, ItemFn, Pat, Stmt, Type, parse_quote,
-    parse_quote_spanned,
+    Arm, BinOp, Block, Expr, ExprBinary, ExprCast, ExprForLoop, ExprIf, ExprLoop, ExprWhile, FnArg,
+    Item, ItemFn, Pat, Stmt, Type, parse_quote, parse_quote_spanned,
 };
 
 /// Adds the checks to a function. `has_barriers` says at run time whether its path to barriers matters; `None` if it never does.
@@ -289,17 +288,7 @@ impl VisitMut for Checks {
         }
     }
 
-    /// The length is a constant.
-    fn visit_expr_repeat_mut(&mut self, repeat: &mut ExprRepeat) {
-        self.visit_expr_mut(&mut repeat.expr);
-    }
+    only_what_runs!();
 
-    // constants are computed by the compiler
-    fn visit_expr_const_mut(&mut self, _: &mut ExprConst) {}
-    fn visit_generic_argument_mut(&mut self, _: &mut GenericArgument) {}
     fn visit_pat_mut(&mut self, _: &mut Pat) {}
-    fn visit_type_mut(&mut self, _: &mut Type) {}
-
-    /// A function in a function is another one.
-    fn visit_item_mut(&mut self, _: &mut Item) {}
 }

@@ -14,21 +14,14 @@ macro_rules! hygienic {
 /// `const fn run()`: a workgroup at a time where no invocation waits for another, else one invocation.
 pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    let views = views(kernel);
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     if kernel.waits() {
+        let run = invocation_run(kernel, false, &hygienic!(self::#name(id, #(#names),*)));
         return hygienic! {
-            // SAFETY: called as `CpuRun` says
-            unsafe fn run_invocation(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
-                #(
-                    // SAFETY: the caller passes bindings of the declared types
-                    #views
-                )*
-                self::#name(id, #(#names),*);
-            }
-            const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::Invocation(run_invocation) }
+            const fn run() -> ::muslin::kernel::CpuRun { ::muslin::kernel::CpuRun::Invocation(#run) }
         };
     }
+    let views = views(kernel, false);
     if let Some(lanes) = &kernel.lanes {
         return lane_run(kernel, lanes, &views);
     }
@@ -44,8 +37,24 @@ pub fn cpu_run(kernel: &Kernel) -> TokenStream {
     }
 }
 
-/// Views of the bindings, and of workgroup memory, which follows them.
-fn views(kernel: &Kernel) -> Vec<TokenStream> {
+/// A function that runs one invocation, of the kernel or of its variant, by a call.
+fn invocation_run(kernel: &Kernel, is_variant: bool, call: &TokenStream) -> TokenStream {
+    let views = views(kernel, is_variant);
+    hygienic! {{
+        // SAFETY: called as `CpuRun` says
+        unsafe fn run(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
+            #(
+                // SAFETY: the caller passes bindings of the declared types
+                #views
+            )*
+            #call;
+        }
+        run as unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)
+    }}
+}
+
+/// Views of the bindings, and of workgroup memory, which follows them. In the variant, shared tiles are workgroup memory.
+fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
     let mut binding = 0usize;
     let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
     let views = kernel.parameters.iter().filter_map(|parameter| {
@@ -53,17 +62,23 @@ fn views(kernel: &Kernel) -> Vec<TokenStream> {
         let element = &parameter.element;
         let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
         let index = *slot;
+        let text = name.to_string();
         let view = match &parameter.role {
             Role::Uniform => hygienic!(uniform::<#element>()),
             Role::Read => hygienic!(read::<#element>()),
             Role::Packed => hygienic!(packed::<#element>()),
             Role::Write => hygienic!(write::<#element>()),
             Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
-            Role::SharedTile(_) => return None,
+            Role::SharedTile(_) if !is_variant => return None,
+            Role::SharedTile(len) => hygienic!(shared::<#element, {#len}>()),
         };
         *slot += 1;
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-        Some(hygienic! { let #name = unsafe { bindings[#index].#view }; })
+        let view = hygienic!(unsafe { bindings[#index].#view });
+        Some(match parameter.role {
+            Role::SharedTile(_) => hygienic!(let #name = &mut #view.named(#text);),
+            _ => hygienic!(let #name = #view;),
+        })
     });
     views.collect()
 }
@@ -88,20 +103,10 @@ pub fn run_arithmetic(kernel: &Kernel) -> TokenStream {
     let none = hygienic!(::core::option::Option::None);
     let names: Vec<_> = kernel.parameters.iter().map(plain_argument).collect();
     let lane = kernel.lanes.is_some().then(|| hygienic!(::<::muslin::lane::Wide<1, false>>));
-    let views = views(kernel);
     let runs = with_other_arithmetic(kernel).map(|function| {
         let Some(name) = function.map(|function| function.sig.ident) else { return none.clone() };
-        hygienic! {{
-            // SAFETY: called as `CpuRun` says
-            unsafe fn run(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
-                #(
-                    // SAFETY: the caller passes bindings of the declared types
-                    #views
-                )*
-                self::#name #lane (id, #(#names),*);
-            }
-            ::core::option::Option::Some(run)
-        }}
+        let run = invocation_run(kernel, false, &hygienic!(self::#name #lane (id, #(#names),*)));
+        hygienic!(::core::option::Option::Some(#run))
     });
     let ty = hygienic! {
         [::core::option::Option<unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation)>; 2]
@@ -121,42 +126,10 @@ pub fn run_variant(kernel: &Kernel) -> TokenStream {
         return hygienic!(::core::option::Option::None);
     }
     let name = &kernel.function.sig.ident;
-    let mut binding = 0usize;
-    let mut shared = kernel.parameters.iter().filter(|p| p.role.is_binding()).count();
-    let views = kernel.parameters.iter().map(|parameter| {
-        let name = &parameter.name;
-        let element = &parameter.element;
-        let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
-        let index = *slot;
-        *slot += 1;
-        let text = name.to_string();
-        let view = match &parameter.role {
-            Role::Uniform => hygienic!(uniform::<#element>()),
-            Role::Read => hygienic!(read::<#element>()),
-            Role::Packed => hygienic!(packed::<#element>()),
-            Role::Write => hygienic!(write::<#element>()),
-            Role::Shared(len) => hygienic!(shared::<#element, {#len}>()),
-            Role::SharedTile(len) => {
-                // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-                return hygienic! { let #name = &mut unsafe { bindings[#index].shared::<#element, {#len}>() }.named(#text); };
-            }
-        };
-        // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
-        hygienic! { let #name = unsafe { bindings[#index].#view }; }
-    });
     let names = kernel.parameters.iter().map(|parameter| &parameter.name);
     let lane = kernel.lanes.is_some().then(|| hygienic!(::<f32>));
-    hygienic! {{
-        // SAFETY: called as `CpuRun` says
-        unsafe fn run_variant(bindings: &[::muslin::kernel::CpuBinding], id: ::muslin::invocation::Invocation) {
-            #(
-                // SAFETY: the caller passes bindings of the declared types
-                #views
-            )*
-            self::#name #lane (id, #(#names),*);
-        }
-        ::core::option::Option::Some(run_variant as unsafe fn(&[::muslin::kernel::CpuBinding], ::muslin::invocation::Invocation))
-    }}
+    let run = invocation_run(kernel, true, &hygienic!(self::#name #lane (id, #(#names),*)));
+    hygienic!(::core::option::Option::Some(#run))
 }
 
 /// Parameters and body of a function that runs a workgroup, or the part of it from `part_begin` to `part_end`: `step` runs the invocation `id`, or several from it on, and

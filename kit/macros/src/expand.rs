@@ -1,14 +1,13 @@
 //! Writes everything that follows from a kernel's declaration.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
 use crate::checks;
 use crate::cpu::{cpu_run, plain_argument, run_arithmetic, run_variant, with_other_arithmetic};
-use crate::inputs::inputs;
-use crate::parse::{Kernel, Parameter, Role};
+use crate::parse::{Attribute, Kernel, Parameter, Role};
 
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
@@ -229,10 +228,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let run = cpu_run(kernel);
     let run_variant = run_variant(kernel);
     let run_arithmetic = run_arithmetic(kernel);
-    let fused = kernel.fused;
-    let subgroups = kernel.subgroups;
-    let z_serial = kernel.z_serial;
-    let z_innermost = kernel.z_innermost;
+    let Attribute { fused, subgroups, z_serial, z_innermost, .. } = &kernel.attribute;
     let each = each(kernel);
     let limit = limit(kernel);
     let work = work(kernel);
@@ -405,6 +401,44 @@ fn counted(kernel: &Kernel, struct_name: &syn::Ident) -> TokenStream {
                 #(self.#params.#fields = S::upper_bound(#fields);)*
                 ::muslin::kernel::Counted::new(self, [#((::core::mem::offset_of!(#element, #fields), #fields)),*])
             }
+        }
+    }
+}
+
+/// `SquareInputs`, for a dispatch of the name `SquareKernel`.
+fn inputs(kernel: &Kernel, dispatch: &Ident) -> TokenStream {
+    let name = &kernel.function.sig.ident;
+    let doc = format!(
+        "What a test gives [`{name}`]({name}()): its parameters, and a `Vec` for each buffer."
+    );
+    let inputs = format_ident!("{}Inputs", dispatch.to_string().trim_end_matches("Kernel"));
+    let mut fields = Vec::new();
+    let mut lent = Vec::new();
+    for parameter in kernel.parameters.iter().filter(|parameter| parameter.role.is_binding()) {
+        let name = &parameter.name;
+        let element = &parameter.element;
+        let (field, value) = match parameter.role {
+            Role::Uniform => (quote!(#element), quote!(self.#name)),
+            _ => (
+                quote!(<::muslin::given::Given as ::muslin::kernel::Storage>::Buffer<#element>),
+                quote!(&self.#name),
+            ),
+        };
+        fields.push(quote!(#[allow(missing_docs)] pub #name: #field));
+        lent.push(quote!(#name: #value));
+    }
+    quote! {
+        #[cfg(not(target_arch = "spirv"))]
+        #[doc = #doc]
+        #[allow(dead_code)]
+        #[derive(Clone)]
+        pub struct #inputs { #(#fields),* }
+
+        #[cfg(not(target_arch = "spirv"))]
+        #[allow(dead_code)]
+        impl #inputs {
+            /// The kernel with these buffers.
+            pub fn kernel(&self) -> #dispatch<'_, ::muslin::given::Given> { #dispatch { #(#lent),* } }
         }
     }
 }

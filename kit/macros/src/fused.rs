@@ -3,10 +3,7 @@
 use proc_macro2::Span;
 use quote::quote_spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{
-    BinOp, Block, Expr, ExprBinary, ExprConst, ExprRepeat, GenericArgument, Item, Local, Pat, Stmt,
-    Type,
-};
+use syn::{BinOp, Block, Expr, ExprBinary, Local, Pat, Stmt};
 
 /// Fuses every sum or difference of a product, and says whether there are some. Types are not known here: what is no float stays as it is.
 pub fn fuse(block: &mut Block) -> bool {
@@ -84,16 +81,7 @@ impl VisitMut for Fuse {
         }
     }
 
-    fn visit_expr_repeat_mut(&mut self, repeat: &mut ExprRepeat) {
-        self.visit_expr_mut(&mut repeat.expr);
-    }
+    only_what_runs!();
 
-    // constants are computed by the compiler
-    fn visit_expr_const_mut(&mut self, _: &mut ExprConst) {}
-    fn visit_generic_argument_mut(&mut self, _: &mut GenericArgument) {}
     fn visit_pat_mut(&mut self, _: &mut Pat) {}
-    fn visit_type_mut(&mut self, _: &mut Type) {}
-
-    /// A function in a function is another one.
-    fn visit_item_mut(&mut self, _: &mut Item) {}
 }

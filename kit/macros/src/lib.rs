@@ -45,11 +45,24 @@
 //! A kernel with a shared tile has a second SPIR-V entry point, its variant, with the same body and bindings. The CPU always
 //! runs the plain one.
 
+/// Methods of a `VisitMut` that looks at what runs: the compiler computes constants, and a function in a function is another one.
+macro_rules! only_what_runs {
+    () => {
+        fn visit_expr_repeat_mut(&mut self, repeat: &mut syn::ExprRepeat) {
+            self.visit_expr_mut(&mut repeat.expr);
+        }
+
+        fn visit_expr_const_mut(&mut self, _: &mut syn::ExprConst) {}
+        fn visit_generic_argument_mut(&mut self, _: &mut syn::GenericArgument) {}
+        fn visit_type_mut(&mut self, _: &mut syn::Type) {}
+        fn visit_item_mut(&mut self, _: &mut syn::Item) {}
+    };
+}
+
 mod checks;
 mod cpu;
 mod expand;
 mod fused;
-mod inputs;
 mod parse;
 mod regrouped;
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Reads a kernel's declaration.
 
+use std::ops::Deref;
+
 use proc_macro2::TokenStream;
 use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
@@ -61,6 +63,17 @@ pub struct Kernel {
     pub function: ItemFn,
     /// Invocations of a workgroup: constant expressions.
     pub threads: [Expr; 3],
+    pub attribute: Attribute,
+    /// Whether it is generic over `Samples`: an invocation of a GPU takes four of them.
+    pub samples: bool,
+    /// Name of the invocation in the kernel.
+    pub id: Ident,
+    pub parameters: Vec<Parameter>,
+}
+
+/// What `#[kernel(..)]` says beside the threads.
+#[derive(Default)]
+pub struct Attribute {
     pub fused: bool,
     /// Whether it has barriers without workgroup memory.
     pub storage_barriers: bool,
@@ -71,8 +84,6 @@ pub struct Kernel {
     /// On the CPU the workgroups of one x and y run one after another.
     pub z_innermost: bool,
     pub lanes: Option<Lanes>,
-    /// Whether it is generic over `Samples`: an invocation of a GPU takes four of them.
-    pub samples: bool,
     /// Largest number of iterations of one invocation.
     pub iterations: Option<Expr>,
     /// Fields of the uniform buffer whose values only the device can know.
@@ -81,18 +92,20 @@ pub struct Kernel {
     pub work: Option<Path>,
     /// Bindings whose elements come in any order.
     pub unordered: Vec<Ident>,
-    /// Name of the invocation in the kernel.
-    pub id: Ident,
-    pub parameters: Vec<Parameter>,
+}
+
+impl Deref for Kernel {
+    type Target = Attribute;
+
+    fn deref(&self) -> &Attribute {
+        &self.attribute
+    }
 }
 
 impl Kernel {
     pub fn parse(attribute: TokenStream, item: TokenStream) -> Result<Self> {
         let function: ItemFn = syn::parse2(item)?;
-        let attribute = parse_attribute(attribute)?;
-        let Attribute { threads, fused, z_serial, z_innermost, lanes, .. } = attribute;
-        let Attribute { iterations, counts, work, unordered, storage_barriers, subgroups, .. } =
-            attribute;
+        let (threads, attribute) = parse_attribute(attribute)?;
         let mut inputs = function.sig.inputs.iter();
         let id = inputs.next().and_then(invocation).ok_or_else(|| {
             Error::new(function.sig.span(), "the first parameter of a kernel is `id: Invocation`")
@@ -102,7 +115,7 @@ impl Kernel {
             return Err(Error::new(function.sig.span(), "a kernel has at most one `&Params`"));
         }
         let generics = &function.sig.generics;
-        if lanes.is_none() && !generics.params.is_empty() {
+        if attribute.lanes.is_none() && !generics.params.is_empty() {
             let name = &function.sig.ident;
             let message = format!(
                 "the kernel `{name}` is generic, and a kernel without `lanes` is not: make the body a generic function, and let a \
@@ -110,7 +123,9 @@ impl Kernel {
             );
             return Err(Error::new(generics.span(), message));
         }
-        if lanes.is_some() && (generics.params.len() != 1 || generics.type_params().count() != 1) {
+        if attribute.lanes.is_some()
+            && (generics.params.len() != 1 || generics.type_params().count() != 1)
+        {
             return Err(Error::new(
                 function.sig.span(),
                 "a kernel with `lanes` is generic over one `Lane` or `Samples`",
@@ -118,23 +133,7 @@ impl Kernel {
         }
         let samples =
             generics.type_params().flat_map(|parameter| &parameter.bounds).any(is_samples);
-        let kernel = Self {
-            function,
-            threads,
-            fused,
-            storage_barriers,
-            subgroups,
-            z_serial,
-            z_innermost,
-            lanes,
-            samples,
-            iterations,
-            counts,
-            work,
-            unordered,
-            id,
-            parameters,
-        };
+        let kernel = Self { function, threads, attribute, samples, id, parameters };
         if kernel.samples && !matches!(kernel.lanes, Some(Lanes::Invocations(_))) {
             let message = "a kernel that is generic over `Samples` has `lanes(field)`";
             return Err(Error::new(kernel.function.sig.span(), message));
@@ -193,67 +192,35 @@ impl Kernel {
     }
 }
 
-struct Attribute {
-    threads: [Expr; 3],
-    fused: bool,
-    storage_barriers: bool,
-    subgroups: bool,
-    z_serial: bool,
-    z_innermost: bool,
-    lanes: Option<Lanes>,
-    iterations: Option<Expr>,
-    counts: Vec<Ident>,
-    work: Option<Path>,
-    unordered: Vec<Ident>,
-}
-
 /// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial` or `z_innermost`, `lanes` or
 /// `lanes(field)`, `counts(field, ..)`, and `unordered(binding, ..)`
-fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
+fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
     let mut threads = None;
-    let mut fused = false;
-    let mut storage_barriers = false;
-    let mut subgroups = false;
-    let mut z_serial = false;
-    let mut z_innermost = false;
-    let mut lanes = None;
-    let mut iterations = None;
-    let mut counts = Vec::new();
-    let mut work = None;
-    let mut unordered = Vec::new();
+    let mut found = Attribute::default();
     let parser = syn::meta::parser(|meta| {
-        if meta.path.is_ident("fused") {
-            fused = true;
-            return Ok(());
-        }
-        if meta.path.is_ident("storage_barriers") {
-            storage_barriers = true;
-            return Ok(());
-        }
-        if meta.path.is_ident("subgroups") {
-            subgroups = true;
-            return Ok(());
-        }
-        if meta.path.is_ident("z_serial") {
-            z_serial = true;
-            return Ok(());
-        }
-        if meta.path.is_ident("z_innermost") {
-            z_innermost = true;
+        let flags = [
+            ("fused", &mut found.fused),
+            ("storage_barriers", &mut found.storage_barriers),
+            ("subgroups", &mut found.subgroups),
+            ("z_serial", &mut found.z_serial),
+            ("z_innermost", &mut found.z_innermost),
+        ];
+        if let Some((_, flag)) = flags.into_iter().find(|(name, _)| meta.path.is_ident(name)) {
+            *flag = true;
             return Ok(());
         }
         if meta.path.is_ident("iterations") {
-            iterations = Some(meta.value()?.parse()?);
+            found.iterations = Some(meta.value()?.parse()?);
             return Ok(());
         }
         if meta.path.is_ident("work") {
             let content;
             syn::parenthesized!(content in meta.input);
-            work = Some(content.parse()?);
+            found.work = Some(content.parse()?);
             return Ok(());
         }
         if meta.path.is_ident("lanes") {
-            lanes = Some(if meta.input.peek(syn::token::Paren) {
+            found.lanes = Some(if meta.input.peek(syn::token::Paren) {
                 let content;
                 syn::parenthesized!(content in meta.input);
                 Lanes::Invocations(content.parse()?)
@@ -266,7 +233,8 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
             let content;
             syn::parenthesized!(content in meta.input);
             let names = content.parse_terminated(Ident::parse, syn::Token![,])?;
-            let list = if meta.path.is_ident("counts") { &mut counts } else { &mut unordered };
+            let list =
+                if meta.path.is_ident("counts") { &mut found.counts } else { &mut found.unordered };
             list.extend(names);
             return Ok(());
         }
@@ -292,25 +260,13 @@ fn parse_attribute(attribute: TokenStream) -> Result<Attribute> {
     parser.parse2(attribute.clone())?;
     let threads = threads
         .ok_or_else(|| Error::new(attribute.span(), "expected `#[kernel(threads(x, y, z))]`"))?;
-    if z_serial && z_innermost {
+    if found.z_serial && found.z_innermost {
         return Err(Error::new(
             attribute.span(),
             "workgroups run by `z_serial` or by `z_innermost`",
         ));
     }
-    Ok(Attribute {
-        threads,
-        fused,
-        storage_barriers,
-        subgroups,
-        z_serial,
-        z_innermost,
-        lanes,
-        iterations,
-        counts,
-        work,
-        unordered,
-    })
+    Ok((threads, found))
 }
 
 /// The name of `id: Invocation`.

@@ -6,10 +6,7 @@ use proc_macro2::Span;
 use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{
-    BinOp, Block, Expr, ExprBinary, ExprConst, ExprRepeat, GenericArgument, Ident, Item, Local,
-    Pat, PatIdent, Type, parse_quote,
-};
+use syn::{BinOp, Block, Expr, ExprBinary, Ident, Local, Pat, PatIdent, parse_quote};
 
 /// Shortens all sums and products that can be: terms that cancel are left out, and constants are put together. Says whether there are some. Types
 /// are not known here: what is no float stays as it is.
@@ -216,15 +213,5 @@ impl VisitMut for Regroup {
         };
     }
 
-    fn visit_expr_repeat_mut(&mut self, repeat: &mut ExprRepeat) {
-        self.visit_expr_mut(&mut repeat.expr);
-    }
-
-    // constants are computed by the compiler
-    fn visit_expr_const_mut(&mut self, _: &mut ExprConst) {}
-    fn visit_generic_argument_mut(&mut self, _: &mut GenericArgument) {}
-    fn visit_type_mut(&mut self, _: &mut Type) {}
-
-    /// A function in a function is another one.
-    fn visit_item_mut(&mut self, _: &mut Item) {}
+    only_what_runs!();
 }

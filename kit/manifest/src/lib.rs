@@ -221,14 +221,14 @@ impl Manifest {
 #[cfg(feature = "kernels")]
 impl Interface {
     /// The interface that a kernel's source declares, for one of its entry points.
-    pub fn new(kernel: &muslin::KernelInfo, point: &muslin::EntryPoint) -> Self {
-        let binding = |binding: &muslin::BindingInfo| Binding {
+    pub fn new(kernel: &muslin_kernel::KernelInfo, point: &muslin_kernel::EntryPoint) -> Self {
+        let binding = |binding: &muslin_kernel::BindingInfo| Binding {
             name: binding.name.to_owned(),
             access: binding.access.as_str().to_owned(),
             element: binding.element.to_owned(),
             element_bytes: binding.element_bytes,
         };
-        let shared = |shared: &muslin::SharedInfo| Shared {
+        let shared = |shared: &muslin_kernel::SharedInfo| Shared {
             name: shared.name.to_owned(),
             element: shared.element.to_owned(),
             len: shared.len,

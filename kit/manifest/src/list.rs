@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use muslin::kernel::workgroup_bytes;
-use muslin::{EntryPoint, KernelInfo, MAX_ITERATIONS};
+use muslin_kernel::kernel::workgroup_bytes;
+use muslin_kernel::{EntryPoint, KernelInfo, MAX_ITERATIONS};
 use serde::Serialize;
 
 use crate::Table;
@@ -81,7 +81,7 @@ impl List {
     pub fn new<'a, E>(
         spirv: impl Fn(&KernelInfo, &EntryPoint) -> Result<Cow<'a, [u32]>, E>,
     ) -> Result<Self, E> {
-        let mut kernels: Vec<_> = muslin::kernels().collect();
+        let mut kernels: Vec<_> = muslin_kernel::kernels().collect();
         kernels.sort_by_key(|kernel| kernel.name);
         let all = kernels
             .into_iter()

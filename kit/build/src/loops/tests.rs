@@ -2,9 +2,10 @@
 
 mod interpreter;
 
-use rspirv::binary::Assemble;
 use rspirv::dr::Module;
 use rspirv::spirv::Op;
+
+use crate::lower::bytes;
 
 use super::{block, end_at_conditions, find, id, terminator};
 use interpreter::{module, run};
@@ -30,10 +31,6 @@ fn check(text: &str) -> usize {
     merges
         .filter(|merge| terminator(block(function, id(merge, 1))).class.opcode == Op::Branch)
         .count()
-}
-
-fn bytes(module: &Module) -> Vec<u8> {
-    module.assemble().into_iter().flat_map(u32::to_le_bytes).collect()
 }
 
 /// The module after the pass.

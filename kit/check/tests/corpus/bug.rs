@@ -44,7 +44,6 @@ pub struct Bug {
 }
 
 /// The result of a failed test.
-#[derive(Debug)]
 pub enum Found {
     /// A message from the kit.
     Message(String),
@@ -68,25 +67,16 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// The CPU as programs use it, with eight lanes on every machine.
-    pub fn plain() -> Self {
+    /// The CPU as programs use it, with eight lanes on every machine; as tests should use it; and as a project's CI should.
+    pub fn all() -> [Self; 3] {
+        let plain = DeviceOptions::cpu(1).instruction_set(InstructionSet::Plain);
         // programs have no limit of time, and would hang
-        let options = DeviceOptions::cpu(1).time_limit(LIMIT);
-        Self::open(options.instruction_set(InstructionSet::Plain))
-    }
-
-    /// The CPU as tests of kernels should use it.
-    pub fn checked() -> Self {
-        Self::open(DeviceOptions::checked().threads(1).time_limit(LIMIT))
-    }
-
-    /// The CPU as a project's CI should use it.
-    pub fn thorough() -> Self {
-        Self::open(DeviceOptions::thorough(1).threads(1).time_limit(LIMIT))
-    }
-
-    fn open(options: DeviceOptions) -> Self {
-        Self { device: Device::open(&options, Modules::none()).expect("the CPU") }
+        let all =
+            [plain, DeviceOptions::checked().threads(1), DeviceOptions::thorough(1).threads(1)];
+        all.map(|options| {
+            let options = options.time_limit(LIMIT);
+            Self { device: Device::open(&options, Modules::none()).expect("the CPU") }
+        })
     }
 
     /// Checks behind the outputs.
@@ -109,81 +99,24 @@ impl Bench {
         self.runner().output_of(values)
     }
 
-    /// A buffer of zeros for counters, followed by canaries.
-    pub fn cleared(&self, len: usize) -> Result<Buffer<u32>, Error> {
-        self.holding(&vec![0; len])
-    }
-
-    /// A buffer that one kernel writes and the next one reads.
-    pub fn scratch<T: Pod>(&self, len: usize) -> Result<Buffer<T>, Error> {
-        self.device.unwritten("scratch", len)
-    }
-
     /// Runs a kernel over items.
     pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Host>, items: u32) -> Result<(), Error> {
-        self.layers(kernel, items, 1)
+        self.device.run(kernel, items.max(1), 1)
     }
 
-    /// Runs a kernel over items, in layers of z.
-    pub fn layers<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Host>,
-        items: u32,
-        layers: u32,
-    ) -> Result<(), Error> {
-        self.device.run(kernel, items.max(1), layers.max(1))
-    }
-
-    /// Runs a kernel over pixels.
-    pub fn pixels<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Host>,
-        [width, height]: [u32; 2],
-    ) -> Result<(), Error> {
-        self.device.run_over(kernel, [width, height, 1])
-    }
-
-    /// Runs a kernel over a number of workgroups that the test has computed.
-    pub fn workgroups<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Host>,
-        workgroups: [u32; 3],
-    ) -> Result<(), Error> {
-        self.device.dispatch(kernel, workgroups)
-    }
-
-    /// Reads an output, which the kernel must have written entirely.
-    pub fn read<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>, Error> {
-        self.runner().read_all(buffer)
-    }
-
-    /// Compares an output with the expected value of each element.
+    /// Compares an output, which the kernel must have written entirely, with the expected value of each element.
     pub fn expect<T: Canary + Debug>(
         &self,
         buffer: &Buffer<T>,
         expected: impl Fn(u32) -> T,
     ) -> Result<(), Found> {
-        self.expect_values(&self.read(buffer)?, expected)
-    }
-
-    /// Compares values with the expected ones.
-    pub fn expect_values<T: Canary + Debug>(
-        &self,
-        values: &[T],
-        expected: impl Fn(u32) -> T,
-    ) -> Result<(), Found> {
-        let wrong = (0..).zip(values).find(|(i, value)| expected(*i) != **value);
-        match wrong {
+        let values = self.runner().read_all(buffer)?;
+        match (0..).zip(values).find(|(i, value)| expected(*i) != *value) {
             Some((i, value)) => {
                 let message = format!("element {i} is {value:?}, not {:?}", expected(i));
                 Err(Found::Value(message))
             }
             None => Ok(()),
         }
-    }
-
-    /// Fails if a kernel without work has written something.
-    pub fn expect_unwritten<T: Canary + Debug>(&self, buffer: &Buffer<T>) -> Result<(), Found> {
-        self.expect_values(&self.runner().read(buffer)?, |_| T::CANARY)
     }
 }

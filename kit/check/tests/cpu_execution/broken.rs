@@ -57,24 +57,6 @@ pub fn adds_to_nothing(id: Invocation, input: Read<u32>, output: Write<u32>) {
     }
 }
 
-/// Reads in every round elements that only the first, larger round has written.
-#[kernel(threads(64), iterations = 2)]
-pub fn stale_round(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {
-    let mut round = 0;
-    let mut sum = 0;
-    while round < 2 {
-        values.begin_round();
-        if id.local.x < 64 - round {
-            values.write(id.local.x, round);
-        }
-        id.barrier();
-        sum += values.read(63 - id.local.x);
-        id.barrier();
-        round += 1;
-    }
-    output.write(id.index(), sum);
-}
-
 /// Parameters of [`histogram`].
 #[params]
 pub struct HistogramParams {

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::options::{AdapterInfo, DeviceOptions, SpirvPath};
-use muslin::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
+use muslin_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
 
 fn instance() -> wgpu::Instance {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();

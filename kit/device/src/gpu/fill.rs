@@ -3,8 +3,8 @@
 
 use std::sync::{Arc, LazyLock};
 
-use muslin::KernelInfo;
-use muslin::count::PLACEMENT_VALUES;
+use muslin_kernel::KernelInfo;
+use muslin_kernel::count::PLACEMENT_VALUES;
 use wgpu::util::DeviceExt;
 
 use super::pipeline::Pipeline;
@@ -13,7 +13,7 @@ use crate::count::{Count, Total};
 
 /// The kernel `count_fill`.
 pub static KERNEL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {
-    let mut kernels = muslin::kernels_of("muslin-kernel");
+    let mut kernels = muslin_kernel::kernels_of("muslin-kernel");
     kernels.find(|kernel| kernel.name == "count_fill").expect("it is declared")
 });
 
@@ -27,7 +27,7 @@ pub struct Fills {
 struct Fill {
     counts: wgpu::Buffer,
     pipeline: Arc<Pipeline>,
-    /// The placement that [`muslin::count::count_fill`] reads, without the first row.
+    /// The placement that [`muslin_kernel::count::count_fill`] reads, without the first row.
     placement: Vec<u32>,
 }
 

@@ -6,14 +6,13 @@ mod memory;
 mod pipeline;
 mod recorder;
 mod timer;
-mod variants;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use muslin::{EntryPoint, KernelInfo};
+use muslin_kernel::{EntryPoint, KernelInfo};
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::count::Count;
@@ -23,9 +22,8 @@ use crate::options::{DeviceOptions, SpirvPath};
 pub use adapter::adapters;
 pub use memory::GpuMemory;
 use memory::MemoryPool;
-use pipeline::Pipelines;
+use pipeline::{Pipelines, Variants};
 use recorder::{Counted, Recorder};
-use variants::Variants;
 
 /// The largest buffer for reading that is kept, in bytes.
 const MAX_STAGING: u64 = 64 << 20;

@@ -4,12 +4,34 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use muslin::{Access, EntryPoint, KernelInfo};
+use muslin_kernel::{Access, EntryPoint, KernelInfo};
 
-use super::variants::Variants;
 use crate::error::{Error, Result};
 use crate::modules::Modules;
 use crate::options::SpirvPath;
+
+/// Whether a device runs the variants of kernels.
+#[derive(Clone, Copy, Debug)]
+pub struct Variants(bool);
+
+impl Variants {
+    /// The choice for an adapter. `wanted` is [`DeviceOptions::variants`](crate::DeviceOptions::variants).
+    pub fn new(adapter: &wgpu::Adapter, wanted: Option<bool>) -> Self {
+        // on a software device, workgroup memory is ordinary memory, and slower
+        let is_hardware = adapter.get_info().device_type != wgpu::DeviceType::Cpu;
+        Self(wanted.unwrap_or(is_hardware))
+    }
+
+    /// The entry point of a kernel.
+    pub fn entry_point(self, kernel: &KernelInfo) -> EntryPoint {
+        kernel.variant.filter(|_| self.0).unwrap_or(kernel.plain())
+    }
+
+    /// A description for the user.
+    pub fn as_str(self) -> &'static str {
+        if self.0 { "variants with workgroup memory" } else { "plain kernels" }
+    }
+}
 
 /// A kernel's package and name: different packages can have kernels of the same name.
 type Key = (&'static str, &'static str);
@@ -146,7 +168,7 @@ fn module(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use muslin::prelude::*;
+    use muslin_kernel::prelude::*;
 
     /// Writes the sum of each subgroup.
     #[kernel(threads(64), subgroups)]

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use muslin::{Access, KernelInfo};
+use muslin_kernel::{Access, KernelInfo};
 
 use super::fill::Fills;
 use super::memory::MemoryPool;

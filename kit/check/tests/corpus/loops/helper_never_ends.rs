@@ -25,6 +25,6 @@ pub fn helper_never_ends(id: Invocation, input: Read<u32>, output: Write<u32>) {
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let (input, output) = (bench.input(&[9; 64])?, bench.output(64)?);
-    bench.workgroups(&HelperNeverEndsKernel { input: &input, output: &output }, [1, 1, 1])?;
+    bench.run(&HelperNeverEndsKernel { input: &input, output: &output }, 64)?;
     bench.expect(&output, |_| 3)
 }

@@ -20,6 +20,6 @@ pub fn ticket_within_a_workgroup(
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let (input, output) = (bench.input(&numbers(128))?, bench.output(128)?);
     let kernel = TicketWithinAWorkgroupKernel { input: &input, output: &output };
-    bench.workgroups(&kernel, [2, 1, 1])?;
+    bench.device.dispatch(&kernel, [2, 1, 1])?;
     bench.expect(&output, |i| i)
 }

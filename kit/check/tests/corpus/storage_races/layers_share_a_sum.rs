@@ -8,7 +8,7 @@ pub fn layers_share_a_sum(id: Invocation, sum: Write<u32>) {
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let sum = bench.cleared(4)?;
-    bench.layers(&LayersShareASumKernel { sum: &sum }, 64, 4)?;
+    let sum = bench.holding(&[0; 4])?;
+    bench.device.run(&LayersShareASumKernel { sum: &sum }, 64, 4)?;
     bench.expect(&sum, |i| if i % 2 == 0 { 128 } else { 0 })
 }

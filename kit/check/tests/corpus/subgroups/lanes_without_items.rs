@@ -14,7 +14,7 @@ pub fn lanes_without_items(id: Invocation, params: &Count, input: Read<u32>, sum
 }
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
-    let (input, sums) = (bench.input(&numbers(100))?, bench.cleared(1)?);
+    let (input, sums) = (bench.input(&numbers(100))?, bench.holding(&[0; 1])?);
     bench.run(&LanesWithoutItemsKernel { params: Count { count: 100 }, input: &input, sums: &sums }, 100)?;
     bench.expect(&sums, |_| 4950)
 }

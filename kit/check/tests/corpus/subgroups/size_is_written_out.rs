@@ -12,6 +12,6 @@ pub fn size_is_written_out(id: Invocation, input: Read<u32>, sums: Write<u32>) {
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let (input, sums) = (bench.input(&[1; 64])?, bench.output(2)?);
-    bench.workgroups(&SizeIsWrittenOutKernel { input: &input, sums: &sums }, [1, 1, 1])?;
+    bench.device.dispatch(&SizeIsWrittenOutKernel { input: &input, sums: &sums }, [1, 1, 1])?;
     bench.expect(&sums, |_| 32)
 }

@@ -11,6 +11,6 @@ pub fn column_is_not_the_index(id: Invocation, output: Write<u32>, values: Share
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let output = bench.output(64)?;
-    bench.pixels(&ColumnIsNotTheIndexKernel { output: &output }, [8, 8])?;
+    bench.device.run_over(&ColumnIsNotTheIndexKernel { output: &output }, [8, 8, 1])?;
     bench.expect(&output, |i| i)
 }

@@ -22,6 +22,6 @@ pub fn counts_read_too_soon(
 
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let (input, output) = (bench.input(&numbers(64))?, bench.output(8)?);
-    bench.workgroups(&CountsReadTooSoonKernel { input: &input, output: &output }, [1, 1, 1])?;
+    bench.run(&CountsReadTooSoonKernel { input: &input, output: &output }, 64)?;
     bench.expect(&output, |_| 8)
 }

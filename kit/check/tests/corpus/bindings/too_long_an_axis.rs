@@ -13,6 +13,6 @@ pub fn too_long_an_axis(id: Invocation, params: &Count, output: Write<u32>) {
 pub fn test(bench: &Bench) -> Result<(), Found> {
     let output = bench.output(100)?;
     let params = Count { count: 100 };
-    bench.pixels(&TooLongAnAxisKernel { params, output: &output }, [65_536 * 64, 1])?;
+    bench.device.run_over(&TooLongAnAxisKernel { params, output: &output }, [65_536 * 64, 1, 1])?;
     bench.expect(&output, |i| i)
 }

@@ -340,7 +340,7 @@ impl Parity for Signed {
             }
         }
         inputs.params.count = inputs.x.len() as u32;
-        inputs.output = vec![0; SIGNED_ROWS * inputs.x.len()];
+        inputs.output = unwritten(SIGNED_ROWS * inputs.x.len());
         vec![("pairs".into(), Self(inputs))]
     }
 
@@ -378,6 +378,6 @@ impl Parity for Signed {
             16 => no_room(x - z),
             _ => no_room(x + i64::from(z as u32)),
         };
-        Some(f64::from(value as u32))
+        Some(f64::from(value))
     }
 }

@@ -18,10 +18,14 @@ pub(super) fn contents<'a>(
     bindings.filter(|binding| binding.access != Access::Uniform).zip(given).collect()
 }
 
+/// The type of a binding's elements, without its path.
+fn element(binding: &BindingInfo) -> &str {
+    binding.element.rsplit(':').next().unwrap_or_default().trim()
+}
+
 /// Whether a binding has numbers that may differ by rounding.
 fn is_float(binding: &BindingInfo) -> bool {
-    let name = binding.element.rsplit(':').next().unwrap_or_default();
-    ["f32", "Vec2", "Vec4"].contains(&name.trim())
+    ["f32", "Vec2", "Vec4"].contains(&element(binding))
 }
 
 /// A word that no kernel computes, and another one.
@@ -35,9 +39,12 @@ pub(super) fn canaries(binding: &BindingInfo) -> [u32; 2] {
 /// The outputs of a kernel, by the names of their bindings.
 pub(super) fn output(binding: &BindingInfo, words: Vec<u32>) -> Output {
     let float = |word| f64::from(f32::from_bits(word));
-    let values = match is_float(binding) {
-        true => Values::Float(words.into_iter().map(float).collect()),
-        false => Values::Exact(words),
+    let values = match element(binding) {
+        _ if is_float(binding) => Values::Float(words.into_iter().map(float).collect()),
+        "i32" | "IVec2" | "IVec4" => {
+            Values::Signed(words.into_iter().map(u32::cast_signed).collect())
+        }
+        _ => Values::Exact(words),
     };
     Output { name: binding.name, values }
 }

@@ -21,6 +21,8 @@ pub enum Values {
     Float(Vec<f64>),
     /// Numbers that must have equal bits.
     Exact(Vec<u32>),
+    /// Numbers with a sign that must have equal bits.
+    Signed(Vec<i32>),
 }
 
 impl Output {
@@ -40,7 +42,7 @@ impl Output {
     pub fn floats(&self) -> &[f64] {
         match &self.values {
             Values::Float(values) => values,
-            Values::Exact(_) => &[],
+            Values::Exact(_) | Values::Signed(_) => &[],
         }
     }
 
@@ -48,7 +50,7 @@ impl Output {
     #[must_use]
     pub fn words(&self) -> &[u32] {
         match &self.values {
-            Values::Float(_) => &[],
+            Values::Float(_) | Values::Signed(_) => &[],
             Values::Exact(values) => values,
         }
     }
@@ -59,6 +61,7 @@ impl Output {
         match &self.values {
             Values::Float(values) => values.clone(),
             Values::Exact(values) => values.iter().copied().map(f64::from).collect(),
+            Values::Signed(values) => values.iter().copied().map(f64::from).collect(),
         }
     }
 }
@@ -135,7 +138,7 @@ impl Measure {
         tolerance: f64,
         bound: impl Fn(usize) -> Bound,
     ) {
-        let is_exact = matches!(cpu.values, Values::Exact(_));
+        let is_exact = !matches!(cpu.values, Values::Float(_));
         let expected = cpu.to_f64();
         let actual = found.to_f64();
         assert_eq!(expected.len(), actual.len(), "lengths of `{}` differ", cpu.name);

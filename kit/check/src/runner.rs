@@ -208,6 +208,11 @@ impl Canary for u32 {
     const OTHER_CANARY: Self = 0x0bad_cafe;
 }
 
+impl Canary for i32 {
+    const CANARY: Self = u32::CANARY.cast_signed();
+    const OTHER_CANARY: Self = u32::OTHER_CANARY.cast_signed();
+}
+
 impl Canary for Vec4 {
     const CANARY: Self = Self::splat(f32::CANARY);
     const OTHER_CANARY: Self = Self::splat(f32::OTHER_CANARY);

@@ -6,12 +6,12 @@ mod recording;
 mod smaller;
 
 use crate::MODULES;
-use crate::backward::gradient::SceneGradient;
-use crate::batch::plan::{PART_BYTES, PartTiles};
-use crate::batch::renderer::Renderer;
-use crate::forward::part::Part;
-use crate::forward::part_counts::{Capacity, Needed};
+use crate::pass::part::Part;
+use crate::pass::renderer::Renderer;
 use crate::scene::device_scene::DeviceScene;
+use crate::stages::counts::{Capacity, Needed};
+use crate::stages::cut::{PART_BYTES, PartTiles};
+use crate::stages::gradient::SceneGradient;
 use muslin_check::devices;
 use muslin_device::{Buffer, Device};
 use organza_core::camera::Camera;

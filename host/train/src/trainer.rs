@@ -23,7 +23,7 @@ use organza_core::metrics;
 use organza_core::ranks::{Grid, Ranks};
 use organza_core::scene::range_of;
 use organza_data::Dataset;
-use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer, UploadOptions};
+use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer};
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -140,12 +140,7 @@ impl Trainer {
         if let Some(poses) = &poses {
             cameras = poses.cameras();
         }
-        let shard = match shared {
-            Some(_) => DeviceShard::upload(renderer, &checkpoint.scene, UploadOptions::default())?,
-            None => {
-                DeviceShard::from_scene(renderer.device(), renderer.upload(&checkpoint.scene)?)?
-            }
-        };
+        let shard = renderer.upload_blocks(&checkpoint.scene, shared.is_some())?;
         let state = State::new(renderer, &config, shard, checkpoint, cameras.len())?;
         let (ranks, shards) = shared.unzip();
         let renderer = renderer.clone();

@@ -26,9 +26,9 @@ mod tests;
 mod ways;
 
 pub use pass::own_loss::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
+pub use pass::ranks::shard_bytes;
 pub use pass::recording::Recording;
 pub use pass::renderer::Renderer;
-pub use pass::shard::shard_bytes;
 pub use scene::device_scene::DeviceScene;
 pub use scene::device_shard::{DeviceShard, in_blocks, read_blocks};
 pub use scene::options::UploadOptions;

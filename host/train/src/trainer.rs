@@ -343,17 +343,7 @@ impl Trainer {
         let State { shard, gradient, .. } = &self.state;
         let renderer = &self.renderer;
         let cameras = &drawn.cameras(&self.cameras)[..];
-        if let Some(grid) = grid_of(&self.ranks, self.shards) {
-            let seen = &shard.coarser(*factor, *ray_steps);
-            let shared = (seen, grid);
-            let kept = &mut self.loss;
-            let (losses, exposures) =
-                renderer.add_shard_gradient(shared, cameras, batch, kept, &target, gradient)?;
-            return Ok((StepReport::new(&losses, target.ssim_weight), exposures));
-        }
-        // all Gaussians are one block
-        let scene = &shard.blocks()[0].coarser(*factor, *ray_steps);
-        let gradient = &gradient.blocks[0];
+        let scene = &shard.coarser(*factor, *ray_steps);
         if let Some(own) = &mut hooks.loss {
             let (loss, squared) =
                 renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
@@ -364,9 +354,12 @@ impl Trainer {
             return Ok((report, Vec::new()));
         }
         let kept = &mut self.loss;
-        let ranks = self.ranks.as_deref();
+        let grid = match (grid_of(&self.ranks, self.shards), self.ranks.as_deref()) {
+            (Some(grid), _) => Some(grid),
+            (None, ranks) => ranks.map(|all| Grid { all, shards: 1 }),
+        };
         let (losses, exposures) =
-            renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
+            renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient, grid)?;
         Ok((StepReport::new(&losses, target.ssim_weight), exposures))
     }
 

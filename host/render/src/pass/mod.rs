@@ -2,14 +2,10 @@
 
 pub mod capacity;
 pub mod compare;
-pub mod field_sums;
-pub mod in_parts;
 pub mod own_loss;
 pub mod part;
+#[allow(clippy::module_inception, reason = "the way itself")]
+pub mod pass;
 pub mod ranks;
 pub mod recording;
-pub mod recording_backward;
 pub mod renderer;
-pub mod results;
-pub mod shard;
-pub mod step;

@@ -1,17 +1,14 @@
 //! Losses that a caller computes, on the host or on the device.
 
-use std::slice::from_ref;
+use std::collections::BTreeMap;
 
-use super::step::Step;
-use crate::pass::part::Part;
-use crate::pass::renderer::Renderer;
-use crate::scene::device_scene::DeviceScene;
-use crate::stages::counts::{Capacity, Needed};
-use crate::stages::cut::PartTiles;
-use crate::stages::cut::values_of_tiles;
-use crate::stages::gradient::SceneGradient;
-use crate::stages::loss::LossInputs;
-use crate::stages::loss::LossTarget;
+use super::part::{Part, TileGradient};
+use super::pass::{GoBack, Pass};
+use super::renderer::Renderer;
+use crate::scene::device_shard::SceneBlocks;
+use crate::stages::cut::{PartTiles, values_of_tiles};
+use crate::stages::gradient::GradientBlocks;
+use crate::stages::loss::{LossInputs, LossTarget};
 use muslin_device::{Buffer, Device};
 use organza_core::RenderedTiles;
 use organza_core::camera::Camera;
@@ -36,7 +33,7 @@ pub struct LossGradient {
     /// The loss of the batch.
     pub loss: f64,
     /// dL/dY `[K, 3, S, S]`
-    pub grad_output: Vec<f32>,
+    pub grad_tiles: Vec<f32>,
 }
 
 /// Tiles on the device, and what they should look like: the argument of a loss on the device.
@@ -57,7 +54,7 @@ pub struct DeviceLossGradient {
     /// The loss of these tiles. The losses of a batch's parts are added.
     pub loss: f64,
     /// dL/dY `[K, 3, S, S]`
-    pub grad_image: Buffer<f32>,
+    pub grad_tiles: Buffer<f32>,
 }
 
 type HostLoss<'h> = dyn FnMut(&LossBatch<'_>) -> Result<LossGradient> + 'h;
@@ -77,83 +74,86 @@ impl Renderer {
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another
-    /// number of values.
-    pub fn add_own_loss_gradient(
+    /// number of values. The gradient is then as it was before.
+    pub fn add_own_loss_gradient<'a>(
         &self,
-        scene: &DeviceScene,
+        scene: impl Into<SceneBlocks<'a>>,
         cameras: &[Camera],
         batch: &TileBatch,
         own: &mut OwnLoss<'_>,
         target: &LossTarget<'_>,
-        gradient: &SceneGradient,
+        gradient: impl Into<GradientBlocks<'a>>,
     ) -> Result<(f64, f64)> {
-        let step = Step { renderer: self, scene, cameras, target, gradient };
+        batch.validate(cameras)?;
+        let pass = self.pass(scene.into(), cameras);
+        let into = gradient.into();
+        into.snapshot(self.device());
         let (loss, squared) = match own {
-            OwnLoss::Host(own) => step.host(batch, own)?,
-            OwnLoss::Device(own) => {
-                gradient.snapshot(self.device());
-                self.in_parts(scene, batch, |plans| {
-                    let add = |sum: (f64, f64), plan| {
-                        let (loss, squared) = step.part(own, plan)?;
-                        Ok((sum.0 + loss, sum.1 + squared))
-                    };
-                    let sum = plans.iter().try_fold((0.0, 0.0), add);
-                    sum.inspect_err(|_| gradient.rollback(self.device()))
-                })?
-            }
+            OwnLoss::Host(own) => host(&pass, batch, own, target, into)?,
+            OwnLoss::Device(own) => on_device(&pass, batch, own, target, into)?,
         };
         Ok((loss, squared / (3.0 * target.valid_pixels).max(1.0)))
     }
 }
 
-impl Step<'_> {
-    /// A loss on the host needs all tiles at once.
-    fn host(&self, batch: &TileBatch, own: &mut HostLoss<'_>) -> Result<(f64, f64)> {
-        let Self { renderer, scene, cameras, target, gradient } = *self;
-        let recording = renderer.record(scene, cameras, batch)?;
-        let rendered = recording.tiles();
-        let LossGradient { loss, grad_output } =
-            own(&LossBatch { batch, rendered, target: *target })?;
-        check_len(grad_output.len(), rendered.data.len())?;
-        recording.add_to(&grad_output, gradient, from_ref(gradient))?;
-        let area = (batch.side * batch.side) as usize;
-        Ok((loss, squared_error(&rendered.data, target.image, target.valid, area)))
-    }
+/// A loss on the host needs all tiles at once.
+fn host(
+    pass: &Pass<'_>,
+    batch: &TileBatch,
+    own: &mut HostLoss<'_>,
+    target: &LossTarget<'_>,
+    into: GradientBlocks<'_>,
+) -> Result<(f64, f64)> {
+    let mut parts = pass.cut(batch)?;
+    let rendered = &pass.forward_tiles(&mut parts, batch, &[], true)?;
+    let LossGradient { loss, grad_tiles } = own(&LossBatch { batch, rendered, target: *target })?;
+    check_len(grad_tiles.len(), rendered.data.len())?;
+    pass.backward_from(&mut parts, &grad_tiles, into)?;
+    let area = (batch.side * batch.side) as usize;
+    Ok((loss, squared_error(&rendered.data, target.image, target.valid, area)))
+}
 
-    /// Renders a part, has the loss evaluated, and goes back.
-    fn part(&self, own: &mut DeviceLoss<'_>, plan: &PartTiles) -> Result<(f64, f64)> {
-        let Self { renderer, scene, cameras, target, gradient } = *self;
-        let device = renderer.device();
-        let side = plan.side;
-        let area = (side * side) as usize;
-        let image = values_of_tiles(target.image, &plan.tiles, 3 * area);
-        let valid = values_of_tiles(target.valid, &plan.tiles, area);
-        let work = |capacity: Option<Capacity>| {
-            let evaluate = || Part::evaluate(scene, cameras, plan, true, capacity);
-            let part = device.run_in_pool(evaluate)?;
-            let (values, needed) = part.read(device, vec![part.composite.image.view()])?;
-            if needed == Needed::Overflow {
-                return Ok(((0.0, 0.0), needed));
-            }
-            let pixels = bytemuck::cast_slice(&values[0]);
-            let squared = squared_error(pixels, &image, &valid, area);
-            let target_image = device.upload("photographs", &image)?;
-            let valid = device.upload("masks", &valid)?;
-            let inputs = LossInputs {
-                image: &part.composite.image,
-                target: &target_image,
-                valid: &valid,
-                valid_pixels: target.valid_pixels,
-                ssim_weight: target.ssim_weight,
-            };
-            let DeviceLossGradient { loss, grad_image } =
-                own(&DeviceLossBatch { device, side, inputs })?;
-            check_len(grad_image.len(), pixels.len())?;
-            device.run_in_pool(|| part.backward(scene, side, &grad_image, gradient))?;
-            Ok(((loss, squared), needed))
+/// A loss on the device is evaluated part by part.
+fn on_device(
+    pass: &Pass<'_>,
+    batch: &TileBatch,
+    own: &mut DeviceLoss<'_>,
+    target: &LossTarget<'_>,
+    into: GradientBlocks<'_>,
+) -> Result<(f64, f64)> {
+    let device = pass.renderer.device();
+    // by a part's first tile: where memory ends, parts are cut and begin again
+    let mut found = BTreeMap::new();
+    let of_tiles = |plan: &PartTiles, part: &Part, back: &mut GoBack<'_>| {
+        let rendered = &part.composite.image;
+        let Some((words, needed)) = part.read(device, vec![rendered.view()])? else {
+            return Ok(None);
         };
-        renderer.with_predicted_capacity(scene, plan, work)
-    }
+        let pixels = bytemuck::cast_slice(&words[0]);
+        let image = values_of_tiles(target.image, &plan.tiles, 3 * plan.area());
+        let valid = values_of_tiles(target.valid, &plan.tiles, plan.area());
+        let squared = squared_error(pixels, &image, &valid, plan.area());
+        let inputs = LossInputs {
+            image: rendered,
+            target: &device.upload("photographs", &image)?,
+            valid: &device.upload("masks", &valid)?,
+            valid_pixels: target.valid_pixels,
+            ssim_weight: target.ssim_weight,
+        };
+        let side = plan.side;
+        let DeviceLossGradient { loss, grad_tiles } =
+            own(&DeviceLossBatch { device, side, inputs })?;
+        check_len(grad_tiles.len(), pixels.len())?;
+        back(TileGradient { grad_tiles, distortion: None })?;
+        let mut of_part = (loss, squared);
+        for tile in &plan.tiles {
+            found.insert(tile.place, std::mem::take(&mut of_part));
+        }
+        Ok(Some(needed))
+    };
+    let mut parts = pass.cut(batch)?;
+    pass.backward(&mut parts, of_tiles, into)?;
+    Ok(found.into_values().fold((0.0, 0.0), |sum, found| (sum.0 + found.0, sum.1 + found.1)))
 }
 
 fn check_len(found: usize, expected: usize) -> Result<()> {

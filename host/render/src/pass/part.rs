@@ -1,6 +1,7 @@
 //! One part of a batch: all stages from Gaussians to pixels, and back to the gradients of all tensors.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use glam::Vec4;
 
@@ -9,15 +10,17 @@ use crate::scene::device_scene::DeviceScene;
 use crate::stages::channels::{ChannelSums, Seen};
 use crate::stages::color::Color;
 use crate::stages::composite::Composite;
-use crate::stages::counts::{Capacity, Needed};
+use crate::stages::counts::Capacity;
 use crate::stages::cut::PartTiles;
+use crate::stages::distortion::Distortion;
 use crate::stages::gradient::SceneGradient;
 use crate::stages::pairs::PairVectors;
 use crate::stages::project::{pose_backward, project_backward};
 use crate::stages::tiles::Bins;
 use crate::stages::transmittance::Transmittance;
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device};
 use organza_core::camera::Camera;
+use organza_core::error::Result;
 use organza_core::{Channel, RenderReport};
 
 /// Everything that the stages have written on the device.
@@ -27,6 +30,17 @@ pub struct Part {
     pub transmittance: Transmittance,
     pub color: Color,
     pub composite: Composite,
+    /// Once it has been read.
+    needed: OnceLock<Capacity>,
+}
+
+/// The derivative of a loss by a part's pixels.
+#[derive(Debug)]
+pub struct TileGradient {
+    /// dL/dY `[tiles, 3, S, S]`.
+    pub grad_tiles: Buffer<f32>,
+    /// The term of the loss beside the image.
+    pub distortion: Option<Distortion>,
 }
 
 impl Part {
@@ -51,43 +65,64 @@ impl Part {
             &transmittance.transmittance,
             &color.color,
         )?;
-        Ok(Self { bins, transmittance, color, composite })
+        Ok(Self { bins, transmittance, color, composite, needed: OnceLock::new() })
     }
 
-    /// Reads buffers, and the capacity that the part needed. Waits once.
+    /// Reads buffers, and the capacity that the part needed: nothing if that was more than it had. Waits once, or not
+    /// at all if both are known.
     pub fn read(
         &self,
         device: &Device,
         mut buffers: Vec<Buffer<u32>>,
-    ) -> Result<(Vec<Vec<u32>>, Needed)> {
-        let Some(tally) = &self.bins.part_counts else {
-            let needed = Needed::Capacity(Capacity {
+    ) -> Result<Option<(Vec<Vec<u32>>, Capacity)>> {
+        let Some(counts) = &self.bins.part_counts else {
+            let needed = Capacity {
                 pairs: self.bins.pairs.count.upper_bound(),
                 members: self.bins.members.upper_bound(),
                 samples: self.transmittance.samples.upper_bound(),
-            });
-            return Ok((device.read_all(&buffers)?, needed));
+            };
+            return Ok(Some((device.read_all(&buffers)?, needed)));
         };
-        buffers.push(tally.counts().view());
+        if buffers.is_empty()
+            && let Some(needed) = self.needed.get()
+        {
+            return Ok(Some((Vec::new(), *needed)));
+        }
+        buffers.push(counts.counts().view());
         let mut values = device.read_all(&buffers)?;
         let counts = values.pop().expect("pushed above");
-        Ok((values, Needed::from_counts(&counts)))
+        Ok(Capacity::needed(&counts).map(|needed| (values, *self.needed.get_or_init(|| needed))))
     }
-}
 
-impl Part {
-    /// Adds the gradients of all tensors to `gradient`, of `image_gradient [tiles, 3, S, S]`, dLoss/dY of this part's
-    /// tiles.
-    pub fn backward(
+    /// The first stages of the way back: `[pairs, 3]`, see [`splat_backward`](organza_shaders::splat).
+    pub fn pair_gradient(
         &self,
         scene: &DeviceScene,
         side: u32,
-        image_gradient: &Buffer<f32>,
+        of_tiles: &TileGradient,
+    ) -> Result<Buffer<Vec4>> {
+        let transmittance = &self.transmittance.transmittance;
+        let TileGradient { grad_tiles, distortion } = of_tiles;
+        let distortion = distortion.as_ref();
+        Ok(self.composite.backward(
+            scene,
+            side,
+            &self.bins,
+            transmittance,
+            grad_tiles,
+            distortion,
+        )?)
+    }
+
+    /// The other stages, of a part whose hash grids share their scale with no other.
+    pub fn backward(
+        &self,
+        scene: &DeviceScene,
+        pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> organza_core::Result<()> {
+    ) -> Result<()> {
         let device = scene.device();
-        let pair_gradient = self.pair_gradient(scene, side, image_gradient)?;
-        self.raise_bounds(device, &pair_gradient, gradient)?;
+        self.raise_bounds(device, pair_gradient, gradient)?;
         let pairs = &self.bins.pairs.count;
         let samples = &self.transmittance.samples;
         if pairs.upper_bound() > 0 {
@@ -96,19 +131,8 @@ impl Part {
         if gradient.has_transmittance && samples.upper_bound() > 0 {
             gradient.transmittance.table.set_scale(device, &scene.transmittance, samples)?;
         }
-        self.add_pairs(scene, &pair_gradient, gradient, None, false)?;
-        gradient.finish(device)
-    }
-
-    /// The first stages: `[pairs, 3]`, see [`splat_backward`](organza_shaders::splat).
-    pub fn pair_gradient(
-        &self,
-        scene: &DeviceScene,
-        side: u32,
-        image_gradient: &Buffer<f32>,
-    ) -> organza_core::Result<Buffer<Vec4>> {
-        let transmittance = &self.transmittance.transmittance;
-        Ok(self.composite.backward(scene, side, &self.bins, transmittance, image_gradient)?)
+        self.add_pairs(scene, pair_gradient, gradient, None, false)?;
+        Ok(gradient.finish(device)?)
     }
 
     /// Raises the bounds of both hash grids' sums.
@@ -117,7 +141,7 @@ impl Part {
         device: &Device,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> organza_core::Result<()> {
+    ) -> Result<()> {
         let pairs = &self.bins.pairs.count;
         if pairs.upper_bound() == 0 {
             return Ok(());
@@ -140,7 +164,7 @@ impl Part {
         gradient: &SceneGradient,
         rows: Option<(&mut Rows<'_>, usize)>,
         continues: bool,
-    ) -> organza_core::Result<()> {
+    ) -> Result<()> {
         let vectors = self.backward_fields(scene, pair_gradient, gradient)?;
         let add = |cameras: Range<u32>| {
             self.add_gaussians(scene, pair_gradient, &vectors, cameras, gradient)
@@ -163,7 +187,7 @@ impl Part {
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-    ) -> organza_core::Result<FieldVectors> {
+    ) -> Result<FieldVectors> {
         let bins = &self.bins;
         if let Some(poses) = &gradient.poses {
             pose_backward(scene, bins, pair_gradient, poses)?;
@@ -184,7 +208,7 @@ impl Part {
         vectors: &FieldVectors,
         cameras: Range<u32>,
         gradient: &SceneGradient,
-    ) -> organza_core::Result<()> {
+    ) -> Result<()> {
         let bins = &self.bins;
         project_backward(scene, bins, pair_gradient, gradient, &cameras)?;
         let tensors = &gradient.tensors().gaussians;
@@ -205,9 +229,9 @@ struct FieldVectors {
     transmittance: Option<PairVectors>,
 }
 
-/// The result of rendering a part.
+/// The tiles of a part that were read.
 #[derive(Debug)]
-pub struct RenderedPart {
+pub struct ReadTiles {
     /// `[tiles, 3, S, S]`
     pub pixels: Vec<f32>,
     /// `[tiles, planes, S, S]` of each channel that was asked for, in their order.
@@ -215,49 +239,29 @@ pub struct RenderedPart {
     pub report: RenderReport,
 }
 
-/// Renders a part, and finds the capacity that it needed. `keep` and `capacity` are as for [`Part::evaluate`].
-pub fn render(
-    scene: &DeviceScene,
-    cameras: &[Camera],
-    plan: &PartTiles,
-    channels: &[Channel],
-    keep: bool,
-    capacity: Option<Capacity>,
-) -> Result<((Part, RenderedPart), Needed)> {
-    let part = Part::evaluate(scene, cameras, plan, keep, capacity)?;
-    let transmittance = &part.transmittance.transmittance;
-    let seen = Seen { bins: &part.bins, transmittance, composite: &part.composite };
-    let read = |buffers| part.read(scene.device(), buffers);
-    let (mut rendered, degenerate, needed) = read_tiles(scene, plan, channels, seen, read)?;
-    rendered.report = report_of_part(degenerate, needed);
-    Ok(((part, rendered), needed))
+impl ReadTiles {
+    /// Reads the tiles of a part and their channels with `read`, which is [`Part::read`].
+    pub fn new(
+        scene: &DeviceScene,
+        side: u32,
+        channels: &[Channel],
+        seen: Seen<'_>,
+        read: impl FnOnce(Vec<Buffer<u32>>) -> Result<Option<(Vec<Vec<u32>>, Capacity)>>,
+    ) -> Result<Option<(Self, Capacity)>> {
+        let mut buffers = vec![seen.composite.image.view(), seen.bins.degenerate.view()];
+        let sums = ChannelSums::new(scene, side, seen, channels)?;
+        buffers.extend(sums.buffers());
+        let Some((mut values, needed)) = read(buffers)? else { return Ok(None) };
+        let channels = sums.resolve(&values.split_off(2), side, channels);
+        let report = report_of_part(values[1][0], needed);
+        let pixels = bytemuck::cast_vec(values.swap_remove(0));
+        Ok(Some((Self { pixels, channels, report }, needed)))
+    }
 }
 
 /// The report of a part, from the capacity that it needed.
-pub fn report_of_part(degenerate: u32, needed: Needed) -> RenderReport {
-    let mut report =
-        RenderReport { parts: 1, degenerate: u64::from(degenerate), ..RenderReport::default() };
-    if let Needed::Capacity(Capacity { pairs, members, samples }) = needed {
-        [report.pairs, report.members, report.samples] = [pairs, members, samples].map(u64::from);
-    }
-    report
-}
-
-/// Reads the tiles of a part and their channels, and how many Gaussians could not be projected. The report is still empty.
-pub fn read_tiles<R>(
-    scene: &DeviceScene,
-    plan: &PartTiles,
-    channels: &[Channel],
-    seen: Seen<'_>,
-    read: impl FnOnce(Vec<Buffer<u32>>) -> Result<(Vec<Vec<u32>>, R)>,
-) -> Result<(RenderedPart, u32, R)> {
-    let mut buffers = vec![seen.composite.image.view(), seen.bins.degenerate.view()];
-    let sums = ChannelSums::new(scene, plan.side, seen, channels)?;
-    buffers.extend(sums.buffers());
-    let (mut values, more) = read(buffers)?;
-    let channels = sums.resolve(&values.split_off(2), plan.side, channels);
-    let degenerate = values[1][0];
-    let pixels = bytemuck::cast_vec(values.swap_remove(0));
-    let report = RenderReport::default();
-    Ok((RenderedPart { pixels, channels, report }, degenerate, more))
+pub fn report_of_part(degenerate: u32, needed: Capacity) -> RenderReport {
+    let [pairs, members, samples, degenerate] =
+        [needed.pairs, needed.members, needed.samples, degenerate].map(u64::from);
+    RenderReport { parts: 1, pairs, members, samples, degenerate }
 }

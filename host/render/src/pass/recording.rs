@@ -1,30 +1,20 @@
 //! A rendered batch that keeps what its gradient needs, so that nothing is rendered twice.
-//!
-//! With Gaussians that are dealt to ranks, every rank knows C and S of all Gaussians. So it has dL/dC and dL/dS of Eq.
-//! 13 without another message, and from them the gradients of its own Gaussians. Those of the fields and the poses are
-//! added up as integers, as in [a step over views](crate::pass::step): their bits do not depend on the number of
-//! ranks, either. In a [grid](Grid) of ranks, each group renders the tiles of some cameras. The ranks that have the
-//! same shard add up its Gaussians' gradients camera by camera, as [`Rows`](crate::pass::ranks::Rows).
 
-use std::slice::from_ref;
 use std::sync::atomic::Ordering;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use super::pass::{Parts, Pass};
 use super::renderer::Renderer;
-use super::results::place;
-use super::shard::{KeptPart, ShardForward};
 use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_shard::DeviceShard;
-use crate::stages::gradient::SceneGradient;
+use crate::scene::device_shard::{DeviceShard, SceneBlocks};
+use crate::stages::gradient::{GradientBlocks, SceneGradient, ShardGradient};
 use crate::stages::project::POSE;
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::ranks::{Grid, Ranks};
-use organza_core::scene::{Gradient, Scene};
+use organza_core::scene::{Gaussians, Gradient};
 use organza_core::tile::TileBatch;
 use organza_core::{Channel, RenderedTiles};
-
-/// The most parts that are kept: 2 GiB of tables, unless [`Renderer::with_part_bytes`] says otherwise.
-const KEPT_PARTS: usize = 4;
 
 /// A rendered batch, from which the gradient of any loss follows without rendering again.
 ///
@@ -48,21 +38,20 @@ const KEPT_PARTS: usize = 4;
 /// A batch in many parts keeps the first of them, as far as they fit; [`Recording::backward`] renders the others again.
 #[derive(Debug)]
 pub struct Recording<'a> {
-    pub(crate) renderer: Renderer,
-    pub(crate) fields: DeviceScene,
-    /// The Gaussians, each block with the fields.
-    pub(crate) blocks: Vec<DeviceScene>,
+    renderer: Renderer,
+    fields: DeviceScene,
+    blocks: Vec<DeviceScene>,
+    is_shard: bool,
     /// [`DeviceScene::write`]s before it was rendered.
     version: u64,
-    pub(crate) cameras: Vec<Camera>,
-    pub(crate) batch: TileBatch,
-    /// Those that have other Gaussians, and the cameras that all of their groups show.
-    pub(crate) shared: Option<(Grid<'a>, usize)>,
+    cameras: Vec<Camera>,
+    batch: TileBatch,
+    /// The ranks that have other Gaussians.
+    grid: Option<Grid<'a>>,
     tiles: RenderedTiles,
-    /// `[K, 4, S, S]`: C and S of the Gaussians of all ranks.
-    pub(crate) sums: Vec<f32>,
-    /// Of each block.
-    pub(crate) parts: Vec<Vec<KeptPart>>,
+    /// `[K, 4, S, S]`: C and S of the Gaussians of all ranks; nothing where this one has them all.
+    sums: Vec<f32>,
+    parts: Mutex<Parts>,
 }
 
 /// [`DeviceScene::write`]s of all blocks.
@@ -95,43 +84,7 @@ impl Renderer {
         batch: &TileBatch,
         channels: &[Channel],
     ) -> Result<Recording<'static>> {
-        batch.validate(cameras)?;
-        scene.require_gradients()?;
-        let version = version(from_ref(scene));
-        let (parts, tiles) = self.in_parts(scene, batch, |plans| {
-            let mut tiles = RenderedTiles::new(batch, channels)?;
-            let mut parts: Vec<KeptPart> = Vec::with_capacity(plans.len());
-            let mut most = KEPT_PARTS;
-            for plan in plans {
-                let render = || self.render_part(scene, cameras, plan, channels, true);
-                let (part, rendered) = match render() {
-                    Err(error) if error.is_out_of_memory() && most > 0 && !parts.is_empty() => {
-                        // those that were kept may be what takes the memory
-                        most = 0;
-                        parts.iter_mut().for_each(|kept| kept.part = None);
-                        render()?
-                    }
-                    rendered => rendered?,
-                };
-                let samples = [rendered.report.pairs, rendered.report.samples];
-                place(&mut tiles, plan, rendered, channels)?;
-                let part = (parts.len() < most).then_some(part);
-                parts.push(KeptPart { plan: plan.clone(), samples, part });
-            }
-            Ok((parts, tiles))
-        })?;
-        Ok(Recording {
-            renderer: self.clone(),
-            fields: scene.view(),
-            blocks: vec![scene.view()],
-            version,
-            cameras: cameras.to_vec(),
-            batch: batch.clone(),
-            shared: None,
-            tiles,
-            sums: Vec::new(),
-            parts: vec![parts],
-        })
+        self.record_blocks(scene.into(), cameras, batch, channels, None)
     }
 
     /// Like [`Renderer::render_shard`], but keeps what the gradient needs.
@@ -146,35 +99,116 @@ impl Renderer {
         batch: &TileBatch,
         ranks: &'a dyn Ranks,
     ) -> Result<Recording<'a>> {
-        batch.validate(cameras)?;
-        let grid = Grid::one_group(ranks);
-        self.record_group((shard, grid), cameras, batch, batch.tiles.len())
+        self.record_blocks(shard.into(), cameras, batch, &[], Some(Grid::one_group(ranks)))
     }
 
-    /// Records a group's part of a batch.
-    pub(crate) fn record_group<'a>(
+    fn record_blocks<'a>(
         &self,
-        (shard, grid): (&DeviceShard, Grid<'a>),
+        scene: SceneBlocks<'_>,
         cameras: &[Camera],
         batch: &TileBatch,
-        views: usize,
+        channels: &[Channel],
+        grid: Option<Grid<'a>>,
     ) -> Result<Recording<'a>> {
-        shard.fields().require_gradients()?;
-        let version = version(shard.blocks());
-        let ShardForward { tiles, sums, parts } =
-            self.shard_forward(shard, cameras, batch, &grid.row(), true)?;
+        batch.validate(cameras)?;
+        scene.fields.require_gradients()?;
+        let version = version(scene.blocks);
+        let pass = Pass { grid, ..self.pass(scene, cameras) };
+        let mut parts = pass.cut(batch)?;
+        let (tiles, sums) = match scene.is_shard {
+            true => pass.forward_sums(&mut parts, batch, true)?,
+            false => (pass.forward_tiles(&mut parts, batch, channels, true)?, Vec::new()),
+        };
         Ok(Recording {
             renderer: self.clone(),
-            fields: shard.fields().view(),
-            blocks: shard.blocks().iter().map(DeviceScene::view).collect(),
+            fields: scene.fields.view(),
+            blocks: scene.blocks.iter().map(DeviceScene::view).collect(),
+            is_shard: scene.is_shard,
             version,
             cameras: cameras.to_vec(),
             batch: batch.clone(),
-            shared: Some((grid, views)),
+            grid,
             tiles,
             sums,
-            parts,
+            parts: parts.into(),
         })
+    }
+
+    /// Renders a batch of tiles together with other ranks: each has its shard of the same scene, and the same batch,
+    /// and gets all tiles. The report counts what all ranks did.
+    ///
+    /// The tiles differ from those of [`Renderer::render`] by rounding: by 2^-32 for each block, and because a pixel's
+    /// sum begins anew with each.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank) where another rank has
+    /// failed. The caller [tells](Ranks::fail) the others of its own.
+    pub fn render_shard(
+        &self,
+        shard: &DeviceShard,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        ranks: &dyn Ranks,
+    ) -> Result<RenderedTiles> {
+        batch.validate(cameras)?;
+        let pass = Pass { grid: Some(Grid::one_group(ranks)), ..self.pass(shard, cameras) };
+        let mut parts = pass.cut(batch)?;
+        Ok(pass.forward_sums(&mut parts, batch, false)?.0)
+    }
+
+    /// dLoss/dtensor for every tensor of a scene, given `grad_tiles [K, 3, S, S]`, dLoss/dY.
+    ///
+    /// The networks see positions and directions as constants: position, rotation and scale have the gradient of the
+    /// projection alone. [`Renderer::record`] gives the tiles, too.
+    ///
+    /// ```
+    /// use organza_core::{Tile, TileBatch, demo};
+    /// use muslin_device::DeviceOptions;
+    /// use organza_render::{Renderer, open_device};
+    ///
+    /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);
+    /// let scene = renderer.upload(&demo::scene())?;
+    /// let cameras = demo::turntable(1, 32);
+    /// let batch = TileBatch { side: 8, tiles: vec![Tile { camera: 0, origin: [12, 12] }] };
+    ///
+    /// // the loss is the sum of all values, so dL/dY is 1 everywhere
+    /// let ones = vec![1.0; batch.output_shape().iter().product()];
+    /// let gradient = renderer.gradient(&scene, &cameras, &batch, &ones)?;
+    /// assert_eq!(gradient.gaussians().position.len(), scene.len());
+    /// assert!(gradient.tensor("gaussians.opacity").is_some_and(|g| g.iter().any(|&g| g != 0.0)));
+    /// # Ok::<(), organza_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The same errors as [`Recording::backward`](crate::Recording::backward).
+    pub fn gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        grad_tiles: &[f32],
+    ) -> Result<Gradient> {
+        self.record(scene, cameras, batch)?.backward(grad_tiles)
+    }
+
+    /// Adds dLoss/dtensor of `grad_tiles [K, 3, S, S]` to `gradient`, and waits for it. Nothing is kept.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::gradient`]. Where memory ended on the way, `gradient` has lost what it had before.
+    pub fn add_gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        grad_tiles: &[f32],
+        gradient: &SceneGradient,
+    ) -> Result<()> {
+        let pass = self.pass(scene, cameras);
+        let mut parts = pass.cut(batch)?;
+        let into = GradientBlocks::from(gradient);
+        into.snapshot(self.device());
+        pass.backward_from(&mut parts, grad_tiles, into)?;
+        gradient.check(self.device())
     }
 }
 
@@ -185,17 +219,15 @@ impl Recording<'_> {
         &self.tiles
     }
 
-    /// dLoss/dtensor for every tensor of the scene, given `grad_output [K, 3, S, S]`, dLoss/dY: what
-    /// [`Renderer::gradient`] gives. If ranks share the batch, `grad_output` is the same on all of them. The gradients
+    /// dLoss/dtensor for every tensor of the scene, given `grad_tiles [K, 3, S, S]`, dLoss/dY: what
+    /// [`Renderer::gradient`] gives. If ranks share the batch, `grad_tiles` is the same on all of them. The gradients
     /// of the Gaussians are those of this rank; those of the fields are of all Gaussians.
     ///
     /// # Errors
-    /// [`Error::Argument`] where `grad_output` has another number of values, or where the scene has been written to
+    /// [`Error::Argument`] where `grad_tiles` has another number of values, or where the scene has been written to
     /// since; [`Error::Diverged`] if a gradient is not finite; as [`Renderer::render`].
-    pub fn backward(&self, grad_output: &[f32]) -> Result<Gradient> {
-        self.check(grad_output)?;
-        let gradient = SceneGradient::new(self.renderer.device(), &self.fields)?;
-        self.download(&gradient, grad_output)
+    pub fn backward(&self, grad_tiles: &[f32]) -> Result<Gradient> {
+        self.download(grad_tiles, false).map(|(gradient, _)| gradient)
     }
 
     /// Like [`Recording::backward`], with the gradients of the poses of all cameras: `[cameras, 6]`, by the rotation
@@ -204,13 +236,8 @@ impl Recording<'_> {
     ///
     /// # Errors
     /// The same errors as [`Recording::backward`].
-    pub fn backward_with_poses(&self, grad_output: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
-        self.check(grad_output)?;
-        let device = self.renderer.device();
-        let gradient = SceneGradient::new(self.renderer.device(), &self.fields)?;
-        let gradient = gradient.with_poses(device, self.cameras.len())?;
-        let found = self.download(&gradient, grad_output)?;
-        Ok((found, gradient.read_poses(device)?))
+    pub fn backward_with_poses(&self, grad_tiles: &[f32]) -> Result<(Gradient, Vec<[f32; POSE]>)> {
+        self.download(grad_tiles, true)
     }
 
     /// Like [`Recording::backward`], into buffers that are kept from one batch to the next. Their values before do not
@@ -219,25 +246,29 @@ impl Recording<'_> {
     ///
     /// # Errors
     /// The same errors as [`Recording::backward`]; [`Error::Argument`] if ranks share the Gaussians.
-    pub fn backward_into(&self, gradient: &SceneGradient, grad_output: &[f32]) -> Result<()> {
+    pub fn backward_into(&self, gradient: &SceneGradient, grad_tiles: &[f32]) -> Result<()> {
         let device = self.renderer.device();
-        self.check(grad_output)?;
-        if self.shared.is_some() {
+        self.check(grad_tiles)?;
+        if self.is_shard {
             let reason = "the gradient of a shard is not in one piece: use `backward`".to_owned();
             return Err(Error::Argument { reason });
         }
         gradient.clear(device);
-        self.add_to(grad_output, gradient, from_ref(gradient))?;
+        self.add_to(grad_tiles, gradient.into())?;
         gradient.check(device)
     }
 
     /// Gives up the memory of what was kept. [`Recording::backward`] then renders again.
     pub fn release(&mut self) {
-        self.parts.iter_mut().flatten().for_each(|kept| kept.part = None);
+        self.parts().release();
     }
 
-    fn check(&self, grad_output: &[f32]) -> Result<()> {
-        let found = grad_output.len();
+    fn parts(&self) -> MutexGuard<'_, Parts> {
+        self.parts.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn check(&self, grad_tiles: &[f32]) -> Result<()> {
+        let found = grad_tiles.len();
         let shape = self.batch.output_shape();
         let reason = if found != shape.iter().product::<usize>() {
             format!("the gradient has {found} values, but the batch is {shape:?}")
@@ -249,32 +280,33 @@ impl Recording<'_> {
         Err(Error::Argument { reason })
     }
 
-    /// Adds to new gradients, and reads them.
-    fn download(&self, fields: &SceneGradient, grad_output: &[f32]) -> Result<Gradient> {
+    /// Adds dL/dtensor to gradients that are zero.
+    fn add_to(&self, grad_tiles: &[f32], into: GradientBlocks<'_>) -> Result<()> {
+        let Self { renderer, fields, blocks, is_shard, cameras, grid, sums, .. } = self;
+        let scene = SceneBlocks { fields, blocks, is_shard: *is_shard };
+        let views = self.batch.tiles.len();
+        let pass = Pass { renderer, scene, cameras, grid: *grid, views, sums };
+        into.snapshot(renderer.device());
+        pass.backward_from(&mut self.parts(), grad_tiles, into)
+    }
+
+    /// Adds to new gradients, and reads them, with those of the poses if they are wanted.
+    fn download(
+        &self,
+        grad_tiles: &[f32],
+        has_poses: bool,
+    ) -> Result<(Gradient, Vec<[f32; POSE]>)> {
+        self.check(grad_tiles)?;
         let device = self.renderer.device();
-        let config = &self.fields.config;
-        if self.shared.is_none() {
-            self.add_to(grad_output, fields, from_ref(fields))?;
-            fields.check(device)?;
-            return fields.download(device, config, self.fields.len());
+        let one = Gaussians::zeros(&self.fields.config, 1)?;
+        let mut fields = SceneGradient::new(device, &self.fields.with_gaussians(device, &one)?)?;
+        if has_poses {
+            fields = fields.with_poses(device, self.cameras.len())?;
         }
-        let of_blocks = self.blocks.iter().map(|block| fields.zeros_for_block(device, block));
-        let of_blocks = of_blocks.collect::<Result<Vec<_>>>()?;
-        self.add_to(grad_output, fields, &of_blocks)?;
-        fields.check(device)?;
-        let len = self.blocks.iter().map(DeviceScene::len).sum();
-        let mut values = Scene::zeros(config.clone(), len)?;
-        let of_fields = fields.download(device, config, self.fields.len())?.into_values();
-        (values.color, values.transmittance) = (of_fields.color, of_fields.transmittance);
-        let mut rest = values.gaussians.tensors_mut();
-        for gradient in &of_blocks {
-            rest =
-                rest.zip(gradient.tensors.gaussians.as_ref()).try_map(|_, (values, source)| {
-                    let (values, after) = values.split_at_mut(source.range.len());
-                    source.read_into(device, values)?;
-                    Ok::<_, Error>(after)
-                })?;
-        }
-        Ok(Gradient::new(values))
+        let gradient = ShardGradient::of_blocks(device, &self.blocks, fields)?;
+        self.add_to(grad_tiles, (&gradient).into())?;
+        gradient.fields.check(device)?;
+        let found = gradient.download(device, &self.fields.config)?;
+        Ok((found, gradient.fields.read_poses(device)?))
     }
 }

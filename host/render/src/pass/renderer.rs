@@ -5,15 +5,16 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::capacity::CapacityPredictor;
-use super::results::place;
-use crate::pass::part::{self, Part, RenderedPart, report_of_part};
+use super::part::{ReadTiles, report_of_part};
+use super::pass::{Parts, Pass};
 use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_shard::{DeviceShard, WHOLE};
+use crate::scene::device_shard::{DeviceShard, SceneBlocks, WHOLE};
 use crate::scene::options::UploadOptions;
+use crate::stages::channels::Seen;
 use crate::stages::composite::pixels;
-use crate::stages::counts::{Capacity, Needed};
-use crate::stages::cut::{Limits, PART_BYTES, PartTiles};
-use muslin_device::Device;
+use crate::stages::counts::Capacity;
+use crate::stages::cut::{PART_BYTES, PartTiles};
+use muslin_device::{Device, memory};
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::image::{self, Image};
@@ -48,7 +49,7 @@ use organza_core::tile::TileBatch;
 #[derive(Clone, Debug)]
 pub struct Renderer {
     pub(crate) device: Arc<Device>,
-    pub(crate) part_bytes: Arc<AtomicU64>,
+    part_bytes: Arc<AtomicU64>,
     predictor: Arc<Mutex<CapacityPredictor>>,
 }
 
@@ -63,7 +64,8 @@ impl Renderer {
         }
     }
 
-    /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set.
+    /// The same renderer, whose batches are cut into parts with tables of about this many bytes; 512 MiB unless set. Where
+    /// a part does not fit into the device's memory, later ones are smaller.
     ///
     /// A part holds at least one tile, so that it may take more; what a part takes beside its tables grows with the
     /// pairs and samples of its tiles.
@@ -123,13 +125,9 @@ impl Renderer {
         progress: &mut dyn FnMut(usize, usize),
     ) -> Result<RenderedTiles> {
         batch.validate(cameras)?;
-        let mut tiles = RenderedTiles::new(batch, channels)?;
-        self.render_parts(scene, batch, progress, &mut |plan| {
-            let (_, part) = self.render_part(scene, cameras, plan, channels, false)?;
-            place(&mut tiles, plan, part, channels)?;
-            Ok(true)
-        })?;
-        Ok(tiles)
+        let pass = self.pass(scene, cameras);
+        let mut parts = pass.cut(batch)?;
+        pass.forward_tiles_with(&mut parts, batch, channels, false, progress)
     }
 
     /// Renders tiles of one camera into its image, in 8 bits: values are clamped to 0 to 1 and rounded on the device.
@@ -148,63 +146,21 @@ impl Renderer {
         batch.validate(cameras)?;
         let device = self.device();
         let mut report = RenderReport::default();
-        self.render_parts(scene, batch, progress, &mut |plan| {
-            let paint = |capacity| {
-                let part = Part::evaluate(scene, cameras, plan, false, capacity)?;
-                let pixels = pixels(device, plan.side, &part.composite.image)?;
-                let buffers = vec![pixels, part.bins.degenerate.view()];
-                let (words, needed) = part.read(device, buffers)?;
-                Ok(((words, needed), needed))
-            };
-            let (words, needed) =
-                device.run_in_pool(|| self.with_predicted_capacity(scene, plan, paint))?;
+        let pass = self.pass(scene, cameras);
+        let mut parts = pass.cut(batch)?;
+        let mut done = 0;
+        pass.forward(&mut parts, false, |plan, part| {
+            let pixels = device.run_in_pool(|| pixels(device, plan.side, &part.composite.image))?;
+            let buffers = vec![pixels, part.bins.degenerate.view()];
+            let Some((words, needed)) = part.read(device, buffers)? else { return Ok(None) };
             let tiles: Vec<_> = plan.tiles.iter().map(|planned| planned.tile).collect();
             device.run_in_pool(|| image.paste_words(plan.side, &tiles, &words[0]));
             report.add(&report_of_part(words[1][0], needed));
-            Ok(true)
+            done += tiles.len();
+            progress(done, batch.tiles.len());
+            Ok(Some(needed))
         })?;
         Ok(report)
-    }
-
-    /// Does something for a batch part by part, as long as `render` is true. Returns whether it was to the end.
-    pub(crate) fn render_parts(
-        &self,
-        scene: &DeviceScene,
-        batch: &TileBatch,
-        progress: &mut dyn FnMut(usize, usize),
-        render: &mut dyn FnMut(&PartTiles) -> Result<bool>,
-    ) -> Result<bool> {
-        let mut done = 0;
-        let mut plans = self.plans(scene, batch)?;
-        while let Some(plan) = plans.pop() {
-            match render(&plan) {
-                Ok(false) => return Ok(false),
-                Ok(true) => {
-                    done += plan.tiles.len();
-                    progress(done, batch.tiles.len());
-                }
-                Err(error) if error.is_out_of_memory() && plan.tiles.len() > 1 => {
-                    plans.extend(plan.halves())
-                }
-                Err(error) if error.is_out_of_memory() && self.forget() => plans.push(plan),
-                Err(error) => return Err(error),
-            }
-        }
-        Ok(true)
-    }
-
-    /// Renders a part; `keep` says whether it will be gone back through.
-    pub(crate) fn render_part(
-        &self,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        plan: &PartTiles,
-        channels: &[Channel],
-        keep: bool,
-    ) -> Result<(Part, RenderedPart)> {
-        let device = self.device();
-        let render = |capacity| Ok(part::render(scene, cameras, plan, channels, keep, capacity)?);
-        device.run_in_pool(|| self.with_predicted_capacity(scene, plan, render))
     }
 }
 
@@ -257,42 +213,39 @@ impl Renderer {
         Ok(image)
     }
 
-    /// The parts of a batch, last first.
-    pub(crate) fn plans(&self, scene: &DeviceScene, batch: &TileBatch) -> Result<Vec<PartTiles>> {
-        Ok(PartTiles::split(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    /// The way through a batch of this renderer alone.
+    pub(crate) fn pass<'a>(
+        &'a self,
+        scene: impl Into<SceneBlocks<'a>>,
+        cameras: &'a [Camera],
+    ) -> Pass<'a> {
+        Pass { renderer: self, scene: scene.into(), cameras, grid: None, views: 0, sums: &[] }
     }
 
-    /// The view batches of a batch, and what joins them to parts.
-    pub(crate) fn view_batches(
-        &self,
-        scene: &DeviceScene,
-        batch: &TileBatch,
-    ) -> Result<(Vec<PartTiles>, Limits)> {
-        Ok(PartTiles::view_batches(scene, batch, self.part_bytes.load(Ordering::Relaxed))?)
+    /// The bytes of a part's tables.
+    pub(crate) fn part_bytes(&self) -> u64 {
+        self.part_bytes.load(Ordering::Relaxed)
     }
 
-    /// Does `work` for a part with a predicted capacity, so that nothing waits for the device before the end. If the
-    /// capacity was too small, or without a prediction, does it with room for everything.
-    pub(crate) fn with_predicted_capacity<R>(
-        &self,
-        scene: &DeviceScene,
-        plan: &PartTiles,
-        mut work: impl FnMut(Option<Capacity>) -> Result<(R, Needed)>,
-    ) -> Result<R> {
+    /// Parts are half as large from now on; returns their bytes.
+    pub(crate) fn halve_part_bytes(&self) -> u64 {
+        let half = self.part_bytes() / 2;
+        self.part_bytes.store(half, Ordering::Relaxed);
+        half
+    }
+
+    /// The capacity that a part needs, judging by others; none on a CPU, which counts first.
+    pub(crate) fn predict(&self, scene: &DeviceScene, plan: &PartTiles) -> Option<Capacity> {
         let kind = [scene.gaussians, plan.side];
-        let tiles = plan.tiles.len();
         let guesses = self.device.leaves_counts_on_device();
-        let mut capacity = if guesses { self.predictor().predict(kind, tiles) } else { None };
-        loop {
-            match work(capacity)? {
-                (result, Needed::Capacity(needed)) => {
-                    if guesses {
-                        self.predictor().observe(kind, tiles, needed);
-                    }
-                    return Ok(result);
-                }
-                (_, Needed::Overflow) => capacity = None,
-            }
+        guesses.then(|| self.predictor().predict(kind, plan.tiles.len())).flatten()
+    }
+
+    /// Learns what a part has needed.
+    pub(crate) fn observe(&self, scene: &DeviceScene, plan: &PartTiles, needed: Capacity) {
+        if self.device.leaves_counts_on_device() {
+            let kind = [scene.gaussians, plan.side];
+            self.predictor().observe(kind, plan.tiles.len(), needed);
         }
     }
 
@@ -304,4 +257,81 @@ impl Renderer {
     fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
         self.predictor.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+impl Pass<'_> {
+    /// Renders the tiles of a whole scene and their channels.
+    pub fn forward_tiles(
+        &self,
+        parts: &mut Parts,
+        batch: &TileBatch,
+        channels: &[Channel],
+        keep: bool,
+    ) -> Result<RenderedTiles> {
+        self.forward_tiles_with(parts, batch, channels, keep, &mut |_, _| {})
+    }
+
+    /// Like [`Pass::forward_tiles`]; `progress` is that of [`Renderer::render_with_progress`].
+    fn forward_tiles_with(
+        &self,
+        parts: &mut Parts,
+        batch: &TileBatch,
+        channels: &[Channel],
+        keep: bool,
+        progress: &mut dyn FnMut(usize, usize),
+    ) -> Result<RenderedTiles> {
+        let device = self.renderer.device();
+        let mut tiles = RenderedTiles::new(batch, channels)?;
+        let mut done = 0;
+        self.forward(parts, keep, |plan, part| {
+            let transmittance = &part.transmittance.transmittance;
+            let seen = Seen { bins: &part.bins, transmittance, composite: &part.composite };
+            let read = |buffers| part.read(device, buffers);
+            let read = || ReadTiles::new(self.scene.fields, plan.side, channels, seen, read);
+            let Some((found, needed)) = device.run_in_pool(read)? else { return Ok(None) };
+            place(&mut tiles, plan, found, channels)?;
+            done += plan.tiles.len();
+            progress(done, batch.tiles.len());
+            Ok(Some(needed))
+        })?;
+        Ok(tiles)
+    }
+}
+
+/// Puts the tiles of a part in their places; `channels` are those of the part.
+///
+/// # Errors
+/// [`Error::OutOfMemory`](muslin_device::Error::OutOfMemory).
+pub fn place(
+    tiles: &mut RenderedTiles,
+    plan: &PartTiles,
+    part: ReadTiles,
+    channels: &[Channel],
+) -> muslin_device::Result<()> {
+    let area = plan.area();
+    let count = tiles.count;
+    let is_in_order = plan.tiles.iter().enumerate().all(|(place, tile)| tile.place == place);
+    // New memory costs more than the copy: a batch of one part takes what was read.
+    let is_whole = plan.tiles.len() == count && is_in_order;
+    let place = |values: Vec<f32>, planes: usize, batch: &mut Vec<f32>| {
+        if is_whole {
+            *batch = values;
+            return Ok(());
+        }
+        let len = planes * area;
+        if batch.is_empty() {
+            *batch = memory::zeros(count * len, "the rendered batch")?;
+        }
+        for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
+            batch[tile.place * len..][..len].copy_from_slice(values);
+        }
+        Ok(())
+    };
+    place(part.pixels, 3, &mut tiles.data)?;
+    for (channel, values) in channels.iter().zip(part.channels) {
+        let all = tiles.channels.get_mut(channel).expect("`RenderedTiles::new` has made it");
+        place(values, channel.planes(), all)?;
+    }
+    tiles.report.add(&part.report);
+    Ok(())
 }

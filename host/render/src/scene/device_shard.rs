@@ -23,6 +23,27 @@ pub struct DeviceShard {
     pub(super) block: usize,
 }
 
+/// A scene as a batch sees it: its Gaussians in blocks, each of which is a scene with the same fields.
+#[derive(Clone, Copy, Debug)]
+pub struct SceneBlocks<'a> {
+    pub(crate) fields: &'a DeviceScene,
+    pub(crate) blocks: &'a [DeviceScene],
+    /// Whether other ranks may have other Gaussians.
+    pub(crate) is_shard: bool,
+}
+
+impl<'a> From<&'a DeviceScene> for SceneBlocks<'a> {
+    fn from(scene: &'a DeviceScene) -> Self {
+        Self { fields: scene, blocks: std::slice::from_ref(scene), is_shard: false }
+    }
+}
+
+impl<'a> From<&'a DeviceShard> for SceneBlocks<'a> {
+    fn from(scene: &'a DeviceShard) -> Self {
+        Self { fields: &scene.fields, blocks: &scene.blocks, is_shard: scene.block != WHOLE }
+    }
+}
+
 impl DeviceShard {
     /// The scene, unless this is a shard.
     #[must_use]
@@ -133,7 +154,7 @@ pub fn read_blocks<'a>(
 
 impl DeviceScene {
     /// Other Gaussians, with the same fields on the same memory.
-    fn with_gaussians(&self, device: &Device, gaussians: &Gaussians) -> Result<Self> {
+    pub(crate) fn with_gaussians(&self, device: &Device, gaussians: &Gaussians) -> Result<Self> {
         let mut scene = self.view();
         scene.gaussians = gaussians.len() as u32;
         let tensors = gaussians.tensors();

@@ -29,8 +29,6 @@ pub struct Composite {
     pub image: Buffer<f32>,
     /// `[pairs, 3]`
     pub splat: Buffer<Vec4>,
-    /// The terms of the loss beside the image: see [`Distortion`].
-    pub distortion: Option<Distortion>,
 }
 
 impl Composite {
@@ -45,18 +43,19 @@ impl Composite {
         let device = scene.device();
         let (sum, splat) = weighted_sum(scene, side, bins, transmittance, color)?;
         let image = resolve(device, background, scene.divide_above, side, &bins.tile, &sum)?;
-        Ok(Self { sum, image, splat, distortion: None })
+        Ok(Self { sum, image, splat })
     }
 
     /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_shaders::splat) has it, of
-    /// `image_gradient [tiles, 3, S, S]`, dL/dI.
+    /// `grad_tiles [tiles, 3, S, S]`, dL/dY, and of the term of the loss beside the image.
     pub fn backward(
         &self,
         scene: &DeviceScene,
         side: u32,
         bins: &Bins,
         transmittance: &Buffer<f32>,
-        image_gradient: &Buffer<f32>,
+        grad_tiles: &Buffer<f32>,
+        distortion: Option<&Distortion>,
     ) -> Result<Buffer<Vec4>> {
         let device = scene.device();
         let tiles = bins.tiles;
@@ -65,13 +64,13 @@ impl Composite {
             params: resolve_params(scene.config.background, scene.divide_above, side),
             tile: &bins.tile,
             sum: &self.sum,
-            image_gradient,
+            image_gradient: grad_tiles,
             sum_gradient: &sum_gradient,
         };
         device.run_over(&kernel, [side, side, tiles])?;
         let member_gradient = members_gradient(device, bins)?;
         add_members(scene, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
-        if let Some(distortion) = &self.distortion {
+        if let Some(distortion) = distortion {
             let (sum_gradient, splat) = distortion.backward(scene, side, bins, transmittance)?;
             add_members(scene, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
         }

@@ -22,23 +22,11 @@ pub struct Capacity {
     pub samples: u32,
 }
 
-/// The capacity that a part needed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Needed {
-    /// This many of each.
-    Capacity(Capacity),
-    /// More than it had: the part is empty.
-    Overflow,
-}
-
-impl Needed {
-    /// Reads the values of [`PartCounts::counts`].
-    pub fn from_counts(counts: &[u32]) -> Self {
+impl Capacity {
+    /// What a part needed, from the values of [`PartCounts::counts`]; none if that was more than it had: it is empty.
+    pub(crate) fn needed(counts: &[u32]) -> Option<Self> {
         let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
-        match counts[OVERFLOW as usize] {
-            0 => Self::Capacity(Capacity { pairs, members, samples }),
-            _ => Self::Overflow,
-        }
+        (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, members, samples })
     }
 }
 
@@ -90,7 +78,7 @@ impl PartCounts {
         Count::on_device(&self.counts, slot, self.capacity_for(slot))
     }
 
-    /// The buffer of the numbers; [`Needed::from_counts`] reads its values.
+    /// The buffer of the numbers; [`Capacity::needed`] reads its values.
     pub fn counts(&self) -> &Buffer<u32> {
         &self.counts
     }

@@ -23,31 +23,62 @@ pub struct PartTiles {
 pub struct PlannedTile {
     pub tile: Tile,
     pub place: usize,
+    /// The number of its view batch, ascending with the camera.
+    pub view: usize,
+}
+
+/// The tiles of a batch by camera. A view batch has up to `most` of one camera.
+pub fn by_camera(batch: &TileBatch, most: usize) -> Vec<PlannedTile> {
+    let tiles = batch.tiles.iter().enumerate();
+    let mut tiles: Vec<_> =
+        tiles.map(|(place, &tile)| PlannedTile { tile, place, view: 0 }).collect();
+    tiles.sort_by_key(|tile| tile.tile.camera);
+    let of_cameras = tiles.chunk_by_mut(|a, b| a.tile.camera == b.tile.camera);
+    for (view, tiles) in of_cameras.flat_map(|tiles| tiles.chunks_mut(most)).enumerate() {
+        tiles.iter_mut().for_each(|tile| tile.view = view);
+    }
+    tiles
+}
+
+/// Cuts tiles, ordered by camera, into parts with as many of them as fit.
+pub fn cut(
+    scene: &DeviceScene,
+    side: u32,
+    tiles: &[PlannedTile],
+    part_bytes: u64,
+) -> Result<Vec<PartTiles>> {
+    let limits = Limits::new(scene, side, part_bytes)?;
+    let views = tiles.chunk_by(|a, b| a.view == b.view);
+    let mut parts: Vec<PartTiles> = Vec::new();
+    let mut cameras = 0;
+    for view in views.flat_map(|tiles| tiles.chunks(limits.tiles)) {
+        match parts.last_mut() {
+            Some(part)
+                if part.tiles.len() + view.len() <= limits.tiles
+                    && part.tiles[part.tiles.len() - 1].tile.camera != view[0].tile.camera
+                    && cameras < limits.cameras =>
+            {
+                part.tiles.extend(view);
+                cameras += 1;
+            }
+            _ => {
+                parts.push(PartTiles { side, tiles: view.to_vec() });
+                cameras = 1;
+            }
+        }
+    }
+    Ok(parts)
 }
 
 impl PartTiles {
-    /// The parts of a batch, last first.
+    /// The parts of a batch.
     pub fn split(scene: &DeviceScene, batch: &TileBatch, part_bytes: u64) -> Result<Vec<Self>> {
-        let limits = Limits::new(scene, batch.side, part_bytes)?;
-        let mut parts = limits.join(&limits.view_batches(batch));
-        parts.reverse();
-        Ok(parts)
+        cut(scene, batch.side, &by_camera(batch, usize::MAX), part_bytes)
     }
 
-    /// The view batches of a batch: its tiles by camera, and those of a camera cut where they are too many for a part.
-    pub fn view_batches(
-        scene: &DeviceScene,
-        batch: &TileBatch,
-        part_bytes: u64,
-    ) -> Result<(Vec<Self>, Limits)> {
-        let limits = Limits::new(scene, batch.side, part_bytes)?;
-        Ok((limits.view_batches(batch), limits))
-    }
-
-    /// Two parts of half the size, last first.
-    pub fn halves(mut self) -> [Self; 2] {
-        let second = self.tiles.split_off(self.tiles.len() / 2);
-        [Self { side: self.side, tiles: second }, self]
+    /// Pixels of a tile.
+    pub fn area(&self) -> usize {
+        (self.side * self.side) as usize
     }
 
     /// The cameras of the part, ascending: their places are the kernels' camera slots.
@@ -104,12 +135,12 @@ pub fn words(gaussians: u32) -> u32 {
 /// The most that a part has.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    tiles: usize,
+    pub tiles: usize,
     cameras: usize,
 }
 
 impl Limits {
-    fn new(scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
+    pub fn new(scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
         let buffer = scene.device().max_buffer_bytes();
         let gaussians = u64::from(scene.gaussians);
         // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
@@ -133,37 +164,5 @@ impl Limits {
             });
         }
         Ok(Self { tiles: per_part.max(1).min(bound) as usize, cameras: cameras as usize })
-    }
-
-    /// The tiles of a batch by camera, as parts of one camera each.
-    fn view_batches(&self, batch: &TileBatch) -> Vec<PartTiles> {
-        let tiles = batch.tiles.iter().enumerate();
-        let mut tiles: Vec<_> = tiles.map(|(place, &tile)| PlannedTile { tile, place }).collect();
-        tiles.sort_by_key(|tile| tile.tile.camera);
-        let of_cameras = tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera);
-        let views = of_cameras.flat_map(|tiles| tiles.chunks(self.tiles));
-        views.map(|tiles| PartTiles { side: batch.side, tiles: tiles.to_vec() }).collect()
-    }
-
-    /// Joins parts of one camera each, as many as fit into each part, in their order.
-    pub fn join(&self, views: &[PartTiles]) -> Vec<PartTiles> {
-        let mut parts: Vec<PartTiles> = Vec::new();
-        let mut cameras = 0;
-        for view in views {
-            match parts.last_mut() {
-                Some(part)
-                    if part.tiles.len() + view.tiles.len() <= self.tiles
-                        && cameras < self.cameras =>
-                {
-                    part.tiles.extend(&view.tiles);
-                    cameras += 1;
-                }
-                _ => {
-                    parts.push(view.clone());
-                    cameras = 1;
-                }
-            }
-        }
-        parts
     }
 }

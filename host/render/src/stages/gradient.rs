@@ -15,7 +15,7 @@ use crate::scene::field::DeviceField;
 use crate::scene::packed::unpack;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
-use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
+use organza_core::scene::{FieldTensors, Gaussians, Gradient, SceneConfig, Tensors};
 
 /// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
 pub const GEOMETRY: [&str; 4] =
@@ -225,9 +225,17 @@ pub struct ShardGradient {
 impl ShardGradient {
     /// Zeros for a shard's Gaussians; `fields` are the gradients of [`DeviceShard::fields`].
     pub fn new(device: &Device, shard: &DeviceShard, fields: SceneGradient) -> Result<Self> {
-        let mut gradient = Self { fields, blocks: Vec::new() };
-        gradient.replace_gaussians(device, shard)?;
-        Ok(gradient)
+        Self::of_blocks(device, shard.blocks(), fields)
+    }
+
+    /// Zeros for blocks of Gaussians.
+    pub(crate) fn of_blocks(
+        device: &Device,
+        blocks: &[DeviceScene],
+        fields: SceneGradient,
+    ) -> Result<Self> {
+        let of_blocks = blocks.iter().map(|block| fields.zeros_for_block(device, block));
+        Ok(Self { blocks: of_blocks.collect::<Result<_>>()?, fields })
     }
 
     /// Zeros for the Gaussians that a shard has now.
@@ -240,9 +248,56 @@ impl ShardGradient {
         Ok(())
     }
 
+    /// The gradient on the host; `config` is that of the scene.
+    pub(crate) fn download(&self, device: &Device, config: &SceneConfig) -> Result<Gradient> {
+        let mut values = self.fields.download(device, config, 1)?.into_values();
+        let len = self.blocks.iter().map(|block| block.statistics.len()).sum();
+        values.gaussians = Gaussians::zeros(config, len)?;
+        let mut rest = values.gaussians.tensors_mut();
+        for block in &self.blocks {
+            rest = rest.zip(block.tensors.gaussians.as_ref()).try_map(|_, (values, source)| {
+                let (values, after) = values.split_at_mut(source.range.len());
+                source.read_into(device, values)?;
+                Ok::<_, Error>(after)
+            })?;
+        }
+        Ok(Gradient::new(values))
+    }
+
     /// Like [`SceneGradient::rollback`].
     pub fn rollback(&self, device: &Device) {
-        self.blocks.iter().chain([&self.fields]).for_each(|gradient| gradient.rollback(device));
+        GradientBlocks::from(self).rollback(device);
+    }
+}
+
+/// Gradients of all tensors of a scene, as a batch adds to them.
+#[derive(Clone, Copy, Debug)]
+pub struct GradientBlocks<'a> {
+    pub(crate) fields: &'a SceneGradient,
+    pub(crate) blocks: &'a [SceneGradient],
+}
+
+impl<'a> From<&'a SceneGradient> for GradientBlocks<'a> {
+    fn from(gradient: &'a SceneGradient) -> Self {
+        Self { fields: gradient, blocks: std::slice::from_ref(gradient) }
+    }
+}
+
+impl<'a> From<&'a ShardGradient> for GradientBlocks<'a> {
+    fn from(gradient: &'a ShardGradient) -> Self {
+        Self { fields: &gradient.fields, blocks: &gradient.blocks }
+    }
+}
+
+impl GradientBlocks<'_> {
+    /// A step begins.
+    pub(crate) fn snapshot(self, device: &Device) {
+        self.blocks.iter().for_each(|gradient| gradient.snapshot(device));
+    }
+
+    /// Like [`SceneGradient::rollback`].
+    pub(crate) fn rollback(self, device: &Device) {
+        self.blocks.iter().chain([self.fields]).for_each(|gradient| gradient.rollback(device));
     }
 }
 

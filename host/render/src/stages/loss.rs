@@ -9,9 +9,7 @@ use organza_shaders::ssim::{
     MOMENTS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel, SsimRowsKernel,
 };
 
-use super::counts::Needed;
 use super::distortion::Distortion;
-use crate::pass::part::Part;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::metrics;
@@ -59,9 +57,9 @@ pub struct LossInputs<'a> {
 #[derive(Debug)]
 pub struct LossOutput {
     /// `[K, 3, S, S]`: the derivative of the loss with respect to each value of the image; 0 at masked pixels.
-    pub grad_image: Buffer<f32>,
+    pub grad_tiles: Buffer<f32>,
     /// `[K, S]`: sums of rows, as [`organza_shaders::loss::loss_rows`] writes them.
-    row_sum: Buffer<Vec4>,
+    pub(crate) row_sum: Buffer<Vec4>,
     side: u32,
 }
 
@@ -214,7 +212,7 @@ impl Loss {
         };
         device.run(&rows, tiles * side, 1)?;
 
-        let grad_image = device.unwritten("gradient of the image", inputs.image.len())?;
+        let grad_tiles = device.unwritten("gradient of the image", inputs.image.len())?;
         let [absolute_scale, ssim_scale] =
             scales(inputs.valid_pixels, inputs.ssim_weight).map(|scale| scale as f32);
         let gradient = LossGradientKernel {
@@ -223,10 +221,10 @@ impl Loss {
             difference: &self.difference,
             sum: &self.sum,
             row_slopes: &self.row_slopes,
-            grad_image: &grad_image,
+            grad_image: &grad_tiles,
         };
         device.run_over(&gradient, size)?;
-        Ok(LossOutput { grad_image, row_sum, side })
+        Ok(LossOutput { grad_tiles, row_sum, side })
     }
 
     /// SSIM of all windows and, along rows, its adjoint.
@@ -286,22 +284,8 @@ impl LossOutput {
         Ok(self.sums_of(&device.read(&self.row_sum)?))
     }
 
-    /// Like [`LossOutput::sums`], the values of `more`, and the capacity that a part needed. Waits once.
-    pub(crate) fn sums_and_needed(
-        &self,
-        device: &Device,
-        part: &Part,
-        more: Option<&Buffer<f32>>,
-    ) -> Result<(Vec<TileLoss>, Vec<f32>, Needed)> {
-        let mut views = vec![self.row_sum.view()];
-        views.extend(more.map(Buffer::view));
-        let (mut found, needed) = part.read(device, views)?;
-        let more = more.and_then(|_| found.pop()).unwrap_or_default();
-        let sums = self.sums_of(&bytemuck::pod_collect_to_vec(&found.remove(0)));
-        Ok((sums, bytemuck::cast_vec(more), needed))
-    }
-
-    fn sums_of(&self, rows: &[Vec4]) -> Vec<TileLoss> {
+    /// The sums of each tile, from the values of `row_sum`.
+    pub(crate) fn sums_of(&self, rows: &[Vec4]) -> Vec<TileLoss> {
         let row = |row: &Vec4| {
             let [absolute, dissimilarity, squared, valid] = row.to_array().map(f64::from);
             TileLoss { absolute, dissimilarity, squared, valid }

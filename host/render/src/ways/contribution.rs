@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::leakage::{OPEN, SURFACE};
 use super::members::{Member, Members, depths, surface};
-use crate::pass::part::Part;
+use crate::pass::part::{Part, TileGradient};
 use crate::pass::renderer::Renderer;
 use crate::scene::device_scene::DeviceScene;
 use crate::stages::cut::PartTiles;
@@ -106,18 +106,18 @@ impl Renderer {
         for batch in bands(0, [camera.width, camera.height], TILE_SIDE) {
             let batch = batch?;
             batch.validate(from_ref(camera))?;
-            let sums = self.in_parts(scene, &batch, |plans| {
-                let parts = plans.iter();
-                let parts =
-                    parts.map(|plan| self.part_sums(scene, camera, plan, depths.as_deref()));
-                parts.collect::<Result<Vec<_>>>()
+            let pass = self.pass(scene, from_ref(camera));
+            let mut parts = pass.cut(&batch)?;
+            pass.visit(&mut parts, |part, _| {
+                let found = self.part_sums(scene, camera, &part.plan, depths.as_deref())?;
+                for (gaussian, sums) in found {
+                    let sum = &mut view[gaussian];
+                    sum.pixels += sums.pixels;
+                    sum.measured += sums.measured;
+                    sum.in_front += sums.in_front;
+                }
+                Ok(true)
             })?;
-            for (gaussian, sums) in sums.into_iter().flatten() {
-                let sum = &mut view[gaussian];
-                sum.pixels += sums.pixels;
-                sum.measured += sums.measured;
-                sum.in_front += sums.in_front;
-            }
         }
         contributions.add(&view);
         Ok(())
@@ -132,7 +132,8 @@ impl Renderer {
         depths: Option<&[f64]>,
     ) -> Result<Vec<(usize, Sums)>> {
         let device = self.device();
-        let red = device.upload("red of the pixels", &red(camera, plan))?;
+        let grad_tiles = device.upload("red of the pixels", &red(camera, plan))?;
+        let red = TileGradient { grad_tiles, distortion: None };
         let (part, gradient) = device.run_in_pool(|| {
             let part = Part::evaluate(scene, from_ref(camera), plan, false, None)?;
             let gradient = part.pair_gradient(scene, plan.side, &red)?;

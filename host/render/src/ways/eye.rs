@@ -2,7 +2,6 @@
 //!
 //! Looking around, zooming and resizing then take the projection and the composite alone.
 
-use organza_core::{Channel, RenderReport, RenderedTiles};
 use std::time::Instant;
 
 use glam::Vec3;
@@ -10,13 +9,13 @@ use organza_shaders::composite::splat_distance;
 use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
-use crate::pass::part::{RenderedPart, read_tiles};
-use crate::pass::renderer::Renderer;
-use crate::pass::results::place;
+use crate::pass::part::ReadTiles;
+use crate::pass::renderer::{Renderer, place};
 use crate::scene::device_scene::DeviceScene;
 use crate::stages::channels::Seen;
 use crate::stages::color::Color;
 use crate::stages::composite::Composite;
+use crate::stages::counts::Capacity;
 use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
@@ -26,6 +25,7 @@ use muslin_device::{Buffer, Count, Device, memory};
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::tile::TileBatch;
+use organza_core::{Channel, RenderedTiles};
 
 /// Pairs that are evaluated at once, so that a frame nobody waits for any more ends soon: on a CPU about a tenth of a
 /// second.
@@ -197,7 +197,7 @@ impl EyeCache {
         camera: &Camera,
         plan: &PartTiles,
         options: &EyeOptions<'_>,
-    ) -> Result<Option<RenderedPart>> {
+    ) -> Result<Option<ReadTiles>> {
         let device = scene.device();
         let bins = Bins::new(scene, std::slice::from_ref(camera), plan, None)?;
         // of one camera, a pair is its Gaussian
@@ -212,16 +212,14 @@ impl EyeCache {
         let transmittance = &transmittance;
         let composite = &Composite::new(scene, background, side, &bins, transmittance, &color)?;
         let seen = Seen { bins: &bins, transmittance, composite };
-        let read = |buffers: Vec<_>| Ok((device.read_all(&buffers)?, ()));
-        let (mut rendered, degenerate, ()) = read_tiles(scene, plan, options.channels, seen, read)?;
-        rendered.report = RenderReport {
-            parts: 1,
-            pairs: gaussians.len() as u64,
-            members: u64::from(bins.members.upper_bound()),
-            samples,
-            degenerate: u64::from(degenerate),
-        };
-        Ok(Some(rendered))
+        let pairs = gaussians.len() as u32;
+        let needed = Capacity { pairs, members: bins.members.upper_bound(), samples: 0 };
+        let read = |buffers: Vec<_>| Ok(Some((device.read_all(&buffers)?, needed)));
+        let found = ReadTiles::new(scene, side, options.channels, seen, read)?;
+        Ok(found.map(|(mut found, _)| {
+            found.report.samples = samples;
+            found
+        }))
     }
 }
 
@@ -255,10 +253,14 @@ impl Renderer {
         let device = self.device();
         let channels = options.channels;
         let mut tiles = RenderedTiles::new(batch, channels)?;
-        let is_whole = self.render_parts(scene, batch, &mut |_, _| {}, &mut |plan| {
-            let part = device.run_in_pool(|| cache.render(scene, camera, plan, options))?;
-            let Some(part) = part else { return Ok(false) };
-            place(&mut tiles, plan, part, channels)?;
+        let pass = self.pass(scene, std::slice::from_ref(camera));
+        // of one camera, whose index does not matter
+        let mut parts = pass.cut(batch)?;
+        let is_whole = pass.visit(&mut parts, |part, _| {
+            let plan = &part.plan;
+            let found = device.run_in_pool(|| cache.render(scene, camera, plan, options))?;
+            let Some(found) = found else { return Ok(false) };
+            place(&mut tiles, plan, found, channels)?;
             Ok(true)
         })?;
         Ok(is_whole.then_some(tiles))

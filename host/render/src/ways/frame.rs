@@ -51,7 +51,7 @@ impl Renderer {
     ) -> Result<Vec<Capacity>> {
         let batch = TileBatch::cover(0, camera.width, camera.height, side)?;
         let mut needed = vec![Capacity { pairs: 0, members: 0, samples: 0 }; steps.len()];
-        for plan in self.plans(scene, &batch)? {
+        for plan in PartTiles::split(scene, &batch, self.part_bytes())? {
             let device = self.device();
             let camera = std::slice::from_ref(camera);
             let bins = Bins::new(scene, camera, &plan, None)?;
@@ -82,7 +82,8 @@ impl Renderer {
         drop(device.take_plan());
         // Whoever runs it puts the others anywhere to the right and below: no Gaussian of those is to be left out.
         let origin = |place| if place == 0 { [0, 0] } else { [MAX_IMAGE_SIDE as i32; 2] };
-        let tile = |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place };
+        let tile =
+            |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place, view: 0 };
         let plan =
             PartTiles { side: shape.side, tiles: (0..shape.tiles as usize).map(tile).collect() };
         let eye = [0.0, -1.0, 0.0];

@@ -105,7 +105,7 @@ fn host(
     into: GradientBlocks<'_>,
 ) -> Result<(f64, f64)> {
     let mut parts = pass.cut(batch)?;
-    let rendered = &pass.forward_tiles(&mut parts, batch, &[], true)?;
+    let rendered = &pass.forward_tiles(&mut parts, batch, &[], true, &mut |_, _| {})?;
     let LossGradient { loss, grad_tiles } = own(&LossBatch { batch, rendered, target: *target })?;
     check_len(grad_tiles.len(), rendered.data.len())?;
     pass.backward_from(&mut parts, &grad_tiles, into)?;

@@ -132,7 +132,7 @@ impl Part {
             gradient.transmittance.table.set_scale(device, &scene.transmittance, samples)?;
         }
         self.add_pairs(scene, pair_gradient, gradient, None, false)?;
-        Ok(gradient.finish(device)?)
+        gradient.finish(device)
     }
 
     /// Raises the bounds of both hash grids' sums.

@@ -115,9 +115,10 @@ impl Renderer {
         let version = version(scene.blocks);
         let pass = Pass { grid, ..self.pass(scene, cameras) };
         let mut parts = pass.cut(batch)?;
+        let ignore = &mut |_, _| {};
         let (tiles, sums) = match scene.is_shard {
             true => pass.forward_sums(&mut parts, batch, true)?,
-            false => (pass.forward_tiles(&mut parts, batch, channels, true)?, Vec::new()),
+            false => (pass.forward_tiles(&mut parts, batch, channels, true, ignore)?, Vec::new()),
         };
         Ok(Recording {
             renderer: self.clone(),

@@ -127,7 +127,7 @@ impl Renderer {
         batch.validate(cameras)?;
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
-        pass.forward_tiles_with(&mut parts, batch, channels, false, progress)
+        pass.forward_tiles(&mut parts, batch, channels, false, progress)
     }
 
     /// Renders tiles of one camera into its image, in 8 bits: values are clamped to 0 to 1 and rounded on the device.
@@ -260,19 +260,8 @@ impl Renderer {
 }
 
 impl Pass<'_> {
-    /// Renders the tiles of a whole scene and their channels.
+    /// Renders the tiles of a whole scene and their channels; `progress` is that of [`Renderer::render_with_progress`].
     pub fn forward_tiles(
-        &self,
-        parts: &mut Parts,
-        batch: &TileBatch,
-        channels: &[Channel],
-        keep: bool,
-    ) -> Result<RenderedTiles> {
-        self.forward_tiles_with(parts, batch, channels, keep, &mut |_, _| {})
-    }
-
-    /// Like [`Pass::forward_tiles`]; `progress` is that of [`Renderer::render_with_progress`].
-    fn forward_tiles_with(
         &self,
         parts: &mut Parts,
         batch: &TileBatch,

@@ -6,7 +6,6 @@ use super::members::{Member, Members, depths, surface};
 use crate::pass::part::Part;
 use crate::pass::renderer::Renderer;
 use crate::scene::device_scene::DeviceScene;
-use crate::stages::cut::{PART_BYTES, PartTiles};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::tile::{Tile, TileBatch};
@@ -84,17 +83,17 @@ impl Renderer {
         let batch = spaced(cameras, camera, most)?;
         let depths = depths(&device.read(&scene.tensors.gaussians.position)?, &cameras[camera]);
         let mut found = Vec::with_capacity(batch.tiles.len());
-        for plan in PartTiles::split(scene, &batch, PART_BYTES)? {
-            let part = Part::evaluate(scene, cameras, &plan, false, None)?;
-            let members = Members::read(device, &part)?;
+        let pass = self.pass(scene, cameras);
+        pass.visit(&mut pass.cut(&batch)?, |part, _| {
+            let plan = &part.plan;
+            let evaluate = || Part::evaluate(scene, cameras, plan, false, None);
+            let members = Members::read(device, &device.run_in_pool(evaluate)?)?;
             for (index, tile) in plan.tiles.iter().enumerate() {
-                found.push(Leakage::from_members(&mut members.at(
-                    index,
-                    tile.tile.origin,
-                    &depths,
-                )));
+                let mut members = members.at(index, tile.tile.origin, &depths);
+                found.push(Leakage::from_members(&mut members));
             }
-        }
+            Ok(true)
+        })?;
         Ok(Leakage::mean(&found))
     }
 }

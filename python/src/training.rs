@@ -222,7 +222,7 @@ impl Training {
     /// Answers a request with the loss and dL/dY `[K, 3, S, S]`.
     fn answer(&self, loss: f64, grad_output: PyReadonlyArray4<'_, f32>) -> PyResult<()> {
         let grad_output = grad_output.as_slice()?.to_vec();
-        self.lock()?.answer(Answer::Loss(LossGradient { loss, grad_output }));
+        self.lock()?.answer(Answer::Loss(LossGradient { loss, grad_tiles: grad_output }));
         Ok(())
     }
 

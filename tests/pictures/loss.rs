@@ -66,7 +66,7 @@ fn evaluate(device: &Device, batch: &Batch, ssim_weight: f32) -> Result<(Vec<f32
         ssim_weight,
     };
     let output = loss.evaluate(device, &inputs)?;
-    Ok((device.read(&output.grad_image)?, output.sums(device)?))
+    Ok((device.read(&output.grad_tiles)?, output.sums(device)?))
 }
 
 /// The largest relative difference of the sums and of the loss.
@@ -255,7 +255,7 @@ fn buffers_of_another_batch_are_refused() {
             ssim_weight: 0.2,
         };
         let output = loss.evaluate(&device, &inputs)?;
-        Ok::<_, organza::Error>((device.read(&output.grad_image)?, output.sums(&device)?))
+        Ok::<_, organza::Error>((device.read(&output.grad_tiles)?, output.sums(&device)?))
     };
     assert!(run(3 * 192, 3 * 192, 192).is_err(), "three tiles where there is memory for two");
     assert!(run(192, 384, 64).is_err() && run(384, 192, 64).is_err() && run(192, 192, 65).is_err());

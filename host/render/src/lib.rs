@@ -16,40 +16,36 @@
 //! # Ok::<(), organza_core::Error>(())
 //! ```
 
-mod backward;
-mod batch;
-mod forward;
-mod inspect;
 #[cfg(feature = "ndarray")]
 pub mod ndarray;
+mod pass;
 mod scene;
+mod stages;
 #[cfg(test)]
 mod tests;
+mod ways;
 
-pub use backward::exposure::ExposureGradient;
-pub use backward::gradient::{SceneGradient, ShardGradient, TensorGradient};
-pub use backward::loss::{Loss, LossInputs, LossOutput, TileLoss};
-pub use backward::own_loss::{
-    DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss,
-};
-pub use backward::part_backward::LossTarget;
-pub use backward::pose::POSE;
-pub use batch::eye::{EyeCache, EyeOptions, FieldWork};
-pub use batch::frame::{Frame, FrameShape};
-pub use batch::recording::Recording;
-pub use batch::renderer::Renderer;
-pub use batch::shard::shard_bytes;
-pub use forward::part_counts::Capacity;
-pub use forward::transmittance::Ray;
-pub use inspect::contribution::Contributions;
-#[doc(hidden)]
-pub use inspect::inspection::Stages;
-pub use inspect::inspection::{Contribution, Inspection, Trace};
-pub use inspect::leakage::Leakage;
+pub use pass::own_loss::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
+pub use pass::ranks::shard_bytes;
+pub use pass::recording::Recording;
+pub use pass::renderer::Renderer;
 pub use scene::device_scene::DeviceScene;
-pub use scene::device_shard::{DeviceShard, in_blocks, read_blocks};
+pub use scene::device_shard::{DeviceShard, SceneBlocks, in_blocks, read_blocks};
 pub use scene::options::UploadOptions;
 pub use scene::packed::{pack, unpack, upload};
+pub use stages::counts::Capacity;
+pub use stages::exposure::ExposureGradient;
+pub use stages::gradient::{GradientBlocks, SceneGradient, ShardGradient, TensorGradient};
+pub use stages::loss::{Loss, LossInputs, LossOutput, LossTarget, TileLoss};
+pub use stages::project::POSE;
+pub use stages::transmittance::Ray;
+pub use ways::contribution::Contributions;
+pub use ways::eye::{EyeCache, EyeOptions, FieldWork};
+pub use ways::frame::{Frame, FrameShape};
+pub use ways::leakage::Leakage;
+#[doc(hidden)]
+pub use ways::pixel::Stages;
+pub use ways::pixel::{Contribution, Inspection, Trace};
 
 use muslin_device::{Device, DeviceOptions, Modules};
 use organza_core::Result;

@@ -45,23 +45,23 @@ impl Renderer {
         scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
-        grad_output: ArrayView4<'_, f32>,
+        grad_tiles: ArrayView4<'_, f32>,
     ) -> Result<Gradient> {
-        if grad_output.shape() != batch.output_shape() {
-            let found = grad_output.shape();
+        if grad_tiles.shape() != batch.output_shape() {
+            let found = grad_tiles.shape();
             let expected = batch.output_shape();
             let reason = format!("the gradient is {found:?}, but the batch is {expected:?}");
             return Err(Error::Argument { reason });
         }
-        self.gradient(scene, cameras, batch, &values(grad_output))
+        self.gradient(scene, cameras, batch, &values(grad_tiles))
     }
 }
 
 impl LossGradient {
     /// A loss, with dL/dY `[K, 3, S, S]` in an array.
     #[must_use]
-    pub fn from_array(loss: f64, grad_output: ArrayView4<'_, f32>) -> Self {
-        Self { loss, grad_output: values(grad_output) }
+    pub fn from_array(loss: f64, grad_tiles: ArrayView4<'_, f32>) -> Self {
+        Self { loss, grad_tiles: values(grad_tiles) }
     }
 }
 
@@ -87,6 +87,6 @@ mod tests {
         let turned = gradient.permuted_axes([0, 1, 3, 2]).as_standard_layout().into_owned();
         let turned = turned.permuted_axes([0, 1, 3, 2]);
         assert!(!turned.is_standard_layout());
-        assert_eq!(LossGradient::from_array(1.0, turned.view()).grad_output, expected);
+        assert_eq!(LossGradient::from_array(1.0, turned.view()).grad_tiles, expected);
     }
 }

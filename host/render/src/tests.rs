@@ -6,12 +6,12 @@ mod recording;
 mod smaller;
 
 use crate::MODULES;
-use crate::backward::gradient::SceneGradient;
-use crate::batch::plan::{PART_BYTES, PartTiles};
-use crate::batch::renderer::Renderer;
-use crate::forward::part::Part;
-use crate::forward::part_counts::{Capacity, Needed};
+use crate::pass::part::{Part, TileGradient};
+use crate::pass::renderer::Renderer;
 use crate::scene::device_scene::DeviceScene;
+use crate::stages::counts::Capacity;
+use crate::stages::cut::{PART_BYTES, PartTiles};
+use crate::stages::gradient::SceneGradient;
 use muslin_check::devices;
 use muslin_device::{Buffer, Device};
 use organza_core::camera::Camera;
@@ -64,13 +64,15 @@ fn evaluate(
     cameras: &[Camera],
     plan: &PartTiles,
     capacity: Option<Capacity>,
-) -> (Vec<Vec<u32>>, Needed) {
+) -> (Vec<Vec<u32>>, Option<Capacity>) {
     let device = scene.device();
     let part = Part::evaluate(scene, cameras, plan, true, capacity).expect("a part");
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;
-    part.backward(scene, plan.side, image, &gradient).expect("a gradient");
-    let (_, needed) = part.read(device, Vec::new()).expect("counts");
+    let of_tiles = TileGradient { grad_tiles: image.view(), distortion: None };
+    let of_pairs = part.pair_gradient(scene, plan.side, &of_tiles).expect("a gradient");
+    part.backward(scene, &of_pairs, &gradient).expect("a gradient");
+    let needed = part.read(device, Vec::new()).expect("counts").map(|(_, needed)| needed);
     let mut values = vec![bits(device, image), bits(device, &gradient.statistics)];
     for (_, tensor) in gradient.tensors().iter() {
         values.push(bits(device, &tensor.buffer));
@@ -90,7 +92,7 @@ fn what_is_not_waited_for_has_the_same_bits() {
         let plans = PartTiles::split(&scene, &tiles(), PART_BYTES).expect("a plan");
         assert_eq!(plans.len(), 1);
         let (expected, needed) = evaluate(&scene, &cameras, &plans[0], None);
-        let Needed::Capacity(capacity) = needed else { panic!("there is capacity for all") };
+        let Some(capacity) = needed else { panic!("there is capacity for all") };
         let Capacity { pairs, members, samples } = capacity;
         assert!(pairs > 100 && members > pairs && samples > 2 * pairs, "{capacity:?}");
 
@@ -112,7 +114,7 @@ fn what_is_not_waited_for_has_the_same_bits() {
             [Capacity { pairs, ..more }, Capacity { members, ..more }, Capacity { samples, ..more }]
         {
             let (found, told) = evaluate(&scene, &cameras, &plans[0], Some(capacity));
-            assert_eq!(told, Needed::Overflow, "{}: {capacity:?}", device.choice());
+            assert_eq!(told, None, "{}: {capacity:?}", device.choice());
             let planes = found[0].chunks(16 * 16).zip(background.into_iter().cycle());
             for (plane, value) in planes {
                 // pixels beside the image are black

@@ -7,7 +7,7 @@ use std::thread;
 
 use organza::ranks::{Ranks, ThreadRanks, check_agreement};
 use organza::scene::{Placement, SceneShard};
-use organza::train::{self, Split, TrainConfig};
+use organza::train::{self, TrainConfig};
 use organza::{Dataset, DeviceOptions, DeviceShard, Renderer, Result, UploadOptions, error};
 
 use super::console::Console;
@@ -28,7 +28,7 @@ pub struct RanksArgs {
     /// The work that ranks share. `views`: each rank holds the whole scene. `gaussians`: each rank holds some of the
     /// Gaussians, for scenes that do not fit on one device. The scene's bits depend on this [default: views]
     #[arg(long, value_name = "WHAT", requires = "ranks")]
-    split: Option<SplitName>,
+    split: Option<Split>,
     /// With `--split gaussians`: form groups of N ranks. The ranks of a group share the Gaussians, and the groups share
     /// the views. N must divide the number of ranks. The scene's bits do not depend on it [default: one group of all
     /// ranks]
@@ -40,7 +40,7 @@ pub struct RanksArgs {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum SplitName {
+enum Split {
     Views,
     Gaussians,
 }
@@ -69,15 +69,15 @@ impl FromStr for Kind {
 impl RanksArgs {
     /// Starts the ranks; `None` without `--ranks`.
     pub fn start(&self) -> Result<Option<Team>> {
-        let split = match self.split {
-            Some(SplitName::Gaussians) => Split::Gaussians,
-            _ => Split::Views,
-        };
-        if split == Split::Views && self.shards.is_some() {
+        let is_split = self.split == Some(Split::Gaussians);
+        if !is_split && self.shards.is_some() {
             return super::refuse("`--shards` is for `--split gaussians`");
         }
         let team = self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()?;
-        Ok(team.map(|team| Team { split, shards: self.shards, ..team }))
+        Ok(team.map(|team| {
+            let shards = is_split.then(|| self.shards.unwrap_or(team.mine.size()));
+            Team { shards, ..team }
+        }))
     }
 }
 
@@ -121,9 +121,7 @@ pub struct Team {
     /// The ranks of the other threads.
     pub others: Vec<ThreadRanks>,
     pub mixed: bool,
-    /// The work of a training that they share.
-    pub split: Split,
-    /// Number of shards of the Gaussians, if it is not the number of ranks.
+    /// Number of shards of the Gaussians in a training; none where each rank has the whole scene.
     pub shards: Option<usize>,
     pub is_mpi: bool,
 }
@@ -141,7 +139,7 @@ impl Team {
     }
 
     fn new(mine: Arc<dyn Ranks>, others: Vec<ThreadRanks>, mixed: bool) -> Self {
-        Self { mine, others, mixed, split: Split::default(), shards: None, is_mpi: false }
+        Self { mine, others, mixed, shards: None, is_mpi: false }
     }
 
     /// Runs `lead` on rank 0 and `follow` on the others. A failure of one rank ends all.

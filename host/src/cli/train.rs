@@ -13,7 +13,7 @@ use organza::scene::Placement;
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
-    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session, Split,
+    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
     TrainConfig,
 };
 use organza::view::TrainingView;
@@ -216,7 +216,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// Trains as the first rank, or alone.
 fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
-    if args.view && team.as_ref().is_some_and(|team| team.split == Split::Gaussians) {
+    if args.view && team.as_ref().is_some_and(|team| team.shards.is_some()) {
         return refuse(
             "`--view` needs the whole scene on one device: leave out `--split gaussians`",
         );
@@ -353,7 +353,7 @@ impl Job<'_> {
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
-        let (split, shards) = team.as_ref().map_or_else(Default::default, |t| (t.split, t.shards));
+        let shards = team.as_ref().and_then(|team| team.shards);
         let (mine, others, mixed) = match team {
             Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
             None => (None, Vec::new(), false),
@@ -364,7 +364,6 @@ impl Job<'_> {
             .with_command(command_line())
             .with_stop(signals.stop())
             .with_ranks(mine, mixed)
-            .with_split(split)
             .with_shards(shards);
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);

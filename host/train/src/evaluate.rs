@@ -21,10 +21,9 @@ use organza_core::error::{Error, Result};
 use organza_core::image::{Image, TILE_SIDE, bands};
 use organza_core::metrics::lpips::Lpips;
 use organza_core::metrics::{psnr, ssim};
-use organza_core::ranks::Ranks;
 use organza_core::tile::TileBatch;
 use organza_data::Frame;
-use organza_render::{DeviceScene, DeviceShard, Renderer};
+use organza_render::{DeviceScene, Renderer};
 
 /// The result of comparing an image with its photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -178,17 +177,15 @@ pub fn evaluate_measures(
     Ok(Evaluation { mean: mean(&views), views, not_finite })
 }
 
-/// Like [`evaluate`], but for one frame, with a scene whose Gaussians are distributed over ranks. All ranks must call
-/// it.
-pub(crate) fn evaluate_shard(
-    renderer: &Renderer,
-    shard: &DeviceShard,
+/// Renders tiles.
+type Render<'r> = dyn FnMut(&[Camera], &TileBatch) -> Result<RenderedTiles> + 'r;
+
+/// Like [`evaluate`], but for one frame; `render` may do so together with other ranks.
+pub(crate) fn evaluate_view(
     frame: &Frame,
     measures: Measures<'_>,
-    ranks: &dyn Ranks,
+    render: &mut Render<'_>,
 ) -> Result<(Evaluation, Image)> {
-    let render =
-        &mut |cameras: &[_], batch: &_| renderer.render_shard(shard, cameras, batch, ranks);
     let rendered = Rendered::new(frame, render)?;
     let score = rendered.score(frame, measures)?;
     let views = vec![ViewScore { name: frame.name.clone(), score }];
@@ -236,10 +233,7 @@ struct Rendered {
 }
 
 impl Rendered {
-    fn new(
-        frame: &Frame,
-        render: &mut dyn FnMut(&[Camera], &TileBatch) -> Result<RenderedTiles>,
-    ) -> Result<Self> {
+    fn new(frame: &Frame, render: &mut Render<'_>) -> Result<Self> {
         let camera = &frame.camera;
         let size = [camera.width, camera.height];
         let found = [frame.image.width(), frame.image.height()];

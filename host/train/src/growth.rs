@@ -1,9 +1,15 @@
 //! How the number of Gaussians changes: some are split, transparent ones taken away.
+//!
+//! The Gaussians may be dealt to ranks. Every rank gets two numbers of each Gaussian of the scene, and finds the same
+//! [plan](GrowthPlan). Then the rows of the Gaussians go to the ranks that have their children: blocks are cut anew.
 
 use glam::{Quat, Vec3};
 
+use super::checkpoint::Checkpoint;
 use super::config::GrowthConfig;
-use organza_core::scene::{Gaussians, logit};
+use organza_core::error::Result;
+use organza_core::ranks::Ranks;
+use organza_core::scene::{Gaussians, Scene, logit, range_of};
 
 /// Distance of a split Gaussian's halves from it, in standard deviations, along its longest axis;
 const SPLIT_OFFSET: f32 = 0.6;
@@ -23,37 +29,29 @@ pub struct Grown {
 
 /// Where a Gaussian of the new scene comes from.
 #[derive(Clone, Copy, Debug)]
-pub struct Child {
-    pub parent: usize,
+struct Child {
+    parent: usize,
     /// On which side of its parent a half lies, 1 or -1; none is the parent itself.
     side: Option<f32>,
 }
 
-impl Child {
-    /// The same, where its parent has another index.
-    pub fn with_parent(self, parent: usize) -> Self {
-        Self { parent, ..self }
-    }
-}
-
-/// The fate of each Gaussian. It follows from few numbers of each, so that ranks that hold shards of a scene can find
-/// the same plan.
+/// The fate of each Gaussian. It follows from few numbers of each.
 #[derive(Debug)]
-pub struct GrowthPlan {
+struct GrowthPlan {
     /// `[N]`: how many each becomes, 0 to 2.
     counts: Vec<u32>,
-    pub grown: Grown,
+    grown: Grown,
 }
 
 /// How much a Gaussian is in need of a split: how strong a gradient its center felt, on average over the views that saw it.
-pub fn strength([sum, views, ..]: [f32; 4]) -> f32 {
+fn strength([sum, views, ..]: [f32; 4]) -> f32 {
     if views > 0.0 { sum / views } else { 0.0 }
 }
 
 impl GrowthPlan {
     /// Of the opacities' logits `[N]` and the [strengths](strength) `[N]`: those whose center feels the strongest gradient
     /// become two.
-    pub fn new(config: &GrowthConfig, opacity: &[f32], strength: &[f32]) -> Self {
+    fn new(config: &GrowthConfig, opacity: &[f32], strength: &[f32]) -> Self {
         let is_kept = |&i: &usize| sigmoid(opacity[i]) >= config.min_opacity;
         let mut kept: Vec<_> = (0..opacity.len()).filter(is_kept).collect();
         if kept.is_empty() {
@@ -73,12 +71,12 @@ impl GrowthPlan {
     }
 
     /// Gaussians of the new scene.
-    pub fn len(&self) -> usize {
+    fn len(&self) -> usize {
         self.counts.iter().map(|&count| count as usize).sum()
     }
 
     /// The new scene's Gaussians in their order, which is that of their parents.
-    pub fn children(&self) -> impl Iterator<Item = Child> {
+    fn children(&self) -> impl Iterator<Item = Child> {
         let of_parent = |(parent, &count): (usize, &u32)| {
             let sides: &[_] = match count {
                 0 => &[],
@@ -92,7 +90,7 @@ impl GrowthPlan {
 }
 
 /// Puts children in the place of their parents; `moments` are Adam's.
-pub fn apply(children: &[Child], gaussians: &mut Gaussians, moments: [&mut Gaussians; 2]) {
+fn apply(children: &[Child], gaussians: &mut Gaussians, moments: [&mut Gaussians; 2]) {
     let parents: Vec<_> = children.iter().map(|child| child.parent).collect();
     let is_new: Vec<_> = children.iter().map(|child| child.side.is_some()).collect();
     for moment in moments {
@@ -148,14 +146,137 @@ fn clear(gaussians: &mut Gaussians, is_new: &[bool]) {
     }
 }
 
+/// Changes the scene of all ranks, to the same bits for any number of them.
+pub fn grow(config: &GrowthConfig, shard: &mut Checkpoint, ranks: &dyn Ranks) -> Result<Grown> {
+    let plan = growth_plan(config, shard, ranks)?;
+    let Moves { wanted, children, parents } = Moves::new(&plan, shard, ranks);
+    let scene_config = shard.scene.config.clone();
+    let rows = wanted.iter().map(|indices| encode(shard, indices)).collect();
+    drop(wanted);
+    // not twice in memory
+    let [first, second] = &mut shard.moments;
+    for scene in [&mut shard.scene, first, second] {
+        scene.gaussians = Gaussians::default();
+    }
+    let received = ranks.exchange(rows)?;
+    let [mut gaussians, mut first, mut second] =
+        decode(&received, || Gaussians::zeros(&scene_config, parents))?;
+    drop(received);
+    apply(&children, &mut gaussians, [&mut first, &mut second]);
+    shard.range = range_of(plan.len(), ranks.rank(), ranks.size());
+    shard.gaussians = plan.len();
+    shard.scene.gaussians = gaussians;
+    let [of_first, of_second] = &mut shard.moments;
+    (of_first.gaussians, of_second.gaussians) = (first, second);
+    shard.statistics = vec![[0.0; 4]; shard.range.len()];
+    Ok(plan.grown)
+}
+
+/// The plan of the whole scene.
+fn growth_plan(config: &GrowthConfig, shard: &Checkpoint, ranks: &dyn Ranks) -> Result<GrowthPlan> {
+    let opacity = &shard.scene.gaussians.opacity;
+    let strengths = shard.statistics.iter().copied().map(strength);
+    let mine: Vec<f32> = opacity.iter().copied().chain(strengths).collect();
+    let mut opacity = Vec::with_capacity(shard.gaussians);
+    let mut strength = Vec::with_capacity(shard.gaussians);
+    for bytes in ranks.gather(bytemuck::cast_slice(&mine).to_vec())? {
+        let values: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
+        let (first, second) = values.split_at(values.len() / 2);
+        opacity.extend_from_slice(first);
+        strength.extend_from_slice(second);
+    }
+    Ok(GrowthPlan::new(config, &opacity, &strength))
+}
+
+/// Which rows go where.
+struct Moves {
+    /// For each rank, the Gaussians of this shard that it has children of.
+    wanted: Vec<Vec<usize>>,
+    /// The children of this rank. Their parents are counted among those that have children here.
+    children: Vec<Child>,
+    /// How many these are.
+    parents: usize,
+}
+
+impl Moves {
+    fn new(plan: &GrowthPlan, shard: &Checkpoint, ranks: &dyn Ranks) -> Self {
+        let rank = ranks.rank();
+        let size = ranks.size();
+        let len = plan.len();
+        let mut moves = Self { wanted: vec![Vec::new(); size], children: Vec::new(), parents: 0 };
+        let mut owner = 0;
+        let mut last = None;
+        for (index, child) in plan.children().enumerate() {
+            while index >= range_of(len, owner, size).end {
+                owner += 1;
+            }
+            if shard.range.contains(&child.parent) {
+                let wanted = &mut moves.wanted[owner];
+                let place = child.parent - shard.range.start;
+                if wanted.last() != Some(&place) {
+                    wanted.push(place);
+                }
+            }
+            if owner == rank {
+                // parents ascend, and so do the ranks that send them
+                moves.parents += usize::from(last != Some(child.parent));
+                last = Some(child.parent);
+                moves.children.push(Child { parent: moves.parents - 1, ..child });
+            }
+        }
+        moves
+    }
+}
+
+/// Rows of a shard's Gaussians and of both moments, tensor after tensor.
+fn encode(shard: &Checkpoint, indices: &[usize]) -> Vec<u8> {
+    let ([first, second], len) = (&shard.moments, shard.range.len().max(1));
+    let scenes: [&Scene; 3] = [&shard.scene, first, second];
+    let tensors = || scenes.into_iter().flat_map(|scene| scene.gaussians.tensors().into_vec());
+    let width: usize = tensors().map(|values| values.len() / len).sum();
+    let mut bytes = Vec::with_capacity(indices.len() * width * size_of::<f32>());
+    for values in tensors() {
+        let width = values.len() / len;
+        for index in indices {
+            bytes.extend_from_slice(bytemuck::cast_slice(&values[index * width..][..width]));
+        }
+    }
+    bytes
+}
+
+/// The rows of all messages, one after the other; `zeros` makes room for all.
+fn decode(messages: &[Vec<u8>], zeros: impl Fn() -> Result<Gaussians>) -> Result<[Gaussians; 3]> {
+    let mut all = [zeros()?, zeros()?, zeros()?];
+    let len = all[0].len().max(1);
+    let widths = all[0].tensors().map(|values| values.len() / len);
+    let width: usize = widths.into_vec().iter().sum();
+    let mut rest = all.each_mut().map(Gaussians::tensors_mut);
+    for message in messages {
+        let values: Vec<f32> = bytemuck::pod_collect_to_vec(message);
+        let rows = values.len() / (3 * width).max(1);
+        let mut values = &values[..];
+        for targets in &mut rest {
+            *targets = std::mem::take(targets).zip(widths).map(|(target, width)| {
+                let (now, after) = target.split_at_mut(rows * width);
+                let (found, others) = values.split_at(now.len());
+                now.copy_from_slice(found);
+                values = others;
+                after
+            });
+        }
+    }
+    Ok(all)
+}
+
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
+
     use super::*;
-    use crate::Checkpoint;
     use crate::config::TrainConfig;
-    use crate::shard_growth::grow;
     use organza_core::ranks::ThreadRanks;
-    use organza_core::scene::Scene;
+    use organza_core::scene::GAUSSIANS_PER_BLOCK;
 
     fn scene() -> Scene {
         let config = organza_core::demo::config();
@@ -224,5 +345,53 @@ mod tests {
     fn nothing_grows_past_its_limit() {
         let config = GrowthConfig { max_gaussians: 4, ..config() };
         assert_eq!((room(&config, 4), room(&config, 3), room(&config, 9)), (0, 1, 0));
+    }
+
+    /// Some more than one block of random Gaussians and moments. Many of the first are to be taken away, and the last have the
+    /// strongest gradients: most rows have another place afterwards.
+    fn state() -> Checkpoint {
+        let mut random = Pcg64::seed_from_u64(3);
+        let scene = Scene::zeros(organza_core::demo::config(), GAUSSIANS_PER_BLOCK + 300).unwrap();
+        let mut state = Checkpoint::begin(scene, &TrainConfig::default()).unwrap();
+        let Checkpoint { scene, moments: [first, second], statistics, .. } = &mut state;
+        for scene in [scene, first, second] {
+            for values in scene.gaussians.tensors_mut().into_vec() {
+                values.iter_mut().for_each(|value| *value = random.random_range(-1.0..1.0));
+            }
+        }
+        for (index, statistics) in statistics.iter_mut().enumerate() {
+            *statistics = [index as f32 * random.random::<f32>(), 3.0, 5.0, 0.0];
+        }
+        let opacity = &mut state.scene.gaussians.opacity;
+        opacity[..GAUSSIANS_PER_BLOCK / 2].iter_mut().for_each(|logit| *logit *= 20.0);
+        state
+    }
+
+    /// Any number of ranks makes what growth makes of the whole scene.
+    #[test]
+    fn ranks_grow_what_the_whole_scene_grows() {
+        let begun = state();
+        let config = GrowthConfig { rate: 0.3, max_gaussians: u32::MAX, ..GrowthConfig::default() };
+        let mut whole = begun.clone();
+        let counts = grow(&config, &mut whole, &ThreadRanks::alone()).expect("it grows");
+        assert!(counts.pruned > 1000 && counts.split > 3000, "{counts:?}");
+        // the first of three has nothing
+        for size in [2, 3] {
+            std::thread::scope(|scope| {
+                for ranks in ThreadRanks::new(size) {
+                    let begun = &begun;
+                    let whole = &whole;
+                    let config = &config;
+                    scope.spawn(move || {
+                        let rank = ranks.rank();
+                        let mut shard = begun.shard(rank, size);
+                        let found = grow(config, &mut shard, &ranks).expect("it grows");
+                        let expected = whole.shard(rank, size);
+                        assert!(shard == expected, "rank {rank} of {size}");
+                        assert_eq!(found, counts);
+                    });
+                }
+            });
+        }
     }
 }

@@ -34,7 +34,7 @@ use organza_render::{
 ///         let n = y.len() as f32;
 ///         Ok(LossGradient {
 ///             loss: difference.iter().map(|d| f64::from(d * d / n)).sum(),
-///             grad_output: difference.iter().map(|d| 2.0 * d / n).collect(), // dL/dY
+///             grad_tiles: difference.iter().map(|d| 2.0 * d / n).collect(), // dL/dY
 ///         })
 ///     })
 ///     .gradient(|step| {

@@ -17,7 +17,8 @@ pub struct Optimizer {
     fields: [Tensors<Buffer<f32>>; 2],
     /// Those of each block's Gaussians.
     blocks: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
-    is_whole: bool,
+    /// The most Gaussians of a block.
+    block: usize,
     always: Buffer<u32>,
 }
 
@@ -27,7 +28,7 @@ impl Optimizer {
     /// # Errors
     /// The same errors as [`Device::upload`].
     pub fn new(device: &Device, shard: &DeviceShard, moments: &[Scene; 2]) -> Result<Self> {
-        let is_whole = shard.whole().is_some();
+        let block = shard.block();
         let fields = |moment: &Scene| -> Result<_> {
             let mut fields = Scene::zeros(moment.config.clone(), 1)?;
             fields.color.clone_from(&moment.color);
@@ -37,7 +38,7 @@ impl Optimizer {
         let [first, second] = moments;
         let fields = [fields(first)?, fields(second)?];
         let always = device.upload("touched", &[1])?;
-        let mut optimizer = Self { fields, blocks: Vec::new(), is_whole, always };
+        let mut optimizer = Self { fields, blocks: Vec::new(), block, always };
         optimizer.replace_gaussians(device, moments)?;
         Ok(optimizer)
     }
@@ -53,7 +54,7 @@ impl Optimizer {
         // not both at once
         self.blocks.clear();
         let [first, second] =
-            moments.each_ref().map(|moment| in_blocks(&moment.gaussians, self.is_whole));
+            moments.each_ref().map(|moment| in_blocks(&moment.gaussians, self.block));
         for (first, second) in first.zip(second) {
             self.blocks.push([upload(&first)?, upload(&second)?]);
         }

@@ -1,27 +1,49 @@
 //! A run that ranks share: rank 0 leads it, reads and writes its files, and sends the others what comes next.
 
+use std::path::Path;
 use std::sync::Arc;
 
+use super::binding::Binding;
 use super::checkpoint::Checkpoint;
 use super::config::TrainConfig;
 use super::held_out;
 use super::trainer::Trainer;
-use crate::evaluate::{Evaluation, Event, Measures, Score, ViewScore, evaluate_measures};
-use organza_core::error::{IN_MEMORY, Result};
+use crate::evaluate::{Evaluation, Measures, Score, ViewScore, evaluate_view};
+use organza_core::camera::Camera;
+use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::image::Image;
-use organza_core::ranks::{self, Grid, Ranks};
+use organza_core::ranks::{self, Grid, Ranks, ThreadRanks};
 use organza_data::{Dataset, Frame};
-use organza_render::{DeviceScene, Renderer};
+use organza_render::Renderer;
 
-/// The parts of a training that ranks share.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Split {
-    /// Each rank has the whole scene, and computes some of a step's views.
-    #[default]
-    Views,
-    /// Each rank has some of the Gaussians, and computes their part of all of a step's views: see
-    /// [`Trainer::resume_shard`].
-    Gaussians,
+/// The ranks that share a training.
+#[derive(Clone, Debug)]
+pub(super) struct Team {
+    pub ranks: Arc<dyn Ranks>,
+    /// The shards that each group of ranks has of the Gaussians; none where each rank has the whole scene.
+    pub shards: Option<usize>,
+}
+
+impl Team {
+    /// Checks that ranks can share the Gaussians in so many shards, if they do.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the settings ask for the distortion, which is no sum over shards, or where the number
+    /// of shards does not divide that of the ranks.
+    pub fn new(config: &TrainConfig, ranks: Arc<dyn Ranks>, shards: Option<usize>) -> Result<Self> {
+        if shards.is_some() && config.loss.distortion_weight != 0.0 {
+            let reason = "ranks that share the Gaussians cannot weigh the distortion: set `loss.distortion_weight` \
+                          to 0, or share the views";
+            return Err(Error::Argument { reason: reason.to_owned() });
+        }
+        Grid::new(&*ranks, shards.unwrap_or(1))?;
+        Ok(Self { ranks, shards })
+    }
+
+    /// The ranks in groups that have the whole scene together.
+    pub fn grid(&self) -> Grid<'_> {
+        Grid { all: &*self.ranks, shards: self.shards.unwrap_or(1) }
+    }
 }
 
 /// The next action of all ranks, which rank 0 chooses.
@@ -87,33 +109,19 @@ fn check_photographs(
 /// Sends the other ranks the settings, and each its shard, or the whole scene. `mine` is the shard of rank 0, and `shard`
 /// makes or reads any.
 pub(super) fn lead(
-    (ranks, shards): (&dyn Ranks, Option<usize>),
+    team: &Team,
     renderer: &Renderer,
     (config, dataset): (&TrainConfig, &Dataset),
     mine: &mut Checkpoint,
     shard: impl Fn(usize) -> Result<Checkpoint>,
     mixed: bool,
 ) -> Result<()> {
+    let ranks = &*team.ranks;
     check_photographs(ranks, renderer, dataset, mixed)?;
-    let words = [shards.unwrap_or_default() as u64];
+    let words = [team.shards.unwrap_or_default() as u64];
     ranks.broadcast(bytemuck::cast_slice(&words).to_vec())?;
     ranks.broadcast(config.to_toml().into_bytes())?;
-    mine.send_to_ranks(Grid::new(ranks, shards.unwrap_or(1))?, shard)
-}
-
-/// The trainer of a rank that has one of `shards` shards, or the whole scene.
-pub(super) fn trainer(
-    (ranks, shards): (&Arc<dyn Ranks>, Option<usize>),
-    renderer: &Renderer,
-    config: TrainConfig,
-    dataset: Arc<Dataset>,
-    checkpoint: &Checkpoint,
-) -> Result<Trainer> {
-    let ranks = ranks.clone();
-    match shards {
-        Some(shards) => Trainer::resume_shard(renderer, config, dataset, checkpoint, ranks, shards),
-        None => Ok(Trainer::resume(renderer, config, dataset, checkpoint)?.with_ranks(ranks)),
-    }
+    mine.send_to_ranks(team.grid(), shard)
 }
 
 /// Takes part in the run of a [`Session`](super::Session) of rank 0 that has these ranks, to its end. The photographs
@@ -133,8 +141,10 @@ pub fn follow(
     let shards = words.first().map(|&shards| shards as usize).filter(|&shards| shards > 0);
     let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
-    let checkpoint = Checkpoint::receive(Grid::new(&**ranks, shards.unwrap_or(1))?)?;
-    let mut trainer = trainer((ranks, shards), renderer, config, dataset.clone(), &checkpoint)?;
+    let team = Team::new(&config, ranks.clone(), shards)?;
+    let checkpoint = Checkpoint::receive(team.grid())?;
+    let dataset_of = dataset.clone();
+    let mut trainer = Trainer::with_team(renderer, config, dataset_of, &checkpoint, Some(team))?;
     drop(checkpoint);
     loop {
         match Order::receive(&**ranks)? {
@@ -157,6 +167,124 @@ pub fn follow(
     }
 }
 
+/// What a trainer does together with the others.
+impl Trainer {
+    /// Continues from a checkpoint, of which each of many [ranks](organza_core::ranks) has a shard of the Gaussians,
+    /// and all of the fields. All ranks take the same steps. The scene's bits do not depend on the number of ranks.
+    /// They are not those of [`Trainer::resume`], which adds the same terms in another order.
+    ///
+    /// Ranks are in groups of `shards`, which share the views. Each group holds all Gaussians: the checkpoint of rank r
+    /// is shard `r % shards`.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    ///
+    /// use organza_core::demo;
+    /// use organza_core::ranks::{Ranks, ThreadRanks};
+    /// use muslin_device::DeviceOptions;
+    /// use organza_render::Renderer;
+    /// use organza_train::{Checkpoint, TrainConfig, Trainer, built_in};
+    ///
+    /// let threads = ThreadRanks::new(2).into_iter().map(|ranks| {
+    ///     std::thread::spawn(move || {
+    ///         let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(Some(1)))?);
+    ///         let dataset = built_in::dataset(&renderer, 2, 16, 0)?;
+    ///         let mut config = TrainConfig::default();
+    ///         (config.run.tiles_per_step, config.run.tile_size) = (1, 16);
+    ///         let begin = Checkpoint::begin(demo::scene(), &config)?;
+    ///         let shard = begin.shard(ranks.rank(), ranks.size());
+    ///         let mut trainer =
+    ///             Trainer::resume_shard(&renderer, config, dataset, &shard, Arc::new(ranks), 2)?;
+    ///         Ok::<_, organza_core::Error>(trainer.step()?.loss)
+    ///     })
+    /// });
+    /// let losses: Vec<_> = threads.collect::<Vec<_>>().into_iter().map(|thread| thread.join()).collect();
+    /// let losses: Result<Vec<_>, _> = losses.into_iter().map(|loss| loss.expect("a rank")).collect();
+    /// assert_eq!(losses.as_ref().unwrap()[0], losses.as_ref().unwrap()[1]);
+    /// # Ok::<(), organza_core::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The same errors as [`Trainer::resume`]; [`Error::Argument`] where ranks cannot learn what the settings ask for,
+    /// or where `shards` does not divide their number.
+    pub fn resume_shard(
+        renderer: &Renderer,
+        config: TrainConfig,
+        dataset: impl Into<Arc<Dataset>>,
+        checkpoint: &Checkpoint,
+        ranks: Arc<dyn Ranks>,
+        shards: usize,
+    ) -> Result<Self> {
+        let team = Team::new(&config, ranks, Some(shards))?;
+        Self::with_team(renderer, config, dataset.into(), checkpoint, Some(team))
+    }
+
+    /// The ranks that hold the whole scene together with this one, if it has a shard.
+    #[must_use]
+    pub fn group(&self) -> Option<impl Ranks> {
+        self.team.as_ref().filter(|team| team.shards.is_some()).map(|team| team.grid().row())
+    }
+
+    /// Calls `f` with the ranks that hold the whole scene together: this one alone, if it has no shard.
+    pub(super) fn with_group<R>(&self, f: impl FnOnce(&dyn Ranks) -> R) -> R {
+        match &self.team {
+            Some(team) => f(&team.grid().row()),
+            None => f(&ThreadRanks::alone()),
+        }
+    }
+
+    /// The cameras of the frames to train on, if their poses are refined.
+    pub(super) fn refined_cameras(&self) -> Option<&[Camera]> {
+        self.config.poses.refine.then(|| self.cameras())
+    }
+
+    /// What evaluations measure. Where exposures are learned, the scene does not have those of held-out photographs.
+    pub(super) fn measures(&self) -> Measures<'static> {
+        Measures { fitted: self.exposures.is_some(), lpips: None }
+    }
+
+    /// How many views are measured at once: one by each group.
+    pub(super) fn views_at_once(&self) -> usize {
+        let team = self.team.as_ref().filter(|team| team.shards.is_none());
+        team.map_or(1, |team| team.ranks.size())
+    }
+
+    /// Measures as many views from `first` on as can be at once, together with all ranks; rank 0 has them all.
+    pub(super) fn measure(
+        &self,
+        frames: &[&Frame],
+        first: usize,
+    ) -> Result<Vec<(Evaluation, Image)>> {
+        match &self.team {
+            Some(Team { ranks, shards: None }) => {
+                let mine = frames.get(first + ranks.rank());
+                let mine = mine.map(|frame| self.measure_one(frame)).transpose()?;
+                gather_views(&**ranks, mine, &frames[first..])
+            }
+            _ => Ok(vec![self.measure_one(frames[first])?]),
+        }
+    }
+
+    /// Measures a view together with the ranks that hold the whole scene.
+    pub(super) fn measure_one(&self, frame: &Frame) -> Result<(Evaluation, Image)> {
+        evaluate_view(frame, self.measures(), &mut |cameras, batch| match self.scene() {
+            Some(scene) => self.renderer.render(scene, cameras, batch),
+            None => self.with_group(|ranks| {
+                self.renderer.render_shard(self.shard(), cameras, batch, ranks)
+            }),
+        })
+    }
+
+    /// Writes a checkpoint, as rank 0.
+    pub(super) fn save(&self, path: &Path, seconds: f64, binding: &Binding) -> Result<()> {
+        if let Some(Team { ranks, shards: Some(_) }) = &self.team {
+            Order::Save.give(&**ranks)?;
+        }
+        let checkpoint = self.checkpoint(seconds)?;
+        self.with_group(|ranks| checkpoint.save_shards(path, Some(binding), ranks))
+    }
+}
+
 /// Joins what ranks have measured, each at most one of these frames in their order; rank 0 has them all.
 pub(super) fn gather_views(
     ranks: &dyn Ranks,
@@ -168,22 +296,6 @@ pub(super) fn gather_views(
     let all = ranks.exchange(for_each)?;
     let views = all.iter().zip(frames).filter(|(bytes, _)| !bytes.is_empty());
     Ok(views.map(|(bytes, frame)| decode(bytes, frame)).collect())
-}
-
-/// Measures a view.
-pub(super) fn measure_one(
-    renderer: &Renderer,
-    scene: &DeviceScene,
-    frame: &Frame,
-    measures: Measures<'_>,
-) -> Result<(Evaluation, Image)> {
-    let mut rendered = None;
-    let found = evaluate_measures(renderer, scene, &[frame], measures, &mut |event| {
-        if let Event::View { image, .. } = event {
-            rendered = Some(image.clone());
-        }
-    })?;
-    Ok((found, rendered.expect("the view was rendered")))
 }
 
 /// Numbers of 64 bits before an encoded image.

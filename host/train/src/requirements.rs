@@ -14,8 +14,8 @@ const PLACE_BYTES: u64 = 80;
 const PIXEL_BYTES: u64 = 4 * 4;
 /// Bytes per pixel of the part of a step that is rendered at once: its color, the loss and the gradients.
 const PART_PIXEL_BYTES: u64 = 256;
-/// Most bytes of a part. With less memory, parts are smaller, down to one tile.
-const PART_BYTES: u64 = 2 << 30;
+/// The most bytes that a run must have for them. With less memory, parts are smaller, down to one tile.
+const MOST_PIXEL_BYTES: u64 = 2 << 30;
 
 impl TrainConfig {
     /// Fails if a run cannot fit into memory, before anything is read or allocated.
@@ -26,7 +26,7 @@ impl TrainConfig {
     pub fn check_memory(&self) -> Result<()> {
         let tiles = u64::from(self.run.tiles_per_step);
         let pixels = tiles * u64::from(self.run.tile_size).pow(2);
-        let part = (pixels * PART_PIXEL_BYTES).min(PART_BYTES);
+        let part = (pixels * PART_PIXEL_BYTES).min(MOST_PIXEL_BYTES);
         let step = pixels * PIXEL_BYTES + tiles * size_of::<Tile>() as u64 + part;
         // The photographs and their points are not known yet.
         let [photographs, gaussians] = match self.data.path {

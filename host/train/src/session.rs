@@ -11,7 +11,6 @@ use super::binding::Change;
 use super::config::TrainConfig;
 use super::folder::RunFolder;
 use super::metrics::Record;
-use super::ranks::Split;
 use super::step_report::StepReport;
 use crate::evaluate::Evaluation;
 use organza_core::Image;
@@ -72,9 +71,7 @@ pub struct Session<'a> {
     pub ranks: Option<Arc<dyn Ranks>>,
     /// Whether ranks may differ in program and device. The scene's bits then depend on which rank computes what.
     pub mixed: bool,
-    /// The work that ranks share.
-    pub split: Split,
-    /// Number of shards: see [`Session::with_shards`].
+    /// Number of shards of the Gaussians: see [`Session::with_shards`].
     pub shards: Option<usize>,
 }
 
@@ -171,7 +168,6 @@ impl<'a> Session<'a> {
             stop: &NEVER,
             ranks: None,
             mixed: false,
-            split: Split::Views,
             shards: None,
         }
     }
@@ -214,15 +210,9 @@ impl<'a> Session<'a> {
         self
     }
 
-    /// Sets the work that ranks share. The scene's bits depend on it. It has no effect without ranks.
-    #[must_use]
-    pub fn with_split(mut self, split: Split) -> Self {
-        self.split = split;
-        self
-    }
-
-    /// Distributes the Gaussians in `shards` shards to groups of `shards` ranks. Groups share the views. By default
-    /// there is one group. The scene's bits do not depend on it.
+    /// Distributes the Gaussians in `shards` shards to groups of `shards` ranks. Groups share the views. By default, each
+    /// rank has the whole scene. The scene's bits depend on whether there are shards, but not on their number. It has no
+    /// effect without ranks.
     #[must_use]
     pub fn with_shards(mut self, shards: Option<usize>) -> Self {
         self.shards = shards;

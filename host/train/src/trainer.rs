@@ -6,13 +6,13 @@ use super::checkpoint::Checkpoint;
 use super::coarse::{Batches, Drawn};
 use super::config::TrainConfig;
 use super::exposure::Exposures;
-use super::growth::Grown;
+use super::growth::{Grown, grow};
 use super::hooks::{StepGradient, StepHooks};
 use super::pose::PoseSet;
 use super::progress::Progress;
+use super::ranks::Team;
 use super::requirements::check;
 use super::sampler::Target;
-use super::shard_growth::grow;
 use super::start;
 use super::state::State;
 use super::step_report::StepReport;
@@ -20,10 +20,10 @@ use crate::evaluate::{Evaluation, evaluate_measures};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::metrics;
-use organza_core::ranks::{Grid, Ranks};
+use organza_core::ranks::Ranks;
 use organza_core::scene::range_of;
 use organza_data::Dataset;
-use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer, UploadOptions};
+use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer};
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -78,9 +78,7 @@ pub struct Trainer {
     pub(super) state: State,
     pub(super) step: u32,
     /// See [`Trainer::with_ranks`] and [`Trainer::resume_shard`].
-    pub(super) ranks: Option<Arc<dyn Ranks>>,
-    /// See [`Trainer::resume_shard`]: none where this rank has the whole scene.
-    pub(super) shards: Option<usize>,
+    pub(super) team: Option<Team>,
 }
 
 impl Trainer {
@@ -109,16 +107,16 @@ impl Trainer {
         dataset: impl Into<Arc<Dataset>>,
         checkpoint: &Checkpoint,
     ) -> Result<Self> {
-        Self::with_ranks_of(renderer, config, dataset.into(), checkpoint, None)
+        Self::with_team(renderer, config, dataset.into(), checkpoint, None)
     }
 
     /// Continues from a checkpoint, of the whole scene or of a shard.
-    pub(super) fn with_ranks_of(
+    pub(super) fn with_team(
         renderer: &Renderer,
         config: TrainConfig,
         dataset: Arc<Dataset>,
         checkpoint: &Checkpoint,
-        shared: Option<(Arc<dyn Ranks>, usize)>,
+        team: Option<Team>,
     ) -> Result<Self> {
         check(&config, &dataset)?;
         if checkpoint.scene.config.placement != dataset.placement {
@@ -140,14 +138,9 @@ impl Trainer {
         if let Some(poses) = &poses {
             cameras = poses.cameras();
         }
-        let shard = match shared {
-            Some(_) => DeviceShard::upload(renderer, &checkpoint.scene, UploadOptions::default())?,
-            None => {
-                DeviceShard::from_scene(renderer.device(), renderer.upload(&checkpoint.scene)?)?
-            }
-        };
+        let is_shard = team.as_ref().is_some_and(|team| team.shards.is_some());
+        let shard = renderer.upload_blocks(&checkpoint.scene, is_shard)?;
         let state = State::new(renderer, &config, shard, checkpoint, cameras.len())?;
-        let (ranks, shards) = shared.unzip();
         let renderer = renderer.clone();
         let step = checkpoint.progress.step;
         Ok(Self {
@@ -161,8 +154,7 @@ impl Trainer {
             poses,
             state,
             step,
-            ranks,
-            shards,
+            team,
         })
     }
 
@@ -171,7 +163,7 @@ impl Trainer {
     /// bits are those of a trainer without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Arc<dyn Ranks>) -> Self {
-        self.ranks = Some(ranks);
+        self.team = Some(Team { ranks, shards: None });
         self
     }
 
@@ -259,12 +251,15 @@ impl Trainer {
         let device = self.renderer.device();
         let state = &self.state;
         state.gradient.fields.check(device)?;
-        let (shard, shards) = self.grid().map_or((0, 1), |grid| (grid.shard(), grid.shards));
+        let range = match self.team.as_ref().map(Team::grid) {
+            Some(grid) => range_of(state.gaussians, grid.shard(), grid.shards),
+            None => 0..state.gaussians,
+        };
         Ok(Checkpoint {
             scene: state.shard.download(device)?,
             moments: state.optimizer.moments(device, &state.shard)?,
             statistics: state.statistics(device)?,
-            range: range_of(state.gaussians, shard, shards),
+            range,
             gaussians: state.gaussians,
             exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
             poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
@@ -299,10 +294,9 @@ impl Trainer {
         report.check(self.step).inspect_err(|_| rollback(self))?;
         let device = self.renderer.device();
         let State { shard, optimizer, gradient, .. } = &self.state;
-        if let Some(hook) = &mut hooks.gradient {
-            // without ranks, all Gaussians are one block
-            let scene = &shard.blocks()[0];
-            let gradient = &gradient.blocks[0];
+        if let Some(hook) = &mut hooks.gradient
+            && let (Some(scene), Some(gradient)) = (shard.whole(), gradient.blocks.first())
+        {
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| rollback(self))?;
         }
@@ -348,36 +342,30 @@ impl Trainer {
         let State { shard, gradient, .. } = &self.state;
         let renderer = &self.renderer;
         let cameras = &drawn.cameras(&self.cameras)[..];
-        if let Some(grid) = grid_of(&self.ranks, self.shards) {
-            let seen = &shard.coarser(*factor, *ray_steps);
-            let shared = (seen, grid);
-            let kept = &mut self.loss;
-            let (losses, exposures) =
-                renderer.add_shard_gradient(shared, cameras, batch, kept, &target, gradient)?;
-            return Ok((StepReport::new(&losses, target.ssim_weight), exposures));
-        }
-        // all Gaussians are one block
-        let scene = &shard.blocks()[0].coarser(*factor, *ray_steps);
-        let gradient = &gradient.blocks[0];
-        if let Some(own) = &mut hooks.loss {
-            let (loss, squared) =
-                renderer.add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
-            let psnr = metrics::psnr_of(squared);
-            let tiles = batch.tiles.len();
-            let none = f64::NAN;
-            let report = StepReport { loss, l1: none, ssim: none, psnr, tiles, grown: None };
-            return Ok((report, Vec::new()));
-        }
-        let kept = &mut self.loss;
-        let ranks = self.ranks.as_deref();
-        let (losses, exposures) =
-            renderer.add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
-        Ok((StepReport::new(&losses, target.ssim_weight), exposures))
+        let scene = &shard.coarser(*factor, *ray_steps);
+        Ok(match &mut hooks.loss {
+            Some(own) => {
+                let (loss, squared) = renderer
+                    .add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
+                let psnr = metrics::psnr_of(squared);
+                let tiles = batch.tiles.len();
+                let none = f64::NAN;
+                let report = StepReport { loss, l1: none, ssim: none, psnr, tiles, grown: None };
+                (report, Vec::new())
+            }
+            None => {
+                let kept = &mut self.loss;
+                let grid = self.team.as_ref().map(Team::grid);
+                let (losses, exposures) = renderer
+                    .add_loss_gradient(scene, cameras, batch, kept, &target, gradient, grid)?;
+                (StepReport::new(&losses, target.ssim_weight), exposures)
+            }
+        })
     }
 
     /// The settings that hooks cannot be used with.
     fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
-        let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
+        let reason = if self.team.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS
         } else if self.exposures.is_some() && hooks.loss.is_some() {
             "a loss of your own does not know the photographs' exposures: set `exposure.learn` to off"
@@ -403,11 +391,4 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
     let growth = &config.growth;
     let is_in_time = (growth.begin..=growth.end).contains(&config.run.fraction(step));
     step.is_multiple_of(growth.every) && is_in_time
-}
-
-/// See [`Trainer::grid`].
-pub(super) fn grid_of(ranks: &Option<Arc<dyn Ranks>>, shards: Option<usize>) -> Option<Grid<'_>> {
-    let all = ranks.as_deref()?;
-    let shards = shards?;
-    Some(Grid { all, shards })
 }

@@ -28,7 +28,7 @@ fn the_same_loss_on_the_device_gives_the_same_bits() {
             let loss = Loss::new(batch.device, batch.side, tiles as u32)?;
             let output = loss.evaluate(batch.device, &batch.inputs)?;
             let loss = TileLoss::total(&output.sums(batch.device)?).value(weight);
-            Ok(DeviceLossGradient { loss, grad_image: output.grad_image })
+            Ok(DeviceLossGradient { loss, grad_tiles: output.grad_tiles })
         });
         // the number of Gaussians changes at step 10
         for _ in 0..6 {
@@ -52,9 +52,9 @@ fn squares(batch: &LossBatch<'_>) -> LossGradient {
     let difference = |(at, (y, truth)): (usize, (&f32, &f32))| {
         (y - truth) * batch.target.valid[at / (3 * area) * area + at % area]
     };
-    let grad_output: Vec<f32> = pairs.map(difference).collect();
-    let squares = grad_output.iter().map(|&d| f64::from(d) * f64::from(d));
-    LossGradient { loss: 0.5 * squares.sum::<f64>(), grad_output }
+    let grad_tiles: Vec<f32> = pairs.map(difference).collect();
+    let squares = grad_tiles.iter().map(|&d| f64::from(d) * f64::from(d));
+    LossGradient { loss: 0.5 * squares.sum::<f64>(), grad_tiles }
 }
 
 /// Asserts that a batch is compared with its photographs.
@@ -109,13 +109,13 @@ fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
             let expected = renderer.render(&scene, &cameras, batch).unwrap();
             assert_eq!(expected.report.parts > 1, part_bytes == 1, "{what}");
             assert!(*rendered == expected.data, "{what}: the tiles");
-            let expected = renderer.gradient(&scene, &cameras, batch, &found.grad_output).unwrap();
+            let expected = renderer.gradient(&scene, &cameras, batch, &found.grad_tiles).unwrap();
             assert!(gradients[0] == expected, "{what}: the gradient");
             assert!(expected.gaussians().opacity.iter().any(|&slope| slope != 0.0), "{what}");
             // the squares that the loss sums
             let squared = f64::powf(10.0, -report.psnr / 10.0);
             let values = 2.0 * found.loss / squared;
-            let most = found.grad_output.len() as f64;
+            let most = found.grad_tiles.len() as f64;
             assert!(values <= 1.001 * most && values > 0.2 * most, "{what}: {values} of {most}");
         }
     }
@@ -136,11 +136,11 @@ fn a_loss_that_fails_or_is_of_another_size_leaves_the_trainer_as_it_was() {
     let own = || Error::Argument { reason: "the loss's own".to_owned() };
     let error = fail(&mut StepHooks::new().loss(|_| Err(own())));
     assert!(error.contains("the loss's own"), "{error}");
-    let one = || Ok(LossGradient { loss: 1.0, grad_output: vec![1.0] });
+    let one = || Ok(LossGradient { loss: 1.0, grad_tiles: vec![1.0] });
     let error = fail(&mut StepHooks::new().loss(|_| one()));
     assert!(error.contains("1 values of dL/dY, expected "), "{error}");
     let error = fail(&mut StepHooks::new().loss(|batch| {
-        Ok(LossGradient { loss: f64::NAN, grad_output: vec![0.0; batch.rendered.data.len()] })
+        Ok(LossGradient { loss: f64::NAN, grad_tiles: vec![0.0; batch.rendered.data.len()] })
     }));
     assert!(error.contains("the loss of step 5 is NaN"), "{error}");
     plain.step().expect("a step");

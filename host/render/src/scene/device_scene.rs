@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use organza_shaders::hash_grid::GridLevel;
 
+use super::field::DeviceField;
 use super::packed::{pack, unpack};
-use crate::forward::field::DeviceField;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Scene, SceneConfig, Tensors};

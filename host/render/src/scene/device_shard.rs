@@ -6,7 +6,10 @@ use std::sync::Arc;
 use super::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
-use organza_core::scene::{GAUSSIANS_PER_BLOCK, GaussianTensors, Gaussians, Scene, SceneConfig};
+use organza_core::scene::{GaussianTensors, Gaussians, Scene, SceneConfig};
+
+/// The size of the one block of a whole scene.
+pub(crate) const WHOLE: usize = usize::MAX;
 
 /// A scene on a device as training has it: the fields, and the Gaussians in blocks. A whole scene is one block. A
 /// [shard](organza_core::scene::SceneShard) of one has them in [blocks](organza_core::scene::GAUSSIANS_PER_BLOCK).
@@ -16,20 +19,42 @@ pub struct DeviceShard {
     pub(crate) fields: DeviceScene,
     /// Scenes with the same fields, on the same memory.
     pub(super) blocks: Vec<DeviceScene>,
-    pub(super) is_whole: bool,
+    /// The most Gaussians of a block, or [`WHOLE`].
+    pub(super) block: usize,
+}
+
+/// A scene as a batch sees it: its Gaussians in blocks, each of which is a scene with the same fields.
+#[derive(Clone, Copy, Debug)]
+pub struct SceneBlocks<'a> {
+    pub(crate) fields: &'a DeviceScene,
+    pub(crate) blocks: &'a [DeviceScene],
+    /// Whether other ranks may have other Gaussians.
+    pub(crate) is_shard: bool,
+}
+
+impl<'a> From<&'a DeviceScene> for SceneBlocks<'a> {
+    fn from(scene: &'a DeviceScene) -> Self {
+        Self { fields: scene, blocks: std::slice::from_ref(scene), is_shard: false }
+    }
+}
+
+impl<'a> From<&'a DeviceShard> for SceneBlocks<'a> {
+    fn from(scene: &'a DeviceShard) -> Self {
+        Self { fields: &scene.fields, blocks: &scene.blocks, is_shard: scene.block != WHOLE }
+    }
 }
 
 impl DeviceShard {
-    /// A whole scene.
-    pub fn from_scene(device: &Device, scene: DeviceScene) -> Result<Self> {
-        let fields = scene.with_gaussians(device, &Gaussians::zeros(scene.config(), 1)?)?;
-        Ok(Self { fields, blocks: vec![scene], is_whole: true })
-    }
-
-    /// The scene, if it is whole.
+    /// The scene, unless this is a shard.
     #[must_use]
     pub fn whole(&self) -> Option<&DeviceScene> {
-        self.blocks.first().filter(|_| self.is_whole)
+        self.blocks.first().filter(|_| self.block == WHOLE)
+    }
+
+    /// The most Gaussians of a block.
+    #[must_use]
+    pub fn block(&self) -> usize {
+        self.block
     }
 
     /// The Gaussians that are here, in pieces: each is a scene with the same fields.
@@ -62,7 +87,7 @@ impl DeviceShard {
     pub fn replace_gaussians(&mut self, device: &Device, gaussians: &Gaussians) -> Result<()> {
         // not both at once
         self.blocks.clear();
-        for block in in_blocks(gaussians, self.is_whole) {
+        for block in in_blocks(gaussians, self.block) {
             self.blocks.push(self.fields.with_gaussians(device, &block)?);
         }
         Ok(())
@@ -72,7 +97,7 @@ impl DeviceShard {
     pub fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
         let of = |scene: &DeviceScene| scene.coarser(factor, ray_steps);
         let blocks = self.blocks.iter().map(of).collect();
-        Self { fields: of(&self.fields), blocks, is_whole: self.is_whole }
+        Self { fields: of(&self.fields), blocks, block: self.block }
     }
 
     /// Eq. 13 divides no sum.
@@ -99,17 +124,13 @@ impl DeviceShard {
     }
 }
 
-/// The Gaussians of a shard in blocks; those of a whole scene as they are.
-pub fn in_blocks(
-    gaussians: &Gaussians,
-    is_whole: bool,
-) -> impl Iterator<Item = Cow<'_, Gaussians>> {
-    let size = if is_whole { gaussians.len().max(1) } else { GAUSSIANS_PER_BLOCK };
-    (0..gaussians.len()).step_by(size).map(move |first| {
-        if size >= gaussians.len() {
+/// Gaussians in [blocks](DeviceShard::block) of at most this many.
+pub fn in_blocks(gaussians: &Gaussians, block: usize) -> impl Iterator<Item = Cow<'_, Gaussians>> {
+    (0..gaussians.len()).step_by(block).map(move |first| {
+        if block >= gaussians.len() {
             return Cow::Borrowed(gaussians);
         }
-        let indices = first..gaussians.len().min(first + size);
+        let indices = first..gaussians.len().min(first + block);
         Cow::Owned(gaussians.select(&indices.collect::<Vec<_>>()))
     })
 }
@@ -133,7 +154,7 @@ pub fn read_blocks<'a>(
 
 impl DeviceScene {
     /// Other Gaussians, with the same fields on the same memory.
-    fn with_gaussians(&self, device: &Device, gaussians: &Gaussians) -> Result<Self> {
+    pub(crate) fn with_gaussians(&self, device: &Device, gaussians: &Gaussians) -> Result<Self> {
         let mut scene = self.view();
         scene.gaussians = gaussians.len() as u32;
         let tensors = gaussians.tensors();

@@ -2,6 +2,7 @@
 
 pub mod device_scene;
 pub mod device_shard;
+pub mod field;
 pub mod network;
 pub mod options;
 pub mod packed;

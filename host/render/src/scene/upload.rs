@@ -7,30 +7,22 @@ use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
 use super::device_scene::DeviceScene;
-use super::device_shard::DeviceShard;
+use super::device_shard::{DeviceShard, WHOLE};
+use super::field::DeviceField;
 use super::options::UploadOptions;
 use super::packed::{pack, upload};
-use crate::batch::renderer::Renderer;
-use crate::forward::field::DeviceField;
+use muslin_device::Device;
 use organza_core::error::{Error, Result};
-use organza_core::scene::{Scene, SceneShard};
+use organza_core::scene::Scene;
 
-impl Renderer {
-    /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
-    ///
-    /// # Errors
-    /// The errors of [`Scene::validate`], and [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-    pub fn upload(&self, scene: &Scene) -> Result<DeviceScene> {
-        self.upload_with(scene, UploadOptions::default())
-    }
-
-    /// Like [`Renderer::upload`], with choices that are for rendering alone.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::upload`]; [`Error::Invalid`] where [`UploadOptions`] says that it is refused.
-    pub fn upload_with(&self, scene: &Scene, options: UploadOptions) -> Result<DeviceScene> {
+impl DeviceScene {
+    /// See [`Renderer::upload_with`](crate::Renderer::upload_with).
+    pub(crate) fn upload(
+        device: &Arc<Device>,
+        scene: &Scene,
+        options: UploadOptions,
+    ) -> Result<Self> {
         scene.validate()?;
-        let device = self.device();
         let config = &scene.config;
         let mut packed = pack(scene);
         if options.half_grids {
@@ -47,8 +39,8 @@ impl Renderer {
         let transmittance = &scene.transmittance;
         let is_contracted = !config.contraction.is_none();
         let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
-        Ok(DeviceScene {
-            device: Arc::clone(&self.device),
+        Ok(Self {
+            device: Arc::clone(device),
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
             ray_steps: 1,
@@ -65,9 +57,7 @@ impl Renderer {
             version: Arc::default(),
         })
     }
-}
 
-impl DeviceScene {
     /// Fails where the grids are halves: the numbers that they were are not there.
     pub(crate) fn require_gradients(&self) -> Result<()> {
         match self.color.half_table {
@@ -81,30 +71,22 @@ impl DeviceScene {
 }
 
 impl DeviceShard {
-    /// The Gaussians of `scene`, which are a shard, and its fields.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::upload_with`].
-    pub fn upload(renderer: &Renderer, scene: &Scene, options: UploadOptions) -> Result<Self> {
+    /// A scene in blocks of at most this many Gaussians. A shard may have none.
+    pub(crate) fn upload(
+        device: &Arc<Device>,
+        scene: &Scene,
+        block: usize,
+        options: UploadOptions,
+    ) -> Result<Self> {
         let Scene { config, gaussians, color, transmittance } = scene;
-        if !gaussians.is_empty() {
+        if block == WHOLE || !gaussians.is_empty() {
             scene.validate()?;
         }
         let mut fields = Scene::zeros(config.clone(), 1)?;
         (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
-        let fields = renderer.upload_with(&fields, options)?;
-        let mut uploaded = Self { fields, blocks: Vec::new(), is_whole: false };
-        uploaded.replace_gaussians(renderer.device(), gaussians)?;
+        let fields = DeviceScene::upload(device, &fields, options)?;
+        let mut uploaded = Self { fields, blocks: Vec::new(), block };
+        uploaded.replace_gaussians(device, gaussians)?;
         Ok(uploaded)
-    }
-}
-
-impl Renderer {
-    /// Copies a shard to the device.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::upload_with`].
-    pub fn upload_shard(&self, shard: &SceneShard, options: UploadOptions) -> Result<DeviceShard> {
-        DeviceShard::upload(self, &shard.scene, options)
     }
 }

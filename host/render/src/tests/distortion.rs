@@ -1,9 +1,9 @@
 //! The gradient of the distortion beside differences of it.
 
 use super::{all_devices, every, tiles};
-use crate::backward::distortion::sums;
-use crate::batch::plan::{PART_BYTES, PartTiles};
-use crate::forward::part::Part;
+use crate::pass::part::Part;
+use crate::stages::cut::{PART_BYTES, PartTiles};
+use crate::stages::distortion::sums;
 use crate::{LossTarget, Renderer, SceneGradient};
 use organza_core::demo;
 use organza_core::scene::Scene;

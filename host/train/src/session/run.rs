@@ -15,13 +15,11 @@ use crate::hooks::StepHooks;
 use crate::metrics::Record;
 use crate::plan::Planner;
 use crate::progress::Progress;
-use crate::ranks::{self, Split};
+use crate::ranks::{self, Team};
 use crate::resume::OpenLog;
-use crate::shard::check_shards;
 use crate::start::first_scene_with;
 use crate::trainer::Trainer;
 use organza_core::error::{self, Result};
-use organza_core::ranks::Grid;
 use organza_core::scene::SceneShard;
 
 /// A trainer, the progress of its run, and the settings that have changed.
@@ -93,13 +91,9 @@ impl Session<'_> {
 
     /// The trainer, the progress of its run, and the settings that have changed.
     fn begin(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
-        let shards = match (&self.ranks, self.split) {
-            (Some(ranks), Split::Gaussians) => {
-                check_shards(self.config)?;
-                Some(Grid::new(&**ranks, self.shards.unwrap_or(ranks.size()))?.shards)
-            }
-            _ => None,
-        };
+        let team = self.ranks.clone().map(|ranks| Team::new(self.config, ranks, self.shards));
+        let team = team.transpose()?;
+        let shards = team.as_ref().map_or(1, |team| team.grid().shards);
         let path = self.folder.path().join(CHECKPOINT);
         let resumes = resume && path.exists();
         let scene = match resumes {
@@ -111,10 +105,10 @@ impl Session<'_> {
         };
         let shard = |index: usize| match &scene {
             Some(scene) => {
-                let shard = SceneShard::new(scene, index, shards.unwrap_or(1));
+                let shard = SceneShard::new(scene, index, shards);
                 Checkpoint::begin_shard(shard, self.config)
             }
-            None => Checkpoint::load_shard(&path, index, shards.unwrap_or(1)),
+            None => Checkpoint::load_shard(&path, index, shards),
         };
         let mut mine = shard(0)?;
         let progress = mine.progress;
@@ -124,15 +118,12 @@ impl Session<'_> {
         }
         let config = self.config.clone();
         let dataset = Arc::clone(self.dataset);
-        let Some(ranks) = &self.ranks else {
-            drop(scene);
-            let trainer = Trainer::resume(self.renderer, config, dataset, &mine)?;
-            return Ok((trainer, progress, changes));
-        };
-        let run = (self.config, &**self.dataset);
-        ranks::lead((&**ranks, shards), self.renderer, run, &mut mine, shard, self.mixed)?;
+        if let Some(team) = &team {
+            let run = (self.config, &**self.dataset);
+            ranks::lead(team, self.renderer, run, &mut mine, shard, self.mixed)?;
+        }
         drop(scene);
-        let trainer = ranks::trainer((ranks, shards), self.renderer, config, dataset, &mine)?;
+        let trainer = Trainer::with_team(self.renderer, config, dataset, &mine, team)?;
         Ok((trainer, progress, changes))
     }
 

@@ -137,16 +137,11 @@ impl State<'_, '_, '_> {
         if !frames.is_empty() {
             let begin = Instant::now();
             // if ranks have the whole scene, one of them is enough
-            let found = match self.trainer.scene() {
-                Some(_) => self.trainer.measure_alone(frames[0])?,
-                None => {
-                    self.order(Order::Evaluate { first: 0, all: true })?;
-                    self.trainer.measure(&frames, 0)?
-                }
-            };
-            for (_, image) in found {
-                (self.watch)(Event::FirstView(&image))?;
+            if self.trainer.scene().is_none() {
+                self.order(Order::Evaluate { first: 0, all: true })?;
             }
+            let (_, image) = self.trainer.measure_one(frames[0])?;
+            (self.watch)(Event::FirstView(&image))?;
             if let Some(planner) = &mut self.planner {
                 planner.evaluated(begin.elapsed().as_secs_f64(), frames.len());
             }

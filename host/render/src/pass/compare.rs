@@ -1,0 +1,232 @@
+//! Rendered tiles beside photographs: the loss, its gradient, and what is measured of each tile.
+
+use std::collections::BTreeMap;
+
+use super::part::{Part, TileGradient};
+use super::pass::{GoBack, Pass};
+use super::renderer::Renderer;
+use crate::scene::device_shard::SceneBlocks;
+use crate::stages::cut::{PartTiles, PlannedTile, values_of_tiles};
+use crate::stages::distortion::Distortion;
+use crate::stages::exposure::{self, Exposed, ExposureGradient};
+use crate::stages::gradient::GradientBlocks;
+use crate::stages::loss::{Loss, LossInputs, LossOutput, LossTarget, TileLoss};
+use muslin_device::{Buffer, Device};
+use organza_core::RenderedTiles;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::ranks::{Grid, Ranks};
+use organza_core::tile::TileBatch;
+
+/// Pixels that are compared at once, where Gaussians are dealt to ranks: 200 MiB of memory.
+const COMPARED_PIXELS: usize = 1 << 20;
+
+/// Losses of tiles, and the gradients of their exposures if they are learned, in the order of the batch.
+pub(crate) type Compared = (Vec<TileLoss>, Vec<ExposureGradient>);
+
+/// Tiles that were compared.
+#[derive(Debug)]
+struct Comparison {
+    output: LossOutput,
+    /// Of the exposures, if they are learned: see [`exposure::gradients`].
+    row_sum: Option<Buffer<f32>>,
+    /// The term of the loss beside the image.
+    distortion: Option<Distortion>,
+}
+
+impl Comparison {
+    /// Compares `rendered [K, 3, S, S]`, some tiles of a batch.
+    fn new(
+        device: &Device,
+        loss: &Loss,
+        target: &LossTarget<'_>,
+        (tiles, side): (&[PlannedTile], u32),
+        rendered: &Buffer<f32>,
+    ) -> Result<Self> {
+        let area = (side * side) as usize;
+        let image =
+            device.upload("photographs", &values_of_tiles(target.image, tiles, 3 * area))?;
+        let valid = device.upload("masks", &values_of_tiles(target.valid, tiles, area))?;
+        let expose = |all: &[f32]| {
+            let exposure = values_of_tiles(all, tiles, exposure::VALUES);
+            Exposed::new(device, rendered, side, &exposure)
+        };
+        let exposed = target.exposure.map(expose).transpose()?;
+        let inputs = LossInputs {
+            image: exposed.as_ref().map_or(rendered, |exposed| &exposed.image),
+            target: &image,
+            valid: &valid,
+            valid_pixels: target.valid_pixels,
+            ssim_weight: target.ssim_weight,
+        };
+        let output = loss.evaluate(device, &inputs)?;
+        let back = |exposed: &Exposed| exposed.backward(device, rendered, &output.grad_tiles);
+        let row_sum = exposed.as_ref().map(back).transpose()?;
+        Ok(Self { output, row_sum, distortion: target.distortion(&valid) })
+    }
+
+    /// dL/dY, and the term beside the image.
+    fn of_tiles(&mut self) -> TileGradient {
+        let grad_tiles = self.output.grad_tiles.view();
+        TileGradient { grad_tiles, distortion: self.distortion.take() }
+    }
+
+    /// The buffers to read for [`Self::found`].
+    fn buffers(&self) -> Vec<Buffer<u32>> {
+        let rows = self.row_sum.as_ref().map(Buffer::view);
+        [self.output.row_sum.view()].into_iter().chain(rows).collect()
+    }
+
+    /// What the words of [`Self::buffers`] say of the tiles.
+    fn found(&self, (tiles, side): (&[PlannedTile], u32), words: &[Vec<u32>]) -> Found {
+        let losses = self.output.sums_of(&bytemuck::pod_collect_to_vec(&words[0]));
+        let rows: &[f32] = words.get(1).map_or(&[], |rows| bytemuck::cast_slice(rows));
+        let exposures = exposure::gradients(rows, side, tiles);
+        let mut exposures = exposures.into_iter();
+        let places = tiles.iter().map(|tile| tile.place);
+        Found(places.zip(losses).map(|(place, loss)| (place, (loss, exposures.next()))).collect())
+    }
+}
+
+impl Renderer {
+    /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles and the gradients of the
+    /// exposures, if the target has them, in the order of the batch.
+    ///
+    /// With a `grid`, each rank has the same batch, and the same scene or its shard of it. Each group renders some of
+    /// the batch. All ranks get the same gradient, those with a shard that of their Gaussians.
+    ///
+    /// On a GPU a batch of one part is one wait, for the losses, after a first one that has found
+    /// out what such batches need. `gradient` is that of a step: but for the statistics, zero before. `loss` is kept
+    /// from step to step.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank). The gradient is then as it
+    /// was before.
+    #[allow(clippy::too_many_arguments)]
+    pub fn add_loss_gradient<'a>(
+        &self,
+        scene: impl Into<SceneBlocks<'a>>,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        loss: &mut Option<Loss>,
+        target: &LossTarget<'_>,
+        gradient: impl Into<GradientBlocks<'a>>,
+        grid: Option<Grid<'_>>,
+    ) -> Result<Compared> {
+        batch.validate(cameras)?;
+        let device = self.device();
+        let into = gradient.into();
+        into.snapshot(device);
+        let mut pass = self.pass(scene.into(), cameras);
+        pass.grid = grid.filter(|grid| pass.scene.is_shard || grid.all.size() > 1);
+        let (tiles, views) = pass.deal(batch)?;
+        pass.views = views;
+        let mut found = Found::default();
+        if pass.scene.is_shard {
+            // the group's ranks add up the sums of its tiles, and of no other
+            let local =
+                tiles.iter().enumerate().map(|(place, tile)| PlannedTile { place, ..*tile });
+            let mut parts = pass.cut_tiles(batch.side, &local.collect::<Vec<_>>())?;
+            let group = tiles.iter().map(|tile| tile.tile).collect();
+            let group = TileBatch { side: batch.side, tiles: group };
+            let (rendered, sums) = pass.forward_sums(&mut parts, &group, true)?;
+            let (some, grad_tiles) = self.compare(&rendered, &tiles, loss, target)?;
+            found = some;
+            Pass { sums: &sums, ..pass }.backward_from(&mut parts, &grad_tiles, into)?;
+        } else {
+            let of_tiles = |plan: &PartTiles, part: &Part, back: &mut GoBack<'_>| {
+                let loss = Loss::reuse(loss, device, plan.side, plan.tiles.len())?;
+                let tiles = (&plan.tiles[..], plan.side);
+                let image = &part.composite.image;
+                let compare = || Comparison::new(device, loss, target, tiles, image);
+                let mut compared = device.run_in_pool(compare)?;
+                back(compared.of_tiles())?;
+                let Some((words, needed)) = part.read(device, compared.buffers())? else {
+                    return Ok(None);
+                };
+                found.0.extend(compared.found(tiles, &words).0);
+                Ok(Some(needed))
+            };
+            pass.backward(&mut pass.cut_tiles(batch.side, &tiles)?, of_tiles, into)?;
+        }
+        if let Some(grid) = pass.grid.filter(|grid| grid.groups() > 1) {
+            // all ranks of a group have the same: one sends it
+            let mine = if grid.shard() == 0 { found } else { Found::default() };
+            let all = mine.gather(batch, target, grid.all);
+            found = all.inspect_err(|_| into.rollback(device))?;
+        }
+        Ok(found.in_order())
+    }
+
+    /// The losses of rendered tiles, and dL/dY.
+    fn compare(
+        &self,
+        rendered: &RenderedTiles,
+        tiles: &[PlannedTile],
+        loss: &mut Option<Loss>,
+        target: &LossTarget<'_>,
+    ) -> Result<(Found, Vec<f32>)> {
+        let device = self.device();
+        let side = rendered.side;
+        let area = (side * side) as usize;
+        let most = (COMPARED_PIXELS / area).max(1);
+        let mut found = Found::default();
+        let mut grad_tiles = Vec::new();
+        for (tiles, pixels) in tiles.chunks(most).zip(rendered.data.chunks(most * 3 * area)) {
+            let loss = Loss::reuse(loss, device, side, tiles.len())?;
+            let image = device.upload("rendered tiles", pixels)?;
+            let tiles = (tiles, side);
+            let compare = || Comparison::new(device, loss, target, tiles, &image);
+            let compared = device.run_in_pool(compare)?;
+            found.0.extend(compared.found(tiles, &device.read_all(&compared.buffers())?).0);
+            grad_tiles.extend(device.read(&compared.output.grad_tiles)?);
+        }
+        Ok((found, grad_tiles))
+    }
+}
+
+/// Losses of tiles and gradients of their exposures, by the tiles' places in the batch.
+#[derive(Debug, Default)]
+struct Found(BTreeMap<usize, (TileLoss, Option<ExposureGradient>)>);
+
+/// Values of a tile that ranks tell each other: its place, its loss, and its exposure's gradient if that is learned.
+const LOSS_VALUES: usize = 5;
+const EXPOSURE_VALUES: usize = 6;
+
+impl Found {
+    fn in_order(self) -> Compared {
+        let (losses, exposures): (Vec<_>, Vec<_>) = self.0.into_values().unzip();
+        (losses, exposures.into_iter().flatten().collect())
+    }
+
+    /// The results of all ranks for a batch.
+    fn gather(
+        &self,
+        batch: &TileBatch,
+        target: &LossTarget<'_>,
+        ranks: &dyn Ranks,
+    ) -> Result<Self> {
+        let mut values = Vec::new();
+        for (place, (loss, exposure)) in &self.0 {
+            values.push(*place as f64);
+            values.extend(bytemuck::cast::<_, [f64; LOSS_VALUES - 1]>(*loss));
+            values.extend(exposure.iter().flat_map(|found| found.gradient.as_flattened()));
+        }
+        let width = LOSS_VALUES + target.exposure.map_or(0, |_| EXPOSURE_VALUES);
+        let mut all = Self::default();
+        for bytes in ranks.gather(bytemuck::cast_slice(&values).to_vec())? {
+            let values: Vec<f64> = bytemuck::pod_collect_to_vec(&bytes);
+            for row in values.chunks_exact(width) {
+                let place = row[0] as usize;
+                let (loss, exposure) = row[1..].split_at(LOSS_VALUES - 1);
+                let loss = bytemuck::pod_read_unaligned(bytemuck::cast_slice(loss));
+                let camera = batch.tiles[place].camera;
+                let exposure = exposure.as_chunks::<EXPOSURE_VALUES>().0.first().map(|gradient| {
+                    ExposureGradient { place, camera, gradient: bytemuck::cast(*gradient) }
+                });
+                all.0.insert(place, (loss, exposure));
+            }
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,392 @@
+//! The one way through a batch: cut, render, keep, go back, and make room where memory ends.
+//!
+//! A view batch is a batch's tiles of one camera. Its gradients have the same bits whoever computes it, alone or in one
+//! part with others. So the sum depends neither on how a batch is cut into parts, nor on how many
+//! [ranks](organza_core::ranks) share it. View batches are dealt to groups of ranks: group v mod G has the one with the
+//! number v.
+//!
+//! - **hash grids** are summed as 64-bit integers, which are exact in any order. All view batches share one scale: its
+//!   bound is the largest of all bounds.
+//! - **networks and poses** are summed as [binned](muslin::binned) sums, which are exact, too.
+//! - **Gaussians** are summed camera by camera; between ranks as [`Rows`].
+//!
+//! Each rank of a group may have a shard of the Gaussians. All of them know C and S of all Gaussians. So each has dL/dC
+//! and dL/dS of Eq. 13 without another message, and from them the gradients of its own Gaussians.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::Vec4;
+
+use super::part::{Part, TileGradient};
+use super::ranks::{PLANES, Rows, finish, set_scales};
+use super::renderer::Renderer;
+use crate::scene::device_shard::SceneBlocks;
+use crate::stages::counts::Capacity;
+use crate::stages::cut::{Limits, PartTiles, PlannedTile, by_camera, cut, values_of_tiles};
+use crate::stages::gradient::GradientBlocks;
+use muslin_device::{Buffer, Device};
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::ranks::Grid;
+use organza_core::tile::TileBatch;
+
+/// The most pairs and samples of parts that are kept between both directions: about 2 GiB of tables. Other parts are
+/// rendered again.
+const KEPT_SAMPLES: u64 = 1 << 24;
+
+/// A batch on its way through the stages.
+#[derive(Clone, Copy)]
+pub struct Pass<'a> {
+    pub renderer: &'a Renderer,
+    pub scene: SceneBlocks<'a>,
+    pub cameras: &'a [Camera],
+    /// Those that share the batch.
+    pub grid: Option<Grid<'a>>,
+    /// View batches of all groups.
+    pub views: usize,
+    /// `[K, 4, S, S]`: C and S of the Gaussians of all ranks. Nothing where this rank has all Gaussians.
+    pub sums: &'a [f32],
+}
+
+/// The parts of a batch, block by block.
+#[derive(Debug, Default)]
+pub struct Parts {
+    list: Vec<PassPart>,
+    /// Pairs and samples that may still be kept.
+    room: u64,
+    /// Whether parts are kept after the way back, too.
+    stays: bool,
+}
+
+/// A part of a batch, of one block of Gaussians.
+#[derive(Debug)]
+pub struct PassPart {
+    pub plan: PartTiles,
+    block: usize,
+    /// Once it was rendered: pairs and samples.
+    needed: [u64; 2],
+    /// None where it is rendered again.
+    part: Option<Arc<Part>>,
+    /// Between both passes of the way back.
+    of_tiles: Option<TileGradient>,
+    /// `[pairs, 3]`, of a part that is kept.
+    of_pairs: Option<Buffer<Vec4>>,
+}
+
+/// Takes dL/dY of a part.
+pub type GoBack<'b> = dyn FnMut(TileGradient) -> Result<()> + 'b;
+
+impl Parts {
+    /// Gives up the memory of what was kept.
+    pub fn release(&mut self) {
+        self.room = 0;
+        for part in &mut self.list {
+            part.part = None;
+            part.of_pairs = None;
+        }
+    }
+
+    /// Whether the last camera of a part continues in the next one.
+    fn continues(&self, at: usize) -> bool {
+        let part = &self.list[at];
+        self.list.get(at + 1).is_some_and(|next| {
+            let [last, first] = [part.plan.tiles.last(), next.plan.tiles.first()];
+            next.block == part.block && last.map(|tile| tile.view) == first.map(|tile| tile.view)
+        })
+    }
+}
+
+impl PassPart {
+    fn new(block: usize, plan: PartTiles) -> Self {
+        Self { plan, block, needed: [0; 2], part: None, of_tiles: None, of_pairs: None }
+    }
+
+    /// Keeps what was rendered, if there is room.
+    fn keep(&mut self, part: Arc<Part>, needed: Capacity, room: &mut u64) {
+        self.needed = [needed.pairs, needed.samples].map(u64::from);
+        let takes: u64 = self.needed.iter().sum();
+        if self.part.is_none() && takes <= *room {
+            *room -= takes;
+            self.part = Some(part);
+        }
+    }
+}
+
+impl<'a> Pass<'a> {
+    fn device(&self) -> &'a Device {
+        self.renderer.device()
+    }
+
+    /// This rank's tiles of a batch, by camera, and how many view batches all groups have.
+    pub fn deal(&self, batch: &TileBatch) -> Result<(Vec<PlannedTile>, usize)> {
+        // a group's ranks have other limits, and must have the same tiles
+        let most = match self.scene.blocks {
+            [whole] if !self.scene.is_shard => {
+                Limits::new(whole, batch.side, self.renderer.part_bytes())?.tiles
+            }
+            _ => usize::MAX,
+        };
+        let mut tiles = by_camera(batch, most);
+        let views = tiles.last().map_or(0, |tile| tile.view + 1);
+        if let Some(grid) = self.grid {
+            tiles.retain(|tile| tile.view % grid.groups() == grid.group());
+        }
+        Ok((tiles, views))
+    }
+
+    /// Cuts a batch into parts that fit the device.
+    pub fn cut(&self, batch: &TileBatch) -> Result<Parts> {
+        self.cut_tiles(batch.side, &by_camera(batch, usize::MAX))
+    }
+
+    /// Like [`Pass::cut`], for some tiles, ordered by camera.
+    pub fn cut_tiles(&self, side: u32, tiles: &[PlannedTile]) -> Result<Parts> {
+        let mut parts = Parts::default();
+        for (index, block) in self.scene.blocks.iter().enumerate() {
+            let plans = cut(block, side, tiles, self.renderer.part_bytes())?;
+            parts.list.extend(plans.into_iter().map(|plan| PassPart::new(index, plan)));
+        }
+        Ok(parts)
+    }
+
+    /// Renders all parts, and shows each to `each`, which [reads](Part::read) what it needs: nothing waits for the
+    /// device before. With `keep`, parts are kept for [`Pass::backward`].
+    pub fn forward(
+        &self,
+        parts: &mut Parts,
+        keep: bool,
+        mut each: impl FnMut(&PartTiles, &Part) -> Result<Option<Capacity>>,
+    ) -> Result<()> {
+        parts.room = if keep { KEPT_SAMPLES } else { 0 };
+        parts.stays = keep;
+        let all = self.visit(parts, |at, room| {
+            let (part, needed) = self.render(at, keep, |part| each(&at.plan, part))?;
+            at.keep(part, needed, room);
+            Ok(true)
+        });
+        all.map(drop)
+    }
+
+    /// Adds dL/dtensor to gradients that are zero, but for the statistics. `of_tiles` says dL/dY of each part: it calls the
+    /// function that it gets with it, and then [reads](Part::read) what it needs.
+    ///
+    /// A batch of one part is one submission to a GPU, and one wait. Otherwise, a first pass finds the scale of the sums,
+    /// and a second one adds.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`]. The gradients are then as they were before.
+    pub fn backward(
+        &self,
+        parts: &mut Parts,
+        mut of_tiles: impl FnMut(&PartTiles, &Part, &mut GoBack<'_>) -> Result<Option<Capacity>>,
+        into: GradientBlocks<'_>,
+    ) -> Result<()> {
+        if !parts.stays {
+            parts.room = KEPT_SAMPLES;
+        }
+        loop {
+            let added = match self.find_scales(parts, &mut of_tiles, into) {
+                Ok(true) => Ok(()),
+                Ok(false) => self.add_all(parts, into),
+                Err(error) => Err(error),
+            };
+            let Err(error) = added else { return Ok(()) };
+            into.rollback(self.device());
+            let all = 0..parts.list.len();
+            // other ranks do not begin again
+            let again = error.is_out_of_memory() && self.grid.is_none();
+            if !(again && self.make_room(parts, all)?) {
+                return Err(error);
+            }
+        }
+    }
+
+    /// [`Pass::backward`] of `grad_tiles [K, 3, S, S]`, dL/dY of the batch.
+    pub fn backward_from(
+        &self,
+        parts: &mut Parts,
+        grad_tiles: &[f32],
+        into: GradientBlocks<'_>,
+    ) -> Result<()> {
+        let device = self.device();
+        let of_tiles = |plan: &PartTiles, part: &Part, back: &mut GoBack<'_>| {
+            let values = values_of_tiles(grad_tiles, &plan.tiles, 3 * plan.area());
+            let grad_tiles = device.upload("gradient of the tiles", &values)?;
+            back(TileGradient { grad_tiles, distortion: None })?;
+            Ok(part.read(device, Vec::new())?.map(|(_, needed)| needed))
+        };
+        self.backward(parts, of_tiles, into)
+    }
+
+    /// The first pass: goes back to the pairs of each part, and raises the bounds of both hash grids' sums. A batch of one
+    /// part goes all the way. Returns whether it did.
+    fn find_scales(
+        &self,
+        parts: &mut Parts,
+        of_tiles: &mut impl FnMut(&PartTiles, &Part, &mut GoBack<'_>) -> Result<Option<Capacity>>,
+        into: GradientBlocks<'_>,
+    ) -> Result<bool> {
+        let device = self.device();
+        let is_alone = self.grid.is_none() && !self.scene.is_shard;
+        let tiles: usize = parts.list.iter().map(|part| part.plan.tiles.len()).sum();
+        let mut is_done = false;
+        self.visit(parts, |at, room| {
+            let is_only = is_alone && at.plan.tiles.len() == tiles;
+            let block = &self.scene.blocks[at.block];
+            let gradient = &into.blocks[at.block];
+            let mut found = None;
+            let rendered = self.render(at, true, |part| {
+                of_tiles(&at.plan, part, &mut |of_tiles| {
+                    found = device.run_in_pool(|| {
+                        let of_pairs = self.pair_gradient(at, part, &of_tiles)?;
+                        if is_only {
+                            part.backward(block, &of_pairs, gradient)?;
+                        }
+                        Ok::<_, organza_core::Error>(Some((of_tiles, of_pairs)))
+                    })?;
+                    Ok(())
+                })
+            });
+            let rollback = |_: &_| {
+                if is_only {
+                    into.rollback(device)
+                }
+            };
+            let (part, needed) = rendered.inspect_err(rollback)?;
+            is_done = is_only;
+            if !is_only && let Some((of_tiles, of_pairs)) = found {
+                device.run_in_pool(|| part.raise_bounds(device, &of_pairs, gradient))?;
+                at.keep(part, needed, room);
+                at.of_pairs = at.part.is_some().then_some(of_pairs);
+                at.of_tiles = Some(of_tiles);
+            }
+            Ok(true)
+        })?;
+        Ok(is_done)
+    }
+
+    /// The second pass: adds the gradients of all parts, and those of all ranks.
+    fn add_all(&self, parts: &mut Parts, into: GradientBlocks<'_>) -> Result<()> {
+        let device = self.device();
+        let ranks = self.grid.map(|grid| grid.all);
+        let samples = [0, 1]
+            .map(|field| parts.list.iter().map(|part| part.needed[field] as i64).sum::<i64>());
+        set_scales(device, ranks, self.scene.fields, into.fields, samples)?;
+        let column = self.grid.filter(|grid| grid.groups() > 1).map(Grid::column);
+        let rows = column.as_ref().map(|column| Rows::new(device, column, into.blocks));
+        let mut rows = rows.transpose()?;
+        for index in 0..parts.list.len() {
+            let continues = parts.continues(index);
+            let at = &mut parts.list[index];
+            let block = &self.scene.blocks[at.block];
+            let gradient = &into.blocks[at.block];
+            let rows = rows.as_mut().map(|rows| (rows, at.block));
+            let read = |part: &Part| Ok(part.read(device, Vec::new())?.map(|(_, needed)| needed));
+            let (part, _) = self.render(at, true, read)?;
+            let of_pairs = at.of_pairs.take();
+            let of_tiles = at.of_tiles.take().expect("of the first pass");
+            device.run_in_pool(|| {
+                let of_pairs = match of_pairs {
+                    Some(of_pairs) => of_pairs,
+                    None => self.pair_gradient(at, &part, &of_tiles)?,
+                };
+                part.add_pairs(block, &of_pairs, gradient, rows, continues)
+            })?;
+            if !parts.stays {
+                parts.list[index].part = None;
+            }
+        }
+        rows.map_or(Ok(()), |rows| rows.add(self.views))?;
+        finish(device, ranks, into.fields)
+    }
+
+    /// `[pairs, 3]`, at the sums of all Gaussians.
+    fn pair_gradient(
+        &self,
+        at: &PassPart,
+        part: &Part,
+        of_tiles: &TileGradient,
+    ) -> Result<Buffer<Vec4>> {
+        if !self.sums.is_empty() {
+            let sums = values_of_tiles(self.sums, &at.plan.tiles, PLANES * at.plan.area());
+            self.device().write(&part.composite.sum, 0, &sums)?;
+        }
+        part.pair_gradient(&self.scene.blocks[at.block], at.plan.side, of_tiles)
+    }
+
+    /// A part that was kept, or that is rendered again, with a predicted capacity. If that was too small, or without a
+    /// prediction, it has room for everything. `read` has read what the part needed.
+    fn render(
+        &self,
+        at: &PassPart,
+        keep: bool,
+        mut read: impl FnMut(&Part) -> Result<Option<Capacity>>,
+    ) -> Result<(Arc<Part>, Capacity)> {
+        if let Some(part) = &at.part {
+            let needed = read(part)?.expect("it was read before");
+            return Ok((part.clone(), needed));
+        }
+        let block = &self.scene.blocks[at.block];
+        let mut capacity = self.renderer.predict(block, &at.plan);
+        loop {
+            let evaluate = || Part::evaluate(block, self.cameras, &at.plan, keep, capacity);
+            let part = self.device().run_in_pool(evaluate)?;
+            match read(&part)? {
+                Some(needed) => {
+                    self.renderer.observe(block, &at.plan, needed);
+                    return Ok((Arc::new(part), needed));
+                }
+                None => capacity = None,
+            }
+        }
+    }
+
+    /// Calls `work` with each part, as long as it returns true, and with how much may still be kept. Where memory ends, it
+    /// is called again for the part, or for its pieces. Returns whether it was called to the end.
+    pub fn visit(
+        &self,
+        parts: &mut Parts,
+        mut work: impl FnMut(&mut PassPart, &mut u64) -> Result<bool>,
+    ) -> Result<bool> {
+        let mut index = 0;
+        while let Some(part) = parts.list.get_mut(index) {
+            match work(part, &mut parts.room) {
+                Ok(true) => index += 1,
+                Ok(false) => return Ok(false),
+                Err(error) if error.is_out_of_memory() => {
+                    if !self.make_room(parts, index..index + 1)? {
+                        return Err(error);
+                    }
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(true)
+    }
+
+    /// After memory ran out, gives up what was kept; then cuts some parts into pieces; then forgets what was predicted, as
+    /// a part may need less. Returns false if there is nothing more to give up.
+    fn make_room(&self, parts: &mut Parts, range: Range<usize>) -> Result<bool> {
+        if parts.list.iter().any(|part| part.part.is_some()) {
+            parts.release();
+            return Ok(true);
+        }
+        if parts.list[range.clone()].iter().all(|part| part.plan.tiles.len() == 1) {
+            return Ok(self.renderer.forget());
+        }
+        loop {
+            // the next batch will not fit, either
+            let bytes = self.renderer.halve_part_bytes();
+            let mut pieces = Vec::new();
+            for PassPart { block, plan, .. } in &parts.list[range.clone()] {
+                let plans = cut(&self.scene.blocks[*block], plan.side, &plan.tiles, bytes)?;
+                pieces.extend(plans.into_iter().map(|plan| PassPart::new(*block, plan)));
+            }
+            if pieces.len() > range.len() {
+                parts.list.splice(range, pieces);
+                return Ok(true);
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! A hash grid and its network on a device.
+
+use glam::Vec4;
+use organza_shaders::hash_grid::GridLevel;
+
+use super::network::LayerPlace;
+use super::options::UploadOptions;
+use muslin_device::{Buffer, Device};
+use organza_core::error::Result;
+use organza_core::halves::pack_halves;
+use organza_core::scene::{Field, FieldTensors, GridConfig};
+
+/// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
+#[derive(Debug)]
+pub struct DeviceField {
+    pub(crate) levels: Buffer<GridLevel>,
+    pub(crate) table: Buffer<f32>,
+    /// Instead of `table`: the same as halves.
+    pub(crate) half_table: Option<Buffer<u32>>,
+    pub parameters: Buffer<Vec4>,
+    pub(crate) features: u32,
+    pub(crate) layers: Vec<LayerPlace>,
+}
+
+impl DeviceField {
+    /// Of a host's field whose tensors lie on the device; `name` is what their names begin with.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::upload`]; [`Error::Invalid`](organza_core::Error::Invalid) if a value is too large
+    /// for a half.
+    pub fn new(
+        device: &Device,
+        name: &str,
+        grid: &GridConfig,
+        field: &Field,
+        tensors: &FieldTensors<Buffer<f32>>,
+        options: UploadOptions,
+    ) -> Result<Self> {
+        let half_table = || -> Result<_> {
+            let words = pack_halves(&field.grid, grid.features as usize, &format!("{name}.grid"))?;
+            Ok(device.upload("hash grid of halves", &words)?)
+        };
+        Ok(Self {
+            levels: device.upload("grid levels", &grid.levels_for_kernels())?,
+            table: tensors.grid.view(),
+            half_table: options.half_grids.then(half_table).transpose()?,
+            parameters: tensors.network.view(),
+            features: grid.features,
+            layers: LayerPlace::from_network(&field.network),
+        })
+    }
+
+    /// The same field, on the same memory.
+    pub(crate) fn view(&self) -> Self {
+        Self {
+            levels: self.levels.view(),
+            table: self.table.view(),
+            half_table: self.half_table.as_ref().map(Buffer::view),
+            parameters: self.parameters.view(),
+            features: self.features,
+            layers: self.layers.clone(),
+        }
+    }
+
+    /// Memory beside the tensors.
+    pub fn bytes_beside_tensors(&self) -> u64 {
+        self.levels.bytes() + self.half_table.as_ref().map_or(0, Buffer::bytes)
+    }
+
+    /// The last layer, which each head evaluates on its own.
+    pub fn head(&self) -> LayerPlace {
+        self.layers[self.layers.len() - 1]
+    }
+
+    /// Rows of the widest hidden layer.
+    pub(crate) fn widest(&self) -> u32 {
+        let hidden = &self.layers[..self.layers.len() - 1];
+        hidden.iter().map(|layer| layer.columns * 4).max().unwrap_or(0)
+    }
+}

@@ -1,0 +1,234 @@
+//! B3 and C: the weighted sums of all tiles, and the image.
+
+use glam::Vec4;
+use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
+use organza_shaders::composite_backward::{
+    CompositeBackwardKernel, CompositeBackwardParams, band_rows,
+};
+use organza_shaders::limits::MAX_MEMBERS;
+use organza_shaders::pixels::{PixelsKernel, PixelsParams};
+use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolveParams};
+use organza_shaders::splat::{
+    SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
+};
+use organza_shaders::tile::Tile;
+use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
+
+use super::cut::words;
+use super::distortion::Distortion;
+use super::tiles::Bins;
+use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Device, Error, Result};
+
+/// The composited tiles of a part.
+#[derive(Debug)]
+pub struct Composite {
+    /// `[tiles, 4, S, S]`: C and S of Eq. 12.
+    pub sum: Buffer<f32>,
+    /// `[tiles, 3, S, S]`
+    pub image: Buffer<f32>,
+    /// `[pairs, 3]`
+    pub splat: Buffer<Vec4>,
+}
+
+impl Composite {
+    pub fn new(
+        scene: &DeviceScene,
+        background: [f64; 3],
+        side: u32,
+        bins: &Bins,
+        transmittance: &Buffer<f32>,
+        color: &Buffer<f32>,
+    ) -> Result<Self> {
+        let device = scene.device();
+        let (sum, splat) = weighted_sum(scene, side, bins, transmittance, color)?;
+        let image = resolve(device, background, scene.divide_above, side, &bins.tile, &sum)?;
+        Ok(Self { sum, image, splat })
+    }
+
+    /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_shaders::splat) has it, of
+    /// `grad_tiles [tiles, 3, S, S]`, dL/dY, and of the term of the loss beside the image.
+    pub fn backward(
+        &self,
+        scene: &DeviceScene,
+        side: u32,
+        bins: &Bins,
+        transmittance: &Buffer<f32>,
+        grad_tiles: &Buffer<f32>,
+        distortion: Option<&Distortion>,
+    ) -> Result<Buffer<Vec4>> {
+        let device = scene.device();
+        let tiles = bins.tiles;
+        let sum_gradient = device.unwritten("gradient of the sums", self.sum.len())?;
+        let kernel = ResolveBackwardKernel {
+            params: resolve_params(scene.config.background, scene.divide_above, side),
+            tile: &bins.tile,
+            sum: &self.sum,
+            image_gradient: grad_tiles,
+            sum_gradient: &sum_gradient,
+        };
+        device.run_over(&kernel, [side, side, tiles])?;
+        let member_gradient = members_gradient(device, bins)?;
+        add_members(scene, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
+        if let Some(distortion) = distortion {
+            let (sum_gradient, splat) = distortion.backward(scene, side, bins, transmittance)?;
+            add_members(scene, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
+        }
+
+        let pairs = &bins.pairs;
+        let capacity = pairs.count.upper_bound();
+        let pair_gradient =
+            device.unwritten("gradient of the pairs", (capacity * VECTORS) as usize)?;
+        let kernel = SplatBackwardKernel {
+            params: SplatBackwardParams {
+                pairs: capacity,
+                gaussians: scene.gaussians,
+                words: words(scene.gaussians),
+            },
+            pair: &pairs.pair,
+            first_tile: &bins.first_tile,
+            tile_mask: &bins.tile_mask.bits,
+            first_member: &bins.tile_mask.first,
+            opacity: &scene.tensors.gaussians.opacity,
+            transmittance,
+            member_gradient: &member_gradient,
+            pair_gradient: &pair_gradient,
+        };
+        device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+        Ok(pair_gradient)
+    }
+}
+
+/// Room for gradients of each tile's members, `[members, 3]`: zeros.
+fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
+    let members = bins.members.upper_bound();
+    let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
+    // kernels number the vectors in 32 bits
+    if members > u32::MAX / VECTORS {
+        let what = format!("the gradients of {members} members");
+        return Err(Error::OutOfMemory { needed: bytes, available: None, what });
+    }
+    device.zeros("gradient of the members", (members * VECTORS) as usize)
+}
+
+/// Adds the gradients of each tile's members, summed over its pixels: in bands of rows if a tile is large. Splats come with
+/// whether the gradient of their colors is wanted.
+fn add_members(
+    scene: &DeviceScene,
+    side: u32,
+    bins: &Bins,
+    (splat, colors): (&Buffer<Vec4>, bool),
+    sum_gradient: &Buffer<f32>,
+    member_gradient: &Buffer<Vec4>,
+) -> Result<()> {
+    let members = bins.members.upper_bound();
+    let band = band_rows(side);
+    for first_row in (0..side).step_by(band as usize) {
+        let kernel = CompositeBackwardKernel {
+            params: CompositeBackwardParams {
+                members,
+                tiles: bins.tiles,
+                side,
+                first_row,
+                rows: band.min(side - first_row),
+                colors: colors.into(),
+                compensated_blur: scene.compensated_blur(),
+            },
+            tile: &bins.tile,
+            tile_first: &bins.tile_first,
+            member: &bins.member,
+            splat,
+            sum_gradient,
+            member_gradient,
+        };
+        scene.device().run(&kernel.counted(&bins.members), members, 1)?;
+    }
+    Ok(())
+}
+
+/// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they
+/// are the sums of.
+pub fn weighted_sum(
+    scene: &DeviceScene,
+    side: u32,
+    bins: &Bins,
+    transmittance: &Buffer<f32>,
+    color: &Buffer<f32>,
+) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    let device = scene.device();
+    let pairs = &bins.pairs;
+    let capacity = pairs.count.upper_bound();
+    let splat = device.unwritten("splats", (capacity * VECTORS) as usize)?;
+    let kernel = SplatKernel {
+        params: SplatParams {
+            pairs: capacity,
+            gaussians: scene.gaussians,
+            compensated_blur: scene.compensated_blur(),
+        },
+        pair: &pairs.pair,
+        projection: &pairs.projection,
+        opacity: &scene.tensors.gaussians.opacity,
+        transmittance,
+        color,
+        splat: &splat,
+    };
+    device.run(&kernel.counted(&pairs.count), capacity, 1)?;
+
+    let tiles = bins.tiles;
+    let members = bins.members.upper_bound();
+    let cells = device.unwritten("cells", members as usize)?;
+    let kernel = TileCellsKernel {
+        params: TileCellsParams { members, tiles, side },
+        tile: &bins.tile,
+        tile_first: &bins.tile_first,
+        member: &bins.member,
+        splat: &splat,
+        cells: &cells,
+    };
+    device.run(&kernel.counted(&bins.members), members, 1)?;
+
+    let pixels = tiles as usize * (side * side) as usize;
+    let sum = device.zeros("sums", pixels * SUM_PLANES as usize)?;
+    for pass in 0..bins.largest.div_ceil(MAX_MEMBERS) {
+        let kernel = CompositeKernel {
+            params: CompositeParams { side, skip: pass * MAX_MEMBERS },
+            tile: &bins.tile,
+            tile_first: &bins.tile_first,
+            member: &bins.member,
+            cells: &cells,
+            splat: &splat,
+            sum: &sum,
+        };
+        device.run_over(&kernel, [side, side, tiles])?;
+    }
+    Ok((sum, splat))
+}
+
+/// Eq. 13: `[tiles, 3, S, S]` of the sums of some tiles.
+pub fn resolve(
+    device: &Device,
+    background: [f64; 3],
+    divide_above: f32,
+    side: u32,
+    tile: &Buffer<i32>,
+    sum: &Buffer<f32>,
+) -> Result<Buffer<f32>> {
+    let tiles = (tile.len() / Tile::INTEGERS) as u32;
+    let image = device.unwritten("tiles", tiles as usize * (3 * side * side) as usize)?;
+    let params = resolve_params(background, divide_above, side);
+    device.run_over(&ResolveKernel { params, tile, sum, image: &image }, [side, side, tiles])?;
+    Ok(image)
+}
+
+/// `[tiles, S, S]`: tiles in 8 bits.
+pub fn pixels(device: &Device, side: u32, image: &Buffer<f32>) -> Result<Buffer<u32>> {
+    let rgba = device.unwritten("pixels", image.len() / 3)?;
+    let params = PixelsParams { count: rgba.len() as u32, area: side * side };
+    device.run(&PixelsKernel { params, image, rgba: &rgba }, params.count, 1)?;
+    Ok(rgba)
+}
+
+fn resolve_params(background: [f64; 3], divide_above: f32, side: u32) -> ResolveParams {
+    let [background_r, background_g, background_b] = background.map(|channel| channel as f32);
+    ResolveParams { side, background_r, background_g, background_b, divide_above }
+}

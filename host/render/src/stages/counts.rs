@@ -1,0 +1,94 @@
+//! How many pairs, members and samples a part has, as numbers that stay on the device.
+
+use std::sync::Arc;
+
+use muslin::count::OVERFLOW;
+use organza_shaders::count::{
+    COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalKernel,
+    RecordTotalParams, SAMPLES,
+};
+
+use super::scan::Mask;
+use muslin_device::{Buffer, Count, Device, Result};
+
+/// How many items the tables of a part have room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Capacity {
+    /// (Gaussian, camera) pairs.
+    pub pairs: u32,
+    /// (Gaussian, tile) memberships.
+    pub members: u32,
+    /// Samples of the transmittance network.
+    pub samples: u32,
+}
+
+impl Capacity {
+    /// What a part needed, from the values of [`PartCounts::counts`]; none if that was more than it had: it is empty.
+    pub(crate) fn needed(counts: &[u32]) -> Option<Self> {
+        let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
+        (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, members, samples })
+    }
+}
+
+/// Numbers that stay on the device: see [`organza_shaders::count`].
+#[derive(Debug)]
+pub struct PartCounts {
+    counts: Arc<Buffer<u32>>,
+    capacity: Capacity,
+}
+
+impl PartCounts {
+    /// No counts yet.
+    pub fn new(device: &Device, capacity: Capacity) -> Result<Self> {
+        Ok(Self { counts: Arc::new(device.zeros("counts", COUNTS as usize)?), capacity })
+    }
+
+    /// Records the total at `last` of exclusive sums as the number at a slot.
+    pub fn record_total(
+        &self,
+        device: &Device,
+        slot: u32,
+        first: &Buffer<u32>,
+        last: usize,
+    ) -> Result<()> {
+        let capacity = self.capacity_for(slot);
+        let params = RecordTotalParams { slot, last: last as u32, capacity };
+        device.run(&RecordTotalKernel { params, first, counts: &*self.counts }, 1, 1)
+    }
+
+    /// Publishes the recorded totals to later dispatches. If one exceeds its capacity, clears the masks and ranges.
+    pub fn clear_on_overflow(
+        &self,
+        device: &Device,
+        masks: [&Mask; 2],
+        ranges: &[&Buffer<u32>],
+    ) -> Result<()> {
+        let of_masks = masks.into_iter().flat_map(|mask| [&mask.bits, &mask.first]);
+        for table in of_masks.chain(ranges.iter().copied()) {
+            let params = ClearOnOverflowParams { len: table.len() as u32 };
+            let kernel = ClearOnOverflowKernel { params, counts: &*self.counts, table };
+            device.run(&kernel, params.len, 1)?;
+        }
+        device.publish_counts();
+        Ok(())
+    }
+
+    /// The number at a slot.
+    pub fn count(&self, slot: u32) -> Count {
+        Count::on_device(&self.counts, slot, self.capacity_for(slot))
+    }
+
+    /// The buffer of the numbers; [`Capacity::needed`] reads its values.
+    pub fn counts(&self) -> &Buffer<u32> {
+        &self.counts
+    }
+
+    fn capacity_for(&self, slot: u32) -> u32 {
+        match slot {
+            PAIRS => self.capacity.pairs,
+            MEMBERS => self.capacity.members,
+            SAMPLES => self.capacity.samples,
+            _ => unreachable!("nothing else is counted"),
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! Cuts a batch into parts that fit the device.
+
+use organza_shaders::limits::{MAX_CAMERAS, MAX_TILES};
+use organza_shaders::project::WINDOW;
+use organza_shaders::tile::Tile as KernelTile;
+
+use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Error, Result};
+use organza_core::tile::{Tile, TileBatch};
+
+/// The memory of one part's tables, unless told otherwise. Parts of this size keep every device busy.
+pub const PART_BYTES: u64 = 512 << 20;
+
+/// One part of a batch: tiles ordered by camera.
+#[derive(Clone, Debug)]
+pub struct PartTiles {
+    pub side: u32,
+    pub tiles: Vec<PlannedTile>,
+}
+
+/// A tile and its place in the batch.
+#[derive(Clone, Copy, Debug)]
+pub struct PlannedTile {
+    pub tile: Tile,
+    pub place: usize,
+    /// The number of its view batch, ascending with the camera.
+    pub view: usize,
+}
+
+/// The tiles of a batch by camera. A view batch has up to `most` of one camera.
+pub fn by_camera(batch: &TileBatch, most: usize) -> Vec<PlannedTile> {
+    let tiles = batch.tiles.iter().enumerate();
+    let mut tiles: Vec<_> =
+        tiles.map(|(place, &tile)| PlannedTile { tile, place, view: 0 }).collect();
+    tiles.sort_by_key(|tile| tile.tile.camera);
+    let of_cameras = tiles.chunk_by_mut(|a, b| a.tile.camera == b.tile.camera);
+    for (view, tiles) in of_cameras.flat_map(|tiles| tiles.chunks_mut(most)).enumerate() {
+        tiles.iter_mut().for_each(|tile| tile.view = view);
+    }
+    tiles
+}
+
+/// Cuts tiles, ordered by camera, into parts with as many of them as fit.
+pub fn cut(
+    scene: &DeviceScene,
+    side: u32,
+    tiles: &[PlannedTile],
+    part_bytes: u64,
+) -> Result<Vec<PartTiles>> {
+    let limits = Limits::new(scene, side, part_bytes)?;
+    let views = tiles.chunk_by(|a, b| a.view == b.view);
+    let mut parts: Vec<PartTiles> = Vec::new();
+    let mut cameras = 0;
+    for view in views.flat_map(|tiles| tiles.chunks(limits.tiles)) {
+        match parts.last_mut() {
+            Some(part)
+                if part.tiles.len() + view.len() <= limits.tiles
+                    && part.tiles[part.tiles.len() - 1].tile.camera != view[0].tile.camera
+                    && cameras < limits.cameras =>
+            {
+                part.tiles.extend(view);
+                cameras += 1;
+            }
+            _ => {
+                parts.push(PartTiles { side, tiles: view.to_vec() });
+                cameras = 1;
+            }
+        }
+    }
+    Ok(parts)
+}
+
+impl PartTiles {
+    /// The parts of a batch.
+    pub fn split(scene: &DeviceScene, batch: &TileBatch, part_bytes: u64) -> Result<Vec<Self>> {
+        cut(scene, batch.side, &by_camera(batch, usize::MAX), part_bytes)
+    }
+
+    /// Pixels of a tile.
+    pub fn area(&self) -> usize {
+        (self.side * self.side) as usize
+    }
+
+    /// The cameras of the part, ascending: their places are the kernels' camera slots.
+    pub fn cameras(&self) -> Vec<usize> {
+        let mut cameras: Vec<_> = self.tiles.iter().map(|tile| tile.tile.camera).collect();
+        cameras.dedup();
+        cameras
+    }
+
+    /// The smallest part of each camera's image that holds its tiles.
+    pub fn windows(&self) -> Vec<[f32; WINDOW]> {
+        let of_camera = |tiles: &[PlannedTile]| {
+            let origins = |axis: usize| tiles.iter().map(move |tile| tile.tile.origin[axis]);
+            let low = |axis| origins(axis).min().unwrap_or(0) as f32;
+            let high = |axis| origins(axis).max().unwrap_or(0) as f32 + self.side as f32;
+            [low(0), low(1), high(0), high(1)]
+        };
+        self.tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera).map(of_camera).collect()
+    }
+
+    /// The tiles as kernels see them, and where each camera's begin.
+    pub fn pack(&self) -> (Vec<i32>, Vec<u32>) {
+        let cameras = self.cameras();
+        let mut packed = Vec::with_capacity(self.tiles.len() * KernelTile::INTEGERS);
+        let mut first_tile = vec![0; cameras.len() + 1];
+        let mut slot = 0;
+        for (index, planned) in self.tiles.iter().enumerate() {
+            if cameras[slot] != planned.tile.camera {
+                slot += 1;
+                first_tile[slot] = index as u32;
+            }
+            let tile = KernelTile {
+                camera: slot as u32,
+                origin: planned.tile.origin,
+                output: index as u32,
+            };
+            packed.extend(tile.pack());
+        }
+        first_tile[cameras.len()] = self.tiles.len() as u32;
+        (packed, first_tile)
+    }
+}
+
+/// The part of a batch's values `[K, len]` that belongs to a part's tiles, in their order.
+pub(crate) fn values_of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec<f32> {
+    tiles.iter().flat_map(|tile| &values[tile.place * len..][..len]).copied().collect()
+}
+
+/// Words of a tile's mask, a bit for each Gaussian.
+pub fn words(gaussians: u32) -> u32 {
+    gaussians.div_ceil(32)
+}
+
+/// The most that a part has.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    pub tiles: usize,
+    cameras: usize,
+}
+
+impl Limits {
+    pub fn new(scene: &DeviceScene, side: u32, part_bytes: u64) -> Result<Self> {
+        let buffer = scene.device().max_buffer_bytes();
+        let gaussians = u64::from(scene.gaussians);
+        // projection: two vectors for each Gaussian and camera; pairs are numbered in 31 bits
+        let camera_bytes = gaussians * 32;
+        let most_cameras =
+            (buffer / camera_bytes).min((1 << 31) / gaussians).min(u64::from(MAX_CAMERAS));
+        let cameras = (part_bytes / camera_bytes).max(1).min(most_cameras);
+        // sums: a vector for each pixel; masks: a word for every 32 Gaussians, at most 2^26 of them; memberships: 31 bits
+        let tile_bytes = u64::from(side * side) * 16;
+        let mask_words = u64::from(words(scene.gaussians));
+        let per_part = part_bytes / (tile_bytes + mask_words * 12);
+        let bound = (buffer / tile_bytes)
+            .min((1 << 26) / mask_words)
+            .min((1 << 31) / gaussians)
+            .min(u64::from(MAX_TILES));
+        if cameras == 0 || bound == 0 {
+            return Err(Error::OutOfMemory {
+                needed: camera_bytes.max(tile_bytes),
+                available: Some(buffer),
+                what: format!("a buffer for one tile of side {side} and {gaussians} Gaussians"),
+            });
+        }
+        Ok(Self { tiles: per_part.max(1).min(bound) as usize, cameras: cameras as usize })
+    }
+}

@@ -1,0 +1,412 @@
+//! Gradients of a scene's tensors, on a device.
+
+use std::ops::Range;
+
+use glam::Vec4;
+use muslin::binned::ROWS;
+use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
+use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
+
+use super::field::hash_grid::HashGridGradient;
+use super::project::POSE;
+use crate::scene::device_scene::DeviceScene;
+use crate::scene::device_shard::DeviceShard;
+use crate::scene::field::DeviceField;
+use crate::scene::packed::unpack;
+use muslin_device::{Buffer, Device};
+use organza_core::error::{Error, Result};
+use organza_core::scene::{FieldTensors, Gaussians, Gradient, SceneConfig, Tensors};
+
+/// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
+pub const GEOMETRY: [&str; 4] =
+    ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
+
+/// Gradients of all tensors of a scene; kernels add to them.
+#[derive(Debug)]
+pub struct SceneGradient {
+    pub(crate) tensors: Tensors<TensorGradient>,
+    /// `[11 N]`: those of [`GEOMETRY`], one after the other.
+    pub(crate) geometry: Buffer<f32>,
+    /// `[N]`: the sum of |dL/dmean2d| over cameras, the cameras that saw the Gaussian, its largest radius in pixels, 0.
+    pub statistics: Buffer<Vec4>,
+    /// The statistics as they were when the step began.
+    statistics_before: Buffer<Vec4>,
+    pub(crate) color: FieldGradient,
+    pub(crate) transmittance: FieldGradient,
+    /// Whether the transmittance field and the extra vectors are wanted at all.
+    pub has_transmittance: bool,
+    /// Those of the cameras' poses, where they are wanted.
+    pub(crate) poses: Option<BinnedGradient>,
+}
+
+/// The gradient of one tensor, in the order of the tensor's values: a range of a buffer.
+#[derive(Debug)]
+pub struct TensorGradient {
+    /// Several tensors can share a buffer.
+    pub buffer: Buffer<f32>,
+    /// The tensor's values in the buffer.
+    pub range: Range<usize>,
+    /// For a hash grid, one flag per block of 64 values: the optimizer skips blocks whose flag is 0.
+    pub touched: Option<Buffer<u32>>,
+}
+
+/// Gradients of a hash grid and its network.
+#[derive(Debug)]
+pub struct FieldGradient {
+    /// Packed as [`DeviceField::parameters`].
+    pub network: BinnedGradient,
+    /// Of the hash grid's table.
+    pub table: HashGridGradient,
+}
+
+impl SceneGradient {
+    /// Zeros, for a scene.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] where the scene's grids or networks are halves; as [`Device::zeros`].
+    pub fn new(device: &Device, scene: &DeviceScene) -> Result<Self> {
+        scene.require_gradients()?;
+        let color = FieldGradient::new(device, &scene.color)?;
+        let transmittance = FieldGradient::new(device, &scene.transmittance)?;
+        Self::with_fields(device, scene, color, transmittance)
+    }
+
+    /// Zeros, for other Gaussians of the same fields and cameras, whose gradients are those of this.
+    pub(crate) fn zeros_for_block(&self, device: &Device, block: &DeviceScene) -> Result<Self> {
+        let fields = [&self.color, &self.transmittance].map(FieldGradient::view);
+        let [color, transmittance] = fields;
+        let mut gradient = Self::with_fields(device, block, color, transmittance)?;
+        gradient.has_transmittance = self.has_transmittance;
+        gradient.poses = self.poses.as_ref().map(BinnedGradient::view);
+        Ok(gradient)
+    }
+
+    fn with_fields(
+        device: &Device,
+        scene: &DeviceScene,
+        color: FieldGradient,
+        transmittance: FieldGradient,
+    ) -> Result<Self> {
+        const LABEL: &str = "gradient of the Gaussians";
+        let of_scene = || scene.tensors.iter().filter(|(name, _)| GEOMETRY.contains(name));
+        let geometry = device.zeros(LABEL, of_scene().map(|(_, values)| values.len()).sum())?;
+        let mut end = 0;
+        let gaussians = scene.tensors.gaussians.as_ref().try_map(|name, values| {
+            let len = values.len();
+            if !GEOMETRY.contains(&name) {
+                return Ok(TensorGradient::whole(device.zeros(LABEL, len)?, None));
+            }
+            let range = end..end + len;
+            end += len;
+            Ok::<_, Error>(TensorGradient { buffer: geometry.view(), range, touched: None })
+        })?;
+        Ok(Self {
+            tensors: Tensors {
+                gaussians,
+                color: color.tensors(),
+                transmittance: transmittance.tensors(),
+            },
+            geometry,
+            statistics: device.zeros("statistics", scene.len())?,
+            statistics_before: device.zeros("statistics before", scene.len())?,
+            color,
+            transmittance,
+            has_transmittance: true,
+            poses: None,
+        })
+    }
+
+    /// The same with the gradients of the poses of `cameras`: all that a batch may show.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::zeros`].
+    pub fn with_poses(mut self, device: &Device, cameras: usize) -> Result<Self> {
+        let label = "gradients of poses";
+        self.poses = Some(BinnedGradient::new(device, label, POSE * cameras)?);
+        Ok(self)
+    }
+
+    /// The gradients of the cameras' poses `[cameras, 6]`, where they are wanted. Waits for the device.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::read`].
+    pub fn read_poses(&self, device: &Device) -> Result<Vec<[f32; POSE]>> {
+        let Some(poses) = &self.poses else { return Ok(Vec::new()) };
+        Ok(device.read(&poses.values)?.as_chunks().0.to_vec())
+    }
+
+    /// Every tensor's gradient.
+    #[must_use]
+    pub fn tensors(&self) -> &Tensors<TensorGradient> {
+        &self.tensors
+    }
+
+    /// Looks whether every gradient of a hash grid was a number.
+    ///
+    /// # Errors
+    /// [`Error::Diverged`] where one was not; as [`Device::read`].
+    pub fn check(&self, device: &Device) -> Result<()> {
+        for (name, field) in [("color", &self.color), ("transmittance", &self.transmittance)] {
+            if device.read(&field.table.status)?[0] != 0 {
+                let reason = format!("a gradient of the {name} field is NaN or infinite");
+                return Err(Error::Diverged { reason });
+            }
+        }
+        Ok(())
+    }
+
+    /// Zeros, as [`SceneGradient::new`] makes them.
+    pub fn clear(&self, device: &Device) {
+        device.clear(&self.statistics);
+        self.snapshot(device);
+        self.rollback(device);
+        for field in [&self.color, &self.transmittance] {
+            device.clear(&field.table.status);
+        }
+    }
+
+    /// Makes gradients of all sums, and clears these.
+    pub(crate) fn finish(&self, device: &Device) -> Result<()> {
+        for field in [&self.color, &self.transmittance] {
+            field.table.finish(device)?;
+            field.network.finish(device)?;
+        }
+        Ok(self.poses.iter().try_for_each(|poses| poses.finish(device))?)
+    }
+
+    /// A step begins.
+    pub(crate) fn snapshot(&self, device: &Device) {
+        device.copy(&self.statistics, &self.statistics_before);
+    }
+
+    /// As it was when the step began.
+    pub fn rollback(&self, device: &Device) {
+        device.copy(&self.statistics_before, &self.statistics);
+        self.tensors.iter().for_each(|(_, tensor)| device.clear(&tensor.buffer));
+        for field in [&self.color, &self.transmittance] {
+            field.table.clear(device);
+            field.network.clear(device);
+        }
+        self.clear_poses(device);
+    }
+
+    /// Clears the gradients of the cameras' poses.
+    pub fn clear_poses(&self, device: &Device) {
+        self.poses.iter().for_each(|poses| poses.clear(device));
+    }
+
+    /// Clears what says which blocks of the tables have a gradient: for the next step.
+    pub fn clear_touched(&self, device: &Device) {
+        let touched = self.tensors.iter().filter_map(|(_, tensor)| tensor.touched.as_ref());
+        touched.for_each(|touched| device.clear(touched));
+    }
+
+    /// The gradient on the host; `config` and `len` are those of the scene.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::read`].
+    pub fn download(&self, device: &Device, config: &SceneConfig, len: usize) -> Result<Gradient> {
+        let read = |tensor: &TensorGradient, values: &mut [f32]| {
+            device.read_into(&tensor.buffer, tensor.range.start, values)
+        };
+        Ok(Gradient::new(unpack(config, len, self.tensors.as_ref(), read)?))
+    }
+}
+
+/// Gradients of the tensors of a shard, or of a whole scene; kernels add to them.
+#[derive(Debug)]
+pub struct ShardGradient {
+    /// Those of the fields.
+    pub fields: SceneGradient,
+    /// Those of each block's Gaussians; those of the fields are the same, on the same memory.
+    pub blocks: Vec<SceneGradient>,
+}
+
+impl ShardGradient {
+    /// Zeros for a shard's Gaussians; `fields` are the gradients of [`DeviceShard::fields`].
+    pub fn new(device: &Device, shard: &DeviceShard, fields: SceneGradient) -> Result<Self> {
+        Self::of_blocks(device, shard.blocks(), fields)
+    }
+
+    /// Zeros for blocks of Gaussians.
+    pub(crate) fn of_blocks(
+        device: &Device,
+        blocks: &[DeviceScene],
+        fields: SceneGradient,
+    ) -> Result<Self> {
+        let of_blocks = blocks.iter().map(|block| fields.zeros_for_block(device, block));
+        Ok(Self { blocks: of_blocks.collect::<Result<_>>()?, fields })
+    }
+
+    /// Zeros for the Gaussians that a shard has now.
+    pub fn replace_gaussians(&mut self, device: &Device, shard: &DeviceShard) -> Result<()> {
+        // not both at once
+        self.blocks.clear();
+        for block in shard.blocks() {
+            self.blocks.push(self.fields.zeros_for_block(device, block)?);
+        }
+        Ok(())
+    }
+
+    /// The gradient on the host; `config` is that of the scene.
+    pub(crate) fn download(&self, device: &Device, config: &SceneConfig) -> Result<Gradient> {
+        let mut values = self.fields.download(device, config, 1)?.into_values();
+        let len = self.blocks.iter().map(|block| block.statistics.len()).sum();
+        values.gaussians = Gaussians::zeros(config, len)?;
+        let mut rest = values.gaussians.tensors_mut();
+        for block in &self.blocks {
+            rest = rest.zip(block.tensors.gaussians.as_ref()).try_map(|_, (values, source)| {
+                let (values, after) = values.split_at_mut(source.range.len());
+                source.read_into(device, values)?;
+                Ok::<_, Error>(after)
+            })?;
+        }
+        Ok(Gradient::new(values))
+    }
+
+    /// Like [`SceneGradient::rollback`].
+    pub fn rollback(&self, device: &Device) {
+        GradientBlocks::from(self).rollback(device);
+    }
+}
+
+/// Gradients of all tensors of a scene, as a batch adds to them.
+#[derive(Clone, Copy, Debug)]
+pub struct GradientBlocks<'a> {
+    pub(crate) fields: &'a SceneGradient,
+    pub(crate) blocks: &'a [SceneGradient],
+}
+
+impl<'a> From<&'a SceneGradient> for GradientBlocks<'a> {
+    fn from(gradient: &'a SceneGradient) -> Self {
+        Self { fields: gradient, blocks: std::slice::from_ref(gradient) }
+    }
+}
+
+impl<'a> From<&'a ShardGradient> for GradientBlocks<'a> {
+    fn from(gradient: &'a ShardGradient) -> Self {
+        Self { fields: &gradient.fields, blocks: &gradient.blocks }
+    }
+}
+
+impl GradientBlocks<'_> {
+    /// A step begins.
+    pub(crate) fn snapshot(self, device: &Device) {
+        self.blocks.iter().for_each(|gradient| gradient.snapshot(device));
+    }
+
+    /// Like [`SceneGradient::rollback`].
+    pub(crate) fn rollback(self, device: &Device) {
+        self.blocks.iter().chain([self.fields]).for_each(|gradient| gradient.rollback(device));
+    }
+}
+
+impl TensorGradient {
+    fn whole(buffer: Buffer<f32>, touched: Option<Buffer<u32>>) -> Self {
+        Self { range: 0..buffer.len(), buffer, touched }
+    }
+
+    /// The gradient's values.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::read`].
+    pub fn read(&self, device: &Device) -> Result<Vec<f32>> {
+        Ok(device.read_range(&self.buffer, self.range.start, self.range.len())?)
+    }
+
+    /// Reads the gradient's values into memory of the caller's. Those of a network are as on a device, see
+    /// [`SceneGradient::download`].
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::read`].
+    pub fn read_into(&self, device: &Device, values: &mut [f32]) -> Result<()> {
+        self.check_len(values.len())?;
+        Ok(device.read_into(&self.buffer, self.range.start, values)?)
+    }
+
+    /// Replaces the gradient's values. Sets the flags of a hash grid's blocks that are not all zero.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] if the number of values differs from the tensor's; as [`Device::write`].
+    pub fn write(&self, device: &Device, values: &[f32]) -> Result<()> {
+        self.check_len(values.len())?;
+        device.write(&self.buffer, self.range.start, values)?;
+        let Some(touched) = &self.touched else { return Ok(()) };
+        let mut flags = device.read(touched)?;
+        for (flag, block) in flags.iter_mut().zip(values.chunks(VALUES_PER_FLAG as usize)) {
+            *flag |= u32::from(block.iter().any(|&value| value != 0.0));
+        }
+        Ok(device.write(touched, 0, &flags)?)
+    }
+
+    fn check_len(&self, found: usize) -> Result<()> {
+        let expected = self.range.len();
+        if found == expected {
+            return Ok(());
+        }
+        let reason = format!("found {found} values for a gradient, expected {expected}");
+        Err(Error::Argument { reason })
+    }
+}
+
+impl FieldGradient {
+    fn new(device: &Device, field: &DeviceField) -> Result<Self> {
+        let values = 4 * field.parameters.len();
+        Ok(Self {
+            network: BinnedGradient::new(device, "gradient of a network", values)?,
+            table: HashGridGradient::new(device, field)?,
+        })
+    }
+
+    /// The same gradient, on the same memory.
+    fn view(&self) -> Self {
+        Self { network: self.network.view(), table: self.table.view() }
+    }
+
+    fn tensors(&self) -> FieldTensors<TensorGradient> {
+        let touched = Some(self.table.touched.view());
+        FieldTensors {
+            grid: TensorGradient::whole(self.table.gradient.view(), touched),
+            network: TensorGradient::whole(self.network.values.view(), None),
+        }
+    }
+}
+
+/// A gradient, and the [binned](muslin::binned) sums that become part of it.
+#[derive(Debug)]
+pub struct BinnedGradient {
+    /// [`BinnedGradient::finish`] adds to it.
+    pub values: Buffer<f32>,
+    /// `[17, values, 2]`: 64-bit integers, the low word first; kernels add to them.
+    pub sum: Buffer<u32>,
+}
+
+impl BinnedGradient {
+    /// Zeros.
+    pub fn new(device: &Device, label: &'static str, values: usize) -> muslin_device::Result<Self> {
+        let sum = device.zeros("sums of a gradient", 2 * ROWS as usize * values)?;
+        Ok(Self { values: device.zeros(label, values)?, sum })
+    }
+
+    /// The same gradient, on the same memory.
+    pub fn view(&self) -> Self {
+        Self { values: self.values.view(), sum: self.sum.view() }
+    }
+
+    /// Adds the sums to the gradient, and clears them.
+    pub fn finish(&self, device: &Device) -> muslin_device::Result<()> {
+        let values = self.values.len() as u32;
+        let kernel = BinnedGradientKernel {
+            params: BinnedGradientParams { values },
+            sum: &self.sum,
+            gradient: &self.values,
+        };
+        device.run(&kernel, values, 1)
+    }
+
+    /// Zeros, as in the beginning.
+    pub fn clear(&self, device: &Device) {
+        device.clear(&self.values);
+        device.clear(&self.sum);
+    }
+}

@@ -1,0 +1,17 @@
+//! The stages from Gaussians to pixels, one file each: a stage's derivative is in its file.
+
+pub mod channels;
+pub mod color;
+pub mod composite;
+pub mod counts;
+pub mod cut;
+pub mod distortion;
+pub mod exposure;
+pub mod field;
+pub mod gradient;
+pub mod loss;
+pub mod pairs;
+pub mod project;
+pub mod scan;
+pub mod tiles;
+pub mod transmittance;

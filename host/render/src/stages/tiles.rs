@@ -1,0 +1,192 @@
+//! Which Gaussians each tile needs, in ascending order.
+
+use glam::Vec4;
+use organza_shaders::count::{MEMBERS, PAIRS, SAMPLES};
+use organza_shaders::tile::{
+    TileFillKernel, TileFillParams, TileMaskKernel, TileMaskParams, TileRangeKernel,
+    TileRangeParams,
+};
+
+use super::counts::{Capacity, PartCounts};
+use super::cut::{PartTiles, words};
+use super::pairs::{Pairs, fill_pairs, pair_mask, view_ends};
+use super::project::project;
+use super::scan::Mask;
+use crate::scene::device_scene::DeviceScene;
+use muslin_device::{Buffer, Count, Device, Result};
+use organza_core::camera::Camera;
+
+/// Which pairs each tile sums up.
+#[derive(Debug)]
+pub struct Bins {
+    pub pairs: Pairs,
+    /// The cameras' places in the list that the batch's tiles name them by.
+    pub cameras: Vec<u32>,
+    pub tiles: u32,
+    pub tile: Buffer<i32>,
+    /// Where each camera's tiles begin.
+    pub first_tile: Buffer<u32>,
+    /// `[tiles, words]`: the Gaussians that reach each tile.
+    pub tile_mask: Mask,
+    /// `[cameras, words]`: the Gaussians that each camera's tiles need.
+    pub pair_mask: Mask,
+    /// Where each tile's members begin.
+    pub tile_first: Buffer<u32>,
+    /// Indices of pairs.
+    pub member: Buffer<u32>,
+    /// Memberships of all tiles.
+    pub members: Count,
+    /// Members of the fullest tile, or more.
+    pub largest: u32,
+    /// Where the host does not know how many there are.
+    pub part_counts: Option<PartCounts>,
+    /// Gaussians that could not be projected.
+    pub degenerate: Buffer<u32>,
+}
+
+/// Which Gaussians reach which tiles (Eq. 15): `[tiles, words]`.
+fn tile_mask(
+    device: &Device,
+    params: TileMaskParams,
+    tile: &Buffer<i32>,
+    tiles: u32,
+    projection: &Buffer<Vec4>,
+) -> Result<Mask> {
+    let len = (tiles * params.words) as usize;
+    let mask = device.unwritten("tile masks", len)?;
+    let count = device.unwritten("member counts", len)?;
+    let kernel = TileMaskKernel { params, tile, projection, mask: &mask, count: &count };
+    device.run(&kernel, params.words, tiles)?;
+    Mask::new(device, mask, &count)
+}
+
+/// How many pairs and members there are.
+struct Numbers {
+    pairs: Count,
+    members: Count,
+    /// Members of the fullest tile, or more.
+    largest: u32,
+    tally: Option<PartCounts>,
+}
+
+impl Numbers {
+    /// Waits for the device: a number for each tile, and one.
+    fn read(device: &Device, pair_mask: &Mask, tile_first: &Buffer<u32>) -> Result<Self> {
+        let first = device.read(tile_first)?;
+        let pairs = device.read_range(&pair_mask.first, pair_mask.bits.len(), 1)?[0];
+        let members = first.windows(2).map(|range| range[1] - range[0]);
+        Ok(Self {
+            pairs: Count::known(pairs),
+            members: Count::known(first[first.len() - 1]),
+            largest: members.max().unwrap_or(0),
+            tally: None,
+        })
+    }
+
+    /// Leaves the counts on the device; if they exceed `capacity`, the bins are empty.
+    fn keep(
+        device: &Device,
+        pair_mask: &Mask,
+        tile_mask: &Mask,
+        tile_first: &Buffer<u32>,
+        gaussians: u32,
+        capacity: Capacity,
+    ) -> Result<Self> {
+        let tally = PartCounts::new(device, capacity)?;
+        tally.record_total(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
+        tally.record_total(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
+        tally.clear_on_overflow(device, [pair_mask, tile_mask], &[tile_first])?;
+        let pairs = tally.count(PAIRS);
+        let members = tally.count(MEMBERS);
+        let largest = members.upper_bound().min(gaussians);
+        Ok(Self { pairs, members, largest, tally: Some(tally) })
+    }
+}
+
+impl Bins {
+    /// With a `capacity`, nothing waits. Without one, waits for the counts and has room for everything.
+    pub fn new(
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        plan: &PartTiles,
+        capacity: Option<Capacity>,
+    ) -> Result<Self> {
+        let device = scene.device();
+        let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
+        let (camera, projection, degenerate) = project(device, scene, &used, &plan.windows())?;
+        let (packed, first_tile) = plan.pack();
+        let tile = device.upload("tiles", &packed)?;
+        let first_tile = device.upload("first tiles", &first_tile)?;
+        let tiles = plan.tiles.len() as u32;
+        let slots = used.len() as u32;
+        let gaussians = scene.gaussians;
+        let words = words(scene.gaussians);
+
+        let params = TileMaskParams { gaussians, words, side: plan.side };
+        let tile_mask = tile_mask(device, params, &tile, tiles, &projection)?;
+        let pair_mask = pair_mask(device, words, slots, &first_tile, &tile_mask)?;
+
+        let tile_first = device.unwritten("tile members", tiles as usize + 1)?;
+        let params = TileRangeParams { tiles, words };
+        let kernel =
+            TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
+        device.run(&kernel, tiles + 1, 1)?;
+        let numbers = match capacity {
+            None => Numbers::read(device, &pair_mask, &tile_first)?,
+            Some(capacity) => {
+                Numbers::keep(device, &pair_mask, &tile_mask, &tile_first, gaussians, capacity)?
+            }
+        };
+        let Numbers { pairs: count, members, largest, tally } = numbers;
+
+        let pair = fill_pairs(scene, slots, &pair_mask, &count)?;
+        let member = device.unwritten("members", members.upper_bound() as usize)?;
+        let kernel = TileFillKernel {
+            params: TileFillParams { words },
+            tile: &tile,
+            tile_mask: &tile_mask.bits,
+            first_member: &tile_mask.first,
+            pair_mask: &pair_mask.bits,
+            first_pair: &pair_mask.first,
+            member: &member,
+        };
+        device.run(&kernel, words, tiles)?;
+        let view_ends = match device.backend() {
+            "cpu" => view_ends(device, &pair_mask, slots, words)?,
+            _ => Vec::new(),
+        };
+        let pairs = Pairs { count, pair, camera, projection, view_ends };
+        let cameras = plan.cameras().into_iter().map(|index| index as u32).collect();
+        Ok(Self {
+            pairs,
+            cameras,
+            tiles,
+            tile,
+            first_tile,
+            tile_mask,
+            pair_mask,
+            tile_first,
+            member,
+            members,
+            largest,
+            part_counts: tally,
+            degenerate,
+        })
+    }
+
+    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`.
+    pub fn count_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
+        let Some(tally) = &self.part_counts else {
+            return self.pairs.read_samples(device, first_sample);
+        };
+        tally.record_total(
+            device,
+            SAMPLES,
+            first_sample,
+            self.pairs.count.upper_bound() as usize,
+        )?;
+        let ranges = [&self.tile_first, first_sample];
+        tally.clear_on_overflow(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
+        Ok(tally.count(SAMPLES))
+    }
+}

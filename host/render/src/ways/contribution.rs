@@ -1,0 +1,203 @@
+//! The contribution of each Gaussian to whole views.
+//!
+//! A pixel is a sum, so the part of a Gaussian in it is exact: `alpha / max(S, 1)` (Eq. 12 and 13). Its sum over a view's
+//! pixels is a gradient. With dL/dI = (1, 0, 0) at each pixel, dL/d(red of the Gaussian) is that sum. So the kernels of
+//! training compute it.
+
+use std::slice::from_ref;
+
+use organza_shaders::splat::VECTORS;
+use rayon::prelude::*;
+
+use super::leakage::{OPEN, SURFACE};
+use super::members::{Member, Members, depths, surface};
+use crate::pass::part::{Part, TileGradient};
+use crate::pass::renderer::Renderer;
+use crate::scene::device_scene::DeviceScene;
+use crate::stages::cut::PartTiles;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::image::{TILE_SIDE, bands};
+use organza_core::tile::Tile;
+
+/// Surfaces are found at every fourth pixel of every fourth row.
+const STRIDE: i32 = 4;
+
+/// The contributions of a scene's Gaussians to some views.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contributions {
+    /// `[N]`
+    sums: Vec<Sums>,
+}
+
+/// Sums of one Gaussian.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Sums {
+    /// Of `alpha / max(S, 1)`, over all pixels of all views.
+    pixels: f64,
+    /// Of the squares of what each view has of `pixels`.
+    squares: f64,
+    /// Like `pixels`, over the pixels whose surface was looked for.
+    measured: f64,
+    /// The part of `measured` that lies in front of the surface.
+    in_front: f64,
+}
+
+impl Contributions {
+    /// Those of a number of Gaussians to no view.
+    #[must_use]
+    pub fn new(gaussians: usize) -> Self {
+        Self { sums: vec![Sums::default(); gaussians] }
+    }
+
+    /// The contribution of a Gaussian, in pixels: 2.5 is as much as all of two pixels and half of a third.
+    #[must_use]
+    pub fn pixels(&self, gaussian: usize) -> f64 {
+        self.sums[gaussian].pixels
+    }
+
+    /// The number of views that see a Gaussian. A view counts in full if none shows more of it: the number is
+    /// `(sum of c)^2 / (sum of c^2)` for the contributions c to each view.
+    #[must_use]
+    pub fn views(&self, gaussian: usize) -> f64 {
+        let Sums { pixels, squares, .. } = self.sums[gaussian];
+        if squares > 0.0 { pixels * pixels / squares } else { 0.0 }
+    }
+
+    /// The share of a Gaussian's contribution that is in front of surfaces, 0 to 1: more than 12% nearer than the median
+    /// depth of the pixel's weights. Pixels with S < 0.98 show the background and do not count. 0 if it was not measured.
+    #[must_use]
+    pub fn in_front(&self, gaussian: usize) -> f64 {
+        let Sums { measured, in_front, .. } = self.sums[gaussian];
+        if measured > 0.0 { in_front / measured } else { 0.0 }
+    }
+
+    /// Adds what a view has.
+    fn add(&mut self, view: &[Sums]) {
+        for (sum, view) in self.sums.iter_mut().zip(view) {
+            sum.pixels += view.pixels;
+            sum.squares += view.pixels * view.pixels;
+            sum.measured += view.measured;
+            sum.in_front += view.in_front;
+        }
+    }
+}
+
+impl Renderer {
+    /// Adds what each Gaussian contributes to a view: to all of its pixels. With `surfaces`, also how much of that is in
+    /// front of surfaces, at every fourth pixel of every fourth row.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`].
+    ///
+    /// # Panics
+    /// If `contributions` are those of another number of Gaussians.
+    pub fn add_contributions(
+        &self,
+        scene: &DeviceScene,
+        camera: &Camera,
+        surfaces: bool,
+        contributions: &mut Contributions,
+    ) -> Result<()> {
+        assert_eq!(contributions.sums.len(), scene.len(), "contributions of another scene");
+        let position = self.device().read(&scene.tensors.gaussians.position)?;
+        let depths = surfaces.then(|| depths(&position, camera));
+        let mut view = vec![Sums::default(); scene.len()];
+        for batch in bands(0, [camera.width, camera.height], TILE_SIDE) {
+            let batch = batch?;
+            batch.validate(from_ref(camera))?;
+            let pass = self.pass(scene, from_ref(camera));
+            let mut parts = pass.cut(&batch)?;
+            pass.visit(&mut parts, |part, _| {
+                let found = self.part_sums(scene, camera, &part.plan, depths.as_deref())?;
+                for (gaussian, sums) in found {
+                    let sum = &mut view[gaussian];
+                    sum.pixels += sums.pixels;
+                    sum.measured += sums.measured;
+                    sum.in_front += sums.in_front;
+                }
+                Ok(true)
+            })?;
+        }
+        contributions.add(&view);
+        Ok(())
+    }
+
+    /// The sums of a part's pixels for each Gaussian. A Gaussian can be there several times.
+    fn part_sums(
+        &self,
+        scene: &DeviceScene,
+        camera: &Camera,
+        plan: &PartTiles,
+        depths: Option<&[f64]>,
+    ) -> Result<Vec<(usize, Sums)>> {
+        let device = self.device();
+        let grad_tiles = device.upload("red of the pixels", &red(camera, plan))?;
+        let red = TileGradient { grad_tiles, distortion: None };
+        let (part, gradient) = device.run_in_pool(|| {
+            let part = Part::evaluate(scene, from_ref(camera), plan, false, None)?;
+            let gradient = part.pair_gradient(scene, plan.side, &red)?;
+            Ok::<_, organza_core::Error>((part, gradient))
+        })?;
+        let members = Members::read(device, &part)?;
+        let gradient = device.read(&gradient)?;
+        // a pair's third vector has the gradient of its color
+        let colors = gradient.chunks_exact(VECTORS as usize).map(|vectors| f64::from(vectors[2].x));
+        let sums = colors.map(|pixels| Sums { pixels, ..Sums::default() });
+        let gaussians = members.pair.iter().map(|&gaussian| gaussian as usize);
+        let mut found: Vec<_> = gaussians.zip(sums).collect();
+        if let Some(depths) = depths {
+            let tiles = plan.tiles.par_iter().enumerate();
+            let tiles = tiles.map(|(index, planned)| {
+                let pixels = spaced(planned.tile, plan.side, camera);
+                let pixels = pixels.flat_map(|pixel| in_pixel(members.at(index, pixel, depths)));
+                pixels.collect::<Vec<_>>()
+            });
+            found.extend(tiles.flatten().collect::<Vec<_>>());
+        }
+        Ok(found)
+    }
+}
+
+/// dL/dI `[tiles, 3, S, S]`: 1 in the red channel of pixels inside the image, 0 elsewhere.
+fn red(camera: &Camera, plan: &PartTiles) -> Vec<f32> {
+    let side = plan.side as i32;
+    let area = (side * side) as usize;
+    let mut red = vec![0.0; plan.tiles.len() * 3 * area];
+    for (tile, planes) in plan.tiles.iter().zip(red.chunks_mut(3 * area)) {
+        let [left, top] = tile.tile.origin;
+        let columns = side.min(camera.width as i32 - left) as usize;
+        let rows = side.min(camera.height as i32 - top) as usize;
+        planes[..area]
+            .chunks_mut(side as usize)
+            .take(rows)
+            .for_each(|row| row[..columns].fill(1.0));
+    }
+    red
+}
+
+/// The pixels of a tile whose surface is looked for.
+fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 2]> {
+    let along = move |axis: usize, size: u32| {
+        let first = tile.origin[axis];
+        (first..size.min(first as u32 + side) as i32).filter(|at| at % STRIDE == STRIDE / 2)
+    };
+    let [width, height] = [camera.width, camera.height];
+    along(1, height).flat_map(move |y| along(0, width).map(move |x| [x, y]))
+}
+
+/// The contributions of Gaussians to a pixel, and whether they are in front of its surface.
+fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, Sums)> {
+    let Some((surface, sum)) = surface(&mut members) else { return Vec::new() };
+    if sum < OPEN {
+        // it shows the background
+        return Vec::new();
+    }
+    let of_member = |member: &Member| {
+        let measured = member.weight / sum.max(1.0);
+        let is_in_front = member.depth < (1.0 - SURFACE) * surface;
+        let in_front = if is_in_front { measured } else { 0.0 };
+        (member.gaussian, Sums { measured, in_front, ..Sums::default() })
+    };
+    members.iter().map(of_member).collect()
+}

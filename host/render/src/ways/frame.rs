@@ -1,0 +1,105 @@
+//! One frame of one camera, as a plan that something else runs: a page in a browser.
+
+use crate::pass::part::Part;
+use crate::pass::renderer::Renderer;
+use crate::scene::device_scene::DeviceScene;
+use crate::stages::counts::Capacity;
+use crate::stages::cut::{PartTiles, PlannedTile};
+use crate::stages::tiles::Bins;
+use crate::stages::transmittance::segments;
+use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
+use organza_core::error::Result;
+use organza_core::tile::{Tile, TileBatch};
+
+/// The parts that all frames of a plan share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrameShape {
+    /// Tiles of a frame at most. Those that a frame does not need are far outside of its image.
+    pub tiles: u32,
+    /// Side of a tile, in pixels.
+    pub side: u32,
+    /// The length of T's steps in multiples of sigma, Eq. 8.
+    pub steps: u16,
+    /// The room in the tables. A frame that needs more comes out empty, and its counts say so.
+    pub capacity: Capacity,
+}
+
+/// A frame that a [planner](muslin_device::Device::planner) has written down, and the numbers of the buffers that whoever runs
+/// it writes and reads.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Buffers and steps.
+    pub plan: muslin_device::Plan,
+    /// `[18]`: the camera, as [`organza_shaders::camera::Camera`] packs it.
+    pub camera: u32,
+    /// `[tiles, 4]`: as [`organza_shaders::tile::Tile`] packs them.
+    pub tiles: u32,
+    /// The room that the frame needed: the flag of an overflow, pairs, members and samples.
+    pub counts: u32,
+    /// `[tiles, 3, S, S]`
+    pub image: u32,
+}
+
+impl Renderer {
+    /// The room that an image of a camera needs in tiles of a side, with each of some [steps](FrameShape::steps).
+    pub fn capacities(
+        &self,
+        scene: &DeviceScene,
+        camera: &Camera,
+        side: u32,
+        steps: &[u16],
+    ) -> Result<Vec<Capacity>> {
+        let batch = TileBatch::cover(0, camera.width, camera.height, side)?;
+        let mut needed = vec![Capacity { pairs: 0, members: 0, samples: 0 }; steps.len()];
+        for plan in PartTiles::split(scene, &batch, self.part_bytes())? {
+            let device = self.device();
+            let camera = std::slice::from_ref(camera);
+            let bins = Bins::new(scene, camera, &plan, None)?;
+            let pairs = bins.pairs.count.upper_bound();
+            let members = bins.members.upper_bound();
+            for (&steps, needed) in steps.iter().zip(&mut needed) {
+                let scene = &scene.with_ray_steps(steps.into());
+                let (_, first_sample) = segments(scene, &bins.pairs)?;
+                let samples = bins.pairs.read_samples(device, &first_sample)?.upper_bound();
+                *needed = Capacity {
+                    // what parts have in common is counted once for each: that is room to spare
+                    pairs: needed.pairs.saturating_add(pairs).min(scene.gaussians),
+                    members: needed.members.saturating_add(members),
+                    samples: needed.samples.saturating_add(samples),
+                };
+            }
+        }
+        Ok(needed)
+    }
+
+    /// Writes down a frame. The renderer's device is a planner.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) if a table is larger than a browser can bind.
+    pub fn plan_frame(&self, scene: &DeviceScene, shape: &FrameShape) -> Result<Frame> {
+        let device = self.device();
+        // of what a mistake before may have left
+        drop(device.take_plan());
+        // Whoever runs it puts the others anywhere to the right and below: no Gaussian of those is to be left out.
+        let origin = |place| if place == 0 { [0, 0] } else { [MAX_IMAGE_SIDE as i32; 2] };
+        let tile =
+            |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place, view: 0 };
+        let plan =
+            PartTiles { side: shape.side, tiles: (0..shape.tiles as usize).map(tile).collect() };
+        let eye = [0.0, -1.0, 0.0];
+        let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;
+        let camera = std::slice::from_ref(&camera);
+        let scene = &scene.with_ray_steps(shape.steps.into());
+        let part = Part::evaluate(scene, camera, &plan, false, Some(shape.capacity))?;
+        let bins = &part.bins;
+        let counts = bins.part_counts.as_ref().expect("there is a capacity").counts().planned();
+        let number = |buffer: Option<u32>| buffer.expect("the device is a planner");
+        Ok(Frame {
+            camera: number(bins.pairs.camera.planned()),
+            tiles: number(bins.tile.planned()),
+            counts: number(counts),
+            image: number(part.composite.image.planned()),
+            plan: device.take_plan(),
+        })
+    }
+}

@@ -1,0 +1,77 @@
+//! The Gaussians of single pixels, as the host sees them.
+
+use glam::Vec4;
+use organza_shaders::composite::{alpha, splat_distance};
+use organza_shaders::project::in_support;
+use organza_shaders::splat::VECTORS;
+use organza_shaders::tile::Tile as KernelTile;
+
+use crate::pass::part::Part;
+use muslin_device::Device;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+
+/// A Gaussian that reaches a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Member {
+    pub gaussian: usize,
+    /// Along the camera's axis, in world units.
+    pub depth: f64,
+    /// alpha of Eq. 12
+    pub weight: f64,
+}
+
+/// The splats and tiles of a part, for the members of its pixels; all of one camera.
+#[derive(Debug)]
+pub struct Members {
+    /// `[pairs]`: with one camera, these are Gaussians.
+    pub pair: Vec<u32>,
+    first: Vec<u32>,
+    member: Vec<u32>,
+    splat: Vec<Vec4>,
+}
+
+impl Members {
+    pub fn read(device: &Device, part: &Part) -> Result<Self> {
+        Ok(Self {
+            pair: device.read(&part.bins.pairs.pair)?,
+            first: device.read(&part.bins.tile_first)?,
+            member: device.read(&part.bins.member)?,
+            splat: device.read(&part.composite.splat)?,
+        })
+    }
+
+    /// Those that reach a pixel of the image, in the part's tile with this index. `depths [N]` are those of all Gaussians.
+    pub fn at(&self, tile: usize, pixel: [i32; 2], depths: &[f64]) -> Vec<Member> {
+        let square = KernelTile { camera: 0, origin: pixel, output: 0 };
+        let center = square.pixel_center(0, 0);
+        let range = self.first[tile] as usize..self.first[tile + 1] as usize;
+        let reaching = |&member: &u32| {
+            let at = member as usize * VECTORS as usize;
+            let q = splat_distance(self.splat[at], self.splat[at + 1], center.x, center.y);
+            let gaussian = self.pair[member as usize] as usize;
+            let weight = f64::from(alpha(self.splat[at], q));
+            in_support(q).then(|| Member { gaussian, depth: depths[gaussian], weight })
+        };
+        self.member[range].iter().filter_map(reaching).collect()
+    }
+}
+
+/// The depth of a pixel's surface, the median of its weights: Gaussians with half of the weight are nearer. And S, the sum of
+/// the weights. Sorts the members by depth. None without any weight.
+pub fn surface(members: &mut [Member]) -> Option<(f64, f64)> {
+    members.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+    let sum: f64 = members.iter().map(|member| member.weight).sum();
+    let mut before = 0.0;
+    let half = members.iter().find(|member| {
+        before += member.weight;
+        before >= 0.5 * sum
+    });
+    half.filter(|_| sum > 0.0).map(|member| (member.depth, sum))
+}
+
+/// Depths of points `[N, 3]` along a camera's axis.
+pub fn depths(position: &[f32], camera: &Camera) -> Vec<f64> {
+    let depth = |place: &[f32; 3]| camera.depth(place.map(f64::from));
+    position.as_chunks::<3>().0.iter().map(depth).collect()
+}

@@ -1,0 +1,272 @@
+//! The results of single stages: each stage for every Gaussian, or all stages for one pixel.
+
+use glam::{Vec2, Vec4};
+use organza_shaders::composite::{alpha, splat_distance};
+use organza_shaders::project::{EVERYWHERE, falloff, in_support};
+use organza_shaders::splat::VECTORS;
+use organza_shaders::tile::Tile as KernelTile;
+use serde::Serialize;
+
+use crate::pass::part::Part;
+use crate::pass::renderer::Renderer;
+use crate::scene::device_scene::DeviceScene;
+use crate::stages::color::Color;
+use crate::stages::cut::{PART_BYTES, PartTiles};
+use crate::stages::pairs::Pairs;
+use crate::stages::project::project;
+use crate::stages::transmittance::{Ray, Transmittance};
+
+use muslin_device::Count;
+use organza_core::camera::Camera;
+use organza_core::error::Result;
+use organza_core::tile::{Tile, TileBatch};
+
+/// The outputs of each stage for every Gaussian in one camera, N Gaussians.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stages {
+    /// Spherical harmonics of the view direction, `[N, (degree + 1)^2]`.
+    pub sh: Vec<f32>,
+    /// Color hash grid at the Gaussian's position, `[N, levels * features]`.
+    pub color_encoding: Vec<f32>,
+    /// `[N, 3]`
+    pub color: Vec<f32>,
+    /// K of Eq. 8, `[N]`.
+    pub sample_count: Vec<u32>,
+    /// T of Eq. 11, `[N]`.
+    pub transmittance: Vec<f32>,
+    /// Projected center in pixels, `[N]`.
+    pub mean2d: Vec<[f32; 2]>,
+    /// Inverse of the projected covariance: xx, xy, yy, `[N]`.
+    pub conic: Vec<[f32; 3]>,
+    /// Support radius in pixels, `[N]`; negative where the Gaussian is culled.
+    pub radius: Vec<f32>,
+}
+
+/// One Gaussian's part in a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Contribution {
+    /// Index of the Gaussian.
+    pub gaussian: usize,
+    /// Distance from the projected center, in pixels.
+    pub distance: f32,
+    /// `exp(-q/2)`, 0 past its end.
+    pub falloff: f32,
+    /// `sigmoid` of the opacity logit.
+    pub opacity: f32,
+    /// Samples of the segment, K of Eq. 8.
+    pub samples: u32,
+    /// T of Eq. 11.
+    pub transmittance: f32,
+    /// `opacity * falloff * T` (Eq. 12).
+    pub alpha: f32,
+    /// c of Eq. 3.
+    pub color: [f32; 3],
+    /// C of Eq. 12 up to and including this Gaussian.
+    pub color_sum: [f32; 3],
+    /// S of Eq. 12 up to and including this Gaussian.
+    pub alpha_sum: f32,
+}
+
+/// Where a Gaussian lies on the screen, and the ray from it to the eye.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace {
+    /// Projected center in pixels.
+    pub mean2d: [f32; 2],
+    /// Inverse of the projected covariance: xx, xy, yy. The support ends at the ellipse `d^T conic d = 2 ln 255`.
+    pub conic: [f32; 3],
+    /// The ray in the unit cube.
+    pub ray: Ray,
+}
+
+/// How a pixel came about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inspection {
+    /// The Gaussians whose support reaches the pixel's square, ascending.
+    pub contributions: Vec<Contribution>,
+    /// C of Eq. 12.
+    pub color_sum: [f32; 3],
+    /// S of Eq. 12.
+    pub alpha_sum: f32,
+    /// Background b.
+    pub background: [f32; 3],
+    /// I of Eq. 13.
+    pub pixel: [f32; 3],
+}
+
+impl Inspection {
+    /// Whether Eq. 13 divided: S > 1.
+    #[must_use]
+    pub fn is_divided(&self) -> bool {
+        self.alpha_sum > 1.0
+    }
+}
+
+impl Renderer {
+    /// Evaluates every stage for every Gaussian in `camera`, needed by a tile or not. For tests.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`].
+    #[doc(hidden)]
+    pub fn stages(&self, scene: &DeviceScene, camera: &Camera) -> Result<Stages> {
+        let device = self.device();
+        let (pairs, transmittance) = self.every_pair(scene, camera)?;
+
+        let sh_width = scene.config.sh_width();
+        let grid_width = scene.config.color_grid.width();
+        let mut sh = Vec::new();
+        let mut color_encoding = Vec::new();
+        let color = Color::evaluate_with(scene, &pairs, false, &mut |chunk| {
+            let rows = device.read(&chunk.input)?;
+            for sample in 0..chunk.samples as usize {
+                let column = |row: usize| rows[row * chunk.stride as usize + sample];
+                sh.extend((0..sh_width).map(column));
+                color_encoding.extend((sh_width..sh_width + grid_width).map(column));
+            }
+            Ok(())
+        })?;
+
+        let projection = device.read(&pairs.projection)?;
+        let first = device.read(&transmittance.first_sample)?;
+        Ok(Stages {
+            sh,
+            color_encoding,
+            color: device.read(&color.color)?,
+            sample_count: first.windows(2).map(|range| range[1] - range[0]).collect(),
+            transmittance: device.read(&transmittance.transmittance)?,
+            mean2d: projection.iter().step_by(2).map(|p| [p.x, p.y]).collect(),
+            radius: projection.iter().step_by(2).map(|p| p.z).collect(),
+            conic: projection.iter().skip(1).step_by(2).map(|c| [c.x, c.y, c.z]).collect(),
+        })
+    }
+
+    /// The networks' values of every Gaussian in `camera`, needed by a tile or not: colors c (Eq. 3), and T (Eq. 11).
+    pub fn shades(
+        &self,
+        scene: &DeviceScene,
+        camera: &Camera,
+    ) -> Result<(Vec<[f32; 3]>, Vec<f32>)> {
+        let device = self.device();
+        let (pairs, transmittance) = self.every_pair(scene, camera)?;
+        let color = device.read(&Color::evaluate(scene, &pairs, false)?.color)?;
+        let color = color.as_chunks::<3>().0.to_vec();
+        Ok((color, device.read(&transmittance.transmittance)?))
+    }
+
+    fn every_pair(&self, scene: &DeviceScene, camera: &Camera) -> Result<(Pairs, Transmittance)> {
+        let device = self.device();
+        let (camera, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let every: Vec<u32> = (0..scene.gaussians).collect();
+        let pairs = Pairs {
+            count: Count::known(scene.gaussians),
+            pair: device.upload("pairs", &every)?,
+            camera,
+            projection,
+            view_ends: Vec::new(),
+        };
+        let transmittance = Transmittance::evaluate(scene, &pairs, false, |first| {
+            pairs.read_samples(device, first)
+        })?;
+        Ok((pairs, transmittance))
+    }
+
+    /// Renders one pixel of `cameras[camera]`, with the contribution of each Gaussian.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`].
+    pub fn inspect(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        camera: usize,
+        pixel: [i32; 2],
+    ) -> Result<Inspection> {
+        self.inspect_part(scene, cameras, camera, pixel).map(|(inspection, _)| inspection)
+    }
+
+    /// Like [`Self::inspect`], with a trace of each contribution; evaluates the samples of T once more.
+    pub fn inspect_traced(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        camera: usize,
+        pixel: [i32; 2],
+    ) -> Result<(Inspection, Vec<Trace>)> {
+        let (inspection, part) = self.inspect_part(scene, cameras, camera, pixel)?;
+        let device = self.device();
+        let rays = part.transmittance.rays(scene, &part.bins.pairs)?;
+        let splat = device.read(&part.composite.splat)?;
+        let trace = |member: u32| {
+            let index = member as usize;
+            let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+            Trace {
+                mean2d: [placed.x, placed.y],
+                conic: [conic.x, conic.y, conic.z],
+                ray: rays[index].clone(),
+            }
+        };
+        let traces = device.read(&part.bins.member)?.into_iter().map(trace).collect();
+        Ok((inspection, traces))
+    }
+
+    fn inspect_part(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        camera: usize,
+        pixel: [i32; 2],
+    ) -> Result<(Inspection, Part)> {
+        let device = self.device();
+        let batch = TileBatch { side: 1, tiles: vec![Tile { camera, origin: pixel }] };
+        batch.validate(cameras)?;
+        let plans = PartTiles::split(scene, &batch, PART_BYTES)?;
+        let part = Part::evaluate(scene, cameras, &plans[0], false, None)?;
+
+        let pair = device.read(&part.bins.pairs.pair)?;
+        let first = device.read(&part.transmittance.first_sample)?;
+        let transmittance = device.read(&part.transmittance.transmittance)?;
+        let color = device.read(&part.color.color)?;
+        let (color, _) = color.as_chunks::<3>();
+        let splat = device.read(&part.composite.splat)?;
+        let opacity = device.read(&scene.tensors.gaussians.opacity)?;
+        let center = KernelTile { camera: 0, origin: pixel, output: 0 }.pixel_center(0, 0);
+
+        let mut sum = Vec4::ZERO;
+        let mut contributions = Vec::new();
+        for member in device.read(&part.bins.member)? {
+            let index = member as usize;
+            let [placed, conic] = std::array::from_fn(|v| splat[index * VECTORS as usize + v]);
+            let color = color[index];
+            let d = center - Vec2::new(placed.x, placed.y);
+            let q = splat_distance(placed, conic, center.x, center.y);
+            let reached = in_support(q);
+            let alpha = if reached { alpha(placed, q) } else { 0.0 };
+            if reached {
+                sum += Vec4::new(alpha * color[0], alpha * color[1], alpha * color[2], alpha);
+            }
+            let gaussian = (pair[index] % scene.gaussians) as usize;
+            contributions.push(Contribution {
+                gaussian,
+                distance: d.length(),
+                falloff: falloff(q),
+                opacity: muslin::math::sigmoid(opacity[gaussian]),
+                samples: first[index + 1] - first[index],
+                transmittance: transmittance[index],
+                alpha,
+                color,
+                color_sum: sum.truncate().to_array(),
+                alpha_sum: sum.w,
+            });
+        }
+        // the running sums were taken here, these by the kernels
+        let sum = device.read(&part.composite.sum)?;
+        let pixel = device.read(&part.composite.image)?;
+        let inspection = Inspection {
+            contributions,
+            color_sum: [sum[0], sum[1], sum[2]],
+            alpha_sum: sum[3],
+            background: scene.config.background.map(|channel| channel as f32),
+            pixel: [pixel[0], pixel[1], pixel[2]],
+        };
+        Ok((inspection, part))
+    }
+}

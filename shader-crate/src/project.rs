@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, Vec4};
 
 use crate::camera::{Camera, gather3, read3};
-use crate::lens::Lens;
+use crate::pinhole::Pinhole;
 use muslin::atomic;
 use muslin::math::{HUGE, abs, cross, dot, exp, is_finite, sqrt};
 use muslin::prelude::*;
@@ -56,7 +56,7 @@ pub struct Footprint {
     /// Position in the camera's space.
     pub t: Vec3,
     /// The position's projection, and `J W`.
-    pub lens: Lens,
+    pub lens: Pinhole,
     /// Columns of R.
     pub axes: [Vec3; 3],
     /// Diagonal of S: `exp(log_scale)`.
@@ -72,7 +72,7 @@ impl Footprint {
     #[inline(always)]
     pub fn new(camera: &Camera, position: Vec3, rotation: Vec4, log_scale: Vec3) -> Self {
         let t = camera.to_camera(position);
-        let lens = Lens::new(camera, t);
+        let lens = Pinhole::new(camera, t);
         let row_x = lens.row_x;
         let row_y = lens.row_y;
         let axes = rotation_columns(rotation);
@@ -123,7 +123,7 @@ pub fn project_gaussian(
     let magnitude =
         abs(conic.x) + abs(conic.y) + abs(conic.z) + abs(mean2d.x) + abs(mean2d.y) + radius;
     let usable = is_finite(t.z) && is_finite(magnitude) && determinant > 0.0;
-    let is_seen = Lens::sees(t.to_array());
+    let is_seen = Pinhole::sees(t.to_array());
     let culled = if is_finite(t.z) && !is_seen { BEHIND } else { DEGENERATE };
     if is_seen && usable {
         Projection { mean2d, conic, extent, radius }
@@ -152,7 +152,7 @@ pub fn is_elsewhere<L: Lane>(
     window: Vec4,
 ) -> L::Mask {
     let number = L::splat;
-    let (pixel, stretch) = Lens::place(camera, t);
+    let (pixel, stretch) = Pinhole::place(camera, t);
     let [x, y, z] = log_scale;
     let scale = x.max(y.max(z)).exp();
     let longest = number(FALLOFF_CUTOFF) * (stretch * scale * scale + number(blur));
@@ -271,5 +271,5 @@ fn cull<L: Lane>(
     let [_, _, z] = t;
     let is_number = L::both(z.less_equal(L::splat(HUGE)), L::splat(-HUGE).less_equal(z));
     let behind = L::Index::select(is_number, L::Index::splat(-BEHIND as u32), zero);
-    L::Index::select(Lens::sees(t), in_front, behind)
+    L::Index::select(Pinhole::sees(t), in_front, behind)
 }

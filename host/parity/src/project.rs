@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
 use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
-use organza_shaders::lens::NEAR_PLANE;
+use organza_shaders::pinhole::NEAR_PLANE;
 use organza_shaders::project::{
     BEHIND, DEGENERATE, ELSEWHERE, EVERYWHERE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams,
     WINDOW, rotation_columns,

@@ -2,12 +2,15 @@
 
 use glam::{Vec2, Vec3};
 
-use super::NEAR_PLANE;
 use crate::camera::Camera;
 use muslin::math::{clamp, dot};
 use muslin::prelude::*;
 
-/// A point projected by a pinhole camera: see [`lens`](crate::lens).
+/// A Gaussian at this depth or nearer is culled.
+pub const NEAR_PLANE: f32 = 0.01;
+
+/// A point projected by a pinhole camera, and the rows of `J W`, as EWA uses them (Zwicker et al. 2002): the derivatives of
+/// the pixel with respect to a position in world space. W is the camera's rotation.
 #[derive(Clone, Copy, Debug)]
 pub struct Pinhole {
     /// The projected point, in pixels.

@@ -147,7 +147,8 @@ fn full_disks() {
     // The lock comes first, and then the image.
     let files = ["small/.organza-lock", "small/0000.png"];
     for (pages, full) in (1..).zip(files) {
-        let outcome = run(pages, "render scene.safetensors cameras.json -o small --backend cpu");
+        let outcome =
+            run(pages, "render scene.safetensors cameras.json -o small --overwrite --backend cpu");
         outcome.assert_refused(&[full, "disk is full"]);
         assert!(outcome.stderr.ends_with("\nold\nout\n"), "{outcome:?}");
     }

@@ -5,7 +5,7 @@ use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Number of submissions after which unused memory goes back to the driver.
-const SUBMISSIONS: u64 = 64;
+pub const SUBMISSIONS: u64 = 64;
 
 /// A buffer that goes back to its pool when nobody has it anymore.
 #[derive(Clone, Debug)]

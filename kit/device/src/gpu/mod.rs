@@ -1,6 +1,7 @@
 //! The GPU backend: wgpu buffers, and dispatches queued into command buffers.
 
 mod adapter;
+mod bind_groups;
 mod fill;
 mod memory;
 mod pipeline;
@@ -127,6 +128,7 @@ impl Gpu {
             return Ok(memory);
         }
         let new = self.allocate_new(label, size).or_else(|| {
+            self.recorder().forget_bind_groups();
             self.memory.clear();
             // the driver gets it back when what uses it has run
             let _ = self.device.poll(wgpu::PollType::wait_indefinitely());

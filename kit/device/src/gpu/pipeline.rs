@@ -103,7 +103,8 @@ fn make(
                     Access::Read => wgpu::BufferBindingType::Storage { read_only: true },
                     Access::Write => wgpu::BufferBindingType::Storage { read_only: false },
                 },
-                has_dynamic_offset: false,
+                // a bind group serves every slot of the uniform buffer
+                has_dynamic_offset: info.access == Access::Uniform,
                 min_binding_size: None,
             },
             count: None,

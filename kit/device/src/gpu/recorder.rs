@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use muslin_kernel::{Access, KernelInfo};
 
+use super::bind_groups::BindGroups;
 use super::fill::Fills;
 use super::memory::MemoryPool;
 use super::pipeline::Pipeline;
@@ -41,6 +42,7 @@ pub struct Recorder {
     /// Whether dispatches are timed.
     times: bool,
     memory: MemoryPool,
+    bind_groups: BindGroups,
 }
 
 impl Recorder {
@@ -63,6 +65,7 @@ impl Recorder {
             timer: Timer::new(device),
             times: false,
             memory: memory.clone(),
+            bind_groups: BindGroups::default(),
         }
     }
 
@@ -97,37 +100,43 @@ impl Recorder {
             }
         }
 
-        let mut buffers = buffers.iter();
-        let entries: Vec<_> = kernel
-            .bindings
-            .iter()
-            .zip(0..)
-            .map(|(info, binding)| {
-                let resource = match info.access {
-                    Access::Uniform => wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-                        buffer: &self.uniforms,
-                        offset,
-                        size: std::num::NonZero::new((uniform.len() as u64).next_multiple_of(16)),
-                    }),
-                    Access::Read | Access::Write => wgpu::BindingResource::Buffer(
-                        buffers.next().expect("the typed dispatch binds every buffer").clone(),
-                    ),
-                };
-                wgpu::BindGroupEntry { binding, resource }
-            })
-            .collect();
-        let label = Some(kernel.name);
-        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label,
-            layout: &pipeline.layout,
-            entries: &entries,
+        let key = buffers.iter().map(|binding| {
+            (binding.buffer.clone(), binding.offset, binding.size.map_or(0, |size| size.get()))
         });
+        let key = (pipeline.layout.clone(), key.collect());
+        let uniforms = wgpu::BufferBinding {
+            buffer: &self.uniforms,
+            offset: 0,
+            size: std::num::NonZero::new((uniform.len() as u64).next_multiple_of(16)),
+        };
+        let bind_group = self.bind_groups.get(key, || {
+            let mut buffers = buffers.iter();
+            let resource = |access: Access| match access {
+                Access::Uniform => uniforms.clone(),
+                Access::Read | Access::Write => {
+                    buffers.next().expect("the typed dispatch binds every buffer").clone()
+                }
+            };
+            let resources = kernel.bindings.iter().map(|info| info.access).map(resource);
+            let entry = |(resource, binding)| wgpu::BindGroupEntry {
+                binding,
+                resource: wgpu::BindingResource::Buffer(resource),
+            };
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some(kernel.name),
+                layout: &pipeline.layout,
+                entries: &resources.zip(0..).map(entry).collect::<Vec<_>>(),
+            })
+        });
+        let bind_group = bind_group.clone();
+        let has_uniform = kernel.bindings.iter().any(|info| info.access == Access::Uniform);
+        let slot = [offset as u32];
         let pass = match self.pass.take().filter(|_| !self.times) {
             Some(pass) => self.pass.insert(pass),
             None => self.begin_pass(device, kernel),
         };
         pass.set_pipeline(&pipeline.pipeline);
-        pass.set_bind_group(0, &bind_group, &[]);
+        pass.set_bind_group(0, &bind_group, if has_uniform { &slot } else { &[] });
         pass.dispatch_workgroups(x, y, z);
     }
 
@@ -191,6 +200,12 @@ impl Recorder {
         }
         queue.submit(self.finished.drain(..));
         self.memory.submitted();
+        self.bind_groups.submitted();
+    }
+
+    /// Forgets all bind groups, so that the memory that they hold can go back to the driver.
+    pub fn forget_bind_groups(&mut self) {
+        self.bind_groups.clear();
     }
 
     /// Turns the timing of dispatches on or off. Returns whether the device can time them.

@@ -13,7 +13,7 @@ pub struct GpuMemory(Arc<Lent>);
 
 #[derive(Debug)]
 struct Lent {
-    buffer: wgpu::Buffer,
+    buffer: Numbered,
     pool: MemoryPool,
 }
 
@@ -28,7 +28,7 @@ impl Deref for GpuMemory {
     type Target = wgpu::Buffer;
 
     fn deref(&self) -> &wgpu::Buffer {
-        &self.0.buffer
+        &self.0.buffer.1
     }
 }
 
@@ -38,18 +38,23 @@ impl Drop for Lent {
     }
 }
 
+/// A buffer, and the number of buffers before it.
+type Numbered = (u64, wgpu::Buffer);
+
 /// Unused buffers.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryPool(Arc<Mutex<Unused>>);
 
 #[derive(Debug, Default)]
 struct Unused {
+    /// Number of buffers so far.
+    made: u64,
     /// Number of submissions so far.
     submissions: u64,
     /// Commands that are recorded and not submitted may use these. The host writes before such commands run, so nobody gets them yet.
-    returned: Vec<wgpu::Buffer>,
+    returned: Vec<Numbered>,
     /// Buffers, each with the number of the submission since which it is free.
-    free: Vec<(wgpu::Buffer, u64)>,
+    free: Vec<(Numbered, u64)>,
 }
 
 impl MemoryPool {
@@ -57,20 +62,24 @@ impl MemoryPool {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The smallest free buffer of at least `bytes` bytes, and not much more. Its old content remains.
+    /// The smallest free buffer of at least `bytes` bytes, and not much more. Its old content remains. Of several, it is the
+    /// oldest: so equal work gets equal buffers, and their bind groups are there already.
     pub fn take(&self, bytes: u64) -> Option<GpuMemory> {
         let mut unused = self.unused();
         let fits = |size: u64| (bytes..=bytes + bytes / 4).contains(&size);
         let free = unused.free.iter().enumerate();
-        let fitting = free.filter(|(_, (buffer, _))| fits(buffer.size()));
-        let (place, _) = fitting.min_by_key(|(_, (buffer, _))| buffer.size())?;
+        let fitting = free.filter(|(_, ((_, buffer), _))| fits(buffer.size()));
+        let (place, _) =
+            fitting.min_by_key(|(_, ((number, buffer), _))| (buffer.size(), *number))?;
         let (buffer, _) = unused.free.swap_remove(place);
-        Some(self.lend(buffer))
+        Some(GpuMemory(Arc::new(Lent { buffer, pool: self.clone() })))
     }
 
     /// Makes a new buffer come to the pool when nobody has it anymore.
     pub fn lend(&self, buffer: wgpu::Buffer) -> GpuMemory {
-        GpuMemory(Arc::new(Lent { buffer, pool: self.clone() }))
+        let mut unused = self.unused();
+        unused.made += 1;
+        GpuMemory(Arc::new(Lent { buffer: (unused.made, buffer), pool: self.clone() }))
     }
 
     /// Declares that all recorded commands are submitted.

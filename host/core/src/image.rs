@@ -196,7 +196,7 @@ impl Image {
     /// # Errors
     /// [`Error::WriteFile`].
     pub fn save_png(&self, path: impl AsRef<Path>) -> Result<()> {
-        write_atomic(path, |writer| self.encode(writer, None))
+        write_atomic(path, |writer| writer.write_all(&self.encode_png()?))
     }
 
     /// Writes the image as PNG, atomically. `stop` ends the encoding, which is then an error.
@@ -204,7 +204,7 @@ impl Image {
     /// # Errors
     /// [`Error::WriteFile`].
     pub fn save_png_unless(&self, path: &Path, stop: &AtomicBool) -> Result<()> {
-        write_atomic(path, |writer| self.encode(writer, Some(stop)))
+        write_atomic(path, |writer| writer.write_all(&self.encode(Some(stop))?))
     }
 
     /// The image as a PNG file.
@@ -212,19 +212,17 @@ impl Image {
     /// # Errors
     /// If the encoder fails. It writes to memory.
     pub fn encode_png(&self) -> io::Result<Vec<u8>> {
-        let mut bytes = Vec::new();
-        self.encode(&mut bytes, None)?;
-        Ok(bytes)
+        self.encode(None)
     }
 
-    fn encode(&self, writer: impl Write, stop: Option<&AtomicBool>) -> io::Result<()> {
+    fn encode(&self, stop: Option<&AtomicBool>) -> io::Result<Vec<u8>> {
         let pixels = Pixels {
             bytes: self.pixels.as_flattened(),
             size: self.size(),
             color: ColorType::Rgb,
             depth: BitDepth::Eight,
         };
-        pixels.write_png(writer, stop)
+        pixels.png(stop)
     }
 }
 
@@ -237,9 +235,11 @@ struct Pixels<'a> {
 }
 
 impl Pixels<'_> {
-    fn write_png(&self, writer: impl Write, stop: Option<&AtomicBool>) -> io::Result<()> {
+    /// The file. It is made in memory: the encoder's errors of a disk do not say what failed.
+    fn png(&self, stop: Option<&AtomicBool>) -> io::Result<Vec<u8>> {
         let [width, height] = self.size;
-        let mut encoder = png::Encoder::new(writer, width, height);
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, width, height);
         encoder.set_color(self.color);
         encoder.set_depth(self.depth);
         encoder.set_compression(png::Compression::Fast);
@@ -254,7 +254,8 @@ impl Pixels<'_> {
             rows.write_all(row)?;
         }
         rows.finish()?;
-        Ok(writer.finish()?)
+        writer.finish()?;
+        Ok(file)
     }
 }
 

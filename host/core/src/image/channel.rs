@@ -1,6 +1,6 @@
 //! Channels besides color as images: 16-bit PNG, or OpenEXR.
 
-use std::io::{self, Cursor, Write};
+use std::io::{self, Cursor};
 use std::path::Path;
 
 use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, WritableImage};
@@ -141,9 +141,11 @@ impl ChannelImage {
     /// # Errors
     /// [`Error::WriteFile`].
     pub fn save(&self, path: impl AsRef<Path>, format: ChannelFormat) -> Result<()> {
-        write_atomic(path, |writer| match format {
-            ChannelFormat::Png { depth_scale } => self.encode_png(writer, depth_scale),
-            ChannelFormat::Exr => writer.write_all(&self.encode_exr()?),
+        write_atomic(path, |writer| {
+            writer.write_all(&match format {
+                ChannelFormat::Png { depth_scale } => self.encode_png(depth_scale)?,
+                ChannelFormat::Exr => self.encode_exr()?,
+            })
         })
     }
 
@@ -171,7 +173,7 @@ impl ChannelImage {
         Image::from_pixels(self.size, &colors)
     }
 
-    fn encode_png(&self, writer: impl Write, depth_scale: f32) -> io::Result<()> {
+    fn encode_png(&self, depth_scale: f32) -> io::Result<Vec<u8>> {
         let planes = self.channel.planes();
         let pixels = self.values.len() / planes;
         let level = |value: f32| match self.channel {
@@ -187,7 +189,7 @@ impl ChannelImage {
             color: if planes == 3 { ColorType::Rgb } else { ColorType::Grayscale },
             depth: BitDepth::Sixteen,
         };
-        pixels.write_png(writer, None)
+        pixels.png(None)
     }
 
     fn encode_exr(&self) -> io::Result<Vec<u8>> {

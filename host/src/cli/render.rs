@@ -18,7 +18,7 @@ use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
 use super::verbosity::Level;
 use super::views::{ViewList, ViewShard, names, warn_distorted};
-use super::written::refuse_others;
+use super::written::{name, refuse_others};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -305,8 +305,4 @@ fn files(
     };
     let paths = |&view: &usize| endings.iter().map(|ending| path(view, ending)).collect();
     views.iter().map(paths).collect()
-}
-
-fn name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -22,7 +22,8 @@ fn visible(folder: &Folder) -> Result<Vec<PathBuf>> {
     Ok(paths.filter(|path| !name(path).starts_with('.')).collect())
 }
 
-fn name(path: &Path) -> String {
+/// The name of a file, without its folder.
+pub fn name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 

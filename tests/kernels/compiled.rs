@@ -41,7 +41,7 @@ fn every_kernel_is_compiled_as_it_is_declared() {
 }
 
 #[test]
-fn nothing_else_is_compiled() {
+fn only_declared_kernels_are_compiled() {
     let declared: BTreeSet<_> = muslin::kernels()
         .flat_map(|kernel| kernel.entry_points())
         .map(|point| point.name)
@@ -57,7 +57,7 @@ fn nothing_else_is_compiled() {
 }
 
 #[test]
-fn modules_are_those_of_the_manifest() {
+fn modules_match_the_manifest() {
     assert_eq!(
         MODULES.all().count(),
         MODULES.manifest().kernels.len(),

@@ -17,7 +17,7 @@ fn kernel(name: &str) -> &'static KernelInfo {
 }
 
 #[test]
-fn variants_give_what_the_plain_kernels_give() {
+fn variants_match_plain_kernels() {
     for (name, [plain, variants]) in devices::variants() {
         let passed_through = name.contains(SpirvPath::Passthrough.as_str());
         let mut compared = 0;
@@ -41,7 +41,7 @@ fn variants_give_what_the_plain_kernels_give() {
 }
 
 #[test]
-fn tiles_of_variants_are_those_of_the_reference() {
+fn tiles_of_variants_match_the_reference() {
     let all = cases::all();
     for (name, [_, variants]) in devices::variants() {
         let renderer = Renderer::new(variants);
@@ -55,7 +55,7 @@ fn tiles_of_variants_are_those_of_the_reference() {
 }
 
 #[test]
-fn plain_kernels_are_what_the_cpu_and_software_devices_run() {
+fn cpu_and_software_devices_run_plain_kernels() {
     let composite = kernel("composite");
     for (name, device) in devices::all().into_iter().chain(devices::cpus()) {
         let is_software = device.backend() == "cpu" || device.choice().contains("llvmpipe");
@@ -65,7 +65,7 @@ fn plain_kernels_are_what_the_cpu_and_software_devices_run() {
 }
 
 #[test]
-fn a_device_says_which_kernels_it_runs() {
+fn a_device_names_the_kernels_it_runs() {
     for (name, [plain, variants]) in devices::variants() {
         assert!(plain.choice().contains("plain kernels"), "{name}: {}", plain.choice());
         assert!(variants.choice().contains("variants with"), "{name}: {}", variants.choice());
@@ -83,7 +83,7 @@ fn a_device_says_which_kernels_it_runs() {
 
 /// An adapter is asked for the limits that WebGPU guarantees, and `#[kernel]` refuses what is beyond them.
 #[test]
-fn kernels_use_what_every_gpu_has() {
+fn kernels_stay_within_the_limits_of_webgpu() {
     let webgpu = wgpu::Limits::default();
     assert_eq!(MAX_STORAGE_BUFFERS, webgpu.max_storage_buffers_per_shader_stage);
     assert_eq!(MAX_WORKGROUP_BYTES, webgpu.max_compute_workgroup_storage_size);

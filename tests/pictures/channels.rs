@@ -84,7 +84,7 @@ fn pixel(members: &[Member], place: [f64; 2]) -> Option<[f64; 6]> {
 }
 
 #[test]
-fn channels_are_those_of_the_equations() {
+fn channels_match_the_equations() {
     // over all cases: pixels without a Gaussian, with S up to 1, and above
     let mut kinds = [0; 3];
     let cases: Vec<_> = cases::all();

@@ -43,7 +43,7 @@ fn expected(case: &Case, camera: usize) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn contributions_are_those_of_the_equations() {
+fn contributions_match_the_equations() {
     // The equations take longer than the devices, so each case has its values once.
     let cases = cases::all();
     let expected: Vec<Vec<_>> = cases

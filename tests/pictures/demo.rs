@@ -7,7 +7,7 @@ use organza::{Image, TileBatch, metrics};
 use crate::snapshots::{RENDERERS, SNAPSHOTS};
 
 #[test]
-fn scene_is_valid_and_leaves_nothing_to_warn_of() {
+fn scene_is_valid_and_without_warnings() {
     let scene = scene();
     scene.validate().expect("a valid scene");
     assert_eq!(scene.warnings(), Vec::<String>::new());

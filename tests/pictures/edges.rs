@@ -17,7 +17,7 @@ fn repeated(times: usize) -> (Case, Scene) {
 }
 
 #[test]
-fn scans_of_many_blocks_are_those_of_one() {
+fn scans_of_many_blocks_repeat_one_block() {
     // a block scans 1,024 counts
     let times = 50;
     let (case, scene) = repeated(times);
@@ -36,7 +36,7 @@ fn scans_of_many_blocks_are_those_of_one() {
 }
 
 #[test]
-fn members_of_many_blocks_are_those_of_one() {
+fn members_of_many_blocks_repeat_one_block() {
     let times = 50;
     let (case, scene) = repeated(times);
     for (backend, device) in devices::all() {
@@ -57,7 +57,7 @@ fn members_of_many_blocks_are_those_of_one() {
 }
 
 #[test]
-fn only_what_cannot_be_projected_is_counted() {
+fn only_degenerate_gaussians_are_counted() {
     let case = Case::load(&cases::folder().join("basic"));
     for (backend, device) in devices::all() {
         let renderer = Renderer::new(device);
@@ -82,7 +82,7 @@ fn only_what_cannot_be_projected_is_counted() {
 
 /// A single tile has a small window. Many tiles have a window that leaves out almost nothing.
 #[test]
-fn what_ends_before_a_window_reaches_no_tile() {
+fn members_do_not_depend_on_the_window() {
     let case = Case::load(&cases::folder().join("basic"));
     let corner = |at: i32| [8 * (at % 8) - 8, 8 * (at / 8) - 8];
     let tiles: Vec<_> = (0..64).map(|at| Tile { camera: 0, origin: corner(at) }).collect();

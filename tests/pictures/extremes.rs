@@ -208,7 +208,7 @@ fn images_at_the_ends_of_numbers_agree() {
 }
 
 #[test]
-fn what_overflows_stays_in_its_supports() {
+fn overflow_stays_in_its_supports() {
     let renderers = every_device();
     for extreme in overflowing() {
         let name = extreme.name;

@@ -31,7 +31,7 @@ fn render_anew(
 }
 
 #[test]
-fn images_are_the_same_bits_whatever_was_kept() {
+fn a_cache_keeps_the_bits_of_images() {
     cases::on_every_device(|device, renderer, case, scene| {
         let mut cache = EyeCache::default();
         let mut render = |camera: &Camera, options: &EyeOptions<'_>| {
@@ -156,7 +156,7 @@ fn values_of_the_last_images_stay_close() {
 }
 
 #[test]
-fn a_cancelled_image_keeps_what_was_done() {
+fn a_full_cache_gives_an_image_after_cancelling() {
     cases::on_every_device(|device, renderer, case, scene| {
         let camera = &case.cameras[0];
         let mut cache = EyeCache::default();

@@ -92,7 +92,7 @@ const SIDES: [usize; 6] = [1, 8, 11, 16, 33, 64];
 const LOOKS: [Look; 3] = [Look::Noise, Look::Near, Look::Bright];
 
 #[test]
-fn sums_are_those_of_the_definition() {
+fn sums_match_the_definition() {
     for (name, device) in devices::all() {
         for look in LOOKS {
             let mut worst: f64 = 0.0;
@@ -145,7 +145,7 @@ fn relative(found: &[f32], expected: &[(usize, [f64; 2])], ssim_weight: f32) -> 
 }
 
 #[test]
-fn gradients_are_those_of_central_differences() {
+fn gradients_match_central_differences() {
     let devices = devices::all();
     for look in LOOKS {
         let mut worst = vec![[0.0_f64; 2]; devices.len()];
@@ -187,7 +187,7 @@ fn equal_images_lose_nothing() {
 
 /// Pixels under the mask have no influence, whatever their values are.
 #[test]
-fn what_is_masked_has_no_influence() {
+fn masked_pixels_have_no_influence() {
     for (name, device) in devices::all() {
         let batch = batch(33, Look::Near);
         let expected = evaluate(&device, &batch, 0.2).expect("it runs");
@@ -204,7 +204,7 @@ fn what_is_masked_has_no_influence() {
 
 /// For windows inside the image, SSIM equals that of the evaluation.
 #[test]
-fn windows_inside_are_those_of_the_metric() {
+fn windows_inside_match_the_metric() {
     const SIDE: usize = 33;
     let area = SIDE * SIDE;
     for look in LOOKS {

@@ -60,7 +60,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(4096))]
 
     #[test]
-    fn a_clipped_ray_is_what_lies_in_the_cube(p in vector(coordinate()), v in vector(component())) {
+    fn a_clipped_ray_lies_in_the_cube(p in vector(coordinate()), v in vector(component())) {
         let clip = clip_to_unit_cube(split(p), split(v));
         let (t0, t1) = exact_clip(p, v);
         let [found0, found1, lambda] = [clip.t0, clip.t1, clip.lambda].map(exact);

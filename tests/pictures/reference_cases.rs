@@ -13,7 +13,7 @@ const HALF_TILES: f32 = 2e-4;
 const STAGE: f64 = 1e-4;
 
 #[test]
-fn tiles_are_those_of_the_reference() {
+fn tiles_match_the_reference() {
     cases::on_every_device(|backend, renderer, case, scene| {
         let tiles = renderer.render(scene, &case.cameras, &case.tiles).expect("it renders");
         let what = format!("{}, tiles on {backend}", case.name);
@@ -40,7 +40,7 @@ fn tiles_of_half_grids_are_close() {
 }
 
 #[test]
-fn stages_are_those_of_the_reference() {
+fn stages_match_the_reference() {
     cases::on_every_device(|backend, renderer, case, scene| {
         for camera in 0..case.cameras.len() {
             compare_stages(renderer, backend, case, scene, camera);
@@ -90,7 +90,7 @@ fn compare_stages(
 const GRADIENT: f64 = 1e-3;
 
 #[test]
-fn gradients_are_those_of_the_reference() {
+fn gradients_match_the_reference() {
     cases::on_every_device(|backend, renderer, case, scene| {
         let grad_output = case.expected("grad_output");
         let recording = renderer.record(scene, &case.cameras, &case.tiles).expect("it renders");

@@ -68,7 +68,7 @@ fn sorted(renderer: &Renderer, scene: &Scene, camera: &Camera) -> Vec<Splat> {
 }
 
 #[test]
-fn what_is_not_sorted_does_not_jump() {
+fn images_without_sorting_do_not_jump() {
     let renderer = Renderer::new(devices::cpu(None));
     let (scene, cameras) = crossing();
     let background = scene.config.background.map(|channel| channel as f32);

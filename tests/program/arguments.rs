@@ -85,7 +85,7 @@ fn the_wrong_order_is_told_by_the_content() {
 }
 
 #[test]
-fn what_is_not_there_is_said_before_a_device_is_opened() {
+fn missing_files_are_named_before_a_device_is_opened() {
     let sandbox = Sandbox::new("tiny");
     for words in [
         "eval nothing",

@@ -119,7 +119,7 @@ fn photographs_of_the_still_life_are_a_data_set() {
 }
 
 #[test]
-fn what_cannot_be_captured_is_refused() {
+fn bad_inputs_are_refused() {
     let sandbox = Sandbox::new("tiny");
     for name in ["one.jpg", "notes.txt", "phone/IMG_1.HEIC"] {
         let path = sandbox.path(name);

@@ -62,7 +62,7 @@ fn a_scene_is_cropped_by_boxes_and_balls() {
 
 /// Gaussians without a contribution go, and no others: images stay the same to the bit, and would not without any of the rest.
 #[test]
-fn what_no_view_shows_is_removed_exactly() {
+fn only_gaussians_in_no_view_are_removed() {
     let sandbox = Sandbox::new("crowded");
     // behind the cameras, and too transparent for f32
     plant(&sandbox, 9, |i, scene| match i % 2 {
@@ -97,7 +97,7 @@ fn what_no_view_shows_is_removed_exactly() {
 }
 
 #[test]
-fn what_floats_far_away_is_not_in_the_largest_cluster() {
+fn distant_floaters_are_not_in_the_largest_cluster() {
     let sandbox = Sandbox::new("crowded");
     let before = plant(&sandbox, 7, |i, scene| {
         scene.gaussians.position[i] = [500.0 + i as f32, 0.0, 0.0];
@@ -165,7 +165,7 @@ fn a_run_is_edited_and_every_command_takes_the_result() {
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn bad_options_are_refused() {
     let sandbox = Sandbox::new("tiny");
     for (words, facts) in [
         ("", &["nothing to do", "--box"][..]),

@@ -8,7 +8,7 @@ use crate::train::runs;
 /// Mesa and libwayland look for a desktop's sockets in a folder that only a desktop has. That must not print
 /// anything.
 #[test]
-fn without_a_desktop_nothing_is_said() {
+fn a_missing_desktop_prints_nothing() {
     let sandbox = runs::sandbox();
     let backends = if devices::has_gpu() { &["auto", "gpu"][..] } else { &["auto"] };
     for backend in backends {

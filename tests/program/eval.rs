@@ -55,7 +55,7 @@ fn rounding_is_all_that_a_scene_lacks_of_its_own_images() {
 }
 
 #[test]
-fn frames_are_those_of_the_split() {
+fn the_split_selects_the_frames() {
     let sandbox = sandbox();
     let names = |more: &str| -> Vec<Value> {
         let found = scores(eval(&sandbox, &format!("--json {more}")));
@@ -140,7 +140,7 @@ fn bad_requests() {
 }
 
 #[test]
-fn data_without_held_out_frames_says_what_to_do() {
+fn data_without_held_out_frames_is_refused_with_advice() {
     let sandbox = sandbox();
     // the only frame that is held out
     fs::remove_file(sandbox.path("data/images/0000.png")).unwrap();

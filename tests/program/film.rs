@@ -133,7 +133,7 @@ fn no_file_of_the_users_is_lost() {
 }
 
 #[test]
-fn what_makes_no_film_is_refused_at_once() {
+fn bad_options_are_refused_at_once() {
     let sandbox = Sandbox::new("tiny");
     let scene = "film scene.safetensors --backend cpu";
     for (words, facts) in [
@@ -221,7 +221,7 @@ cat > "$last"
     }
 
     #[test]
-    fn without_ffmpeg_nothing_is_rendered() {
+    fn a_missing_ffmpeg_is_refused_before_rendering() {
         let sandbox = Sandbox::new("tiny");
         let before = sandbox.files();
         let outcome = run(&sandbox, &format!("{FILM} -o film.mp4"), "/nowhere");

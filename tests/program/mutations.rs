@@ -209,7 +209,7 @@ fn input(template: &Sandbox, number: u64, seed: u64) -> (Sandbox, Vec<String>, S
 }
 
 #[test]
-fn whatever_is_asked_for_the_program_ends_in_good_order() {
+fn mutated_commands_end_in_good_order() {
     if std::env::var_os("ORGANZA_VALIDATION").is_some() {
         // none of this depends on Vulkan
         return;

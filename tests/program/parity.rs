@@ -33,7 +33,7 @@ fn every_gpu_has_a_table() {
 }
 
 #[test]
-fn what_is_not_there_is_refused() {
+fn missing_gpus_are_refused() {
     let sandbox = Sandbox::new("tiny");
     sandbox.assert_refuses("parity --adapter no-such-gpu", &["no usable GPU"]);
     sandbox.assert_refuses("parity --backend cpu --adapter Arc", &["`--backend` is cpu"]);

@@ -21,7 +21,7 @@ fn names() -> Vec<String> {
 }
 
 #[test]
-fn tiles_are_those_of_the_reference() {
+fn tiles_match_the_reference() {
     let sandbox = Sandbox::new("basic");
     let outcome = sandbox.run(&format!("{TILES} -o out.safetensors --verbose")).assert_ok();
     let found = read_tensors(sandbox.path("out.safetensors")).unwrap();
@@ -104,7 +104,7 @@ fn gaussians_without_effect_are_hidden_unless_asked_for() {
 }
 
 #[test]
-fn info_tells_what_every_file_holds() {
+fn info_describes_every_file() {
     let device = organza::open_device(&DeviceOptions::cpu(Some(1))).unwrap();
     let renderer = Renderer::new(device);
     for name in names() {
@@ -160,7 +160,7 @@ fn the_demonstration_needs_no_files_and_makes_some() {
 }
 
 #[test]
-fn auto_says_which_device_it_took_and_why() {
+fn auto_names_its_device_with_a_reason() {
     let sandbox = Sandbox::new("tiny");
     let words = "tiles scene.safetensors cameras.json tiles.json -o out";
     let outcome = sandbox.run(words);

@@ -69,7 +69,7 @@ fn any_number_of_ranks_gives_the_same_tiles_and_gradients() {
 }
 
 #[test]
-fn what_ranks_cannot_do_is_refused() {
+fn bad_options_of_ranks_are_refused() {
     let sandbox = Sandbox::new("basic");
     let refuses = |words: &str, facts: &[&str]| {
         sandbox.assert_refuses(&format!("{RENDER} -o out {words}"), facts);

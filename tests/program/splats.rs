@@ -277,7 +277,7 @@ fn values_that_no_viewer_can_show_are_not_exported() {
 }
 
 #[test]
-fn what_cannot_be_is_refused() {
+fn bad_files_and_options_are_refused() {
     let sandbox = sandbox();
     let export = "export thin.safetensors around.json";
     sandbox.assert_refuses(&format!("{export} -o thin.obj"), &["thin.obj", ".ply, .spz"]);

@@ -31,7 +31,7 @@ fn images(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
 /// Three shards run at the same time, and one is killed. After rendering missing images, the folder equals that of a
 /// single call.
 #[test]
-fn shards_and_what_is_missing_make_what_one_call_makes() {
+fn tasks_and_missing_images_equal_one_call() {
     let sandbox = Sandbox::new("tiny");
     sandbox.run(&format!("{RENDER} -o whole")).assert_ok();
     let whole = images(&sandbox, "whole");
@@ -72,7 +72,7 @@ fn shards_and_what_is_missing_make_what_one_call_makes() {
 }
 
 #[test]
-fn a_shard_of_nothing_and_bad_shards() {
+fn an_empty_task_succeeds_and_bad_tasks_are_refused() {
     let sandbox = Sandbox::new("tiny");
     let outcome = sandbox.run(&format!("{RENDER} -o out --shard 90/91")).assert_ok();
     assert!(outcome.stderr.contains("nothing to render"), "{outcome:?}");

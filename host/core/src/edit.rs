@@ -125,7 +125,7 @@ mod tests {
     use crate::demo;
 
     #[test]
-    fn regions_contain_their_surface_and_nothing_beyond() {
+    fn regions_end_at_their_surface() {
         let cube = Region::Box { low: [0.0, 1.0, 2.0], high: [1.0, 2.0, 3.0] };
         let ball = Region::Sphere { center: [1.0, 0.0, 0.0], radius: 2.0 };
         for (place, in_cube, in_ball) in [

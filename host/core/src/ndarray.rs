@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn tiles_come_back_whatever_their_order_in_memory() {
+    fn arrays_of_any_memory_order_become_tiles() {
         let tiles = RenderedTiles::try_from(numbered()).unwrap();
         assert_eq!((tiles.side, tiles.count, tiles.array()), (4, 2, numbered().view()));
         assert_eq!(tiles.rgb(1, 3, 2), [1023.0, 1123.0, 1223.0]);

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_cannot_fit_is_refused_at_once() {
+    fn more_than_the_budget_is_refused_at_once() {
         let budget = Budget::new(10);
         let _all = budget.take(10, String::new).unwrap();
         let error = budget.take(11, || "the photograph".to_owned()).unwrap_err().to_string();

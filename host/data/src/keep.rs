@@ -166,7 +166,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_on_disk_reads_as_in_memory() {
+    fn values_on_disk_equal_values_in_memory() {
         let store = Store::new().unwrap();
         let colors: Kept<[u8; 3]> =
             (0..70_000_u32).map(|i| [i as u8, (i >> 8) as u8, 7]).collect::<Vec<_>>().into();
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn the_disk_is_for_what_leaves_training_no_memory() {
+    fn auto_leaves_training_a_quarter_of_memory() {
         for (keep, bytes, free, expected) in [
             (Keep::Auto, 75, Some(100), false),
             (Keep::Auto, 76, Some(100), true),

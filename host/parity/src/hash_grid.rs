@@ -325,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn no_mistake_is_within_what_is_allowed() {
+    fn every_mistake_exceeds_the_tolerance() {
         let sets = HashGrid::unrounded().into_iter().chain(HashGrid::grids());
         // these grids have too few cells to distinguish the axes; the next test is about the finest
         let left_out = ["finest", "two entries", "half a cell", "one cell"];

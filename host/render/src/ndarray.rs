@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_loss_takes_a_gradient_whatever_its_order_in_memory() {
+    fn gradients_may_have_any_memory_order() {
         let gradient = Array4::from_shape_fn((1, 3, 2, 2), |(_, channel, row, column)| {
             (100 * channel + 10 * row + column) as f32
         });

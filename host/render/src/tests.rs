@@ -82,7 +82,7 @@ fn evaluate(
 }
 
 #[test]
-fn what_is_not_waited_for_has_the_same_bits() {
+fn predicted_capacities_keep_the_bits() {
     let scene = some();
     let cameras = demo::turntable(2, 64);
     for device in all_devices() {
@@ -129,7 +129,7 @@ fn what_is_not_waited_for_has_the_same_bits() {
 }
 
 #[test]
-fn a_tile_that_does_not_fit_with_more_room_is_tried_with_what_it_needs() {
+fn a_refused_tile_is_tried_with_exact_capacities() {
     let scene = some();
     let cameras = demo::turntable(1, 64);
     let tiles = vec![Tile { camera: 0, origin: [20, 30] }];

@@ -246,7 +246,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_what_they_should_be() {
+    fn larger_errors_are_brighter() {
         let truth = [[0, 0, 0], [10, 20, 30], [255; 3], [9; 3]];
         let rendered = [[0, 0, 0], [13, 20, 24], [0; 3], [19; 3]];
         let valid = [true, true, true, false];
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn a_resume_drops_what_was_later_and_an_evaluation_what_was_earlier() {
+    fn a_resume_drops_later_pictures_and_an_evaluation_earlier_ones() {
         let folder = tempfile::tempdir().unwrap();
         let pictures = Pictures::from_run(folder.path());
         let image = Image::new(20, 10).unwrap();

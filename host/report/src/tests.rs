@@ -278,7 +278,7 @@ fn every_number_that_is_drawn_is_in_the_page() {
 }
 
 #[test]
-fn the_page_says_what_ran_and_how_far_it_came() {
+fn the_page_shows_the_command_and_its_progress() {
     let folder = tempfile::tempdir().unwrap();
     let text = "[loss]\nssim_weight = 0.3\n[optimizer]\nbeta1 = 0.8\n";
     let run = run(&folder.path().join("garden run"), text, &records(&["a", "b", "c"]));
@@ -323,7 +323,7 @@ fn the_page_says_what_ran_and_how_far_it_came() {
 }
 
 #[test]
-fn nothing_in_a_run_gets_out_of_its_place() {
+fn text_of_a_run_is_escaped() {
     let folder = tempfile::tempdir().unwrap();
     let mut records = records(&[NASTY, NASTY]);
     let nasty = || NASTY.to_owned();
@@ -376,7 +376,7 @@ fn scores_after_a_fit_have_a_column_where_a_run_has_them() {
 }
 
 #[test]
-fn a_run_of_nothing_has_a_page() {
+fn an_empty_run_has_a_page() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path();
     fs::write(path.join(CONFIG), "").unwrap();
@@ -400,7 +400,7 @@ fn a_long_run_is_thinned_out() {
 }
 
 #[test]
-fn runs_are_compared_by_what_differs_and_by_what_they_share() {
+fn comparisons_show_different_settings_and_common_views() {
     let folder = tempfile::tempdir().unwrap();
     // a plan says what `--minutes` did, not what the user chose
     let text = "[run]\nseed = 7\nplan = [[0, 2000]]\n[data]\npath = \"garden\"\n";

@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_neighbor_there_is_nothing_between() {
+    fn cameras_without_neighbors_have_no_views_between() {
         let camera = |x: f64, to: f64| {
             Camera::look_at([x, 0.0, 0.0], [to, 0.0, 0.0], [0.0, 0.0, 1.0], 0.7, [8, 8]).unwrap()
         };

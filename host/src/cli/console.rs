@@ -298,7 +298,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_controls_a_terminal() {
+    fn control_characters_are_escaped() {
         assert_eq!(plain("a\nb é"), "a\nb é");
         assert_eq!(plain("\x1b[31m\r\x07\u{9b}"), "\\u{1b}[31m\\r\\u{7}\\u{9b}");
         assert_eq!(plain("exe\u{202e}gnp"), "exe\\u{202e}gnp");

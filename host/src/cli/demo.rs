@@ -76,7 +76,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Camera::save_all(&cameras_file, &cameras)?;
     center_tiles(&cameras).save(&tiles_file)?;
     let (images, cost) = render(&renderer, &scene, &cameras, &folder, console)?;
-    console.note(&whats_next(&args.output, &cameras));
+    console.note(&next_steps(&args.output, &cameras));
     if args.json {
         let scene = scene_file;
         let cameras = cameras_file;
@@ -196,7 +196,7 @@ fn center_tiles(cameras: &[Camera]) -> TileBatch {
     TileBatch { side: TILE_SIZE, tiles: cameras.iter().enumerate().take(8).map(tile).collect() }
 }
 
-fn whats_next(path: &Path, cameras: &[Camera]) -> String {
+fn next_steps(path: &Path, cameras: &[Camera]) -> String {
     let [scene, cameras_file, tiles, sheet] = FILES.map(|name| quoted(&path.join(name)));
     let center = cameras[0].width / 2;
     let images = quoted(&path.join("views"));

@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_killed_training_left_is_removed() {
+    fn leftovers_of_a_killed_training_are_removed() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join(".organza-abc.tmp"), "half").unwrap();
         fs::write(folder.path().join(".organza-lock"), "process 1, which has gone").unwrap();

@@ -342,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_grows_past_its_limit() {
+    fn growth_stops_at_its_limit() {
         let config = GrowthConfig { max_gaussians: 4, ..config() };
         assert_eq!((room(&config, 4), room(&config, 3), room(&config, 9)), (0, 1, 0));
     }
@@ -369,7 +369,7 @@ mod tests {
 
     /// Any number of ranks makes what growth makes of the whole scene.
     #[test]
-    fn ranks_grow_what_the_whole_scene_grows() {
+    fn ranks_grow_the_whole_scene_alike() {
         let begun = state();
         let config = GrowthConfig { rate: 0.3, max_gaussians: u32::MAX, ..GrowthConfig::default() };
         let mut whole = begun.clone();

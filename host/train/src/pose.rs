@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn what_all_cameras_do_together_is_taken_out() {
+    fn the_common_motion_of_all_cameras_is_removed() {
         let mut poses = poses();
         for (at, values) in poses.learned.values.iter_mut().enumerate() {
             for (place, value) in values.iter_mut().enumerate() {
@@ -223,7 +223,7 @@ mod tests {
 
     /// Adam's first step has the size of its rate. For values that are not 0, the gradient must be that of the loss.
     #[test]
-    fn gradients_are_those_of_the_values() {
+    fn gradients_match_differences() {
         let mut poses = poses();
         let mut values = [0.0; VALUES];
         for (at, value) in values.iter_mut().enumerate() {

@@ -348,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_is_drawn_alike_whatever_came_before() {
+    fn batches_do_not_depend_on_earlier_steps() {
         let frames = photographs(&SIZES, |_, _, _| true);
         let frames: Vec<_> = frames.iter().collect();
         let mut all = sampler(&frames, 1, 5, 1);

@@ -209,7 +209,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ending_says_what_a_film_is_written_as() {
+    fn the_extension_chooses_the_format() {
         let kind = |name: &str| Kind::from_path(Path::new(name)).ok();
         assert_eq!(kind("a/film.mp4"), Some(Kind::Mp4));
         assert_eq!(kind("film.MP4"), Some(Kind::Mp4));

@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn near_is_red_far_is_blue_and_nothing_is_black() {
+    fn near_is_red_far_is_blue_and_empty_is_black() {
         let range = Range { low: 1.0, high: 2.0 };
         let image = scaled(Mode::Depth, [3, 1], [1.1, 1.9, 0.0].into_iter(), range);
         let [near, far, nothing] = *image.pixels() else { panic!("three pixels") };

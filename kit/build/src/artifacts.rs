@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn writing_replaces_what_differs_and_removes_what_is_stale() {
+    fn writing_replaces_changed_files_and_removes_stale_ones() {
         let folder = tempfile::tempdir().unwrap();
         let old = artifacts(&[("a.spv", b"1"), ("b.spv", b"2"), ("b.wgsl", b"3")]);
         assert_eq!(old.write(folder.path()).unwrap(), 4);

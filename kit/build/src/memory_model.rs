@@ -42,7 +42,7 @@ pub fn lower(module: &mut Module) -> Result<()> {
             Capability::VulkanMemoryModel | Capability::VulkanMemoryModelDeviceScope
         )
     });
-    refuse_what_has_no_equivalent(module)?;
+    refuse_without_equivalent(module)?;
     widen_scopes(module)?;
     if has_storage_barrier(module) {
         decorate_coherent(module);
@@ -131,7 +131,7 @@ fn device_scope(module: &mut Module, like: Word) -> Result<Word> {
     Ok(id)
 }
 
-fn refuse_what_has_no_equivalent(module: &Module) -> Result<()> {
+fn refuse_without_equivalent(module: &Module) -> Result<()> {
     for operand in module.all_inst_iter().flat_map(|instruction| &instruction.operands) {
         match *operand {
             Operand::MemoryAccess(access) if access.intersects(ACCESSES) => {
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_lowered_is_refused() {
+    fn semantics_without_equivalent_are_refused() {
         let error = lower(&module(MemorySemantics::MAKE_VISIBLE)).unwrap_err();
         assert!(error.to_string().contains("MAKE_VISIBLE"), "{error}");
     }

@@ -370,7 +370,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_that_nothing_counts_has_a_place_and_a_function() {
+    fn uncounted_loops_are_refused_with_line_and_function() {
         let helper =
             "fn sum(n: u32) -> u32 {\n    let mut i = 0;\n    while i < n { i += 1; }\n    i\n}\n";
         let message = broken(helper);
@@ -384,7 +384,7 @@ mod tests {
     }
 
     #[test]
-    fn elementary_functions_are_those_of_math() {
+    fn elementary_functions_outside_math_are_refused() {
         let text = "fn wave(x: f32) -> f32 {\n    math::cos(x)\n        + x.sin()\n}\n";
         let expected = "lib.rs:3: `.sin()` in `wave`: use the functions of `muslin::math`";
         let message = broken(text);

@@ -53,7 +53,7 @@ fn watchful() -> [Device; 2] {
 }
 
 #[test]
-fn what_a_storage_barrier_orders_is_no_race() {
+fn accesses_ordered_by_a_storage_barrier_are_no_race() {
     let values: Vec<u32> = (0..VALUES).map(|i| i * i / 3).collect();
     for device in watchful() {
         let data = device.upload("data", &values).unwrap();

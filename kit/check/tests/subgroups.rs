@@ -77,7 +77,7 @@ fn every_size() -> impl Iterator<Item = (usize, Device)> {
 }
 
 #[test]
-fn operations_are_those_of_the_lanes() {
+fn operations_combine_the_lanes_of_one_subgroup() {
     let squares: Vec<u32> = (0..INVOCATIONS).map(|i| i * i).collect();
     for (size, device) in every_size() {
         let output = device.unwritten("output", 6 * squares.len()).unwrap();

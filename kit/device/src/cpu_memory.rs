@@ -168,7 +168,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_hold_what_is_asked_for_and_not_much_more() {
+    fn sizes_are_at_most_a_quarter_larger() {
         for bytes in [0, 1, 64, 65, 1000, 4096, 4097, 1 << 20, (1 << 20) + 1, 7 << 30] {
             let size = layout(bytes).expect("it exists").size() as u64;
             assert!(size >= bytes && size as f64 <= 1.25 * bytes as f64 + 128.0, "{bytes}: {size}");

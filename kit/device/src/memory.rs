@@ -141,7 +141,7 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn linux_says_what_is_available() {
+    fn linux_reports_available_memory() {
         let available = available().unwrap();
         assert!((1 << 20..1 << 50).contains(&available), "{available}");
         check(available / 2, "").unwrap();

@@ -204,7 +204,7 @@ mod tests {
     use muslin_kernel::count::CountFillKernel;
 
     #[test]
-    fn what_was_asked_for_is_written_down() {
+    fn plans_record_buffers_and_steps() {
         let device = Device::planner();
         let numbers = device.upload("numbers", &[1_u32, 2, 3]).unwrap();
         let scene = device.take_plan();
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn a_planner_has_the_limits_of_browsers_and_nothing_to_read() {
+    fn a_planner_has_the_limits_of_browsers_and_cannot_read() {
         let device = Device::planner();
         let refused = device.zeros::<u8>("large", (MAX_BUFFER_BYTES + 1) as usize).unwrap_err();
         assert!(matches!(refused, Error::OutOfMemory { .. }), "{refused}");

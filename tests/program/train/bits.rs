@@ -29,7 +29,7 @@ fn the_same_settings_give_the_same_bits_on_any_number_of_threads() {
 }
 
 #[test]
-fn a_run_of_so_many_minutes_is_repeated_from_its_settings() {
+fn a_run_by_minutes_repeats_from_its_settings() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} one --minutes 0.01")).assert_ok();
     let config = TrainConfig::load(sandbox.path("one/config.toml")).expect("settings");
@@ -66,7 +66,7 @@ fn another_seed_gives_another_scene() {
 }
 
 #[test]
-fn a_gpu_comes_to_the_same_bits_twice() {
+fn a_gpu_repeats_the_bits() {
     if !devices::has_gpu() {
         return;
     }

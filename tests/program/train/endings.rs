@@ -173,7 +173,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
 
 /// A plan made after the checkpoint must not prevent a resume from it.
 #[test]
-fn a_run_of_so_many_minutes_that_is_killed_goes_on_as_it_was_planned() {
+fn a_killed_run_by_minutes_keeps_its_plan() {
     let sandbox = sandbox();
     let folder = sandbox.path("run");
     let mut child = start(&sandbox, &format!("{TINY} run --minutes 0.015"));

@@ -27,7 +27,7 @@ fn change(step: u64, name: &str, from: u64, to: u64) -> Change {
 }
 
 #[test]
-fn a_finished_run_is_extended_to_the_same_bits_whatever_happens() {
+fn a_killed_extension_ends_with_the_same_bits() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 20")).assert_ok();
     sandbox.shell("cp -r run killed").assert_ok();
@@ -83,7 +83,7 @@ fn a_finished_run_is_extended_to_the_same_bits_whatever_happens() {
 }
 
 #[test]
-fn what_cannot_be_extended_is_refused() {
+fn bad_extensions_are_refused() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 13")).assert_ok();
     for (words, facts) in [

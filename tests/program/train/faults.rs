@@ -89,7 +89,7 @@ fn assert_goes_on(sandbox: &Sandbox, what: &str, expected: &Bits) {
 }
 
 #[test]
-fn a_run_goes_on_whatever_fails_in_writing() {
+fn a_run_goes_on_after_any_failed_write() {
     if std::env::var_os("ORGANZA_VALIDATION").is_some() {
         // none of this depends on Vulkan
         return;

@@ -11,7 +11,7 @@ fn warnings(outcome: &Outcome) -> Vec<&str> {
 }
 
 #[test]
-fn a_run_whose_first_steps_show_nothing_says_what_it_looked_at() {
+fn first_steps_without_a_gaussian_warn() {
     let sandbox = sandbox();
     let far = |i: u8| Splat {
         position: [500.0 + f32::from(i), 0.0, 0.0],

@@ -156,7 +156,7 @@ fn a_second_training_in_the_same_folder_is_refused() {
 }
 
 #[test]
-fn what_a_kill_left_before_the_first_step_is_removed() {
+fn leftovers_of_a_kill_before_the_first_step_are_removed() {
     let sandbox = sandbox();
     fs::create_dir(sandbox.path("run")).unwrap();
     fs::write(sandbox.path("run/.organza-half.tmp"), "half").unwrap();

@@ -70,7 +70,7 @@ fn the_most_gaussians_are_the_most_at_the_start() {
 }
 
 #[test]
-fn data_with_nothing_to_train_on() {
+fn data_without_training_frames_is_refused() {
     let sandbox = sandbox();
     photographs(&sandbox);
     let train = "train data --config tiny.toml --backend cpu -o new";
@@ -87,7 +87,7 @@ fn data_with_nothing_to_train_on() {
 
 /// Values that overflow end a run, and its last checkpoint stays.
 #[test]
-fn what_diverges_is_said() {
+fn divergence_is_refused_and_keeps_the_checkpoint() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 30")).assert_ok();
     let checkpoint = sandbox.path("run/checkpoint.safetensors");

@@ -58,7 +58,7 @@ fn any_number_of_processes_gives_the_same_bits() {
 /// The scene is a single slice: two of three processes have no Gaussians.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]
-fn processes_with_shards_train_what_threads_train() {
+fn processes_with_shards_train_like_threads() {
     let sandbox = sandbox();
     let words = |run: &str| format!("{TINY} {run} --threads 1 --steps 14 --split gaussians");
     sandbox.run(&format!("{} --ranks 1", words("threads"))).assert_ok();
@@ -138,7 +138,7 @@ fn processes_that_round_differently_must_be_allowed() {
 /// The scene is a single slice: two of three processes have no Gaussians.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]
-fn processes_render_what_threads_render() {
+fn processes_render_like_threads() {
     let sandbox = Sandbox::new("basic");
     let words = "render scene.safetensors cameras.json --backend cpu --threads 1 --views 0 -o";
     sandbox.run(&format!("{words} threads --ranks 2")).assert_ok();

@@ -108,11 +108,11 @@ fn runs_resumed_or_of_ranks_have_the_bits_of_one_that_never_stopped() {
         assert_eq!(steps(run), steps("whole"));
         assert_eq!(cameras(run), whole);
     }
-    cameras_are_those_of_the_checkpoint(&sandbox, &whole);
+    assert_refined_cameras(&sandbox, &whole);
 }
 
 /// Commands that take a run's folder use its refined cameras. Held-out cameras stay at their places.
-fn cameras_are_those_of_the_checkpoint(sandbox: &crate::sandbox::Sandbox, refined: &[Camera]) {
+fn assert_refined_cameras(sandbox: &crate::sandbox::Sandbox, refined: &[Camera]) {
     let given = built_in::cameras(6, 32, 3);
     for (index, (refined, given)) in refined.iter().zip(&given).enumerate() {
         let is_given = refined.camera_to_world == given.camera.camera_to_world;

@@ -30,7 +30,7 @@ fn held_out_views_come_closer() {
 
 /// With a box around the part in focus, and all of space around it.
 #[test]
-fn a_contracted_scene_learns_and_says_what_it_is() {
+fn a_contracted_scene_learns_and_info_names_the_contraction() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --set scene.contraction=cube")).assert_ok();
     let psnr = records(&sandbox.path("run")).into_iter().filter_map(|record| match record {

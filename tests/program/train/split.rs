@@ -206,7 +206,7 @@ fn ranks_write_one_checkpoint_and_read_their_shards() {
 
 /// Both sum the same terms, but round differently.
 #[test]
-fn ranks_train_what_a_trainer_alone_trains() {
+fn ranks_train_like_one_trainer() {
     let begun = begun_of_slices();
     let (config, checkpoint, dataset) = begun.clone();
     let renderer = Renderer::new(devices::cpu(None));

@@ -115,7 +115,7 @@ fn every_address_needs_a_token() {
 }
 
 #[test]
-fn garbage_ends_a_connection_and_nothing_else() {
+fn garbage_ends_only_its_connection() {
     let sandbox = Sandbox::new("tiny");
     let viewer = Viewer::start(&sandbox, VIEW);
     let host = &viewer.host;
@@ -244,7 +244,7 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
 
 /// The latest camera wins.
 #[test]
-fn an_image_that_nobody_waits_for_is_dropped() {
+fn replaced_images_are_dropped() {
     let sandbox = Sandbox::new("crowded");
     let viewer = Viewer::start(&sandbox, VIEW);
     let mut camera = viewer.scene()["views"][0]["camera"].clone();
@@ -302,7 +302,7 @@ fn a_signal_ends_it_at_once_and_well() {
 
 /// Clients without the token make room for one that has it, from another address or from its own.
 #[test]
-fn a_client_that_keeps_its_connections_locks_nobody_out() {
+fn clients_without_the_token_make_room() {
     let sandbox = Sandbox::new("tiny");
     let viewer = Viewer::start(&sandbox, &format!("{VIEW} --bind 0.0.0.0"));
     let port: u16 = viewer.host.rsplit_once(':').expect("a port").1.parse().expect("a number");

@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_seen_turns_and_shifts() {
+    fn moved_cameras_see_places_turned_and_shifted() {
         let camera = camera();
         let place = [0.7, -0.4, 0.2];
         for angle in [0.0, 1e-9, 5e-3, 9.99e-3, 1.01e-2, 0.5, 3.0] {

@@ -401,7 +401,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_circle_is_refused() {
+    fn invalid_orbits_are_refused() {
         assert!(Orbit::around(&[]).is_err());
         for orbit in [
             Orbit { up: [0.0; 3], ..orbit() },

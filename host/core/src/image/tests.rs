@@ -44,7 +44,7 @@ fn an_image_does_not_depend_on_how_it_was_cut() {
 }
 
 #[test]
-fn bands_cover_every_pixel_once_whatever_the_size() {
+fn bands_cover_every_pixel_once() {
     let cuts =
         [([9000, 9000], 512, 18), ([65536, 3], 1, 1), ([1, 65536], 4096, 16), ([1, 1], 64, 1)];
     for (size, side, expected) in cuts {
@@ -74,7 +74,7 @@ fn bad_sizes_are_errors() {
 }
 
 #[test]
-fn what_hangs_over_the_edge_is_cut_off() {
+fn tiles_are_cut_off_at_the_edge() {
     let origins = [[-2, -3], [100, 0], [0, -100], [3, 2]];
     let tiles = origins.map(|origin| Tile { camera: 0, origin }).to_vec();
     let batch = TileBatch { side: 4, tiles };
@@ -124,7 +124,7 @@ fn decode(path: &Path) -> (png::Info<'static>, Vec<u8>) {
 }
 
 #[test]
-fn a_png_holds_what_was_written() {
+fn a_png_keeps_every_pixel() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     let batch = TileBatch::cover(0, 9, 5, 4).unwrap();

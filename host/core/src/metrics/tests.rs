@@ -58,7 +58,7 @@ fn images(kind: &str, [width, height]: [usize; 2]) -> (Pixels, Pixels) {
 }
 
 #[test]
-fn numbers_are_those_of_scikit_image() {
+fn psnr_and_ssim_match_scikit_image() {
     let mut worst: f64 = 0.0;
     for (kind, size, expected_psnr, expected_ssim) in KNOWN {
         let (image, truth) = images(kind, size);

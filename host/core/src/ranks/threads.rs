@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn every_call_gives_what_its_name_says() {
+    fn collective_calls_combine_all_ranks() {
         let found = together(3, |ranks| {
             let rank = ranks.rank();
             let mut max = [rank as u32, 5 - rank as u32];

@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn own_coordinates_do_not_depend_on_those_of_the_world() {
+    fn own_coordinates_do_not_depend_on_the_world() {
         let turned = DMat3::from_rotation_x(0.7) * DMat3::from_rotation_z(-2.0);
         let upside_down = DMat3::from_rotation_x(std::f64::consts::PI);
         let y_down = DMat3::from_rotation_x(std::f64::consts::FRAC_PI_2);

@@ -87,7 +87,7 @@ fn assert_half(photograph: &Photograph) {
 }
 
 #[test]
-fn what_a_mask_hides_is_not_valid() {
+fn masked_pixels_are_not_valid() {
     let mut file = transforms(3);
     file["frames"][0]["mask_path"] = json!("elsewhere/m.png");
     let folder = nerfstudio_folder(&file);

@@ -40,7 +40,7 @@ fn exposures_differ_as_gains_do() {
 }
 
 #[test]
-fn what_cannot_be_measured_is_not() {
+fn exposure_spread_needs_fifty_points_with_colors() {
     let mut dataset = wall(&[0.5, 1.0], 0);
     dataset.points.truncate(49);
     assert_eq!(dataset.exposure_spread(), None);

@@ -77,7 +77,7 @@ fn fisheye(radial: [f64; 4]) -> Lens {
 }
 
 #[test]
-fn places_are_those_of_opencv() {
+fn places_match_opencv() {
     let denominator = [0.52, -0.07, 0.011];
     let full = Lens { denominator, ..lens([0.31, -0.12, 0.018], [0.0012, -0.0007]) };
     for ((size, intrinsics), lens, table) in [
@@ -117,7 +117,7 @@ fn a_pinhole_bends_nothing() {
 
 /// r (1 - r^2 / 3) turns around at r = 1, and is back at the photograph's center at 1.7.
 #[test]
-fn what_lies_beyond_the_fold_is_outside() {
+fn places_beyond_the_fold_are_outside() {
     let camera = camera([400, 400], [100.0, 100.0, 200.0, 200.0]);
     let lens = lens([-1.0 / 3.0, 0.0, 0.0], [0.0; 2]);
     let way = Undistortion::new(&camera, &lens);
@@ -132,7 +132,7 @@ fn what_lies_beyond_the_fold_is_outside() {
 
 /// A denominator of 1 - r^2 has a pole at r = 1. Beyond it, a place in the image shows nothing real.
 #[test]
-fn what_lies_beyond_a_pole_is_outside() {
+fn places_beyond_a_pole_are_outside() {
     let camera = camera([1000, 1000], [100.0, 100.0, 500.0, 500.0]);
     let lens = Lens { denominator: [-1.0, 0.0, 0.0], ..Lens::default() };
     let way = Undistortion::new(&camera, &lens);

@@ -26,7 +26,7 @@ fn kinds_are_told_apart_in_order() {
 }
 
 #[test]
-fn unknown_folders_say_what_was_looked_for() {
+fn unknown_folders_are_refused_with_the_expected_names() {
     let folder = tempfile::tempdir().unwrap();
     let name = folder.path().display().to_string();
     assert_refused(
@@ -56,7 +56,7 @@ fn every_eighth_frame_is_held_out() {
 
 /// Cameras read without the photographs equal those of the frames.
 #[test]
-fn poses_are_those_of_the_frames() {
+fn poses_equal_the_cameras_of_frames() {
     let mut distorted = transforms(3);
     distorted["k1"] = json!(0.01);
     let nerfstudio = nerfstudio_folder(&distorted);
@@ -120,7 +120,7 @@ fn missing_photographs_are_named_and_left_out() {
 }
 
 #[test]
-fn what_cannot_be_right_is_named() {
+fn copies_and_stray_masks_are_named() {
     let mut file = transforms(10);
     let folder = nerfstudio_folder(&file);
     let root = folder.path();

@@ -18,7 +18,7 @@ fn assert_error(edit: impl FnOnce(&mut Value), facts: &[&str]) {
 }
 
 #[test]
-fn frames_are_those_of_the_file() {
+fn frames_match_the_file() {
     let mut file = transforms(3);
     file["frames"][1]["fl_x"] = json!(16.0);
     file["frames"][2]["file_path"] = json!("images/another.jpg");

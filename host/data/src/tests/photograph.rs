@@ -161,7 +161,7 @@ fn every_depth_and_format_is_read() {
 }
 
 #[test]
-fn sizes_must_be_those_of_the_camera() {
+fn sizes_must_match_the_camera() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     write_image(&path, [12, 8], [0; 3]);
@@ -175,7 +175,7 @@ fn sizes_must_be_those_of_the_camera() {
 }
 
 #[test]
-fn a_lens_that_leaves_nothing_is_an_error() {
+fn a_lens_without_valid_pixels_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     write_image(&path, [12, 8], [0; 3]);

@@ -74,7 +74,7 @@ fn files_cut_short_anywhere_are_errors() {
 }
 
 #[test]
-fn errors_say_what_is_wrong() {
+fn bad_files_are_refused_with_a_reason() {
     let header = |elements: &str| format!("ply\nformat ascii 1.0\n{elements}end_header\n1 2 3\n");
     let xyz = "property float x\nproperty float y\nproperty float z\n";
     assert_error(b"something else\n", &["not a whole PLY file"]);

@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_numbered_is_not_foreseen() {
+    fn counts_beyond_the_limit_are_not_predicted() {
         let mut predictor = CapacityPredictor::default();
         predictor.observe(KIND, 1, needed(u32::MAX));
         assert_eq!(predictor.predict(KIND, 1), None);

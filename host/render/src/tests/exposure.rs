@@ -53,7 +53,7 @@ const BIAS: &str = "color.mlp.2.bias";
 
 /// In one part, and in one for each tile.
 #[test]
-fn gradients_are_those_of_differences() {
+fn gradients_match_differences() {
     let scene = some();
     let exposure = exposures();
     for bytes in [512 << 20, 1] {

@@ -192,7 +192,7 @@ fn a_scene_that_is_written_to_is_the_scene_that_was_written() {
 }
 
 #[test]
-fn what_cannot_be_written_or_recorded_is_refused() {
+fn bad_tensors_and_half_grids_are_refused() {
     let host = some();
     let renderer = Renderer::new(super::devices::cpu(Some(2)));
     let device = renderer.device();

@@ -152,7 +152,7 @@ mod tests {
 
     /// Gaussians on the axis of a camera with one pixel: weights are opacities where all light passes.
     #[test]
-    fn a_view_has_the_shares_of_what_lies_on_its_axis() {
+    fn shares_on_an_axis_follow_the_opacities() {
         let config = SceneConfig { antialiased: false, ..organza_core::demo::config() };
         let mut scene = Scene::zeros(config, 3).unwrap();
         let last = scene.transmittance.network.layers.last_mut().unwrap();

@@ -428,7 +428,7 @@ mod tests {
     }
 
     #[test]
-    fn what_organza_wrote_has_the_axes_of_the_scene() {
+    fn own_files_keep_the_axes_of_the_scene() {
         let most = [0.0, 1e-5, 0.0, 0.0, 1e-6];
         assert_close(&read_bytes(&written()).unwrap(), &splats(), most);
         for length in (4..written().len()).step_by(97) {
@@ -438,7 +438,7 @@ mod tests {
 
     /// glTF: the world is the product of the nodes' transformations.
     #[test]
-    fn nodes_place_what_others_wrote() {
+    fn nodes_transform_files_of_other_programs() {
         // z of the scene is y of the file: (x, y, z) becomes (x, z, -y)
         let upright = read_bytes(&with(|_| ())).unwrap();
         // a child, half as large and moved, in a node that is a mirror
@@ -505,7 +505,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_is_wrong() {
+    fn bad_files_are_refused_with_a_reason() {
         let refused = |edit: fn(&mut Value), facts: &[&str]| assert_refused(&with(edit), facts);
         refused(|json| json["nodes"][0]["scale"] = json!([1, 2, 1]), &["axes differently"]);
         refused(|json| json["nodes"][0]["scale"] = json!([0, 0, 0]), &["axes differently"]);

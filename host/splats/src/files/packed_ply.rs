@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_written_is_read_as_close_as_the_format_allows() {
+    fn a_round_trip_is_as_exact_as_the_format() {
         let splats = many();
         let bytes = packed(&splats);
         let expected: Vec<_> = along_a_curve(&splats).into_iter().map(|at| splats[at]).collect();
@@ -289,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn bits_mean_what_the_description_says() {
+    fn packed_bits_follow_the_description() {
         let [splat] = read_bytes(text().as_bytes()).unwrap()[..] else { panic!("one Gaussian") };
         assert_eq!(splat.position, [-1.0, 2.0, -3.0]);
         assert_eq!(splat.log_scale, [-1.0, -5.0, -6.0]);
@@ -313,7 +313,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_is_wrong() {
+    fn bad_files_are_refused_with_a_reason() {
         let text = text();
         let with = |from: &str, to: &str| text.replace(from, to);
         assert_refused(

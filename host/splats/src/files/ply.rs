@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_written_is_read() {
+    fn a_round_trip_keeps_the_splats() {
         let splats = splats();
         let mut bytes = Vec::new();
         write(&splats, &mut bytes).unwrap();
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_is_wrong() {
+    fn bad_files_are_refused_with_a_reason() {
         let text = text();
         let with = |from: &str, to: &str| text.replace(from, to);
         assert_refused(with("opacity", "alpha").as_bytes(), &["no property `opacity`", "rot_3"]);

@@ -432,7 +432,7 @@ mod tests {
 
     /// Few values are exact in the code books, and few Gaussians have a set of harmonics each.
     #[test]
-    fn what_was_written_is_what_the_description_says() {
+    fn written_files_follow_the_description() {
         let splats = splats();
         let mut bytes = Vec::new();
         write(&splats, &mut bytes).unwrap();

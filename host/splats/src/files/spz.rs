@@ -410,7 +410,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_written_is_read_as_close_as_the_format_allows() {
+    fn a_round_trip_is_as_exact_as_the_format() {
         // three bytes of a quaternion, or three parts of ten bits
         for (bytes, rotation) in [(packed(write), 1.0 / 511.0), (packed(write_2), 0.03)] {
             let again = read_bytes(&bytes).unwrap();
@@ -461,7 +461,7 @@ mod tests {
     }
 
     #[test]
-    fn errors_say_what_is_wrong() {
+    fn bad_files_are_refused_with_a_reason() {
         let with = |at: usize, word: u32| {
             let mut bytes = Vec::new();
             GzDecoder::new(&packed(write_2)[..]).read_to_end(&mut bytes).unwrap();
@@ -493,7 +493,7 @@ mod tests {
 
     /// Files without extensions have axes to the right, up and back.
     #[test]
-    fn axes_of_others_are_turned_and_those_of_organza_are_kept() {
+    fn only_axes_of_other_programs_are_turned() {
         let declared = |axes: u32| {
             let mut bytes = packed(write);
             bytes[40..44].copy_from_slice(&axes.to_le_bytes());

@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn every_setting_can_be_set_to_what_is_listed() {
+    fn every_listed_default_can_be_set() {
         let defaults = defaults();
         assert!(defaults.len() > 50, "{defaults:?}");
         for (name, value) in defaults {

@@ -49,7 +49,7 @@ fn the_ends_of_a_range_belong_to_it() {
 }
 
 #[test]
-fn a_run_that_cannot_fit_is_refused_with_what_it_takes() {
+fn a_run_too_large_for_memory_is_refused_with_its_needs() {
     let mut config = TrainConfig::default();
     config.check_memory().unwrap();
     config.start.gaussians = 200_000_000;
@@ -83,7 +83,7 @@ fn rates_cool_down_at_the_end() {
 }
 
 #[test]
-fn a_plan_spreads_what_is_left_over_the_steps_that_are_left() {
+fn a_new_plan_keeps_earlier_fractions() {
     let mut run = RunConfig { steps: 80, ..RunConfig::default() };
     assert_eq!([0, 20, 80, 90].map(|step| run.fraction(step)), [0.0, 0.25, 1.0, 1.0]);
     run.replan(0, 100);

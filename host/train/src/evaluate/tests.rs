@@ -58,7 +58,7 @@ fn a_scene_is_as_close_to_its_own_images_as_rounding_allows() {
 }
 
 #[test]
-fn a_difference_costs_what_it_should() {
+fn a_known_difference_has_its_psnr() {
     let (renderer, scene, mut frames) = setup();
     let frame = &mut frames[0];
     let off = |value: u8| if value < 128 { value + 51 } else { value - 51 };
@@ -80,7 +80,7 @@ fn sizes_must_agree() {
 }
 
 #[test]
-fn what_has_no_value_is_left_out_of_the_mean_and_null_in_json() {
+fn missing_values_are_null_in_json_and_outside_the_mean() {
     let view = |name: &str, psnr, ssim| ViewScore {
         name: name.into(),
         score: Score { psnr, ssim, ..Score::default() },

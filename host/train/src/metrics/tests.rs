@@ -88,7 +88,7 @@ fn the_log_of_an_older_program_is_read() {
 }
 
 #[test]
-fn what_is_not_finite_becomes_nan() {
+fn infinite_values_are_read_as_nan() {
     let mut record = step(1);
     let Record::Step { loss, .. } = &mut record else { unreachable!() };
     *loss = f64::INFINITY;
@@ -98,7 +98,7 @@ fn what_is_not_finite_becomes_nan() {
 }
 
 #[test]
-fn resuming_drops_what_lies_after() {
+fn resuming_drops_later_records() {
     let (_folder, path) =
         write(&[step(1), change(1), step(2), change(2), evaluation(2), step(3), growth(4)]);
     let mut log = MetricsLog::resume(&path, 2).unwrap();

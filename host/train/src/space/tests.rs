@@ -167,7 +167,7 @@ fn a_room_seen_from_within_is_in_the_box() {
 }
 
 #[test]
-fn what_lies_ahead_of_parallel_cameras_is_in_the_box() {
+fn the_box_holds_points_ahead_of_parallel_cameras() {
     let mut random = numbers();
     let mut near = |_| {
         let depth = random.random_range(2.0..4.0);

@@ -99,7 +99,7 @@ fn a_condition_can_be_the_other_way_round() {
 
 /// The side that ends the loop may produce values that code after the loop uses.
 #[test]
-fn what_the_other_side_gives_is_kept() {
+fn values_of_the_ending_side_are_kept() {
     let text = WHILE
         .replace("%undefined %else", "%3 %else")
         .replace("OpReturnValue %sum", "%both = OpIAdd %uint %sum_next %n\nOpReturnValue %both");

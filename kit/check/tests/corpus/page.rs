@@ -142,7 +142,7 @@ fn every_file_is_in_the_corpus() {
 
 #[test]
 #[cfg(debug_assertions)]
-fn the_page_is_what_is_found() {
+fn the_page_lists_every_finding() {
     let findings: Vec<_> = BUGS.iter().map(find).collect();
     let wrong: Vec<_> = findings.iter().filter_map(elsewhere).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -103,7 +103,7 @@ fn a_barrier_needs_workgroup_memory() {
 }
 
 #[test]
-fn memory_that_nobody_has_written_is_not_read() {
+fn reads_of_unwritten_memory_are_refused() {
     let device = checked();
     let input = device.upload("in", &[7; 64]).unwrap();
     let output = device.unwritten("out", 64);
@@ -271,7 +271,7 @@ fn one_buffer_is_not_bound_twice_where_it_is_written() {
     }
 }
 
-/// Runs inside [`a_test_that_calls_a_kernel_says_which_invocation_failed`].
+/// Runs inside [`a_failed_call_of_a_kernel_names_the_invocation`].
 #[test]
 #[ignore = "it fails, and another test looks how"]
 fn calls_a_kernel_that_fails() {
@@ -287,7 +287,7 @@ fn calls_a_kernel_that_fails() {
 
 #[test]
 #[cfg(debug_assertions)]
-fn a_test_that_calls_a_kernel_says_which_invocation_failed() {
+fn a_failed_call_of_a_kernel_names_the_invocation() {
     let mut test = Command::new(std::env::current_exe().unwrap());
     let name = "calls_a_kernel_that_fails";
     let test = test.args(["--exact", name, "--ignored", "--nocapture"]);

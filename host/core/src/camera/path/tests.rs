@@ -167,7 +167,7 @@ fn cameras_are_at_equal_times() {
 }
 
 #[test]
-fn what_is_no_path_is_refused() {
+fn invalid_keys_are_refused() {
     let refused = |keys: &[Camera]| CameraPath::through(keys, true).unwrap_err().to_string();
     assert!(refused(&[]).contains("two cameras"));
     assert!(refused(&[around(0.0)]).contains("found 1"));

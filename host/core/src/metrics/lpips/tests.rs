@@ -49,7 +49,7 @@ fn images([width, height]: [usize; 2]) -> [Vec<[f32; 3]>; 2] {
 
 /// The expected numbers are from the Python package `lpips` 0.1.4 with torch 2.15, for the same weights and images.
 #[test]
-fn distances_are_those_of_the_python_package() {
+fn distances_match_the_python_package() {
     let [first, second] = images([70, 53]);
     for (network, steps, expected) in [("alex", ALEX, 1.987_197_9), ("vgg", VGG, 0.520_979_4)] {
         let lpips = made(network, steps);

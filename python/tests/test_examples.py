@@ -21,7 +21,7 @@ def test_the_notebook_runs():
     assert re.search(r"step 30: loss 0\.\d+, PSNR \d", text), text
 
 
-def test_the_readme_says_what_works(tmp_path, monkeypatch):
+def test_the_readme_works(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
     assert len(blocks) >= 4

@@ -91,7 +91,7 @@ def test_a_film_is_one_file(renderer, scene, tmp_path):
     assert delays == [(1, 12)] * 3 and list(tmp_path.iterdir()) == [path]
 
 
-def test_what_is_no_film_is_refused(renderer, scene, tmp_path):
+def test_bad_films_are_refused(renderer, scene, tmp_path):
     frames = organza.Cameras.turntable(2, 16)
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "note").write_text("mine")

@@ -41,7 +41,7 @@ def test_ssim_is_its_definition(pair):
     assert organza.ssim(image, image) == pytest.approx(1)
 
 
-def test_what_cannot_be_compared_is_refused(pair, tmp_path):
+def test_bad_comparisons_are_refused(pair, tmp_path):
     image, truth = pair
     for found, expected in [(image, truth[:-1]), (image[..., 0], truth[..., 0]), (image[..., :2], truth[..., :2])]:
         with pytest.raises(ValueError, match="expected two of one shape"):

@@ -50,7 +50,7 @@ def test_whole_images_are_made_of_tiles(renderer, scene, cameras, tiles):
     assert empty.any() and np.allclose(images[empty], scene.config["background"])
 
 
-def test_cameras_of_matrices_are_those_of_the_file(renderer, scene, cameras, tmp_path):
+def test_cameras_of_matrices_match_the_file(renderer, scene, cameras, tmp_path):
     path = tmp_path / "cameras.json"
     cameras.save(path)
     loaded = organza.Cameras.load(path)
@@ -69,7 +69,7 @@ def test_cameras_of_matrices_are_those_of_the_file(renderer, scene, cameras, tmp
     assert len(cameras[1]) == 1 and np.array_equal(cameras[1:].poses, cameras[1].poses)
 
 
-def test_gradients_are_those_of_the_call_that_renders_again(renderer, scene, cameras, tiles, slopes):
+def test_a_released_recording_has_the_same_gradients(renderer, scene, cameras, tiles, slopes):
     recording = renderer.record(scene, cameras, tiles)
     rendered, _ = recording.tiles()
     assert np.array_equal(rendered, renderer.render(scene, cameras, tiles))
@@ -144,7 +144,7 @@ def test_a_pixel_is_explained(renderer, scene, cameras):
     assert parts and sum(part["alpha"] for part in parts) == pytest.approx(found["alpha_sum"], rel=1e-5)
 
 
-def test_bench_and_parity_say_what_they_found(renderer, scene, cameras, tiles):
+def test_bench_measures_and_parity_refuses_an_unknown_backend(renderer, scene, cameras, tiles):
     found = renderer.bench(scene, cameras, tiles, repeat=1, backward=False)
     assert found["tiles"] == 3 and found["gaussians"] == len(scene) and found["forward_s"] > 0
     with pytest.raises(ValueError, match="backend `tpu`"):
@@ -172,7 +172,7 @@ def test_bench_and_parity_say_what_they_found(renderer, scene, cameras, tiles):
         (lambda o: o.TrainConfig(settings={"run.steps": "many"}), ValueError, "steps"),
     ],
 )
-def test_what_is_wrong_raises_what_python_expects(call, error, text):
+def test_mistakes_raise_the_errors_of_python(call, error, text):
     with pytest.raises(error, match=text):
         call(organza)
 
@@ -250,7 +250,7 @@ os._exit(0)
     assert found.stdout.strip() == "interrupted True", found.stderr
 
 
-def test_the_stubs_are_those_of_the_module():
+def test_the_stubs_match_the_module():
     """Every name and every argument, as far as the compiled module says them."""
     import ast
     import inspect
@@ -279,7 +279,7 @@ def test_the_stubs_are_those_of_the_module():
                 assert names == arguments(methods[method]), f"{name}.{method}"
 
 
-def test_drivers_say_nothing_on_a_machine_without_a_desktop():
+def test_a_missing_desktop_prints_nothing():
     environment = {name: value for name, value in os.environ.items() if name not in ("XDG_RUNTIME_DIR", "NODEVICE_SELECT")}
     command = [sys.executable, "-c", "import organza; organza.Renderer()"]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)

@@ -127,7 +127,7 @@ def sorted_images(vertex, cameras, background):
     return [sorted_image(vertex, pose, k, np.array(background)) for pose, k in zip(cameras.poses, cameras.Ks, strict=True)]
 
 
-def test_a_ply_is_what_other_programs_read(files, renderer):
+def test_other_programs_read_the_ply(files, renderer):
     folder, scene, cameras, found = files
     ply = read_ply(folder / "fitted.ply")
     assert [element.name for element in ply.elements] == ["vertex"]
@@ -154,7 +154,7 @@ def test_a_file_has_the_bits_of_the_program(files, program):
     assert (folder / "program.ply").read_bytes() == (folder / "first.ply").read_bytes()
 
 
-def test_what_a_file_loses_beside_photographs(files, renderer, tmp_path):
+def test_a_file_is_compared_with_photographs(files, renderer, tmp_path):
     scene = files[1]
     dataset = organza.Dataset.built_in(renderer, views=4, side=SIDE, hold_out_every=4)
     path, held_out = tmp_path / "scene.ply", dataset.held_out
@@ -182,7 +182,7 @@ def test_a_file_becomes_a_scene(files, renderer):
         assert np.abs(x - np.sort(vertex["x"])).max() < 0.01, name
 
 
-def test_what_cannot_be_is_refused(files, renderer, tmp_path):
+def test_bad_files_and_options_are_refused(files, renderer, tmp_path):
     folder, scene, cameras, _ = files
     refused = {
         "ending of the file": lambda: organza.export(scene, tmp_path / "scene.obj", renderer=renderer),
@@ -201,7 +201,7 @@ def test_what_cannot_be_is_refused(files, renderer, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-def test_control_c_leaves_what_was_there(tmp_path):
+def test_control_c_keeps_the_old_file(tmp_path):
     path = tmp_path / "scene.ply"
     path.write_text("old")
     code = f"""

@@ -241,7 +241,7 @@ def test_an_optimizer_lowers_a_loss(renderer, scene, cameras):
     assert losses[-1] < 0.7 * losses[0], losses
 
 
-def test_what_torch_cannot_have_is_refused(renderer, scene, cameras, tiles):
+def test_bad_gradients_and_tensors_are_refused(renderer, scene, cameras, tiles):
     module = organza.torch.Scene(scene, renderer)
     opacity = module.tensors()["gaussians.opacity"]
     (slopes,) = torch.autograd.grad(module(cameras, tiles).square().sum(), opacity, create_graph=True)

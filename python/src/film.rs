@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use organza::film::{Frames, Kind};
+use organza::film::{FilmKind, Frames};
 use organza_core::check_writable;
 use pyo3::prelude::*;
 
@@ -22,7 +22,7 @@ pub fn film(
     cameras: &Cameras,
     fps: u32,
 ) -> PyResult<()> {
-    let kind = Kind::from_path(&path).map_err(raise)?;
+    let kind = FilmKind::from_path(&path).map_err(raise)?;
     let cameras = cameras.0.clone();
     let Some(first) = cameras.first() else { return Err(invalid("a film needs a camera")) };
     let size = [first.width, first.height];
@@ -33,15 +33,15 @@ pub fn film(
         return Err(invalid(format!("`fps` is {fps}, expected 1 to 240")));
     }
     kind.check(size).map_err(raise)?;
-    if kind != Kind::Frames {
+    if kind != FilmKind::Frames {
         check_writable(&path).map_err(raise)?;
     }
     let held = renderer.own(scene)?;
     let renderer = renderer.0.clone();
     job::run_while_awaited(py, move |awaited| {
         let unfinished = match kind {
-            Kind::Frames => Folder::new(&path)?,
-            Kind::Mp4 | Kind::Png => Folder::beside(&path)?,
+            FilmKind::Frames => Folder::new(&path)?,
+            FilmKind::Mp4 | FilmKind::Png => Folder::beside(&path)?,
         };
         let folder = unfinished.path();
         let mut files = Vec::new();

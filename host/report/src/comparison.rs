@@ -8,7 +8,7 @@ use maud::{Markup, html};
 use super::MAX_VIEWS;
 use super::charts::Charts;
 use super::page::{clean, curves, duration, image, page, score, section, table};
-use super::pictures::{Kind, Picture};
+use super::pictures::{Content, Picture};
 use super::run::Run;
 use organza_core::error::Result;
 use organza_core::grouped;
@@ -128,8 +128,8 @@ fn views(runs: &[(String, Run)]) -> Markup {
         for ((_, run), evaluation) in runs.iter().zip(&evaluations) {
             let evaluation = evaluation.as_ref()?;
             let index = evaluation.views.iter().position(|view| view.name == *name)?;
-            let rendered = run.pictures.view(index, Kind::Rendered(evaluation.step))?;
-            photograph = photograph.or_else(|| run.pictures.view(index, Kind::Photograph));
+            let rendered = run.pictures.view(index, Content::Rendered(evaluation.step))?;
+            photograph = photograph.or_else(|| run.pictures.view(index, Content::Photograph));
             pictures.push((rendered, evaluation.views[index].score.psnr));
         }
         Some((name.clone(), photograph?, pictures))

@@ -42,7 +42,7 @@ pub struct Pictures {
 
 /// The content of a view's picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Content {
     Photograph,
     /// The rendered image after this many steps.
     Rendered(u64),
@@ -92,9 +92,9 @@ impl Pictures {
             return Ok(());
         }
         let [photograph, rendered, error] = encode_view(truth, image)?;
-        self.save(&name(index, Kind::Photograph), &photograph)?;
-        self.save(&name(index, Kind::Rendered(step)), &rendered)?;
-        self.save(&name(index, Kind::Error(step)), &error)
+        self.save(&name(index, Content::Photograph), &photograph)?;
+        self.save(&name(index, Content::Rendered(step)), &rendered)?;
+        self.save(&name(index, Content::Error(step)), &error)
     }
 
     /// Writes the thumbnail of a view before the first step.
@@ -111,7 +111,7 @@ impl Pictures {
     }
 
     /// Reads a view's picture, if it exists.
-    pub fn view(&self, index: usize, kind: Kind) -> Option<Picture> {
+    pub fn view(&self, index: usize, kind: Content) -> Option<Picture> {
         self.read(&name(index, kind))
     }
 
@@ -150,12 +150,12 @@ fn thumbnail_name(step: u64) -> String {
     format!("over-time-{step:06}.jpg")
 }
 
-fn name(index: usize, kind: Kind) -> String {
+fn name(index: usize, kind: Content) -> String {
     let view = index + 1;
     match kind {
-        Kind::Photograph => format!("view-{view}-photograph.jpg"),
-        Kind::Rendered(step) => format!("view-{view}-step-{step:06}.jpg"),
-        Kind::Error(step) => format!("view-{view}-error-{step:06}.jpg"),
+        Content::Photograph => format!("view-{view}-photograph.jpg"),
+        Content::Rendered(step) => format!("view-{view}-step-{step:06}.jpg"),
+        Content::Error(step) => format!("view-{view}-error-{step:06}.jpg"),
     }
 }
 
@@ -165,7 +165,7 @@ fn step_of(name: &str) -> Option<u64> {
     let step = step.parse().ok()?;
     let is_ours = name == thumbnail_name(step)
         || (0..MAX_VIEWS).any(|index| {
-            [Kind::Rendered(step), Kind::Error(step)]
+            [Content::Rendered(step), Content::Error(step)]
                 .iter()
                 .any(|&kind| name == self::name(index, kind))
         });
@@ -308,13 +308,13 @@ mod tests {
         let thumbnails =
             || -> Vec<u64> { (0..20).filter(|step| pictures.thumbnail(*step).is_some()).collect() };
         assert_eq!(thumbnails(), [0, 5, 10, 15]);
-        assert!(pictures.view(1, Kind::Rendered(10)).is_none());
-        assert_eq!(pictures.view(1, Kind::Error(15)).unwrap().size, [20, 10]);
+        assert!(pictures.view(1, Content::Rendered(10)).is_none());
+        assert_eq!(pictures.view(1, Content::Error(15)).unwrap().size, [20, 10]);
         let other = folder.path().join(PICTURES).join("mine.jpg");
         fs::write(&other, "not a picture").unwrap();
         pictures.begin(12).unwrap();
         assert_eq!(thumbnails(), [0, 5, 10]);
-        assert!(pictures.view(0, Kind::Rendered(15)).is_none() && other.exists());
-        assert!(pictures.view(0, Kind::Photograph).is_some());
+        assert!(pictures.view(0, Content::Rendered(15)).is_none() && other.exists());
+        assert!(pictures.view(0, Content::Photograph).is_some());
     }
 }

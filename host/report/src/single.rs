@@ -9,7 +9,7 @@ use super::charts::{Charts, thinned};
 use super::page::{
     clean, curves, date, duration, error_legend, image, page, score, section, table,
 };
-use super::pictures::{Kind, Picture};
+use super::pictures::{Content, Picture};
 use super::run::{Evaluation, Run};
 use organza_core::error::Result;
 use organza_core::grouped;
@@ -135,7 +135,7 @@ fn over_time(run: &Run, evaluations: &[Evaluation<'_>]) -> Markup {
 
 fn views(run: &Run, last: &Evaluation<'_>) -> Markup {
     let view = |(index, view): (usize, &ViewScore)| {
-        let kinds = [Kind::Photograph, Kind::Rendered(last.step), Kind::Error(last.step)];
+        let kinds = [Content::Photograph, Content::Rendered(last.step), Content::Error(last.step)];
         let [photograph, rendered, error] = kinds.map(|kind| run.pictures.view(index, kind));
         Some(figure_of(view, [photograph?, rendered?, error?]))
     };

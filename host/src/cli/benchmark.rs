@@ -18,7 +18,7 @@ use super::eval;
 use super::refuse;
 use super::signals::Signals;
 use super::table::Table;
-use super::train::{Job, SettingsArgs};
+use super::train::{SettingsArgs, TrainJob};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -91,9 +91,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         console.note(&format!("{name}: {}", folder.display()));
         let begin = Instant::now();
         let planned = if resume { None } else { args.settings.planned() };
-        let time_limit = None;
-        let view = None;
-        let job = Job { config, folder: &folder, resume, planned, time_limit, view, team: None };
+        let (time_limit, view) = (None, None);
+        let job =
+            TrainJob { config, folder: &folder, resume, planned, time_limit, view, team: None };
         if job.run(&args.device, console, &signals, &mut |_| ())? == Outcome::Stopped {
             console.note("saved; the same command continues from here");
             return Ok(());

@@ -24,7 +24,7 @@ pub struct RanksArgs {
     /// srun has started. The result has the same bits with any number of ranks, and without this option
     /// (docs/cluster.md)
     #[arg(long, value_name = "N|mpi")]
-    ranks: Option<Kind>,
+    ranks: Option<Launch>,
     /// The work that ranks share. `views`: each rank holds the whole scene. `gaussians`: each rank holds some of the
     /// Gaussians, for scenes that do not fit on one device. The scene's bits depend on this [default: views]
     #[arg(long, value_name = "WHAT", requires = "ranks")]
@@ -46,7 +46,7 @@ enum Split {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum Launch {
     Threads(usize),
     Mpi,
 }
@@ -54,7 +54,7 @@ enum Kind {
 /// Largest number of threads. More are a mistake: each holds the whole scene.
 const MOST_THREADS: usize = 64;
 
-impl FromStr for Kind {
+impl FromStr for Launch {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -88,7 +88,7 @@ pub struct SharesArgs {
     /// srun has started. For scenes that do not fit on one device. Any number of ranks gives the same bits
     /// (docs/cluster.md)
     #[arg(long, value_name = "N|mpi", help_heading = "Ranks")]
-    ranks: Option<Kind>,
+    ranks: Option<Launch>,
     /// Allow ranks with different programs or devices; the image's bits then depend on which rank computes what
     #[arg(long, requires = "ranks", help_heading = "Ranks")]
     mixed: bool,
@@ -127,14 +127,14 @@ pub struct Team {
 }
 
 impl Team {
-    fn start(kind: Kind, mixed: bool) -> Result<Self> {
+    fn start(kind: Launch, mixed: bool) -> Result<Self> {
         match kind {
-            Kind::Threads(size) => {
+            Launch::Threads(size) => {
                 let mut ranks = ThreadRanks::new(size).into_iter();
                 let mine = Arc::new(ranks.next().expect("one at least"));
                 Ok(Self::new(mine, ranks.collect(), mixed))
             }
-            Kind::Mpi => Ok(Self { is_mpi: true, ..Self::new(start_mpi()?, Vec::new(), mixed) }),
+            Launch::Mpi => Ok(Self { is_mpi: true, ..Self::new(start_mpi()?, Vec::new(), mixed) }),
         }
     }
 

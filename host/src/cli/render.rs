@@ -95,13 +95,13 @@ pub struct Args {
 }
 
 /// The work to do, as every rank determines it.
-struct Job {
+struct RenderJob {
     source: SceneSource,
     cameras: Cameras,
     views: Vec<usize>,
 }
 
-impl Job {
+impl RenderJob {
     fn find(args: &Args, console: Console) -> Result<Self> {
         let source = SceneSource::find(&args.scene)?;
         let usage = "organza render SCENE CAMERAS -o DIR";
@@ -123,14 +123,14 @@ impl Job {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let Some(team) = args.ranks.start()? else {
-        return render(args, Job::find(args, console)?, None, console);
+        return render(args, RenderJob::find(args, console)?, None, console);
     };
     if !args.channels.list().is_empty() {
         return refuse("`--channels` needs the whole scene on one device: leave out `--ranks`");
     }
     let follow = |rank: Member<'_>| {
         let console = Console::new(Level::Quiet);
-        let job = Job::find(args, console)?;
+        let job = RenderJob::find(args, console)?;
         let renderer = &rank.open(&args.device, console)?;
         let shard = job.shard(args, rank, renderer)?;
         let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&rank.ranks.broadcast(Vec::new())?);
@@ -141,12 +141,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             pictures.render(view as usize, &mut Summary::start(), &console.hidden()).map(drop)
         })
     };
-    team.run(|rank| render(args, Job::find(args, console)?, Some(rank), console), follow)
+    team.run(|rank| render(args, RenderJob::find(args, console)?, Some(rank), console), follow)
 }
 
 /// Renders, alone or as rank 0.
-fn render(args: &Args, job: Job, rank: Option<Member<'_>>, console: Console) -> Result<()> {
-    let Job { source, cameras, views } = &job;
+fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Console) -> Result<()> {
+    let RenderJob { source, cameras, views } = &job;
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
     let channels = args.channels.list();

@@ -72,29 +72,29 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let Some(team) = args.ranks.start()? else {
-        return tiles(args, &Job::find(args, console)?, None, console);
+        return tiles(args, &TilesJob::find(args, console)?, None, console);
     };
     if !args.channels.list().is_empty() {
         return refuse("`--channels` needs the whole scene on one device: leave out `--ranks`");
     }
     let follow = |rank: Member<'_>| {
         let console = Console::new(Level::Quiet);
-        let job = Job::find(args, console)?;
+        let job = TilesJob::find(args, console)?;
         let renderer = rank.open(&args.device, console)?;
         job.render_with_ranks(args, rank, &renderer).map(drop)
     };
-    team.run(|rank| tiles(args, &Job::find(args, console)?, Some(rank), console), follow)
+    team.run(|rank| tiles(args, &TilesJob::find(args, console)?, Some(rank), console), follow)
 }
 
 /// The work to do, as every rank determines it.
-struct Job {
+struct TilesJob {
     source: SceneSource,
     batch: TileBatch,
     cameras: Vec<Camera>,
     grad_output: Option<Vec<f32>>,
 }
 
-impl Job {
+impl TilesJob {
     fn find(args: &Args, console: Console) -> Result<Self> {
         let source = SceneSource::find(&args.scene)?;
         let mut inputs = vec![source.named(), &args.tiles];
@@ -151,8 +151,8 @@ impl Job {
 }
 
 /// Renders, alone or as rank 0.
-fn tiles(args: &Args, job: &Job, rank: Option<Member<'_>>, console: Console) -> Result<()> {
-    let Job { source, batch, cameras, grad_output } = job;
+fn tiles(args: &Args, job: &TilesJob, rank: Option<Member<'_>>, console: Console) -> Result<()> {
+    let TilesJob { source, batch, cameras, grad_output } = job;
     let output = args.output.as_deref();
     let channels = args.channels.list();
     let mut cost = None;

@@ -228,7 +228,7 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     let share = f64::from(args.view_share) / 100.0;
     let view = args.view.then_some((&args.server, share));
     let resume = args.resume.is_some();
-    let job = Job { config, folder: &folder, resume, planned, time_limit, view, team };
+    let job = TrainJob { config, folder: &folder, resume, planned, time_limit, view, team };
     let mut ended = Ended::default();
     let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event))?;
     console.note(&match outcome {
@@ -293,7 +293,7 @@ impl Ended {
 
 /// A run to train, from its first step or from its checkpoint.
 #[derive(Debug)]
-pub struct Job<'a> {
+pub struct TrainJob<'a> {
     /// Settings of the run.
     pub config: TrainConfig,
     /// Folder of the run.
@@ -310,7 +310,7 @@ pub struct Job<'a> {
     pub team: Option<Team>,
 }
 
-impl Job<'_> {
+impl TrainJob<'_> {
     /// The placement of the scene that the run goes on with.
     fn placement(&self) -> Result<Option<Placement>> {
         let checkpoint = self.folder.join(CHECKPOINT);

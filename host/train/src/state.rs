@@ -11,7 +11,7 @@ use organza_render::{DeviceShard, Renderer, SceneGradient, ShardGradient};
 
 /// The state that a step changes.
 #[derive(Debug)]
-pub(super) struct State {
+pub(super) struct TrainerState {
     /// The whole scene, or a shard of it.
     pub shard: DeviceShard,
     pub optimizer: Optimizer,
@@ -20,7 +20,7 @@ pub(super) struct State {
     pub gaussians: usize,
 }
 
-impl State {
+impl TrainerState {
     /// The state of the checkpoint of `shard`, with values for each of the photographs.
     pub fn new(
         renderer: &Renderer,

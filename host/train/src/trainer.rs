@@ -14,7 +14,7 @@ use super::ranks::Team;
 use super::requirements::check;
 use super::sampler::Target;
 use super::start;
-use super::state::State;
+use super::state::TrainerState;
 use super::step_report::StepReport;
 use crate::evaluate::{Evaluation, evaluate_measures};
 use organza_core::camera::Camera;
@@ -75,7 +75,7 @@ pub struct Trainer {
     pub(super) exposures: Option<Exposures>,
     /// Of the photographs to train on, where they are refined.
     poses: Option<PoseSet>,
-    pub(super) state: State,
+    pub(super) state: TrainerState,
     pub(super) step: u32,
     /// See [`Trainer::with_ranks`] and [`Trainer::resume_shard`].
     pub(super) team: Option<Team>,
@@ -140,7 +140,7 @@ impl Trainer {
         }
         let is_shard = team.as_ref().is_some_and(|team| team.shards.is_some());
         let shard = renderer.upload_blocks(&checkpoint.scene, is_shard)?;
-        let state = State::new(renderer, &config, shard, checkpoint, cameras.len())?;
+        let state = TrainerState::new(renderer, &config, shard, checkpoint, cameras.len())?;
         let renderer = renderer.clone();
         let step = checkpoint.progress.step;
         Ok(Self {
@@ -293,7 +293,7 @@ impl Trainer {
         let (report, exposures) = self.add_gradient(&drawn, hooks)?;
         report.check(self.step).inspect_err(|_| rollback(self))?;
         let device = self.renderer.device();
-        let State { shard, optimizer, gradient, .. } = &self.state;
+        let TrainerState { shard, optimizer, gradient, .. } = &self.state;
         if let Some(hook) = &mut hooks.gradient
             && let (Some(scene), Some(gradient)) = (shard.whole(), gradient.blocks.first())
         {
@@ -339,7 +339,7 @@ impl Trainer {
         let target = Target::new(batch, *factor, &frames)?;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
         let target = target.loss_target(&self.config.loss, exposure.as_deref());
-        let State { shard, gradient, .. } = &self.state;
+        let TrainerState { shard, gradient, .. } = &self.state;
         let renderer = &self.renderer;
         let cameras = &drawn.cameras(&self.cameras)[..];
         let scene = &shard.coarser(*factor, *ray_steps);

@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde::Serialize;
 
 use super::message::{CameraMessage, Mode};
-use crate::film::Kind;
+use crate::film::FilmKind;
 use organza_core::camera::{Camera, Orbit, upward};
 use organza_core::demo;
 use organza_core::scene::{Placement, bounds};
@@ -59,7 +59,7 @@ struct Told<'a> {
     points: usize,
     purpose: Purpose,
     /// Formats of films that this machine can write.
-    films: Vec<Kind>,
+    films: Vec<FilmKind>,
     modes: Vec<(Mode, Option<Vec<String>>)>,
 }
 
@@ -115,7 +115,7 @@ impl About {
             photographs,
             points: colors.len() / 3,
             purpose,
-            films: [Kind::Mp4, Kind::Png]
+            films: [FilmKind::Mp4, FilmKind::Png]
                 .into_iter()
                 .filter(|kind| kind.check([2, 2]).is_ok())
                 .collect(),

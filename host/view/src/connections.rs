@@ -19,14 +19,14 @@ struct Connection {
 }
 
 #[derive(Debug, Default)]
-struct State {
+struct ConnectionsState {
     /// By number, so the oldest is the first.
     connections: BTreeMap<u64, Connection>,
     /// Number of the newest.
     newest: u64,
 }
 
-impl State {
+impl ConnectionsState {
     /// Makes room for a connection of `peer`. Returns whether there is room.
     fn make_room(&mut self, peer: IpAddr) -> bool {
         let of_peer = self.connections.values().filter(|one| one.peer == peer).count();
@@ -47,7 +47,7 @@ impl State {
 
 /// All connections.
 #[derive(Debug, Default)]
-pub struct Connections(Mutex<State>);
+pub struct Connections(Mutex<ConnectionsState>);
 
 impl Connections {
     /// Lets a client in. `serve` starts the task of its connection, on the thread that calls.
@@ -68,7 +68,7 @@ impl Connections {
         self.lock().connections.insert(number, connection);
     }
 
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, ConnectionsState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

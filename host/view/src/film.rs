@@ -15,7 +15,7 @@ use organza_core::write_atomic;
 /// The format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum FilmKind {
     /// H.264, encoded by ffmpeg.
     Mp4,
     /// An animated PNG.
@@ -36,7 +36,7 @@ pub struct Frames<'a> {
     pub progress: &'a dyn Fn(),
 }
 
-impl Kind {
+impl FilmKind {
     /// The format for a path, by its extension. A path without one, or of a folder, means a folder of frames.
     ///
     /// # Errors
@@ -210,13 +210,13 @@ mod tests {
 
     #[test]
     fn the_extension_chooses_the_format() {
-        let kind = |name: &str| Kind::from_path(Path::new(name)).ok();
-        assert_eq!(kind("a/film.mp4"), Some(Kind::Mp4));
-        assert_eq!(kind("film.MP4"), Some(Kind::Mp4));
-        assert_eq!(kind("film.png"), Some(Kind::Png));
-        assert_eq!(kind("film.apng"), Some(Kind::Png));
-        assert_eq!(kind("frames"), Some(Kind::Frames));
-        assert_eq!(kind("."), Some(Kind::Frames));
+        let kind = |name: &str| FilmKind::from_path(Path::new(name)).ok();
+        assert_eq!(kind("a/film.mp4"), Some(FilmKind::Mp4));
+        assert_eq!(kind("film.MP4"), Some(FilmKind::Mp4));
+        assert_eq!(kind("film.png"), Some(FilmKind::Png));
+        assert_eq!(kind("film.apng"), Some(FilmKind::Png));
+        assert_eq!(kind("frames"), Some(FilmKind::Frames));
+        assert_eq!(kind("."), Some(FilmKind::Frames));
         assert_eq!((kind("film.avi"), kind("film.")), (None, None));
     }
 }

@@ -18,7 +18,7 @@ use tokio::sync::oneshot;
 use super::keyframes::PathRequest;
 use super::message::{CameraMessage, FrameRequest, Mode, Quality, checked_background, refuse};
 use super::queue::{FrameJob, Queue};
-use crate::film::{Frames, Kind};
+use crate::film::{FilmKind, Frames};
 use organza_core::camera::Camera;
 use organza_core::error::{self, Result};
 
@@ -32,7 +32,7 @@ const PART: u64 = 256 << 10;
 #[serde(deny_unknown_fields)]
 pub struct FilmRequest {
     path: PathRequest,
-    kind: Kind,
+    kind: FilmKind,
     fps: u32,
     mode: Mode,
     #[serde(default)]
@@ -45,14 +45,14 @@ impl FilmRequest {
         if !(1..=MAX_FPS).contains(&self.fps) {
             return refuse(format!("a film has 1 to {MAX_FPS} frames a second"));
         }
-        if self.kind == Kind::Frames {
+        if self.kind == FilmKind::Frames {
             return refuse("a film is an `mp4` or a `png`".to_owned());
         }
         if self.mode == Mode::Error {
             return refuse("a film has no photographs to compare with".to_owned());
         }
         checked_background(self.background)?;
-        let cameras = self.path.cameras(self.kind == Kind::Mp4)?;
+        let cameras = self.path.cameras(self.kind == FilmKind::Mp4)?;
         let Some(first) = cameras.first() else { return refuse("a film has frames".to_owned()) };
         self.kind.check([first.width, first.height])?;
         Ok(cameras)

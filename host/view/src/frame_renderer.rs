@@ -13,7 +13,7 @@ use super::message::{Mode, Quality, refuse};
 use super::pace::Pace;
 use super::photographs::Photographs;
 use super::picture::{self, Range};
-use super::queue::{FrameJob, Job, Question, Queue, Rendered};
+use super::queue::{FrameJob, NextJob, Question, Queue, Rendered};
 use super::stage::Stage;
 use organza_core::RenderReport;
 use organza_core::error::{self, Result};
@@ -89,10 +89,10 @@ impl FrameRenderer {
         let scene = edited.as_deref().unwrap_or(stage.scene);
         let stage = Stage { scene, version: stage.version + changes, ..stage };
         match job {
-            Job::Question(question, reply) => {
+            NextJob::Question(question, reply) => {
                 let _ = reply.send(self.answer(stage, &question).map_err(told));
             }
-            Job::Frame(job) => {
+            NextJob::Frame(job) => {
                 let begin = Instant::now();
                 let rendered = self.frame(stage, &job);
                 self.queue.charge(job.request.client, begin.elapsed());

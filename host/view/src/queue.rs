@@ -51,7 +51,7 @@ pub enum Question {
 
 /// The next request to handle.
 #[derive(Debug)]
-pub enum Job {
+pub enum NextJob {
     Frame(Box<FrameJob>),
     Question(Question, oneshot::Sender<Answer>),
 }
@@ -68,7 +68,7 @@ struct Client {
 }
 
 #[derive(Debug, Default)]
-struct State {
+struct QueueState {
     clients: BTreeMap<u64, Client>,
     questions: VecDeque<(Question, oneshot::Sender<Answer>)>,
     requests: u64,
@@ -79,13 +79,13 @@ struct State {
 /// Waiting requests.
 #[derive(Debug, Default)]
 pub struct Queue {
-    state: Mutex<State>,
+    state: Mutex<QueueState>,
     wake: Condvar,
     stopped: AtomicBool,
 }
 
 impl Queue {
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, QueueState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -164,7 +164,7 @@ impl Queue {
 
     /// Takes the next request, waiting for it for up to `patience`. It is that of the client whose images have taken
     /// the least time.
-    pub(super) fn take(&self, patience: Duration) -> Option<Job> {
+    pub(super) fn take(&self, patience: Duration) -> Option<NextJob> {
         let mut state = self.state();
         if !state.is_waiting() && !self.is_stopped() && !patience.is_zero() {
             state =
@@ -175,12 +175,12 @@ impl Queue {
         }
         state.questions.retain(|(_, reply)| !reply.is_closed());
         if let Some((question, reply)) = state.questions.pop_front() {
-            return Some(Job::Question(question, reply));
+            return Some(NextJob::Question(question, reply));
         }
         let waiting = state.clients.iter().filter(|(_, client)| client.is_waiting());
         let (&next, client) = waiting.min_by_key(|(id, client)| (client.spent, **id))?;
         state.least = client.spent;
-        state.clients.get_mut(&next).and_then(|client| client.job.take()).map(Job::Frame)
+        state.clients.get_mut(&next).and_then(|client| client.job.take()).map(NextJob::Frame)
     }
 
     /// Whether an image is obsolete: nobody waits for it, or its client wants another one.
@@ -209,7 +209,7 @@ impl Client {
     }
 }
 
-impl State {
+impl QueueState {
     fn is_waiting(&self) -> bool {
         self.questions.iter().any(|(_, reply)| !reply.is_closed())
             || self.clients.values().any(Client::is_waiting)
@@ -246,7 +246,7 @@ mod tests {
         let mut answers: Vec<_> = (0..6).map(|client| post(&queue, client, 0)).collect();
         let mut images = [0; 6];
         for sequence in 1..=1000 {
-            let Some(Job::Frame(job)) = queue.take(Duration::ZERO) else { panic!("all wait") };
+            let Some(NextJob::Frame(job)) = queue.take(Duration::ZERO) else { panic!("all wait") };
             let client = job.request.client;
             images[client as usize] += 1;
             queue.charge(client, Duration::from_millis(if client == 0 { 1 } else { 10 }));
@@ -264,14 +264,14 @@ mod tests {
         let queue = Queue::default();
         let mut busy = post(&queue, 1, 0);
         for sequence in 1..=100 {
-            assert!(matches!(queue.take(Duration::ZERO), Some(Job::Frame(_))));
+            assert!(matches!(queue.take(Duration::ZERO), Some(NextJob::Frame(_))));
             queue.charge(1, Duration::from_millis(10));
             busy = post(&queue, 1, sequence);
         }
         let mut images = 0;
         let mut back = post(&queue, 0, 0);
         for sequence in 101..=120 {
-            let Some(Job::Frame(job)) = queue.take(Duration::ZERO) else { panic!("both wait") };
+            let Some(NextJob::Frame(job)) = queue.take(Duration::ZERO) else { panic!("both wait") };
             let client = job.request.client;
             queue.charge(client, Duration::from_millis(10));
             if client == 0 {

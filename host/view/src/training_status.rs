@@ -24,11 +24,11 @@ pub enum Command {
 /// The state of a training that the page shows.
 #[derive(Debug, Default)]
 pub struct TrainingStatus {
-    state: Mutex<State>,
+    state: Mutex<TrainingState>,
 }
 
 #[derive(Clone, Debug, Default, Serialize)]
-struct State {
+struct TrainingState {
     step: u64,
     steps: u64,
     seconds: f64,
@@ -94,7 +94,7 @@ fn second<T: Copy>(values: &[T]) -> Vec<T> {
 }
 
 impl TrainingStatus {
-    fn state(&self) -> MutexGuard<'_, State> {
+    fn state(&self) -> MutexGuard<'_, TrainingState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

@@ -105,7 +105,7 @@ impl<T: Pod> Buffer<T> {
         self.raw.bytes == 0
     }
 
-    /// Number in a [`Plan`](crate::Plan); `None` on a device that runs kernels.
+    /// Number in a [`DevicePlan`](crate::DevicePlan); `None` on a device that runs kernels.
     #[must_use]
     pub fn planned(&self) -> Option<u32> {
         match self.raw.memory {

@@ -15,7 +15,7 @@ use crate::cpu::Cpu;
 use crate::cpu_bindings::{Monitor, bind, monitors};
 use crate::error::{Error, Result};
 use crate::flushing::Flushing;
-use crate::job::{Job, RunMode, Workgroups};
+use crate::job::{KernelJob, RunMode, Workgroups};
 use crate::{supervise, thorough, watchdog};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
@@ -136,7 +136,7 @@ impl Cpu {
     ) -> Result<()> {
         let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
         let bindings = bind(info, uniform, buffers).map_err(failed)?;
-        let job = Job { info, bindings, buffers, workgroups };
+        let job = KernelJob { info, bindings, buffers, workgroups };
         let mode = RunMode { is_flushing: self.flush_denormals, ..RunMode::default() };
         let result = match self.thorough {
             Some(seed) => thorough::run(self, &job, seed),
@@ -148,7 +148,7 @@ impl Cpu {
     /// Runs a kernel once. Returns what has watched its bindings.
     pub fn run_once<'a>(
         &self,
-        job: &Job<'a>,
+        job: &KernelJob<'a>,
         mode: RunMode,
     ) -> Result<Vec<Option<Monitor<'a>>>, String> {
         let info = job.info;

@@ -29,7 +29,7 @@ use crate::{cpu, gpu, plan};
 /// ```
 #[derive(Debug)]
 pub struct Device {
-    pub(crate) kind: Kind,
+    pub(crate) kind: DeviceKind,
     choice: String,
     /// Whether dispatches are timed on a GPU, and their work is counted.
     times: AtomicBool,
@@ -43,14 +43,14 @@ pub struct Device {
 }
 
 #[derive(Debug)]
-pub(crate) enum Kind {
+pub(crate) enum DeviceKind {
     Cpu(cpu::Cpu),
     Gpu(Box<gpu::Gpu>),
     Planner(plan::Planner),
 }
 
 impl Device {
-    pub(crate) fn new(kind: Kind, choice: String) -> Self {
+    pub(crate) fn new(kind: DeviceKind, choice: String) -> Self {
         let no = || AtomicBool::new(false);
         let timings = Timings::default();
         let refused = AtomicU64::new(0);
@@ -63,10 +63,10 @@ impl Device {
 
     /// The requests to a [planner](Device::planner) since the last call; empty on another device.
     #[must_use]
-    pub fn take_plan(&self) -> plan::Plan {
+    pub fn take_plan(&self) -> plan::DevicePlan {
         match &self.kind {
-            Kind::Planner(planner) => planner.take(),
-            _ => plan::Plan::default(),
+            DeviceKind::Planner(planner) => planner.take(),
+            _ => plan::DevicePlan::default(),
         }
     }
 
@@ -80,18 +80,18 @@ impl Device {
     #[must_use]
     pub fn backend(&self) -> &'static str {
         match self.kind {
-            Kind::Cpu(_) => "cpu",
-            Kind::Gpu(_) => "gpu",
-            Kind::Planner(_) => "planner",
+            DeviceKind::Cpu(_) => "cpu",
+            DeviceKind::Gpu(_) => "gpu",
+            DeviceKind::Planner(_) => "planner",
         }
     }
 
     /// Whether this is the CPU or a software device. Small chunks that stay in its caches are then best.
     pub fn is_cpu_like(&self) -> bool {
         match &self.kind {
-            Kind::Cpu(_) => true,
-            Kind::Gpu(gpu) => gpu.is_software(),
-            Kind::Planner(_) => false,
+            DeviceKind::Cpu(_) => true,
+            DeviceKind::Gpu(gpu) => gpu.is_software(),
+            DeviceKind::Planner(_) => false,
         }
     }
 
@@ -100,11 +100,11 @@ impl Device {
     #[must_use]
     pub fn arithmetic(&self) -> String {
         match &self.kind {
-            Kind::Cpu(cpu) => {
+            DeviceKind::Cpu(cpu) => {
                 format!("cpu, {}, {}", std::env::consts::ARCH, cpu.instruction_set().as_str())
             }
-            Kind::Gpu(gpu) => format!("gpu, {}, {}", gpu.description(), gpu.driver()),
-            Kind::Planner(_) => self.choice.clone(),
+            DeviceKind::Gpu(gpu) => format!("gpu, {}, {}", gpu.description(), gpu.driver()),
+            DeviceKind::Planner(_) => self.choice.clone(),
         }
     }
 
@@ -112,9 +112,9 @@ impl Device {
     #[must_use]
     pub fn entry_point(&self, kernel: &KernelInfo) -> EntryPoint {
         match &self.kind {
-            Kind::Cpu(cpu) => cpu.entry_point(kernel),
-            Kind::Gpu(gpu) => gpu.entry_point(kernel),
-            Kind::Planner(_) => kernel.plain(),
+            DeviceKind::Cpu(cpu) => cpu.entry_point(kernel),
+            DeviceKind::Gpu(gpu) => gpu.entry_point(kernel),
+            DeviceKind::Planner(_) => kernel.plain(),
         }
     }
 
@@ -122,9 +122,9 @@ impl Device {
     #[must_use]
     pub fn max_buffer_bytes(&self) -> u64 {
         match &self.kind {
-            Kind::Cpu(_) => u64::MAX,
-            Kind::Gpu(gpu) => gpu.max_buffer_bytes(),
-            Kind::Planner(planner) => planner.max_buffer_bytes(),
+            DeviceKind::Cpu(_) => u64::MAX,
+            DeviceKind::Gpu(gpu) => gpu.max_buffer_bytes(),
+            DeviceKind::Planner(planner) => planner.max_buffer_bytes(),
         }
     }
 
@@ -166,7 +166,7 @@ impl Device {
             false => Work::default(),
         };
         match &self.kind {
-            Kind::Cpu(cpu) => {
+            DeviceKind::Cpu(cpu) => {
                 let start = Instant::now();
                 let size = Workgroups { all: workgroups, needed };
                 let result = cpu.dispatch(info, uniform, &buffers, size);
@@ -178,7 +178,7 @@ impl Device {
                 );
                 result
             }
-            Kind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
+            DeviceKind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
                 // earlier dispatches must not count as this kernel's time
                 gpu.wait()?;
                 let start = Instant::now();
@@ -187,7 +187,7 @@ impl Device {
                 self.timings.add(info.name, start.elapsed(), work());
                 Ok(())
             }
-            Kind::Gpu(gpu) => {
+            DeviceKind::Gpu(gpu) => {
                 gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 if times {
                     // its time is known later
@@ -195,7 +195,7 @@ impl Device {
                 }
                 Ok(())
             }
-            Kind::Planner(planner) => {
+            DeviceKind::Planner(planner) => {
                 planner.dispatch(info, uniform, counts, &buffers, workgroups);
                 Ok(())
             }
@@ -205,7 +205,7 @@ impl Device {
     /// A kernel's parameters with the numbers that kernels have written on the CPU. A GPU fills in its own.
     fn fill_in<'u>(&self, uniform: &'u [u8], counts: &[(usize, &Count)]) -> Cow<'u, [u8]> {
         let is_known = counts.iter().all(|(_, count)| count.is_known());
-        if is_known || !matches!(self.kind, Kind::Cpu(_)) {
+        if is_known || !matches!(self.kind, DeviceKind::Cpu(_)) {
             return Cow::Borrowed(uniform);
         }
         let mut filled = uniform.to_vec();
@@ -218,22 +218,22 @@ impl Device {
     /// Declares that earlier dispatches have written all [`Count`]s that are used from here on.
     pub fn publish_counts(&self) {
         match &self.kind {
-            Kind::Cpu(_) => {}
-            Kind::Gpu(gpu) => gpu.publish_counts(),
-            Kind::Planner(planner) => planner.publish_counts(),
+            DeviceKind::Cpu(_) => {}
+            DeviceKind::Gpu(gpu) => gpu.publish_counts(),
+            DeviceKind::Planner(planner) => planner.publish_counts(),
         }
     }
 
     /// Whether numbers should stay on the device: on a GPU, reading them means waiting. If dispatches are timed, they
     /// are read, because their work is counted with them.
     pub fn leaves_counts_on_device(&self) -> bool {
-        !matches!(self.kind, Kind::Cpu(_)) && !self.times.load(Ordering::Relaxed)
+        !matches!(self.kind, DeviceKind::Cpu(_)) && !self.times.load(Ordering::Relaxed)
     }
 
     /// Runs `work`, which dispatches many kernels. On a CPU it runs in the kernels' thread pool, which is cheaper.
     pub fn run_in_pool<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         match &self.kind {
-            Kind::Cpu(cpu) => cpu.run_in_pool(work),
+            DeviceKind::Cpu(cpu) => cpu.run_in_pool(work),
             _ => work(),
         }
     }
@@ -249,7 +249,7 @@ impl Device {
         work: impl Fn(T) -> Result<(), E> + Sync,
     ) -> Result<(), E> {
         match &self.kind {
-            Kind::Cpu(cpu) => cpu.parallel_for(items.collect(), work),
+            DeviceKind::Cpu(cpu) => cpu.parallel_for(items.collect(), work),
             _ => items.into_iter().try_for_each(work),
         }
     }
@@ -278,7 +278,7 @@ impl Device {
     /// Number of threads of a CPU; 1 for a GPU.
     pub fn threads(&self) -> usize {
         match &self.kind {
-            Kind::Cpu(cpu) => cpu.threads(),
+            DeviceKind::Cpu(cpu) => cpu.threads(),
             _ => 1,
         }
     }
@@ -302,7 +302,7 @@ impl Device {
     ) -> Result<()> {
         let info = kernel.info();
         let invocations = match self.kind {
-            Kind::Cpu(_) => items,
+            DeviceKind::Cpu(_) => items,
             _ => items.div_ceil(info.each),
         };
         let [x, y] = workgroups_for(info, invocations);
@@ -333,7 +333,7 @@ impl Device {
     /// are always measured. A GPU writes timestamps, so nothing waits. On a GPU without timestamps, the host waits
     /// for each dispatch: a time then includes the way to the device and back, and everything takes longer.
     pub fn time_dispatches(&self, times: bool) {
-        if let Kind::Gpu(gpu) = &self.kind {
+        if let DeviceKind::Gpu(gpu) = &self.kind {
             let has_timestamps = gpu.time_dispatches(times);
             self.waits.store(!has_timestamps, Ordering::Relaxed);
         }
@@ -344,7 +344,7 @@ impl Device {
     /// empty if timing was not [turned on](Device::time_dispatches), or if the device is lost.
     #[must_use]
     pub fn take_timings(&self) -> Vec<KernelTime> {
-        if let Kind::Gpu(gpu) = &self.kind {
+        if let DeviceKind::Gpu(gpu) = &self.kind {
             for (kernel, time) in gpu.take_times() {
                 self.timings.add_time(kernel, time);
             }
@@ -355,7 +355,7 @@ impl Device {
     /// On a device that checks races, watches the word `word` of what kernels write to the binding `binding`: for
     /// [`Device::writer`].
     pub fn watch(&self, binding: &str, word: usize) {
-        if let Kind::Cpu(cpu) = &self.kind {
+        if let DeviceKind::Cpu(cpu) = &self.kind {
             let watch = cpu::Watch { binding: binding.to_owned(), word, writer: None };
             *cpu.watch.lock().unwrap_or_else(PoisonError::into_inner) = Some(watch);
         }
@@ -363,14 +363,14 @@ impl Device {
 
     /// The place in its dispatch of the invocation that has written what is [watched](Device::watch), if any has.
     pub fn writer(&self) -> Option<[u32; 3]> {
-        let Kind::Cpu(cpu) = &self.kind else { return None };
+        let DeviceKind::Cpu(cpu) = &self.kind else { return None };
         let watch = cpu.watch.lock().unwrap_or_else(PoisonError::into_inner);
         Some(watch.as_ref()?.writer?.to_array())
     }
 
     /// Gives a GPU everything that is recorded, so that it works while the host goes on.
     pub fn submit(&self) {
-        if let Kind::Gpu(gpu) = &self.kind {
+        if let DeviceKind::Gpu(gpu) = &self.kind {
             gpu.submit();
         }
     }
@@ -380,7 +380,7 @@ impl Device {
     #[must_use]
     pub fn waits(&self) -> u64 {
         match &self.kind {
-            Kind::Gpu(gpu) => gpu.waits(),
+            DeviceKind::Gpu(gpu) => gpu.waits(),
             _ => 0,
         }
     }
@@ -388,7 +388,7 @@ impl Device {
     /// Makes the device fail like a lost one, for tests.
     #[doc(hidden)]
     pub fn lose(&self) {
-        if let Kind::Gpu(gpu) = &self.kind {
+        if let DeviceKind::Gpu(gpu) = &self.kind {
             gpu.lose();
         }
     }

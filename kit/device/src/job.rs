@@ -5,7 +5,7 @@ use muslin_kernel::kernel::{CpuBinding, KernelInfo};
 use crate::buffer::RawBuffer;
 
 /// A kernel and its bindings.
-pub struct Job<'a> {
+pub struct KernelJob<'a> {
     pub info: &'static KernelInfo,
     pub bindings: Vec<CpuBinding<'static>>,
     pub buffers: &'a [&'a RawBuffer],

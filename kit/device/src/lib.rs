@@ -56,7 +56,7 @@
 //!
 //! # Elsewhere
 //!
-//! [`Device::planner`] runs nothing. It records buffers and dispatches as a [`Plan`], which something else can run:
+//! [`Device::planner`] runs nothing. It records buffers and dispatches as a [`DevicePlan`], which something else can run:
 //! for example, a browser with WebGPU.
 //!
 //! # The device for tests
@@ -105,5 +105,5 @@ pub use modules::{CompiledKernel, Modules};
 pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
-pub use plan::{Part, Plan, PlannedBuffer, PlannedCount, Step};
+pub use plan::{DevicePlan, Part, PlannedBuffer, PlannedCount, Step};
 pub use timings::KernelTime;

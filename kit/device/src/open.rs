@@ -1,6 +1,6 @@
 //! Opens the device that the options ask for.
 
-use crate::device::{Device, Kind};
+use crate::device::{Device, DeviceKind};
 use crate::error::{Error, Result};
 use crate::modules::Modules;
 use crate::options::{BackendChoice, DeviceOptions};
@@ -18,7 +18,7 @@ impl Device {
             BackendChoice::Gpu => {
                 let gpu = gpu::Gpu::open(options, modules)?;
                 let choice = format!("gpu: {} (asked for)", gpu.description());
-                Ok(Device::new(Kind::Gpu(Box::new(gpu)), choice))
+                Ok(Device::new(DeviceKind::Gpu(Box::new(gpu)), choice))
             }
             BackendChoice::Auto => match gpu::Gpu::open(options, modules) {
                 // a software device runs the same kernels on the same cores, with fewer choices
@@ -28,7 +28,7 @@ impl Device {
                 Ok(gpu) => {
                     let choice =
                         format!("gpu: {} (found; `--backend cpu` uses the CPU)", gpu.description());
-                    Ok(Device::new(Kind::Gpu(Box::new(gpu)), choice))
+                    Ok(Device::new(DeviceKind::Gpu(Box::new(gpu)), choice))
                 }
                 Err(Error::NoGpu { reason }) => {
                     open_cpu(options, &format!("no usable GPU: {reason}"))
@@ -43,7 +43,7 @@ impl Device {
     /// an error. It has the limits that every browser with WebGPU supports.
     #[must_use]
     pub fn planner() -> Self {
-        Self::new(Kind::Planner(Planner::default()), "a plan, to be run elsewhere".into())
+        Self::new(DeviceKind::Planner(Planner::default()), "a plan, to be run elsewhere".into())
     }
 }
 
@@ -53,5 +53,5 @@ fn open_cpu(options: &DeviceOptions, why: &str) -> Result<Device> {
     let plural = if threads == 1 { "" } else { "s" };
     let set = cpu.instruction_set().as_str();
     let choice = format!("cpu: {threads} thread{plural}, {set} ({why})");
-    Ok(Device::new(Kind::Cpu(cpu), choice))
+    Ok(Device::new(DeviceKind::Cpu(cpu), choice))
 }

@@ -14,7 +14,7 @@ const MAX_BUFFER_BYTES: u64 = 128 << 20;
 
 /// The requests to a device: buffers, and steps that use them.
 #[derive(Clone, Debug, Default)]
-pub struct Plan {
+pub struct DevicePlan {
     /// Number of the first buffer. Lower numbers belong to earlier plans.
     pub first_buffer: u32,
     /// The created buffers, in the order of their numbers.
@@ -23,7 +23,7 @@ pub struct Plan {
     pub steps: Vec<Step>,
 }
 
-/// A buffer of a [`Plan`].
+/// A buffer of a [`DevicePlan`].
 #[derive(Clone, Debug)]
 pub struct PlannedBuffer {
     /// Label for debugging.
@@ -93,17 +93,17 @@ pub struct PlannedCount {
 
 /// The planning backend.
 #[derive(Debug, Default)]
-pub(crate) struct Planner(Mutex<Plan>);
+pub(crate) struct Planner(Mutex<DevicePlan>);
 
 impl Planner {
     /// The requests since the last call.
-    pub fn take(&self) -> Plan {
+    pub fn take(&self) -> DevicePlan {
         let mut plan = self.plan();
         let first_buffer = plan.first_buffer + plan.buffers.len() as u32;
-        std::mem::replace(&mut *plan, Plan { first_buffer, ..Plan::default() })
+        std::mem::replace(&mut *plan, DevicePlan { first_buffer, ..DevicePlan::default() })
     }
 
-    fn plan(&self) -> MutexGuard<'_, Plan> {
+    fn plan(&self) -> MutexGuard<'_, DevicePlan> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

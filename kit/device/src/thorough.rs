@@ -6,7 +6,7 @@ use muslin_kernel::{KernelInfo, running, subgroup};
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu::Cpu;
 use crate::cpu_bindings::Monitor;
-use crate::job::{Arithmetic, Job, Order, RunMode};
+use crate::job::{Arithmetic, KernelJob, Order, RunMode};
 use crate::written::Written;
 
 /// The elements of one binding that a kernel can write.
@@ -40,7 +40,7 @@ enum Other {
 }
 
 /// Runs a dispatch in an order of the invocations, and in all other ways. Any two invocations are run in both orders.
-pub fn run(cpu: &Cpu, job: &Job<'_>, seed: u64) -> Result<(), String> {
+pub fn run(cpu: &Cpu, job: &KernelJob<'_>, seed: u64) -> Result<(), String> {
     let outputs = outputs(job);
     let before: Vec<_> = outputs.iter().map(Output::save).collect();
     let order = Order { seed, is_reversed: false };
@@ -91,7 +91,7 @@ impl Other {
     fn run<'a>(
         self,
         cpu: &Cpu,
-        job: &Job<'a>,
+        job: &KernelJob<'a>,
         order: Order,
     ) -> Result<Vec<Option<Monitor<'a>>>, String> {
         cpu.run_once(job, self.mode(order)).map_err(|reason| match self {
@@ -152,7 +152,7 @@ struct Difference {
     other: String,
 }
 
-fn outputs<'a>(job: &Job<'a>) -> Vec<Output<'a>> {
+fn outputs<'a>(job: &KernelJob<'a>) -> Vec<Output<'a>> {
     let mut buffers = job.buffers.iter();
     let output = |(index, info): (usize, &'static BindingInfo)| {
         let buffer: &RawBuffer =

@@ -6,7 +6,7 @@ use std::sync::atomic::Ordering;
 use bytemuck::Pod;
 
 use crate::buffer::{Buffer, Memory, RawBuffer};
-use crate::device::{Device, Kind};
+use crate::device::{Device, DeviceKind};
 use crate::error::{Error, Result};
 
 impl Device {
@@ -22,9 +22,9 @@ impl Device {
         let bytes = len as u64 * size_of::<T>() as u64;
         self.refuse(label, bytes)?;
         let memory = match &self.kind {
-            Kind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes, zeros)?)),
-            Kind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes, zeros)?),
-            Kind::Planner(planner) => Memory::Planned(planner.allocate(label, bytes)?),
+            DeviceKind::Cpu(cpu) => Memory::Cpu(Arc::new(cpu.allocate(label, bytes, zeros)?)),
+            DeviceKind::Gpu(gpu) => Memory::Gpu(gpu.allocate(label, bytes, zeros)?),
+            DeviceKind::Planner(planner) => Memory::Planned(planner.allocate(label, bytes)?),
         };
         Ok(Buffer::new(RawBuffer { memory, label, begin: 0, bytes }))
     }
@@ -45,7 +45,7 @@ impl Device {
     /// Marks a buffer as unwritten, whatever it contains: see [`Device::unwritten`].
     pub fn forget<T: Pod>(&self, buffer: &Buffer<T>) {
         let raw = buffer.raw();
-        if let (Kind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
+        if let (DeviceKind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
             cpu.forget(memory, raw.begin, raw.bytes);
         }
     }
@@ -77,15 +77,15 @@ impl Device {
     pub fn upload<T: Pod>(&self, label: &'static str, values: &[T]) -> Result<Buffer<T>> {
         let mut buffer = self.buffer(label, values.len(), false)?;
         match (&self.kind, &mut buffer.raw_mut().memory) {
-            (Kind::Cpu(_), Memory::Cpu(memory)) => {
+            (DeviceKind::Cpu(_), Memory::Cpu(memory)) => {
                 let memory = Arc::get_mut(memory).expect("nobody else has it yet");
                 memory.bytes_mut()[..size_of_val(values)]
                     .copy_from_slice(bytemuck::cast_slice(values));
             }
-            (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
+            (DeviceKind::Gpu(gpu), Memory::Gpu(memory)) => {
                 gpu.write(memory, bytemuck::cast_slice(values))
             }
-            (Kind::Planner(planner), Memory::Planned(buffer)) => {
+            (DeviceKind::Planner(planner), Memory::Planned(buffer)) => {
                 planner.fill(*buffer, bytemuck::cast_slice(values));
             }
             _ => unreachable!("the buffer was made by this device"),
@@ -97,9 +97,9 @@ impl Device {
     pub fn clear<T: Pod>(&self, buffer: &Buffer<T>) {
         let raw = buffer.raw();
         match (&self.kind, &raw.memory) {
-            (Kind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
-            (Kind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
-            (Kind::Planner(planner), Memory::Planned(buffer)) => {
+            (DeviceKind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
+            (DeviceKind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
+            (DeviceKind::Planner(planner), Memory::Planned(buffer)) => {
                 planner.clear(*buffer, raw.begin, raw.bytes);
             }
             _ => panic!("the buffer `{}` belongs to another device", raw.label),
@@ -120,13 +120,13 @@ impl Device {
         let range = from.begin..from.begin + from.bytes;
         let begin = to.begin + (first * size_of::<T>()) as u64;
         match (&self.kind, &from.memory, &to.memory) {
-            (Kind::Cpu(cpu), Memory::Cpu(source), Memory::Cpu(target)) => {
+            (DeviceKind::Cpu(cpu), Memory::Cpu(source), Memory::Cpu(target)) => {
                 cpu.copy(source, range, target, begin);
             }
-            (Kind::Gpu(gpu), Memory::Gpu(source), Memory::Gpu(target)) => {
+            (DeviceKind::Gpu(gpu), Memory::Gpu(source), Memory::Gpu(target)) => {
                 gpu.copy(source, range, target, begin);
             }
-            (Kind::Planner(planner), Memory::Planned(source), Memory::Planned(target)) => {
+            (DeviceKind::Planner(planner), Memory::Planned(source), Memory::Planned(target)) => {
                 planner.copy(*source, range, *target, begin);
             }
             _ => panic!("the buffer `{}` belongs to another device", from.label),
@@ -148,7 +148,7 @@ impl Device {
             return Ok(());
         }
         let raw = buffer.raw();
-        if let (Kind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
+        if let (DeviceKind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
             let begin = raw.begin + (first * size_of::<T>()) as u64;
             cpu.write(memory, begin, bytemuck::cast_slice(values));
             return Ok(());
@@ -251,17 +251,17 @@ impl Device {
         let begin = buffer.raw().begin as usize + first * size_of::<T>();
         let target: &mut [u8] = bytemuck::cast_slice_mut(values);
         match (&self.kind, &buffer.raw().memory) {
-            (Kind::Cpu(_), Memory::Cpu(memory)) => {
+            (DeviceKind::Cpu(_), Memory::Cpu(memory)) => {
                 target.copy_from_slice(&memory.bytes()[begin..begin + target.len()]);
                 Ok(())
             }
-            (Kind::Gpu(gpu), Memory::Gpu(memory)) => {
+            (DeviceKind::Gpu(gpu), Memory::Gpu(memory)) => {
                 gpu.read(&[(memory, begin as u64, target.len())], |bytes| {
                     target.copy_from_slice(bytes);
                     Ok(())
                 })
             }
-            (Kind::Planner(_), _) => Err(Error::Argument {
+            (DeviceKind::Planner(_), _) => Err(Error::Argument {
                 reason: format!(
                     "`{label}` has no values to read: this device only records what another one will run"
                 ),
@@ -272,7 +272,7 @@ impl Device {
 
     /// Like [`Device::read`], but reads many buffers and waits only once.
     pub fn read_all(&self, buffers: &[Buffer<u32>]) -> Result<Vec<Vec<u32>>> {
-        let Kind::Gpu(gpu) = &self.kind else {
+        let DeviceKind::Gpu(gpu) = &self.kind else {
             return buffers.iter().map(|buffer| self.read(buffer)).collect();
         };
         let ranges: Vec<_> = buffers

@@ -41,7 +41,7 @@ const FORWARD: DVec3 = DVec3::NEG_Z;
 #[derive(Clone, Debug)]
 pub struct CameraPath {
     size: [u32; 2],
-    keys: Vec<State>,
+    keys: Vec<PathState>,
     /// The motion in a unit of time at each key.
     tangents: Vec<Motion>,
     /// Time of each key, from 0. A closed path has one more: the time back at the first key.
@@ -77,7 +77,7 @@ impl CameraPath {
         }
         let target = Target::from_cameras(keys);
         let center = target.is_met.then_some(target.center);
-        let keys: Vec<_> = keys.iter().map(|key| State::from_camera(key, center)).collect();
+        let keys: Vec<_> = keys.iter().map(|key| PathState::from_camera(key, center)).collect();
         let spread = extent(&keys);
         let segments = if is_closed { keys.len() } else { keys.len() - 1 };
         let pairs = || (0..segments).map(|key| (&keys[key], &keys[(key + 1) % keys.len()]));
@@ -139,7 +139,7 @@ impl CameraPath {
 
 /// The values that a path interpolates.
 #[derive(Clone, Debug)]
-struct State {
+struct PathState {
     /// The point that the camera looks at, in world units.
     target: DVec3,
     /// Distance to the target, in world units.
@@ -150,7 +150,7 @@ struct State {
     lens: [f64; 4],
 }
 
-/// A change of a [`State`].
+/// A change of a [`PathState`].
 #[derive(Clone, Debug)]
 struct Motion {
     shift: DVec3,
@@ -160,7 +160,7 @@ struct Motion {
     lens: [f64; 4],
 }
 
-impl State {
+impl PathState {
     /// `center` is the place that all keys look at, if there is one.
     fn from_camera(camera: &Camera, center: Option<DVec3>) -> Self {
         let eye = DVec3::from(camera.eye());
@@ -248,7 +248,7 @@ impl Motion {
 }
 
 /// Root mean square of the positions' distances from their center.
-fn extent(keys: &[State]) -> f64 {
+fn extent(keys: &[PathState]) -> f64 {
     let count = keys.len() as f64;
     let center = keys.iter().map(|key| key.eye()).sum::<DVec3>() / count;
     let squares = keys.iter().map(|key| key.eye().distance_squared(center));

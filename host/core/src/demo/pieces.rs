@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::drapery::{SHEETS, Sheet};
 use super::lattice::{Cell, Look, Splats, cells};
 use super::light::{self, Surroundings};
-use super::shape::{BACKGROUND, FLOOR, HALF_BOX, Kind, Material, PEARL};
+use super::shape::{BACKGROUND, FLOOR, HALF_BOX, Material, PEARL, SurfaceKind};
 
 /// Number of Gaussians of the pearl.
 const PEARL_POINTS: usize = 6400;
@@ -56,7 +56,7 @@ pub fn pearl(splats: &mut Splats) {
         // light that wraps around, as if it scattered under the surface
         let wrapped = (0.5 + 0.5 * normal.dot(light::key())).powf(1.2);
         let color = shade.lerp(light, (1.25 * wrapped - 0.05).clamp(0.0, 1.0));
-        let material = Material { color, normal, kind: Kind::Pearl };
+        let material = Material { color, normal, kind: SurfaceKind::Pearl };
         splats.push(&cell, &Look { thickness: 0.12 * spacing, coverage: PEARL_COVERAGE, material });
     }
 }
@@ -70,7 +70,7 @@ pub fn cloth(splats: &mut Splats) {
             let lit = normal.dot(light::key()).abs();
             let deep = sheet.color(cell.u, cell.v).powf(1.45 - 0.45 * lit);
             let material =
-                Material { color: deep * (0.80 + 0.22 * lit), normal, kind: Kind::Cloth };
+                Material { color: deep * (0.80 + 0.22 * lit), normal, kind: SurfaceKind::Cloth };
             // some thickness, so that a fold seen edge-on is denser than one seen head-on
             let thickness = 0.3 * cell.area().sqrt().max(1e-4);
             splats.push(&cell, &Look { thickness, coverage: sheet.coverage(cell.u), material });
@@ -91,7 +91,7 @@ fn hem(splats: &mut Splats, sheet: &Sheet, v: f32) {
         let normal = cell.normal();
         let lit = normal.dot(light::key()).abs();
         let color = sheet.color(t, v).powf(1.3) * (0.75 + 0.25 * lit);
-        let material = Material { color, normal, kind: Kind::Cloth };
+        let material = Material { color, normal, kind: SurfaceKind::Cloth };
         splats.push(&cell, &Look { thickness: 0.002, coverage: 1.8 * sheet.coverage(t), material });
     }
 }
@@ -111,7 +111,7 @@ pub fn floor(splats: &mut Splats, surroundings: &Surroundings) {
         let lost = SHADOW * fade * (Vec3::ONE - floor_light(surroundings, cell.position));
         let alpha = lost.max_element();
         let color = background * (Vec3::ONE - lost / alpha.max(1e-3));
-        let material = Material { color, normal: Vec3::Z, kind: Kind::Floor };
+        let material = Material { color, normal: Vec3::Z, kind: SurfaceKind::Floor };
         splats.push(&cell, &Look { thickness: 0.002, coverage: alpha, material });
     }
 }

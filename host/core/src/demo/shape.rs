@@ -27,7 +27,7 @@ pub const MATERIAL: usize = 8;
 
 /// The kind of surface that a Gaussian belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum SurfaceKind {
     Cloth,
     Pearl,
     Floor,
@@ -38,7 +38,7 @@ pub enum Kind {
 pub struct Material {
     pub color: Vec3,
     pub normal: Vec3,
-    pub kind: Kind,
+    pub kind: SurfaceKind,
 }
 
 impl Material {
@@ -47,7 +47,7 @@ impl Material {
         let [r, g, b] = self.color.to_array().map(logit);
         let Vec3 { x, y, z } = self.normal;
         let is = |kind| f32::from(u8::from(self.kind == kind));
-        [r, g, b, x, y, z, is(Kind::Cloth), is(Kind::Pearl)]
+        [r, g, b, x, y, z, is(SurfaceKind::Cloth), is(SurfaceKind::Pearl)]
     }
 }
 

@@ -13,7 +13,7 @@ use std::f32::consts::TAU;
 use super::drapery;
 use super::light::{SHEET_THICKNESS, Surroundings};
 use super::network::{Form, Units};
-use super::shape::{Kind, pearl_distance};
+use super::shape::{SurfaceKind, pearl_distance};
 use super::volume::{Volume, WORLD_PER_UNIT};
 use crate::scene::Scene;
 
@@ -41,7 +41,7 @@ const FOR_FLOOR: f32 = 0.72;
 const KNOTS: usize = 14;
 const KNOT_RATIO: f32 = 2.3;
 
-impl Kind {
+impl SurfaceKind {
     /// The Gaussian's extra vector.
     pub fn extra(self) -> [f32; EXTRA] {
         [Self::Pearl, Self::Floor].map(|kind| f32::from(u8::from(self == kind)))

@@ -36,12 +36,12 @@ pub struct ThreadRanks {
 #[derive(Debug)]
 struct Shared {
     size: usize,
-    state: Mutex<State>,
+    state: Mutex<CallState>,
     changed: Condvar,
 }
 
-#[derive(Debug)]
-struct State {
+#[derive(Debug, Default)]
+struct CallState {
     /// Number of calls that all ranks have completed.
     calls: u64,
     /// Messages of the ranks that have joined the current call.
@@ -60,7 +60,7 @@ impl ThreadRanks {
     #[must_use]
     pub fn new(size: usize) -> Vec<Self> {
         assert!(size > 0, "no rank");
-        let state = State { calls: 0, messages: vec![None; size], last: Vec::new(), failed: None };
+        let state = CallState { messages: vec![None; size], ..CallState::default() };
         let shared = Arc::new(Shared { size, state: state.into(), changed: Condvar::new() });
         let rank = |rank| Self { rank, shared: shared.clone(), sent: 0.into() };
         (0..size).map(rank).collect()
@@ -72,7 +72,7 @@ impl ThreadRanks {
         Self::new(1).swap_remove(0)
     }
 
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, CallState> {
         self.shared.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

@@ -19,7 +19,7 @@ pub struct Batch {
 
 /// The results of the device.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Sums {
+pub struct TileSums {
     /// The sum of `|x - y|`.
     pub absolute: f64,
     /// The sum of `1 - SSIM`.
@@ -63,8 +63,8 @@ impl Batch {
     }
 
     /// The sums of a tile over its valid pixels and three channels.
-    pub fn sums(&self, tile: usize) -> Sums {
-        let mut sums = Sums::default();
+    pub fn sums(&self, tile: usize) -> TileSums {
+        let mut sums = TileSums::default();
         for channel in 0..3 {
             let plane = self.plane(tile, channel);
             for at in (0..self.side * self.side).filter(|&at| plane.valid[at]) {

@@ -201,14 +201,14 @@ pub fn finish(device: &Device, ranks: Option<&dyn Ranks>, gradient: &SceneGradie
 }
 
 /// Integers on the device that all ranks have some of.
-struct Sums<'a> {
+struct SharedSums<'a> {
     buffer: &'a Buffer<u32>,
     values: Vec<i64>,
     /// Not 0 where a block of [`VALUES_PER_FLAG`] values was added to.
     touched: Vec<u32>,
 }
 
-impl<'a> Sums<'a> {
+impl<'a> SharedSums<'a> {
     /// `touched` is known of a hash grid. Elsewhere, it says which blocks are not zero.
     fn read(device: &Device, buffer: &'a Buffer<u32>, touched: Option<Vec<u32>>) -> Result<Self> {
         let values: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(buffer)?);
@@ -231,12 +231,12 @@ fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<(
     let mut flags = Vec::new();
     for table in tables(gradient) {
         let touched = device.read(&table.touched)?;
-        all.push(Sums::read(device, &table.sum, Some(touched))?);
+        all.push(SharedSums::read(device, &table.sum, Some(touched))?);
         flags.extend(device.read(&table.status)?);
     }
     let networks = [&gradient.color.network, &gradient.transmittance.network];
     for binned in networks.into_iter().chain(&gradient.poses) {
-        all.push(Sums::read(device, &binned.sum, None)?);
+        all.push(SharedSums::read(device, &binned.sum, None)?);
     }
     flags.extend(all.iter().flat_map(|sums| &sums.touched));
     ranks.or(&mut flags)?;

@@ -27,12 +27,12 @@ const STRIDE: i32 = 4;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contributions {
     /// `[N]`
-    sums: Vec<Sums>,
+    sums: Vec<GaussianSums>,
 }
 
 /// Sums of one Gaussian.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Sums {
+struct GaussianSums {
     /// Of `alpha / max(S, 1)`, over all pixels of all views.
     pixels: f64,
     /// Of the squares of what each view has of `pixels`.
@@ -47,7 +47,7 @@ impl Contributions {
     /// Those of a number of Gaussians to no view.
     #[must_use]
     pub fn new(gaussians: usize) -> Self {
-        Self { sums: vec![Sums::default(); gaussians] }
+        Self { sums: vec![GaussianSums::default(); gaussians] }
     }
 
     /// The contribution of a Gaussian, in pixels: 2.5 is as much as all of two pixels and half of a third.
@@ -60,7 +60,7 @@ impl Contributions {
     /// `(sum of c)^2 / (sum of c^2)` for the contributions c to each view.
     #[must_use]
     pub fn views(&self, gaussian: usize) -> f64 {
-        let Sums { pixels, squares, .. } = self.sums[gaussian];
+        let GaussianSums { pixels, squares, .. } = self.sums[gaussian];
         if squares > 0.0 { pixels * pixels / squares } else { 0.0 }
     }
 
@@ -68,12 +68,12 @@ impl Contributions {
     /// depth of the pixel's weights. Pixels with S < 0.98 show the background and do not count. 0 if it was not measured.
     #[must_use]
     pub fn in_front(&self, gaussian: usize) -> f64 {
-        let Sums { measured, in_front, .. } = self.sums[gaussian];
+        let GaussianSums { measured, in_front, .. } = self.sums[gaussian];
         if measured > 0.0 { in_front / measured } else { 0.0 }
     }
 
     /// Adds what a view has.
-    fn add(&mut self, view: &[Sums]) {
+    fn add(&mut self, view: &[GaussianSums]) {
         for (sum, view) in self.sums.iter_mut().zip(view) {
             sum.pixels += view.pixels;
             sum.squares += view.pixels * view.pixels;
@@ -102,7 +102,7 @@ impl Renderer {
         assert_eq!(contributions.sums.len(), scene.len(), "contributions of another scene");
         let position = self.device().read(&scene.tensors.gaussians.position)?;
         let depths = surfaces.then(|| depths(&position, camera));
-        let mut view = vec![Sums::default(); scene.len()];
+        let mut view = vec![GaussianSums::default(); scene.len()];
         for batch in bands(0, [camera.width, camera.height], TILE_SIDE) {
             let batch = batch?;
             batch.validate(from_ref(camera))?;
@@ -130,7 +130,7 @@ impl Renderer {
         camera: &Camera,
         plan: &PartTiles,
         depths: Option<&[f64]>,
-    ) -> Result<Vec<(usize, Sums)>> {
+    ) -> Result<Vec<(usize, GaussianSums)>> {
         let device = self.device();
         let grad_tiles = device.upload("red of the pixels", &red(camera, plan))?;
         let red = TileGradient { grad_tiles, distortion: None };
@@ -143,7 +143,7 @@ impl Renderer {
         let gradient = device.read(&gradient)?;
         // a pair's third vector has the gradient of its color
         let colors = gradient.chunks_exact(VECTORS as usize).map(|vectors| f64::from(vectors[2].x));
-        let sums = colors.map(|pixels| Sums { pixels, ..Sums::default() });
+        let sums = colors.map(|pixels| GaussianSums { pixels, ..GaussianSums::default() });
         let gaussians = members.pair.iter().map(|&gaussian| gaussian as usize);
         let mut found: Vec<_> = gaussians.zip(sums).collect();
         if let Some(depths) = depths {
@@ -187,7 +187,7 @@ fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 
 }
 
 /// The contributions of Gaussians to a pixel, and whether they are in front of its surface.
-fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, Sums)> {
+fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, GaussianSums)> {
     let Some((surface, sum)) = surface(&mut members) else { return Vec::new() };
     if sum < OPEN {
         // it shows the background
@@ -197,7 +197,7 @@ fn in_pixel(mut members: Vec<Member>) -> Vec<(usize, Sums)> {
         let measured = member.weight / sum.max(1.0);
         let is_in_front = member.depth < (1.0 - SURFACE) * surface;
         let in_front = if is_in_front { measured } else { 0.0 };
-        (member.gaussian, Sums { measured, in_front, ..Sums::default() })
+        (member.gaussian, GaussianSums { measured, in_front, ..GaussianSums::default() })
     };
     members.iter().map(of_member).collect()
 }

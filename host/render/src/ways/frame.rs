@@ -29,7 +29,7 @@ pub struct FrameShape {
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Buffers and steps.
-    pub plan: muslin_device::Plan,
+    pub plan: muslin_device::DevicePlan,
     /// `[18]`: the camera, as [`organza_shaders::camera::Camera`] packs it.
     pub camera: u32,
     /// `[tiles, 4]`: as [`organza_shaders::tile::Tile`] packs them.

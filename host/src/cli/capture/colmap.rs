@@ -8,7 +8,7 @@ use organza::{Error, Result};
 
 use super::frames::IMAGES;
 use super::programs::command;
-use super::{Job, is_photograph};
+use super::{CaptureJob, is_photograph};
 use crate::cli::refuse;
 
 /// Folder of the undistorted images and their cameras, in the work.
@@ -22,7 +22,7 @@ const MATCHES: &str = "matches";
 
 /// COLMAP, as it is installed.
 pub struct Colmap<'a> {
-    job: &'a Job<'a>,
+    job: &'a CaptureJob<'a>,
     /// Whether images come one after another.
     is_video: bool,
     /// Whether it was built with CUDA. Without it, features on a GPU need a display.
@@ -30,7 +30,7 @@ pub struct Colmap<'a> {
 }
 
 impl<'a> Colmap<'a> {
-    pub fn new(job: &'a Job<'a>, is_video: bool) -> Result<Self> {
+    pub fn new(job: &'a CaptureJob<'a>, is_video: bool) -> Result<Self> {
         let help = output(command("colmap").arg("help"))?;
         Ok(Self { job, is_video, has_cuda: help.contains("with CUDA") })
     }

@@ -8,7 +8,7 @@ use std::process::Command;
 use organza::{Error, Result};
 
 use super::programs::command;
-use super::{Job, Source};
+use super::{CaptureJob, Source};
 use crate::cli::summary::count;
 use crate::cli::{absolute, refuse};
 
@@ -17,7 +17,7 @@ pub const IMAGES: &str = "images";
 /// Width and height at which frames are compared. The shape of a video does not matter for that.
 const PROBE: [usize; 2] = [960, 540];
 
-impl Job<'_> {
+impl CaptureJob<'_> {
     /// Collects the images, and returns their number.
     pub fn images(&self, source: &Source<'_>) -> Result<usize> {
         self.step(IMAGES, |folder| match source {

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::console::Console;
-use super::inputs::Kind;
+use super::inputs::FileKind;
 use super::output::Folder;
 use super::refuse;
 use super::signals::Signals;
@@ -86,7 +86,7 @@ enum Source<'a> {
 }
 
 /// Where a step finds its inputs, and puts its result.
-struct Job<'a> {
+struct CaptureJob<'a> {
     args: &'a Args,
     work: PathBuf,
     programs: Programs<'a>,
@@ -95,7 +95,7 @@ struct Job<'a> {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = Source::find(&args.inputs)?;
-    if Kind::from_path(&args.output) == Some(Kind::Run) {
+    if FileKind::from_path(&args.output) == Some(FileKind::Run) {
         let output = args.output.display();
         return refuse(format!("{output} holds a training run; choose another folder"));
     }
@@ -116,7 +116,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
     signals.keeps_results();
     let programs = Programs::new(&work, signals.stop());
-    let job = Job { args, work, programs, console };
+    let job = CaptureJob { args, work, programs, console };
     let images = job.images(&source).inspect_err(|_| {
         // Without images there is nothing to keep. A file that stays does no harm.
         let _ = fs::remove_dir_all(&job.work);
@@ -254,7 +254,7 @@ fn begin(folder: &Folder, key: &str) -> Result<PathBuf> {
     Ok(work)
 }
 
-impl Job<'_> {
+impl CaptureJob<'_> {
     /// A folder of the work.
     fn path(&self, name: &str) -> PathBuf {
         self.work.join(name)

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use organza::film::{Frames, Kind};
+use organza::film::{FilmKind, Frames};
 use organza::image::ChannelImage;
 use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
 use serde::Serialize;
@@ -102,7 +102,7 @@ fn depth_range(text: &str) -> Result<[f32; 2], String> {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.scene)?;
-    let kind = Kind::from_path(&args.output)?;
+    let kind = FilmKind::from_path(&args.output)?;
     let channel = args.channel.map(ChannelName::channel);
     if args.depth_range.is_some() && channel != Some(Channel::Depth) {
         return refuse("`--depth-range` is for `--channel depth`");
@@ -110,12 +110,12 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let scene = source.load(console)?;
     let inputs =
         Inputs { source: &source, scene: &scene, named: args.cameras.as_deref(), data: &args.data };
-    let path = args.path.frames(&inputs, args.frames as usize, kind == Kind::Mp4, console)?;
+    let path = args.path.frames(&inputs, args.frames as usize, kind == FilmKind::Mp4, console)?;
     let size @ [width, height] = [path.frames[0].width, path.frames[0].height];
     kind.check(size)?;
     Image::check_memory(width, height)?;
     ChannelImage::check_memory(channel.as_slice(), width, height)?;
-    if kind != Kind::Frames {
+    if kind != FilmKind::Frames {
         let origin = path.cameras.iter().map(|cameras| cameras.origin.as_path());
         let inputs: Vec<_> = origin.chain([source.named(), source.file()]).collect();
         output::check_file(&args.output, &inputs)?;
@@ -167,13 +167,13 @@ impl Film<'_> {
     fn make<'a>(
         &self,
         args: &'a Args,
-        kind: Kind,
+        kind: FilmKind,
         source: &SceneSource,
         console: Console,
     ) -> Result<Made<'a>> {
         let folder = match kind {
-            Kind::Frames => args.output.clone(),
-            Kind::Mp4 | Kind::Png => {
+            FilmKind::Frames => args.output.clone(),
+            FilmKind::Mp4 | FilmKind::Png => {
                 let mut name = args.output.clone().into_os_string();
                 name.push(".frames");
                 name.into()
@@ -191,7 +191,7 @@ impl Film<'_> {
         signals.keeps_results();
         let cost = self.render(&files, &todo, &signals, console)?;
         let Some(cost) = cost else { return stopped(&files, &folder) };
-        if kind != Kind::Frames {
+        if kind != FilmKind::Frames {
             let progress = console.progress(files.len() as u64, "frames");
             progress.say("encoding");
             let kept = format!("the frames are kept in {}", folder.path().display());

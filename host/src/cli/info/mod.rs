@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use organza::{Camera, Error, Result, Scene, TileBatch};
 
 use super::console::{Console, print, print_json};
-use super::inputs::{Format, Kind, SceneSource, format};
+use super::inputs::{FileKind, Format, SceneSource, format};
 
 /// Most rows of a table that could have as many rows as a data set has photographs.
 const MOST_ROWS: usize = 24;
@@ -35,7 +35,7 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    if Kind::from_path(&args.file) == Some(Kind::DataSet) {
+    if FileKind::from_path(&args.file) == Some(FileKind::DataSet) {
         return show(args, &cameras::CameraFile::from_data_set(&args.file)?);
     }
     let source = SceneSource::find(&args.file)?;

@@ -12,7 +12,7 @@ use serde::de::IgnoredAny;
 
 /// The kinds of files and folders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum FileKind {
     Scene,
     /// safetensors without a scene's metadata, such as a rendered batch.
     Tensors,
@@ -39,7 +39,7 @@ pub enum Expected {
     Tiles,
 }
 
-impl Kind {
+impl FileKind {
     /// The kind of a path's content; `None` if it is unknown.
     pub fn from_path(path: &Path) -> Option<Self> {
         if path.is_dir() {
@@ -74,13 +74,13 @@ impl Kind {
 }
 
 impl Expected {
-    fn accepts(self, kind: Kind) -> bool {
+    fn accepts(self, kind: FileKind) -> bool {
         match self {
             // For tensors in another format, the loader has a better message.
-            Self::Scene => matches!(kind, Kind::Scene | Kind::Run | Kind::Tensors),
+            Self::Scene => matches!(kind, FileKind::Scene | FileKind::Run | FileKind::Tensors),
             // A transforms.json is both.
-            Self::Cameras | Self::DataSet => matches!(kind, Kind::Cameras | Kind::DataSet),
-            Self::Tiles => kind == Kind::Tiles,
+            Self::Cameras | Self::DataSet => [FileKind::Cameras, FileKind::DataSet].contains(&kind),
+            Self::Tiles => kind == FileKind::Tiles,
         }
     }
 
@@ -122,7 +122,7 @@ pub fn told_apart(error: Error, path: &Path, expected: Expected) -> Error {
     if is_unknown && let Some(reason) = expected.foreign(path) {
         return Error::Invalid { origin: path.to_owned(), reason };
     }
-    match Kind::from_path(path) {
+    match FileKind::from_path(path) {
         Some(found) if !expected.accepts(found) => Error::Invalid {
             origin: path.to_owned(),
             reason: format!(

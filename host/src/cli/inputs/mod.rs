@@ -7,5 +7,5 @@ mod scene;
 
 pub use cameras::Cameras;
 pub use data::{DataArgs, DataSet, Split};
-pub use kind::{Expected, Format, Kind, format, told_apart};
+pub use kind::{Expected, FileKind, Format, format, told_apart};
 pub use scene::SceneSource;

@@ -1,7 +1,7 @@
 //! Says so if a run shows nothing, or learns nothing, from its first step on.
 
 use super::Event;
-use super::state::State;
+use super::state::SessionState;
 use crate::step_report::StepReport;
 use organza_core::camera::Camera;
 use organza_core::error::Result;
@@ -19,7 +19,7 @@ const LEAST_GAIN: f64 = 0.03;
 #[derive(Debug, Default)]
 pub(super) struct FirstSteps([f64; 2]);
 
-impl State<'_, '_, '_> {
+impl SessionState<'_, '_, '_> {
     /// Judges a new run by the steps so far.
     pub(super) fn judge(&mut self, report: &StepReport) -> Result<()> {
         let step = self.trainer.steps();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use super::first_steps::FirstSteps;
-use super::state::State;
+use super::state::SessionState;
 use super::{Event, Outcome, Session, Watch};
 use crate::binding::Change;
 use crate::checkpoint::Checkpoint;
@@ -69,7 +69,7 @@ impl Session<'_> {
         let OpenLog { log, evaluated, best } = self.open_log(resume, step, &changed)?;
         watch(Event::Opened { step, resume })?;
         let _ = self.renderer.device().take_timings();
-        State {
+        SessionState {
             session: self,
             trainer,
             log,

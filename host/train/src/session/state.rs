@@ -22,7 +22,7 @@ use organza_core::error::Result;
 const FIRST_CHECKPOINT: Duration = Duration::from_secs(30);
 
 /// State that changes while a run goes on.
-pub(super) struct State<'a, 'w, 'h> {
+pub(super) struct SessionState<'a, 'w, 'h> {
     pub session: &'a Session<'a>,
     pub trainer: Trainer,
     pub log: MetricsLog,
@@ -47,7 +47,7 @@ pub(super) struct State<'a, 'w, 'h> {
     pub hooks: &'w mut StepHooks<'h>,
 }
 
-impl State<'_, '_, '_> {
+impl SessionState<'_, '_, '_> {
     /// Trains to the end.
     pub fn run(mut self) -> Result<Outcome> {
         let mut saved = None;

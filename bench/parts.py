@@ -27,7 +27,7 @@ PARTS = {
 
 def train(organza, captures, folder, options):
     """PSNR and SSIM of each capture."""
-    command = [organza, "benchmark", *captures, "-o", folder, "--steps", "400", "--backend", "cpu", "--quiet", *options]
+    command = [organza, "train-all", *captures, "-o", folder, "--steps", "400", "--backend", "cpu", "--quiet", *options]
     subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
     with (folder / "results.csv").open() as file:
         return {row["capture"]: (float(row["PSNR"]), float(row["SSIM"])) for row in csv.DictReader(file)}

@@ -71,7 +71,7 @@ case "$1" in
   film) set -- "$@" --frames 2 ;;
   export-web) has --size || set -- "$@" --size 64x48 ;;
   export | import) set -- "$@" --steps 1 --side 16 ;;
-  benchmark) set -- $(echo "$words" | sed 's/--minutes [0-9.]*/--minutes 0.01/') ;;
+  train-all) set -- $(echo "$words" | sed 's/--minutes [0-9.]*/--minutes 0.01/') ;;
 esac
 case "$1" in
   train | demo | eval | render | film | tiles | export-web | export | import | edit) has --backend || has --print-config || set -- "$@" --backend cpu ;;

@@ -4,7 +4,6 @@ mod arguments;
 mod bad_files;
 mod bad_requests;
 mod bench;
-mod benchmark;
 mod capture;
 mod corpus;
 #[cfg(target_os = "linux")]
@@ -27,8 +26,9 @@ mod sandbox;
 mod scene_shards;
 mod splats;
 mod stale;
+mod tasks;
 mod train;
+mod train_all;
 mod view;
-mod view_shards;
 #[cfg(target_os = "linux")]
 mod web;

@@ -95,7 +95,7 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
         outcome.assert_refused(&[]);
         assert_eq!(fs::read_to_string(&mine).unwrap(), "mine", "{words}");
     }
-    let words = "benchmark data -o bench --config tiny.toml --steps 1 --backend cpu";
+    let words = "train-all data -o bench --config tiny.toml --steps 1 --backend cpu";
     sandbox.run(words).assert_refused(&["results.md", "link"]);
     assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
 }
@@ -132,15 +132,15 @@ fn one_command_at_a_time_writes_into_a_folder() {
     let film = "film scene.safetensors cameras.json -o out --frames 2 --backend cpu";
     fs::create_dir(sandbox.path("out")).unwrap();
     let lock = FolderLock::exclusive(&sandbox.path("out")).unwrap().expect("it is free");
-    let shard = format!("{render} --shard 1/2");
-    for words in [render, &shard, film, "demo -o out --views 2 --size 16 --backend cpu"] {
+    let task = format!("{render} --task 1/2");
+    for words in [render, &task, film, "demo -o out --views 2 --size 16 --backend cpu"] {
         sandbox.assert_refuses(words, &["out: another command writes to this folder (process "]);
     }
     drop(lock);
-    // shards write different images
+    // tasks write different images
     let lock = FolderLock::shared(&sandbox.path("out")).unwrap().expect("it is free");
     sandbox.assert_refuses(render, &["another command"]);
-    sandbox.run(&shard).assert_ok();
+    sandbox.run(&task).assert_ok();
     drop(lock);
     sandbox.run(render).assert_ok();
     assert!(!sandbox.path("out/.organza-lock").exists());

@@ -35,7 +35,7 @@ formulas (docs/performance.md). `of peak` compares them with the device's own pe
 memory, and is the larger of the two; caches can bring it above 100%. The peaks are measured after the batch. Peak \
 memory is that of the process, including reading the scene, but not a GPU's memory.";
 
-/// Measure a batch, forward and backward, and each kernel's part of it (`benchmark` compares trained scenes)
+/// Measure a batch, forward and backward, and each kernel's part of it
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

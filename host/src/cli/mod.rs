@@ -1,7 +1,6 @@
 //! The command line: one file for each subcommand.
 
 mod bench;
-mod benchmark;
 mod capture;
 mod channels;
 mod compare;
@@ -31,6 +30,7 @@ mod summary;
 mod table;
 mod tiles;
 mod train;
+mod train_all;
 mod verbosity;
 mod view;
 mod views;
@@ -79,6 +79,7 @@ struct Cli {
 enum Command {
     Capture(capture::Args),
     Train(train::Args),
+    TrainAll(train_all::Args),
     Tiles(tiles::Args),
     Render(render::Args),
     Film(film::Args),
@@ -95,7 +96,6 @@ enum Command {
     Kernels(kernels::Args),
     Parity(parity::Args),
     Bench(bench::Args),
-    Benchmark(benchmark::Args),
     Completions(completions::Args),
     Man(man::Args),
 }
@@ -111,6 +111,7 @@ pub fn main() -> ExitCode {
     let run = || match &command {
         Command::Capture(args) => capture::run(args, console).map(done),
         Command::Train(args) => train::run(args, console).map(done),
+        Command::TrainAll(args) => train_all::run(args, console).map(done),
         Command::Tiles(args) => tiles::run(args, console).map(done),
         Command::Render(args) => render::run(args, console).map(done),
         Command::Film(args) => film::run(args, console).map(done),
@@ -127,7 +128,6 @@ pub fn main() -> ExitCode {
         Command::Kernels(args) => kernels::run(args, console).map(done),
         Command::Parity(args) => parity::run(args, console),
         Command::Bench(args) => bench::run(args, console).map(done),
-        Command::Benchmark(args) => benchmark::run(args, console).map(done),
         Command::Completions(args) => completions::run(args, console).map(done),
         Command::Man(args) => man::run(args, console).map(done),
     };

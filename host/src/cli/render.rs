@@ -17,7 +17,7 @@ use super::ranks::{Member, SharesArgs};
 use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
 use super::verbosity::Level;
-use super::views::{ViewList, ViewShard, names, warn_distorted};
+use super::views::{ViewList, ViewTask, names, warn_distorted};
 use super::written::{name, refuse_others};
 
 const EXAMPLES: &str = "\
@@ -28,7 +28,7 @@ Examples:
   organza render run -o images                             the views that the run was trained on
   organza render run -o images --split held-out            those that it did not see
   organza render scene.safetensors data/fox -o images --split all --downscale 2
-  organza render scene.safetensors transforms.json -o images --shard 0/4   the first of four machines
+  organza render scene.safetensors transforms.json -o images --task 0/4    the first of four machines
   organza render scene.safetensors transforms.json -o images --missing     what is not there yet
   mpirun -n 8 organza render scene.safetensors transforms.json -o images --ranks mpi
 
@@ -40,9 +40,9 @@ view's index. The tile size does not change the image.
 
 A folder with files that are no images of these cameras is refused, unless you pass `--overwrite`. Nothing is removed.
 
-`--shard I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
+`--task I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
 one folder at the same time. With `--missing`, images that are there stay as they are, and the others are rendered: after \
-a shard has failed, or was killed.
+a task has failed, or was killed.
 
 A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
 covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
@@ -63,10 +63,9 @@ pub struct Args {
     /// The views to render, such as 0,8 or 0-3 [default: all]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     views: Option<ViewList>,
-    /// Render every Nth view, starting with the Ith: I/N, such as 0/4. `slurm` takes both from the task of a Slurm
-    /// array
+    /// Render every Nth view, starting with the Ith: I/N, such as 0/4. `slurm` takes both from a Slurm array
     #[arg(long, value_name = "I/N")]
-    shard: Option<ViewShard>,
+    task: Option<ViewTask>,
     /// Render only images that do not exist yet
     #[arg(long)]
     missing: bool,
@@ -110,7 +109,7 @@ impl RenderJob {
             Some(chosen) => chosen.resolve(cameras.list.len(), &cameras.origin)?,
             None => (0..cameras.list.len()).collect(),
         };
-        let views = args.shard.map_or(views.clone(), |shard| shard.select(views));
+        let views = args.task.map_or(views.clone(), |task| task.select(views));
         Ok(Self { source, cameras, views })
     }
 
@@ -157,8 +156,8 @@ fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Consol
     }
     let scene = if rank.is_none() { Some(source.load(console)?) } else { None };
     let mut folder = Folder::make(&args.output)?;
-    // shards write different images to one folder
-    folder.lock(args.shard.is_some())?;
+    // tasks write different images to one folder
+    folder.lock(args.task.is_some())?;
     let beside = |channel: &Channel| format!("{}.{}", channel.name(), format.extension());
     let endings: Vec<_> =
         std::iter::once("png".to_owned()).chain(channels.iter().map(beside)).collect();

@@ -49,16 +49,16 @@ impl ViewList {
     }
 }
 
-/// A part of the views: every `count`-th. For example, `3/8` is the fourth, the twelfth and so on.
+/// A task of several that render the views: every `count`-th. For example, `3/8` is the fourth, the twelfth and so on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ViewShard {
-    /// Index of the part, from 0.
+pub struct ViewTask {
+    /// Index of the task, from 0.
     pub index: usize,
-    /// Number of parts.
+    /// Number of tasks.
     pub count: usize,
 }
 
-impl FromStr for ViewShard {
+impl FromStr for ViewTask {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -66,28 +66,28 @@ impl FromStr for ViewShard {
             return Self::from_slurm(|name| std::env::var(name).ok());
         }
         let number = |text: &str| text.trim().parse::<usize>().ok();
-        let shard = text
+        let task = text
             .split_once('/')
             .and_then(|(index, count)| Some(Self { index: number(index)?, count: number(count)? }));
-        let shard = shard.ok_or_else(|| {
+        let task = task.ok_or_else(|| {
             format!("expected I/N, such as 0/8 for the first of eight, or `{SLURM}`")
         })?;
-        match shard {
-            Self { count: 0, .. } => Err("there must be one shard at least".to_owned()),
+        match task {
+            Self { count: 0, .. } => Err("there must be one task at least".to_owned()),
             Self { index, count } if index >= count => {
                 let last = count - 1;
-                Err(format!("there is no shard {index} of {count}: they are 0 to {last}"))
+                Err(format!("there is no task {index} of {count}: they are 0 to {last}"))
             }
-            shard => Ok(shard),
+            task => Ok(task),
         }
     }
 }
 
-/// Value of `--shard` for the task of a Slurm array.
+/// Value of `--task` in a Slurm array.
 const SLURM: &str = "slurm";
 
-impl ViewShard {
-    /// The part of this task of a Slurm array: `sbatch --array=A-B` or `A-B:STEP`.
+impl ViewTask {
+    /// This task of a Slurm array: `sbatch --array=A-B` or `A-B:STEP`.
     fn from_slurm(variable: impl Fn(&str) -> Option<String>) -> Result<Self, String> {
         let number =
             |name: &str| variable(&format!("SLURM_ARRAY_TASK_{name}"))?.parse::<usize>().ok();
@@ -109,7 +109,7 @@ impl ViewShard {
         }
     }
 
-    /// The shard's part of a list.
+    /// The task's views of a list.
     pub fn select(self, views: Vec<usize>) -> Vec<usize> {
         views.into_iter().skip(self.index).step_by(self.count).collect()
     }
@@ -199,25 +199,25 @@ mod tests {
     }
 
     #[test]
-    fn shards_of_arrays() {
-        let shard = |values: [&str; 4]| {
+    fn tasks_of_arrays() {
+        let task = |values: [&str; 4]| {
             let names = ["ID", "COUNT", "MIN", "STEP"];
             let variable = |name: &str| {
                 let at = names.iter().position(|n| name == format!("SLURM_ARRAY_TASK_{n}"))?;
                 Some(values[at].to_owned()).filter(|value| !value.is_empty())
             };
-            ViewShard::from_slurm(variable).map(|ViewShard { index, count }| [index, count])
+            ViewTask::from_slurm(variable).map(|ViewTask { index, count }| [index, count])
         };
-        assert_eq!(shard(["0", "4", "0", "1"]), Ok([0, 4]));
-        assert_eq!(shard(["4", "4", "1", "1"]), Ok([3, 4]));
-        assert_eq!(shard(["9", "3", "1", "4"]), Ok([2, 3]));
-        assert_eq!(shard(["2", "3", "", ""]), Ok([2, 3]));
-        assert!(shard(["5", "3", "1", "1"]).unwrap_err().contains("numbered evenly"));
-        assert!(shard(["", "", "", ""]).unwrap_err().contains("no task of a Slurm array"));
-        for (text, reason) in [("3/3", "0 to 2"), ("1/0", "one shard"), ("2", "such as 0/8")] {
-            assert!(text.parse::<ViewShard>().unwrap_err().contains(reason), "{text}");
+        assert_eq!(task(["0", "4", "0", "1"]), Ok([0, 4]));
+        assert_eq!(task(["4", "4", "1", "1"]), Ok([3, 4]));
+        assert_eq!(task(["9", "3", "1", "4"]), Ok([2, 3]));
+        assert_eq!(task(["2", "3", "", ""]), Ok([2, 3]));
+        assert!(task(["5", "3", "1", "1"]).unwrap_err().contains("numbered evenly"));
+        assert!(task(["", "", "", ""]).unwrap_err().contains("no task of a Slurm array"));
+        for (text, reason) in [("3/3", "0 to 2"), ("1/0", "one task"), ("2", "such as 0/8")] {
+            assert!(text.parse::<ViewTask>().unwrap_err().contains(reason), "{text}");
         }
-        assert_eq!("1/3".parse::<ViewShard>().unwrap().select((0..8).collect()), [1, 4, 7]);
+        assert_eq!("1/3".parse::<ViewTask>().unwrap().select((0..8).collect()), [1, 4, 7]);
     }
 
     #[test]

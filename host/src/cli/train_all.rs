@@ -1,4 +1,4 @@
-//! `organza benchmark`: trains on several captures and compares them in one table.
+//! `organza train-all`: trains on several captures and compares them in one table.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
@@ -22,9 +22,9 @@ use super::train::{SettingsArgs, TrainJob};
 
 const EXAMPLES: &str = "\
 Examples:
-  organza benchmark data/fox data/garden -o results --minutes 10
-  organza benchmark data/* -o small --steps 600 --downscale 4 --seed 1
-  organza benchmark data/fox -o results --lpips lpips-alex.safetensors
+  organza train-all data/fox data/garden -o results --minutes 10
+  organza train-all data/* -o small --steps 600 --downscale 4 --seed 1
+  organza train-all data/fox -o results --lpips lpips-alex.safetensors
 
 organza writes a training run for each capture to FOLDER, under the name of the capture's folder, and the table to \
 results.md and results.csv. After Ctrl-C, the same command continues: it resumes an unfinished run and keeps finished ones.
@@ -33,7 +33,7 @@ PSNR and SSIM are those of the held-out views after the last step. MB is the siz
 without the state of training. Minutes are those of training, without evaluations. scripts/lpips-weights.py makes \
 the file for --lpips.";
 
-/// Train on several captures, and compare them in one table (`bench` measures the speed of a device)
+/// Train on several captures, and compare them in one table
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

@@ -1,4 +1,4 @@
-//! `organza benchmark`: the table must have the results of the runs.
+//! `organza train-all`: the table must have the results of the runs.
 
 use std::collections::HashMap;
 use std::fs;
@@ -21,7 +21,7 @@ fn captures_are_trained_on_and_compared() {
             .assert_ok();
         fs::copy(sandbox.path("cameras.json"), sandbox.path(name).join("transforms.json")).unwrap();
     }
-    let words = "benchmark one two/transforms.json -o results --config tiny.toml --steps 8 \
+    let words = "train-all one two/transforms.json -o results --config tiny.toml --steps 8 \
                  --downscale 2 --hold-out-every 2 --backend cpu";
     let table = sandbox.run(words).assert_ok().stdout;
     let markdown = fs::read_to_string(sandbox.path("results/results.md")).unwrap();
@@ -46,9 +46,9 @@ fn captures_are_trained_on_and_compared() {
     assert_eq!(sandbox.run(words).assert_ok().stdout, table);
     assert_eq!(fs::read_to_string(sandbox.path("results/results.csv")).unwrap(), csv);
     let json = sandbox.run(&format!("{words} --json --quiet")).assert_ok().stdout;
-    assert_documented("benchmark", &[serde_json::from_str(&json).expect("JSON")]);
+    assert_documented("train-all", &[serde_json::from_str(&json).expect("JSON")]);
     with_lpips(&sandbox, words);
-    sandbox.assert_refuses("benchmark one one -o again --backend cpu", &["two captures", "one"]);
+    sandbox.assert_refuses("train-all one one -o again --backend cpu", &["two captures", "one"]);
     assert!(!sandbox.path("again").exists());
 }
 
@@ -74,7 +74,7 @@ fn with_lpips(sandbox: &Sandbox, words: &str) {
         );
     }
     // refused before any training
-    let refused = "benchmark one -o late --lpips cameras.json --backend cpu";
+    let refused = "train-all one -o late --lpips cameras.json --backend cpu";
     sandbox.assert_refuses(refused, &["cameras.json"]);
     assert!(!sandbox.path("late").exists());
 }

@@ -1,4 +1,4 @@
-//! `render --shard` and `--missing`: several machines fill one folder.
+//! `render --task` and `--missing`: several machines fill one folder.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -28,7 +28,7 @@ fn images(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
     files
 }
 
-/// Three shards run at the same time, and one is killed. After rendering missing images, the folder equals that of a
+/// Three tasks run at the same time, and one is killed. After rendering missing images, the folder equals that of a
 /// single call.
 #[test]
 fn tasks_and_missing_images_equal_one_call() {
@@ -39,13 +39,13 @@ fn tasks_and_missing_images_equal_one_call() {
     assert!(views >= 2, "{:?}", whole.keys());
 
     std::thread::scope(|scope| {
-        let shard = |index| {
+        let task = |index| {
             scope.spawn({
                 let sandbox = &sandbox;
-                move || json(sandbox.run(&format!("{RENDER} -o out --shard {index}/3 --json")))
+                move || json(sandbox.run(&format!("{RENDER} -o out --task {index}/3 --json")))
             })
         };
-        let results = [0, 1, 2].map(shard).map(|thread| thread.join().expect("a result"));
+        let results = [0, 1, 2].map(task).map(|thread| thread.join().expect("a result"));
         for (index, result) in results.iter().enumerate() {
             let expected: Vec<_> = (index..views).step_by(3).collect();
             let list = result["images"].as_array().unwrap();
@@ -62,7 +62,7 @@ fn tasks_and_missing_images_equal_one_call() {
 
     // one channel is missing
     fs::remove_file(sandbox.path("out/0001.depth.png")).unwrap();
-    let result = json(sandbox.run(&format!("{RENDER} -o out --missing --shard 1/2 --json")));
+    let result = json(sandbox.run(&format!("{RENDER} -o out --missing --task 1/2 --json")));
     assert_eq!(result["rendered"], 1);
     assert_eq!(images(&sandbox, "out"), whole);
     // what is there stays, whatever it is
@@ -74,13 +74,13 @@ fn tasks_and_missing_images_equal_one_call() {
 #[test]
 fn an_empty_task_succeeds_and_bad_tasks_are_refused() {
     let sandbox = Sandbox::new("tiny");
-    let outcome = sandbox.run(&format!("{RENDER} -o out --shard 90/91")).assert_ok();
+    let outcome = sandbox.run(&format!("{RENDER} -o out --task 90/91")).assert_ok();
     assert!(outcome.stderr.contains("nothing to render"), "{outcome:?}");
-    for (shard, reason) in [
-        ("2/2", "no shard 2 of 2: they are 0 to 1"),
+    for (task, reason) in [
+        ("2/2", "no task 2 of 2: they are 0 to 1"),
         ("0", "expected I/N, such as 0/8"),
         ("slurm", "SLURM_ARRAY_TASK_ID and SLURM_ARRAY_TASK_COUNT are not set"),
     ] {
-        sandbox.assert_refuses(&format!("{RENDER} -o out --shard {shard}"), &[reason]);
+        sandbox.assert_refuses(&format!("{RENDER} -o out --task {task}"), &[reason]);
     }
 }

@@ -50,7 +50,7 @@ pub struct Benchmark {
     pub samples: u64,
     /// Seconds from the scene on the device to the tiles on the host, or to the image.
     pub forward_s: f64,
-    /// Seconds from the scene on the device to the gradients of all its tensors on the device, for dLoss/dY = 1 at
+    /// Seconds from the scene on the device to the gradients of all its tensors on the device, for dL/dY = 1 at
     /// every value; `None` if it was not measured.
     pub forward_backward_s: Option<f64>,
     /// Peak memory of the process until after the forward measurement, in bytes; `None` if the system does not say.

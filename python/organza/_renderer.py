@@ -139,14 +139,14 @@ class Renderer(_organza.Renderer):
         scene: _organza.Scene | _organza.DeviceScene,
         cameras: Cameras,
         tiles: Tiles,
-        grad_output: ArrayLike,
+        grad_tiles: ArrayLike,
     ) -> dict[str, Array]:
-        """The gradient of a loss L for every tensor of the scene, by its name, given dL/dY `[K, 3, S, S]`.
+        """The gradient of a loss L for every tensor of the scene, by its name, given `grad_tiles [K, 3, S, S]`, dL/dY.
 
         The networks see positions and directions as constants: position, rotation and scale have the gradient of the projection
         alone. Raises `organza.Error` if a gradient is not finite.
         """
-        return self.record(scene, cameras, tiles).backward(grad_output)
+        return self.record(scene, cameras, tiles).backward(grad_tiles)
 
     def explain(
         self,

@@ -166,8 +166,8 @@ class Training:
 
     def _answer(self, values: dict[str, np.ndarray]) -> None:
         try:
-            loss, slopes = _torch_loss(self._loss, **values)
-            self._core.answer(loss, slopes)
+            loss, grad_tiles = _torch_loss(self._loss, **values)
+            self._core.answer(loss, grad_tiles)
         except BaseException:
             self._core.fail()
             self._core.close()
@@ -206,10 +206,10 @@ def _torch_loss(
         value = loss(tiles, torch.from_numpy(target), torch.from_numpy(valid))
     if not isinstance(value, torch.Tensor) or value.numel() != 1:
         raise ValueError("`loss` must return a tensor of one value")
-    (slopes,) = torch.autograd.grad(value, tiles, allow_unused=True)
-    if slopes is None:
+    (grad_tiles,) = torch.autograd.grad(value, tiles, allow_unused=True)
+    if grad_tiles is None:
         raise ValueError("`loss` does not depend on the rendered tiles")
-    return float(value.detach()), np.ascontiguousarray(slopes.numpy(), np.float32)
+    return float(value.detach()), np.ascontiguousarray(grad_tiles.numpy(), np.float32)
 
 
 def train(

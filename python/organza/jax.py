@@ -42,8 +42,8 @@ def render(
     def forward_on_host(tensors: Mapping[str, Any]) -> np.ndarray:
         return device.render(scene(tensors), cameras, tiles)
 
-    def backward_on_host(tensors: Mapping[str, Any], slopes: Any) -> dict[str, np.ndarray]:
-        found = device.gradient(scene(tensors), cameras, tiles, np.asarray(slopes))
+    def backward_on_host(tensors: Mapping[str, Any], grad_tiles: Any) -> dict[str, np.ndarray]:
+        found = device.gradient(scene(tensors), cameras, tiles, np.asarray(grad_tiles))
         # JAX would keep views of one block of memory
         return {name: np.array(found[name]) for name in tensors}
 
@@ -54,9 +54,9 @@ def render(
     def forward(tensors: Tensors) -> tuple[jax.Array, Tensors]:
         return tiles_of(tensors), tensors
 
-    def backward(tensors: Tensors, slopes: jax.Array) -> tuple[Tensors]:
+    def backward(tensors: Tensors, grad_tiles: jax.Array) -> tuple[Tensors]:
         like = {name: jax.ShapeDtypeStruct(t.shape, jnp.float32) for name, t in tensors.items()}
-        return (jax.pure_callback(backward_on_host, like, tensors, slopes),)
+        return (jax.pure_callback(backward_on_host, like, tensors, grad_tiles),)
 
     tiles_of.defvjp(forward, backward)
     return tiles_of

@@ -122,13 +122,13 @@ class _Render(torch.autograd.Function):
 
     @staticmethod
     @once_differentiable
-    def backward(ctx, slopes, *_):
+    def backward(ctx, grad_tiles, *_):
         by_pose = None
         if ctx.needs_input_grad[6]:
-            found, poses = ctx.recording.backward_with_poses(_array(slopes))
+            found, poses = ctx.recording.backward_with_poses(_array(grad_tiles))
             by_pose = _by_matrix(ctx.viewmats, poses)
         else:
-            found = ctx.recording.backward(_array(slopes))
+            found = ctx.recording.backward(_array(grad_tiles))
         ctx.place.end(ctx.recording)
         gradients = [
             torch.from_numpy(found[name]).to(*like) if needed else None

@@ -35,7 +35,7 @@ impl Recording {
         into_batch(py, rendered)
     }
 
-    /// The gradient of a loss L with respect to every tensor, by name, given dL/dY `[K, 3, S, S]`. Nothing is
+    /// The gradient of a loss L with respect to every tensor, by name, given `grad_tiles [K, 3, S, S]`, dL/dY. Nothing is
     /// rendered again.
     ///
     /// Raises `ValueError` if the shape differs or the scene has been written to since, and `organza.Error` if a
@@ -43,9 +43,9 @@ impl Recording {
     fn backward<'py>(
         &self,
         py: Python<'py>,
-        grad_output: &Bound<'py, PyAny>,
+        grad_tiles: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let slopes = self.slopes(grad_output)?;
+        let grad_tiles = self.values(grad_tiles)?;
         let held = Arc::clone(&self.held);
         let renderer = self.renderer.clone();
         let recording = Arc::clone(&self.recording);
@@ -57,7 +57,7 @@ impl Recording {
                 None => SceneGradient::new(device, &held.scene)?,
             };
             let gradient = held.gradient.insert(gradient);
-            lock(&recording).backward_into(gradient, &slopes)?;
+            lock(&recording).backward_into(gradient, &grad_tiles)?;
             let config = held.scene.config();
             let len = held.scene.len();
             Ok(gradient.download(device, config, len)?.into_values())
@@ -71,9 +71,9 @@ impl Recording {
     fn backward_with_poses<'py>(
         &self,
         py: Python<'py>,
-        grad_output: &Bound<'py, PyAny>,
+        grad_tiles: &Bound<'py, PyAny>,
     ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyArray2<f32>>)> {
-        let slopes = self.slopes(grad_output)?;
+        let grad_tiles = self.values(grad_tiles)?;
         let held = Arc::clone(&self.held);
         let renderer = self.renderer.clone();
         let recording = Arc::clone(&self.recording);
@@ -82,7 +82,7 @@ impl Recording {
             let held = &*lock(&held);
             let device = renderer.device();
             let gradient = SceneGradient::new(device, &held.scene)?.with_poses(device, cameras)?;
-            lock(&recording).backward_into(&gradient, &slopes)?;
+            lock(&recording).backward_into(&gradient, &grad_tiles)?;
             let config = held.scene.config();
             let values = gradient.download(device, config, held.scene.len())?.into_values();
             let mut poses = gradient.read_poses(device)?;
@@ -108,18 +108,18 @@ impl Recording {
 }
 
 impl Recording {
-    /// The values of dL/dY `[K, 3, S, S]`, checked.
-    fn slopes(&self, grad_output: &Bound<'_, PyAny>) -> PyResult<Vec<f32>> {
-        let numpy = grad_output.py().import("numpy")?;
-        let grad_output = numpy.call_method1("ascontiguousarray", (grad_output, "float32"))?;
-        let Ok(grad_output) = grad_output.extract::<PyReadonlyArray4<'_, f32>>() else {
+    /// The values of `grad_tiles [K, 3, S, S]`, dL/dY, checked.
+    fn values(&self, grad_tiles: &Bound<'_, PyAny>) -> PyResult<Vec<f32>> {
+        let numpy = grad_tiles.py().import("numpy")?;
+        let grad_tiles = numpy.call_method1("ascontiguousarray", (grad_tiles, "float32"))?;
+        let Ok(grad_tiles) = grad_tiles.extract::<PyReadonlyArray4<'_, f32>>() else {
             return Err(invalid(format!("the gradient must be {:?}", self.shape)));
         };
-        if grad_output.shape() != self.shape {
-            let found = grad_output.shape();
+        if grad_tiles.shape() != self.shape {
+            let found = grad_tiles.shape();
             let expected = self.shape;
             return Err(invalid(format!("the gradient is {found:?}, expected {expected:?}")));
         }
-        Ok(grad_output.as_slice()?.to_vec())
+        Ok(grad_tiles.as_slice()?.to_vec())
     }
 }

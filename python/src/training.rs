@@ -219,10 +219,10 @@ impl Training {
         }
     }
 
-    /// Answers a request with the loss and dL/dY `[K, 3, S, S]`.
-    fn answer(&self, loss: f64, grad_output: PyReadonlyArray4<'_, f32>) -> PyResult<()> {
-        let grad_output = grad_output.as_slice()?.to_vec();
-        self.lock()?.answer(Answer::Loss(LossGradient { loss, grad_tiles: grad_output }));
+    /// Answers a request with the loss and `grad_tiles [K, 3, S, S]`, dL/dY.
+    fn answer(&self, loss: f64, grad_tiles: PyReadonlyArray4<'_, f32>) -> PyResult<()> {
+        let grad_tiles = grad_tiles.as_slice()?.to_vec();
+        self.lock()?.answer(Answer::Loss(LossGradient { loss, grad_tiles }));
         Ok(())
     }
 
@@ -276,7 +276,7 @@ impl Channel {
     fn close(&mut self) {
         self.answers = None;
         if let Some(thread) = self.thread.take() {
-            // a panic has been reported, or nobody asks for it
+            // a panic was reported, or is not asked for
             let _ = thread.join();
         }
     }

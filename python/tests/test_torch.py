@@ -39,7 +39,7 @@ def test_autograd_gives_the_gradients_of_the_float64_reference(renderer, name):
     expected = read_safetensors(case / "expected.safetensors")
     scene = organza.torch.Scene(organza.Scene.load(case / "scene.safetensors"), renderer)
     cameras, tiles = organza.Cameras.load(case / "cameras.json"), organza.Tiles.load(case / "tiles.json")
-    slopes = torch.from_numpy(expected["grad_output"].astype(np.float32))
+    slopes = torch.from_numpy(expected["grad_tiles"].astype(np.float32))
     (scene(cameras, tiles) * slopes).sum().backward()
     compared = 0
     for tensor, parameter in scene.tensors().items():

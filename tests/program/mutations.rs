@@ -27,7 +27,7 @@ const COMMANDS: [&str; 19] = [
     "info run/checkpoint.safetensors",
     "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --threads 1",
     "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --half-grids",
-    "tiles scene.safetensors cameras.json tiles.json --backend cpu --grad-output g --grad out",
+    "tiles scene.safetensors cameras.json tiles.json --backend cpu --grad-tiles g --grad out",
     "render scene.safetensors cameras.json -o images --backend cpu --views 0 --tile-size 16",
     "explain scene.safetensors cameras.json --pixel 48,40 --view 1",
     "explain scene.safetensors cameras.json --pixel 48,40 --all --json",
@@ -107,7 +107,7 @@ fn template() -> Sandbox {
     sandbox.run("render scene.safetensors cameras.json -o data/images --backend cpu").assert_ok();
     sandbox.run("tiles scene.safetensors cameras.json tiles.json -o out --backend cpu").assert_ok();
     let tiles = organza::scene::read_tensors(sandbox.path("out")).unwrap().remove("tiles").unwrap();
-    let name = "grad_output";
+    let name = "grad_tiles";
     let tensor = organza::scene::TensorRef { name, shape: &tiles.shape, data: &tiles.data };
     organza::scene::write_tensors(sandbox.path("g"), &[tensor], &[]).unwrap();
     fs::remove_file(sandbox.path("out")).unwrap();

@@ -45,7 +45,7 @@ fn half_grids_are_close_and_have_no_gradients() {
     });
     assert!(full != half, "nothing was rounded");
     assert_close("tiles", &half, &full, 2e-4);
-    let words = "--half-grids --grad-output full.safetensors --grad grad.safetensors";
+    let words = "--half-grids --grad-tiles full.safetensors --grad grad.safetensors";
     sandbox.assert_refuses(&format!("{TILES} {words}"), &["--half-grids", "--grad"]);
     let bench = "bench scene.safetensors cameras.json tiles.json --half-grids";
     sandbox.assert_refuses(bench, &["--half-grids", "--forward"]);

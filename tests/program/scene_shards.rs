@@ -50,9 +50,9 @@ fn any_number_of_ranks_gives_the_same_tiles_and_gradients() {
     let whole = read("whole.safetensors").remove("tiles").expect("tiles");
     let shape = &whole.shape[..];
     let data = &whole.data[..];
-    let output = TensorRef { name: "grad_output", shape, data };
+    let output = TensorRef { name: "grad_tiles", shape, data };
     write_tensors(sandbox.path("output.safetensors"), &[output], &[]).expect("a file");
-    let gradient = "--grad-output output.safetensors --grad";
+    let gradient = "--grad-tiles output.safetensors --grad";
     sandbox.run(&format!("{tiles} {gradient} whole-grad.safetensors")).assert_ok();
     for ranks in [1, 3] {
         let files = format!("-o tiles-{ranks}.safetensors {gradient} grad-{ranks}.safetensors");

@@ -47,9 +47,9 @@ def main():
     x = reference.to_cube(config, params["gaussians.position"])
     render = lambda p, poses: reference.render_tiles(p, config, cameras, tiles, side, poses)
     y, vjp = jax.vjp(render, params, jnp.zeros((len(cameras), 6)))
-    grad_output = np.random.default_rng(13).normal(0.0, 1.0, y.shape).astype(np.float32)
-    gradient, pose_gradient = vjp(jnp.array(grad_output, dtype=jnp.float64))
-    expected = {"tiles": y, "grad_output": grad_output, **{f"grad.{k}": v for k, v in gradient.items()},
+    grad_tiles = np.random.default_rng(13).normal(0.0, 1.0, y.shape).astype(np.float32)
+    gradient, pose_gradient = vjp(jnp.array(grad_tiles, dtype=jnp.float64))
+    expected = {"tiles": y, "grad_tiles": grad_tiles, **{f"grad.{k}": v for k, v in gradient.items()},
                 "grad.poses": pose_gradient,
                 "stage.color_encoding": reference.hash_grid(params["color.grid"], config["color_grid"], x)}
     for c, camera in enumerate(cameras):

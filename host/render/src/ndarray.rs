@@ -20,8 +20,8 @@
 //! assert_eq!(y.dim(), (1, 3, 8, 8));
 //!
 //! // the loss is half the mean of squares, so dL/dY is Y / n
-//! let slopes = &y / y.len() as f32;
-//! let gradient = renderer.gradient_of_array(&scene, &cameras, &batch, slopes.view())?;
+//! let grad_tiles = &y / y.len() as f32;
+//! let gradient = renderer.gradient_of_array(&scene, &cameras, &batch, grad_tiles.view())?;
 //! let opacity = gradient.array("gaussians.opacity").expect("a tensor of every scene");
 //! assert_eq!(opacity.shape(), [scene.len()]);
 //! # Ok::<(), organza_core::Error>(())
@@ -36,7 +36,7 @@ use organza_core::scene::Gradient;
 use organza_core::tile::TileBatch;
 
 impl Renderer {
-    /// Like [`Renderer::gradient`], but dLoss/dY `[K, 3, S, S]` is an array.
+    /// Like [`Renderer::gradient`], but `grad_tiles [K, 3, S, S]`, dL/dY, is an array.
     ///
     /// # Errors
     /// The same errors as [`Renderer::gradient`]; [`Error::Argument`] if the array has another shape than the batch.
@@ -58,7 +58,7 @@ impl Renderer {
 }
 
 impl LossGradient {
-    /// A loss, with dL/dY `[K, 3, S, S]` in an array.
+    /// A loss, with `grad_tiles [K, 3, S, S]`, dL/dY, in an array.
     #[must_use]
     pub fn from_array(loss: f64, grad_tiles: ArrayView4<'_, f32>) -> Self {
         Self { loss, grad_tiles: values(grad_tiles) }

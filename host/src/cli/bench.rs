@@ -27,7 +27,7 @@ Examples:
   organza bench run --frame --size 1280x720                 one image of a training's scene
 
 Times are medians over the passes, after one pass that warms up. `forward` ends when the tiles are on the host. \
-`forward and backward` is one pass for the gradient of the tiles' sum (dLoss/dY = 1 everywhere); it ends when the \
+`forward and backward` is one pass for the gradient of the tiles' sum (dL/dY = 1 everywhere); it ends when the \
 gradients of all tensors are on the device. `share` is a kernel's part of the time of all kernels. On the CPU, kernels \
 are timed in the same passes. On a GPU, they are timed in separate passes, by timestamps of the GPU; if it has none, \
 organza waits for each dispatch, and its time includes the way to the device and back. GFLOP/s and GB/s are counted by \

@@ -23,7 +23,7 @@ Examples:
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --backend cpu
   organza tiles run tiles.json -o rendered.safetensors     cameras of what the run was trained on
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --channels depth,alpha
-  organza tiles scene.safetensors cameras.json tiles.json --grad-output G.safetensors --grad gradient.safetensors
+  organza tiles scene.safetensors cameras.json tiles.json --grad-tiles G.safetensors --grad gradient.safetensors
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --ranks 2
 
 CAMERAS may be a data set: its cameras are those of training, and `camera` is an index among the \
@@ -32,7 +32,7 @@ frames of `--split`.
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
 origin is the column and the row of its upper left pixel. OUT holds `tiles`, F32 [K, 3, S, S]: \
 tile, RGB, row, column; and each of the `--channels` under its name, [K, 1, S, S], or \
-[K, 3, S, S] of a normal. G holds `grad_output`, the gradient of a loss with respect to `tiles`, \
+[K, 3, S, S] of a normal. G holds `grad_tiles`, the gradient of a loss with respect to `tiles`, \
 in the same shape. gradient.safetensors then gets the gradient of the loss with respect to every \
 tensor of the scene, `grad.<tensor>`.";
 
@@ -49,11 +49,11 @@ pub struct Args {
     /// Where to write the tensor, safetensors
     #[arg(short, long, value_name = "OUT", required_unless_present = "grad")]
     output: Option<PathBuf>,
-    /// The gradient of a loss with respect to the rendered tiles: `grad_output` in a safetensors file
+    /// The gradient of a loss with respect to the rendered tiles: `grad_tiles` in a safetensors file
     #[arg(long, value_name = "G", requires = "grad")]
-    grad_output: Option<PathBuf>,
+    grad_tiles: Option<PathBuf>,
     /// Where to write the gradient of the loss with respect to every tensor of the scene, safetensors
-    #[arg(long, value_name = "GRAD", requires = "grad_output", conflicts_with = "half_grids")]
+    #[arg(long, value_name = "GRAD", requires = "grad_tiles", conflicts_with = "half_grids")]
     grad: Option<PathBuf>,
     /// Print JSON: the files, and the cost of rendering (docs/json.md)
     #[arg(long)]
@@ -91,7 +91,7 @@ struct TilesJob {
     source: SceneSource,
     batch: TileBatch,
     cameras: Vec<Camera>,
-    grad_output: Option<Vec<f32>>,
+    grad_tiles: Option<Vec<f32>>,
 }
 
 impl TilesJob {
@@ -99,7 +99,7 @@ impl TilesJob {
         let source = SceneSource::find(&args.scene)?;
         let mut inputs = vec![source.named(), &args.tiles];
         inputs.extend(args.cameras.as_deref());
-        inputs.extend(args.grad_output.as_deref());
+        inputs.extend(args.grad_tiles.as_deref());
         for output in args.output.iter().chain(&args.grad) {
             output::check_file(output, &inputs)?;
         }
@@ -120,12 +120,12 @@ impl TilesJob {
         views.sort_unstable();
         views.dedup();
         warn_distorted(console, &cameras, &views);
-        let grad_output = args.grad_output.as_deref().map(|path| read_grad_output(path, &batch));
-        let grad_output = grad_output.transpose()?;
+        let grad_tiles = args.grad_tiles.as_deref().map(|path| read_grad_tiles(path, &batch));
+        let grad_tiles = grad_tiles.transpose()?;
         let planes = 3 + channels.iter().map(|c| c.planes()).sum::<usize>();
         let [tiles, _, side, _] = batch.output_shape().map(|n| n as u64);
         memory::check(4 * tiles * planes as u64 * side * side, "the output")?;
-        Ok(Self { source, batch, cameras, grad_output })
+        Ok(Self { source, batch, cameras, grad_tiles })
     }
 
     /// The tiles, and their gradient if it is asked for, on rank 0.
@@ -135,12 +135,12 @@ impl TilesJob {
         rank: Member<'_>,
         renderer: &Renderer,
     ) -> Result<(RenderedTiles, Option<Gradient>)> {
-        let Self { source, batch, cameras, grad_output } = self;
-        let values = grad_output.as_deref().unwrap_or_default();
+        let Self { source, batch, cameras, grad_tiles } = self;
+        let values = grad_tiles.as_deref().unwrap_or_default();
         let hash = crc32c::crc32c(bytemuck::cast_slice(values));
         let input = format!("{batch:?} {cameras:?} {hash}");
         let shard = rank.shard(renderer, source.file(), &input, args.scene_args.options())?;
-        if grad_output.is_none() {
+        if grad_tiles.is_none() {
             let tiles = renderer.render_shard(&shard, cameras, batch, rank.ranks)?;
             return Ok((tiles, None));
         }
@@ -152,7 +152,7 @@ impl TilesJob {
 
 /// Renders, alone or as rank 0.
 fn tiles(args: &Args, job: &TilesJob, rank: Option<Member<'_>>, console: Console) -> Result<()> {
-    let TilesJob { source, batch, cameras, grad_output } = job;
+    let TilesJob { source, batch, cameras, grad_tiles } = job;
     let output = args.output.as_deref();
     let channels = args.channels.list();
     let mut cost = None;
@@ -181,7 +181,7 @@ fn tiles(args: &Args, job: &TilesJob, rank: Option<Member<'_>>, console: Console
             };
             cost = Some(write_tiles(console, &mut summary, renderer, &tiles, batch, output)?);
         }
-        if let Some(values) = grad_output {
+        if let Some(values) = grad_tiles {
             let task = || renderer.gradient(scene, cameras, batch, values);
             gradient = Some(console.during("computing the gradient", task)?);
         }
@@ -208,9 +208,9 @@ struct Rendered<'a> {
     cost: Option<Cost>,
 }
 
-/// Reads `grad_output` from a file. It must have the batch's shape.
-fn read_grad_output(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
-    const NAME: &str = "grad_output";
+/// Reads `grad_tiles` from a file. It must have the batch's shape.
+fn read_grad_tiles(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
+    const NAME: &str = "grad_tiles";
     const WHY: &str = "a value for each of `tiles`, the rendered batch";
     let origin = path.to_owned();
     let expected = batch.output_shape().to_vec();

@@ -82,7 +82,7 @@ impl<'h> StepHooks<'h> {
     }
 
     /// Sets a loss on the host: a function of the rendered tiles Y `[K, 3, S, S]` and of the photographs behind them.
-    /// It returns the loss and dL/dY.
+    /// It returns the loss and `grad_tiles`, dL/dY.
     ///
     /// It sees all tiles of a step at once.
     #[must_use]

@@ -240,10 +240,10 @@ fn gradients_that_overflow_are_refused() {
     let side = tiles["side"].as_u64().unwrap() as usize;
     let shape = [shape[0], shape[1], side, side];
     let values = vec![3.4e38_f32; shape.iter().product()];
-    let tensor = organza::scene::TensorRef { name: "grad_output", shape: &shape, data: &values };
+    let tensor = organza::scene::TensorRef { name: "grad_tiles", shape: &shape, data: &values };
     organza::scene::write_tensors(sandbox.path("g.safetensors"), &[tensor], &[]).unwrap();
     let words = "tiles scene.safetensors cameras.json tiles.json --backend cpu \
-                 --grad-output g.safetensors --grad out.safetensors";
+                 --grad-tiles g.safetensors --grad out.safetensors";
     let outcome = sandbox.run(words);
     outcome.assert_refused(&["gradient", "lower the learning rates, or look for values"]);
     assert!(!sandbox.path("out.safetensors").exists());

@@ -138,7 +138,7 @@ fn a_loss_that_fails_or_is_of_another_size_leaves_the_trainer_as_it_was() {
     assert!(error.contains("the loss's own"), "{error}");
     let one = || Ok(LossGradient { loss: 1.0, grad_tiles: vec![1.0] });
     let error = fail(&mut StepHooks::new().loss(|_| one()));
-    assert!(error.contains("1 values of dL/dY, expected "), "{error}");
+    assert!(error.contains("1 values of `grad_tiles`, expected "), "{error}");
     let error = fail(&mut StepHooks::new().loss(|batch| {
         Ok(LossGradient { loss: f64::NAN, grad_tiles: vec![0.0; batch.rendered.data.len()] })
     }));

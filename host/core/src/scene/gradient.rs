@@ -13,7 +13,7 @@ use crate::ranks::Ranks;
 /// Prefix of gradients' names in a file.
 const PREFIX: &str = "grad.";
 
-/// dLoss/dtensor for every tensor of a scene, in the shape of the scene.
+/// dL/dtensor for every tensor of a scene, in the shape of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient(Scene);
 

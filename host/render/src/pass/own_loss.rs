@@ -160,7 +160,7 @@ fn check_len(found: usize, expected: usize) -> Result<()> {
     if found == expected {
         return Ok(());
     }
-    let reason = format!("the loss returned {found} values of dL/dY, expected {expected}");
+    let reason = format!("the loss returned {found} values of `grad_tiles`, expected {expected}");
     Err(Error::Argument { reason })
 }
 

@@ -157,7 +157,7 @@ impl Renderer {
         Ok(pass.forward_sums(&mut parts, batch, false)?.0)
     }
 
-    /// dLoss/dtensor for every tensor of a scene, given `grad_tiles [K, 3, S, S]`, dLoss/dY.
+    /// dL/dtensor for every tensor of a scene, given `grad_tiles [K, 3, S, S]`, dL/dY.
     ///
     /// The networks see positions and directions as constants: position, rotation and scale have the gradient of the
     /// projection alone. [`Renderer::record`] gives the tiles, too.
@@ -192,7 +192,7 @@ impl Renderer {
         self.record(scene, cameras, batch)?.backward(grad_tiles)
     }
 
-    /// Adds dLoss/dtensor of `grad_tiles [K, 3, S, S]` to `gradient`, and waits for it. Nothing is kept.
+    /// Adds dL/dtensor of `grad_tiles [K, 3, S, S]` to `gradient`, and waits for it. Nothing is kept.
     ///
     /// # Errors
     /// The same errors as [`Renderer::gradient`]. Where memory ended on the way, `gradient` has lost what it had before.
@@ -220,7 +220,7 @@ impl Recording<'_> {
         &self.tiles
     }
 
-    /// dLoss/dtensor for every tensor of the scene, given `grad_tiles [K, 3, S, S]`, dLoss/dY: what
+    /// dL/dtensor for every tensor of the scene, given `grad_tiles [K, 3, S, S]`, dL/dY: what
     /// [`Renderer::gradient`] gives. If ranks share the batch, `grad_tiles` is the same on all of them. The gradients
     /// of the Gaussians are those of this rank; those of the fields are of all Gaussians.
     ///

@@ -25,7 +25,7 @@ from pathlib import Path
 
 
 def last_object(text):
-    """The last JSON object that a program has printed, whatever it said before."""
+    """The last JSON object that a program has printed. Other text may come before it."""
     decoder = json.JSONDecoder()
     for line_start in reversed([0] + [i + 1 for i, c in enumerate(text) if c == "\n"]):
         if text[line_start:line_start + 1] == "{":

@@ -81,7 +81,7 @@ def cameras():
 
 def write(out, gaussians=20_000, tiles=64, side=64, step=0.03, hidden=64):
     """Writes the three files into a folder, and returns their paths."""
-    # tiles have a generator of their own: they stay where they are, whatever else changes
+    # tiles have a generator of their own, so that other changes do not move them
     random, places = np.random.default_rng(5), np.random.default_rng(6)
     out = Path(out)
     out.mkdir(parents=True, exist_ok=True)

@@ -20,7 +20,7 @@ thread_local! {
 }
 
 fn count(more: usize, less: usize) {
-    // A thread that has ended frees bytes that nobody counts anymore.
+    // A thread that has ended frees bytes that are no longer counted.
     let _ = HELD.try_with(|held| {
         // Memory of other threads is freed here, too.
         held.set(held.get().saturating_add(more).saturating_sub(less));

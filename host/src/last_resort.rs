@@ -1,5 +1,5 @@
-//! Ends the program with a message if memory runs out where nobody can handle it, and not with an abort. Stable Rust
-//! has no other hook.
+//! Ends the program with a message, not with an abort, if memory runs out where no code can handle it. Stable Rust has
+//! no other hook.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;

@@ -59,7 +59,7 @@ class Cameras:
             raise ValueError("a matrix of `viewmats` has no inverse") from None
         if convention == "opencv":
             poses = poses @ _FLIP
-        # the last row is exactly that, whatever the inverse rounds to
+        # the last row is exact, although the inverse is rounded
         poses[:, 3] = np.round(poses[:, 3], 9)
         poses, Ks = np.ascontiguousarray(poses), np.ascontiguousarray(Ks)
         return cls(_organza.Cameras.from_poses(poses, Ks, width, height))

@@ -26,7 +26,7 @@ def film(
     a new folder of images. `fps` are the frames a second, 1 to 240.
 
     Raises `ValueError` for another ending, cameras of several sizes or none, a folder that is not empty, or where ffmpeg fails or is not there;
-    `OSError` where the film cannot be written. Ctrl-C leaves whatever stood at `path`, or the frames of a folder so far.
+    `OSError` where the film cannot be written. Ctrl-C keeps the old file at `path`, or the frames of a folder so far.
     """
     renderer = renderer or Renderer()
     _organza.film(renderer, renderer._on_device(scene), path, cameras._core, fps)

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 _Bytes = NDArray[np.uint8]
 
-# After so long, a rank that waits looks whether another one has failed.
+# After this time, a waiting rank checks whether another one has failed.
 _PATIENCE = datetime.timedelta(seconds=0.5)
-# Rank 0 may rest between steps: whoever reads its numbers decides.
+# Rank 0 may rest between steps, for as long as its script decides.
 _LONGEST = datetime.timedelta(days=1)
 # Distinguishes several trainings of one script.
 _NUMBERS = itertools.count()
@@ -30,8 +30,8 @@ class Ranks:
         torch.distributed.init_process_group("gloo")
         ranks = organza.torch.Ranks()
 
-    All processes of the group make one, at the same place of the script. Messages have a gloo group of their own, whatever
-    backend the script uses. `mixed` allows ranks with different versions or devices; the scene's bits then depend on which of
+    All processes of the group make one, at the same place of the script. Messages have a gloo group of their own, beside
+    any backend of the script. `mixed` allows ranks with different versions or devices; the scene's bits then depend on which of
     them computes what.
 
     Raises `ValueError` where the process group was not initialized.

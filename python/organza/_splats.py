@@ -56,7 +56,7 @@ def export(
     the size at which the file will be seen.
 
     Raises `ValueError` for another ending, no cameras, or a number out of range, `OSError` where the file cannot be written, and
-    `MemoryError`. Ctrl-C leaves whatever stood at `path`.
+    `MemoryError`. Ctrl-C keeps the old file at `path`.
     """
     renderer = renderer or Renderer()
     uploaded = renderer._on_device(scene)

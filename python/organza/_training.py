@@ -244,7 +244,7 @@ def train(
     loop takes part in the run and ends with it. Any number of ranks gives the same bits, those of the program's `--ranks`. Unless there is
     a `renderer`, the ranks of a machine take its GPUs in turn.
 
-    Raises `ValueError`, `FileNotFoundError`, `MemoryError`, and `organza.Error` where training has left what numbers can hold or another
+    Raises `ValueError`, `FileNotFoundError`, `MemoryError`, and `organza.Error` where training has overflowed or another
     rank has failed.
     """
     try:

@@ -13,7 +13,7 @@ create_exception!(
     organza,
     Error,
     PyRuntimeError,
-    "organza cannot go on: there is no usable GPU, a GPU was lost, training has left what numbers can hold, or another rank has failed."
+    "organza cannot go on: there is no usable GPU, a GPU was lost, training has overflowed, or another rank has failed."
 );
 
 /// The exception for an error. Its text is that of the program.

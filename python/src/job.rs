@@ -36,7 +36,7 @@ pub fn run_while_awaited<T: Send + 'static>(
             0 => Err(organza::Error::Argument { reason: "interrupted".to_owned() }),
             _ => Ok(()),
         };
-        // nobody waits anymore
+        // the caller may have gone
         let _ = sender.send(work(&awaited));
     })?;
     match receive(py, &mut receiver)? {

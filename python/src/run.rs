@@ -68,7 +68,7 @@ impl Run {
             (_, Some(folder)) => self.in_folder(folder),
             (_, None) => self.without_folder(),
         };
-        // nobody may wait for it anymore
+        // the receiver may have gone
         let _ = self.messages.send(Message::End(outcome));
     }
 
@@ -179,7 +179,7 @@ impl Run {
     }
 
     fn send(&self, message: Message) {
-        // nobody may wait for it anymore
+        // the receiver may have gone
         let _ = self.messages.send(message);
     }
 }

@@ -2,7 +2,7 @@
 
 use organza_tests::devices;
 
-/// Numbers of a buffer: a megabyte, which nobody rounds.
+/// Numbers of a buffer: a megabyte, a size that no pool rounds.
 const LEN: usize = 1 << 18;
 
 /// A GPU runs a copy later than the host writes.

@@ -27,7 +27,7 @@ fn render_anew(
 ) -> RenderedTiles {
     let mut cache = EyeCache::default();
     let tiles = renderer.render_from_eye(scene, camera, &whole(camera), &mut cache, options);
-    tiles.expect("an image").expect("nobody has cancelled it")
+    tiles.expect("an image").expect("it was not cancelled")
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn a_cache_keeps_the_bits_of_images() {
         let mut render = |camera: &Camera, options: &EyeOptions<'_>| {
             let tiles =
                 renderer.render_from_eye(scene, camera, &whole(camera), &mut cache, options);
-            tiles.expect("an image").expect("nobody has cancelled it")
+            tiles.expect("an image").expect("it was not cancelled")
         };
         let first = &case.cameras[0];
         let [right, up, back] = [0, 1, 2].map(|at| first.camera_to_world.map(|row| row[at]));
@@ -136,7 +136,7 @@ fn values_of_the_last_images_stay_close() {
             let options = EyeOptions { channels: &[], steps: 2, renewed, ..EXACT };
             let batch = whole(camera);
             let tiles = renderer.render_from_eye(&scene, camera, &batch, &mut cache, &options);
-            tiles.expect("an image").expect("nobody has cancelled it")
+            tiles.expect("an image").expect("it was not cancelled")
         };
         let renewed = Some([least, most].map(|part| scene.len() / part));
         let all = render(&cameras[0], None).report.samples;

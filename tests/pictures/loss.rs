@@ -185,7 +185,7 @@ fn equal_images_lose_nothing() {
     }
 }
 
-/// Pixels under the mask have no influence, whatever their values are.
+/// Pixels under the mask have no influence, even if they are NaN or infinite.
 #[test]
 fn masked_pixels_have_no_influence() {
     for (name, device) in devices::all() {

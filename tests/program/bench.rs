@@ -85,7 +85,7 @@ fn a_batch_is_measured() {
     assert_shards(&forward);
     assert_shards(&found["kernels"]);
     assert_peaks(&found);
-    assert_eq!(number(&forward, "scan_add", "gflops"), None, "nobody counts that");
+    assert_eq!(number(&forward, "scan_add", "gflops"), None, "it is not counted");
     for (name, expected) in
         [("project", Some(1)), ("composite", Some(1)), ("project_backward", None)]
     {

@@ -90,7 +90,7 @@ fn only_gaussians_in_no_view_are_removed() {
         let others: Vec<_> = (0..count).filter(|&i| i != missing).collect();
         let fewer = Scene { gaussians: edited.gaussians.select(&others), ..edited.clone() };
         fewer.save(sandbox.path("fewer.safetensors")).expect("it is written");
-        assert!(exact != tiles("fewer.safetensors"), "nobody misses Gaussian {missing}");
+        assert!(exact != tiles("fewer.safetensors"), "the images do not need Gaussian {missing}");
     }
     let (more, _) = edit(&sandbox, &format!("{words}=5"));
     assert!(more["gaussians"].as_u64() < report["gaussians"].as_u64(), "{more}");

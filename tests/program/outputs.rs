@@ -100,7 +100,7 @@ fn no_output_goes_through_a_link_or_waits_for_a_pipe() {
     assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
 }
 
-/// A run's folder that somebody else has made.
+/// A run's folder that another user has made.
 #[test]
 fn training_writes_no_picture_through_a_link_and_does_not_wait_for_a_pipe() {
     let sandbox = sandbox();

@@ -65,7 +65,7 @@ fn tasks_and_missing_images_equal_one_call() {
     let result = json(sandbox.run(&format!("{RENDER} -o out --missing --task 1/2 --json")));
     assert_eq!(result["rendered"], 1);
     assert_eq!(images(&sandbox, "out"), whole);
-    // what is there stays, whatever it is
+    // a file that is there stays, even if it is no image
     fs::write(sandbox.path("out/0000.png"), "mine").unwrap();
     sandbox.run(&format!("{RENDER} -o out --missing")).assert_ok();
     assert_eq!(fs::read(sandbox.path("out/0000.png")).unwrap(), b"mine");

@@ -61,7 +61,7 @@ fn write_direct(
 }
 
 /// Checks that a file in a folder of outputs can be written: that a regular file or nothing is in its place. The user
-/// has named the folder, not the file, so a link in it may lead to somebody else's file, and a pipe may block forever.
+/// has named the folder, not the file, so a link in it may lead to another user's file, and a pipe may block forever.
 ///
 /// # Errors
 /// [`Error::WriteFile`] for a link, a folder, a pipe or a device.
@@ -132,7 +132,7 @@ fn new_file_in(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     builder.tempfile_in(folder)
 }
 
-/// Removes what an interrupted program left in a folder. Nobody else may be writing there.
+/// Removes the leftovers of an interrupted program from a folder. No other program may be writing there.
 pub fn remove_leftovers(folder: &Path) {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     for entry in entries {

@@ -387,7 +387,7 @@ fn describe_write(path: &Path, source: &io::Error) -> String {
             // Such as /proc, whose files and folders only the system makes.
             Some(folder) if folder.is_dir() => {
                 format!(
-                    "the file system of {} lets nobody make files there; choose another folder",
+                    "the file system of {} takes no new files; choose another folder",
                     folder.display()
                 )
             }

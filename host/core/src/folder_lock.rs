@@ -60,7 +60,7 @@ impl Drop for FolderLock {
     fn drop(&mut self) {
         // Others that share the lock still need the file. The last one can have the lock for itself.
         if !matches!(self.file.try_lock(), Err(TryLockError::WouldBlock)) {
-            // Whoever has opened it meanwhile finds it removed, and tries again.
+            // A program that has opened it meanwhile finds it removed, and tries again.
             let _ = fs::remove_file(&self.path);
         }
     }
@@ -112,7 +112,7 @@ fn lock(
     }
 }
 
-/// Opens or creates the file, and never what has taken its place. Old content is overwritten.
+/// Opens or creates the file, and nothing else in its place. Old content is overwritten.
 fn open(path: &Path) -> io::Result<File> {
     let mut options = File::options();
     options.read(true).write(true).create(true).truncate(false);

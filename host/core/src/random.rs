@@ -1,4 +1,4 @@
-//! Random numbers that whoever resumes draws again.
+//! Random numbers that a resumed run draws again.
 
 use rand::SeedableRng;
 use rand_pcg::Pcg64;

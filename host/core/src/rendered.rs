@@ -106,7 +106,7 @@ impl RenderedTiles {
 }
 
 impl RenderReport {
-    /// Adds what a part took.
+    /// Adds the numbers of a part.
     pub fn add(&mut self, part: &Self) {
         self.parts += part.parts;
         self.pairs += part.pairs;

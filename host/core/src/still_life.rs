@@ -110,7 +110,7 @@ fn camera(index: usize, count: usize, size: [u32; 2]) -> Result<Camera> {
     let distance = 2.7 + 0.25 * (1.7 * TAU * time).cos();
     let flat = distance * elevation.cos();
     let eye = [flat * azimuth.sin(), -flat * azimuth.cos(), distance * elevation.sin()];
-    // Nobody aims exactly.
+    // A hand does not aim exactly.
     let aim = |speed: f64| 0.06 * (speed * index as f64).sin();
     Camera::look_at(eye, [aim(1.3), aim(2.1), 0.22 + aim(1.7)], [0.0, 0.0, 1.0], ANGLE, size)
 }

@@ -79,7 +79,7 @@ impl Fingerprint {
     }
 }
 
-/// 32 digits are enough, because nobody tries to find a collision.
+/// 32 digits are enough: no one searches for a collision.
 fn digits(hash: Sha256) -> String {
     let mut digits = hex(hash);
     digits.truncate(32);

@@ -27,7 +27,7 @@ pub struct Poses {
     pub path: PathBuf,
     /// Where the coordinates of cameras and points lie in the world, which is the files' own space.
     pub placement: Placement,
-    /// Of the files, whatever the placement.
+    /// Of the files. It does not depend on the placement.
     pub(super) fingerprint: Fingerprint,
     pub(super) listing: Listing,
     pub(super) options: DatasetOptions,

@@ -73,7 +73,7 @@ impl Composite {
         Self { side, skip: 0, tiles, tile_first, member, splat, sum }
     }
 
-    /// A tile with more members than a pass takes: faint ones, and behind them some that no one could miss.
+    /// A tile with more members than a pass takes: faint ones, and then bright ones.
     fn crowded() -> Self {
         let mut set = Self::new(1, &[MAX_MEMBERS + 5, 3], Fill::Random, 4);
         let [faint, bright] = [1e-6, 1.0].map(|weight| {

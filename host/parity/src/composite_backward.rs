@@ -68,7 +68,7 @@ impl CompositeBackward {
         self
     }
 
-    /// What the weight of a conic has been multiplied with, and the sizes of what rounding makes of its root and of its slope.
+    /// The factor of the weight of a conic, and the sizes of the rounding errors of its root and of its slope.
     fn compensation(&self, [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
         if self.compensated_blur == 0.0 {
             return [1.0, 1.0, 0.0];

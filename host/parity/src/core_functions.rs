@@ -86,7 +86,7 @@ impl Parity for CoreFunctions {
         runner.run(&self.kernel(), self.params.count * ROWS, 1)
     }
 
-    /// Of what is not core's own on the CPU.
+    /// Of functions that are not core's own on the CPU.
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let at = index % self.u.len();
         let [u, v] = [self.u[at], self.v[at]];

@@ -98,7 +98,7 @@ impl Layer {
         self.place(index).filter(|&(row, _)| row < 4 * self.columns)
     }
 
-    /// How far a sum may be off: the sum of its terms' sizes, and what denormals may come to.
+    /// How far a sum may be off: the sum of its terms' sizes, and the most that denormals can add.
     pub fn bound(&self, sample: u32, output: u32) -> Bound {
         let mut scale = self.bias(output).abs();
         let mut reach = 1.0;

@@ -14,7 +14,7 @@ use super::dense::Layer;
 use super::exact::dense::{affine, relu};
 use super::exact::numeric::{Dual, gradient};
 
-/// How far a sum of products may be off: a rounding for each, of the terms' sizes, and what denormals may come to.
+/// How far a sum of products may be off: a rounding for each, of the terms' sizes, and the most that denormals can add.
 fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
     let mut count = 0.0;
     let mut scale = 0.0;
@@ -162,7 +162,7 @@ pub struct DenseWeightBackward {
     pub of_rays: bool,
     /// The chunk's first sample.
     pub first_sample: u32,
-    /// `[2, parameters]`: what the chunk before has left, and the one before that.
+    /// `[2, parameters]`: the carry of the chunk before, and that of the one before it.
     pub carry: Vec<Vec4>,
     /// Which half of `carry` the chunk before has written.
     pub turn: u32,

@@ -7,7 +7,7 @@ use organza_shaders::elementary::{ElementaryInputs, ElementaryParams};
 case!(pub Elementary(ElementaryInputs));
 
 impl Elementary {
-    /// The function of an element, its arguments, and what it is in f64.
+    /// The function of an element, its arguments, and its value in f64.
     fn at(&self, index: usize) -> (usize, [f64; 3], f64) {
         let row = index / self.x.len();
         let at = index % self.x.len();

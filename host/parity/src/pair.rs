@@ -185,7 +185,7 @@ impl Parity for PairSum {
         let width = self.params.width as usize;
         for (vector, slot) in self.pair_vector.chunks(width).zip(bits(&self.mask)) {
             let gaussian = slot % (32 * self.params.words as usize);
-            // those of bits behind the last Gaussian are nobody's
+            // bits behind the last Gaussian belong to none
             let sums = exact.get_mut(gaussian * width..).unwrap_or_default();
             sums.iter_mut().zip(vector).for_each(|(sum, &value)| *sum += f64::from(value));
         }

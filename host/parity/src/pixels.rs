@@ -10,7 +10,7 @@ impl Pixels {
         let area = side * side;
         let count = tiles * area;
         let mut random = Random::new(5);
-        // edges: halves, what rounds up to a half, and both ends
+        // edges: halves, their neighbors, and both ends
         let edges = (0..256).flat_map(|level| {
             let half = (level as f32 + 0.5) / 255.0;
             [half.next_down(), half, half.next_up(), level as f32 / 255.0]

@@ -44,7 +44,7 @@ impl PoseBackward {
         (0..values).map(|value| value as f32 / 8.0 - 1.0).collect()
     }
 
-    /// The derivatives of what a pair has in the loss; `None` where rounding decides about its projection.
+    /// The derivatives of a pair's part of the loss; `None` where rounding decides about its projection.
     fn derivatives(&self, [camera, gaussian, pair]: Pair) -> Option<[f64; POSE]> {
         let set = &self.0.forward;
         let pair = &self.0.pair_gradient[pair];
@@ -64,7 +64,7 @@ impl PoseBackward {
         }))
     }
 
-    /// How large what a pair adds may be: to the rotation, and to the shift.
+    /// The sizes of the terms that a pair adds to the rotation, and to the shift.
     fn sizes(&self, [camera, gaussian, pair]: Pair) -> [f64; 2] {
         let set = &self.0;
         let [position, _, shape, _] = set.sizes(camera, gaussian, &set.pair_gradient[pair]);

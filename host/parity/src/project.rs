@@ -337,7 +337,7 @@ impl Sensitivity {
         let log_axes = DVec3::from(gaussian.log_scale);
         let mut axes = gaussian.axes();
         axes.sort_by(f64::total_cmp);
-        // what the terms of u and v may be, whatever cancels in them
+        // the sizes of the terms of u and v, before they cancel
         let [uu, vv] = rows.map(|row| (row * axes[2]).powi(2));
         let lengths = u.length_squared() + v.length_squared();
         let cross = u.cross(v).length();

@@ -27,7 +27,7 @@ pub struct ProjectBackward {
     pub gradient: Vec<f32>,
 }
 
-/// Sizes of what a pair adds: position, rotation, log_scale, opacity.
+/// Sizes of the terms that a pair adds to position, rotation, log_scale and opacity.
 pub(super) type Sizes = [f64; 4];
 
 impl ProjectBackward {
@@ -107,7 +107,7 @@ impl ProjectBackward {
             .collect()
     }
 
-    /// How large what a pair adds may be, whatever cancels in it.
+    /// The sizes of the terms that a pair adds, before they cancel.
     pub(super) fn sizes(&self, camera: usize, gaussian: usize, pair: &[Vec4; 3]) -> Sizes {
         let set = &self.forward;
         let [geometry, shape, _] = pair.map(|v| v.as_dvec4().abs());
@@ -137,8 +137,8 @@ impl ProjectBackward {
         [position, 4.0 * shape / set.quaternion(gaussian).length(), shape, geometry.z]
     }
 
-    /// The derivatives of what a Gaussian's pairs have in the loss, by position, rotation and log_scale; `None` where
-    /// a projection is told by nobody.
+    /// The derivatives of the loss of a Gaussian's pairs, by position, rotation and log_scale; `None` where a projection
+    /// depends on how far the kernel's numbers reach.
     fn derivatives(&self, gaussian: usize) -> Option<[f64; 10]> {
         let set = &self.forward;
         let pairs: Vec<_> = self.pairs(gaussian).collect();

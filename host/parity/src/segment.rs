@@ -147,7 +147,7 @@ impl Segment {
         !is_capped && (slack > 0.3 || (steps - steps.round()).abs() <= slack)
     }
 
-    /// How large what a contracted ray is computed from is; the shorter it is, the less its direction is known.
+    /// The size of the numbers of a contracted ray. The shorter the ray, the less exact is its direction.
     fn contracted_size(&self, slot: u32) -> f64 {
         let ray = self.ray(slot);
         let size = 1.0 + ray.p.length() + (ray.p + ray.v).length();

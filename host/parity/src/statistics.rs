@@ -71,7 +71,7 @@ impl Parity for Statistics {
         gaussians.flat_map(|gaussian| self.exact_of(gaussian)).map(Some).collect()
     }
 
-    /// The number of cameras is added to what other parts have left: one rounding, the same on every device.
+    /// The number of cameras is added to that of other parts: one rounding, the same on every device.
     fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
         match index % 4 {
             1 => Bound::relative_to(exact.floats()[index]),

@@ -65,7 +65,7 @@ impl Parity for TileCells {
                     let last = first + f64::from(size[axis] - 1);
                     (first - center[axis]).max(center[axis] - last).max(0.0) - extent[axis]
                 });
-                // what is rounded decides where they are about the same
+                // where they are about the same, rounding decides
                 let is_close = |axis: usize| {
                     beyond[axis].abs() < 1e-6 * (4000.0 + center[axis].abs() + extent[axis])
                 };

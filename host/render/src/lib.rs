@@ -1,6 +1,6 @@
 //! Renders Gaussians without sorting them: from a scene, cameras and tiles to pixels, and back to gradients.
 //!
-//! Whoever only renders needs this crate, and [`organza_core`] for scenes, cameras and tiles. The compiled kernels are
+//! To render, you only need this crate, and [`organza_core`] for scenes, cameras and tiles. The compiled kernels are
 //! part of it. [`organza`](https://crates.io/crates/organza) exports all of it, and trains.
 //!
 //! ```

@@ -143,7 +143,7 @@ fn a_refused_tile_is_tried_with_exact_capacities() {
         let found = renderer.render(&scene, &cameras, &batch);
         assert!(!device.refuse_one(0), "{}: so few buffers", device.choice());
         match (device.backend(), found) {
-            // nobody has guessed
+            // a CPU predicts no capacity
             ("cpu", Err(error)) if error.is_out_of_memory() => {}
             ("gpu", Ok(found)) => assert_eq!(found, expected, "{}", device.choice()),
             (_, found) => panic!("{}: {found:?}", device.choice()),

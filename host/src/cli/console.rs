@@ -251,7 +251,7 @@ fn shortened(text: &str, most: usize) -> String {
     format!("{first} ... {last}")
 }
 
-/// Writes to stderr. Errors are ignored: there is nobody left to report them to.
+/// Writes to stderr. Errors are ignored, because they could not be reported either.
 fn write(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }

@@ -263,7 +263,7 @@ impl Args {
         // indices of those that are left
         let mut left: Vec<_> = (0..scene.gaussians.len()).collect();
         if let Some(least) = self.least_contribution {
-            // what contributes NaN stays, because it is seen
+            // a Gaussian that contributes NaN is visible, so it stays
             let is_removed = |i: usize| found.pixels(i) <= least;
             let rule = match least {
                 0.0 => "in no view".to_owned(),

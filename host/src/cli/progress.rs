@@ -22,7 +22,7 @@ pub struct TrainingProgress {
     console: Console,
     bar: Progress,
     steps: u32,
-    /// Whether the number of steps is an estimate, which a run of so many minutes changes as it goes.
+    /// Whether the number of steps is an estimate, which a run with `--minutes` changes as it goes.
     is_planned: bool,
     time_limit: Option<f64>,
     pace: Pace,

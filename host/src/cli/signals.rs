@@ -89,7 +89,7 @@ fn lock(begun: &Mutex<Begun>) -> MutexGuard<'_, Begun> {
 fn end(text: &str) -> ! {
     let text = format!("error: {text}\n");
     let (sender, written) = mpsc::channel();
-    // Writing to a pipe that nobody reads would block.
+    // Writing to a pipe without a reader would block.
     thread::spawn(move || {
         let _ = io::stderr().write_all(text.as_bytes());
         let _ = sender.send(());

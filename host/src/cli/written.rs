@@ -78,7 +78,7 @@ pub fn remove_frames(folder: &mut Folder, frames: &[PathBuf]) -> Result<()> {
     }
     organza_core::remove_leftovers(folder.path());
     folder.unlock();
-    // It fails on purpose if somebody has put a file into the folder.
+    // It fails on purpose if there is another file in the folder.
     let _ = fs::remove_dir(folder.path());
     Ok(())
 }

@@ -240,7 +240,7 @@ impl Checkpoint {
         per_photograph_or_start(self.poses.as_ref(), photographs, "poses")
     }
 
-    /// Everything beside the scene is what training can have come to.
+    /// Checks that training can have made the tensors beside the scene.
     fn check(&self, origin: &Path) -> Result<()> {
         for (spec, values) in self.beside_scene(&self.photograph_tensors()) {
             let tensor = spec.name;

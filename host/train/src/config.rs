@@ -91,7 +91,7 @@ impl TrainConfig {
         leaves.into_iter().map(|(name, value)| (name, value.to_string())).collect()
     }
 
-    /// Replaces what depends on the data set by what it is there, so that the run's file records it: the background that
+    /// Sets the values that depend on the data set, so that the run's file records them: the background that
     /// photographs are over, and whether exposures are learned.
     pub fn resolve(&mut self, dataset: &Dataset) {
         if self.data.path.is_some() {

@@ -60,7 +60,7 @@ impl RunFolder {
         let folder = Self { path: path.to_owned(), _lock: lock };
         remove_leftovers(path);
         for name in FILES {
-            // Links are not followed: one may lead to somebody else's file.
+            // Links are not followed: one may lead to another user's file.
             let Ok(found) = fs::symlink_metadata(path.join(name)) else { continue };
             if !found.is_file() {
                 return invalid(format!(

@@ -130,7 +130,7 @@ fn halve(gaussians: &mut Gaussians, i: usize, side: f32) {
     }
     gaussians.log_scale[i][axis] += SPLIT_SCALE.ln();
     let logit = logit(sigmoid(gaussians.opacity[i]) * SPLIT_OPACITY);
-    // what has vanished has no logit; it stays what it was
+    // an opacity that has become 0 has no logit: the old one stays
     if logit.is_finite() {
         gaussians.opacity[i] = logit;
     }
@@ -367,7 +367,7 @@ mod tests {
         state
     }
 
-    /// Any number of ranks makes what growth makes of the whole scene.
+    /// Any number of ranks grows the same Gaussians as one rank with the whole scene.
     #[test]
     fn ranks_grow_the_whole_scene_alike() {
         let begun = state();

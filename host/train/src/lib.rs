@@ -1,7 +1,7 @@
 //! Training: from photographs with poses to a scene, and how close the scene is to them.
 //!
 //! A [`Trainer`] takes steps. A [`Session`] is a run in a folder: it logs, saves and evaluates, and reports what happens as
-//! [`Event`]s. It draws nothing: whoever listens does.
+//! [`Event`]s. It draws nothing: its caller does.
 //!
 //! Use it through the crate [`organza`](https://crates.io/crates/organza).
 

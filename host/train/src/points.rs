@@ -12,7 +12,7 @@ const SHUFFLE: u64 = 6;
 
 /// Points that are nearer than this part of their mean distance are in one place.
 const SAME: f64 = 0.01;
-/// Fewer places do not show what a scene looks like.
+/// Fewer places do not show a scene.
 const LEAST_PLACES: usize = 8;
 /// Part of the points that photographs must show, where colors tell nothing.
 const LEAST_SEEN: f64 = 0.1;

@@ -25,7 +25,7 @@ pub(super) struct Team {
 }
 
 impl Team {
-    /// Checks that ranks can share the Gaussians in so many shards, if they do.
+    /// Checks that the ranks can share the Gaussians in this number of shards, if they share them.
     ///
     /// # Errors
     /// [`Error::Argument`] where the settings ask for the distortion, which is no sum over shards, or where the number
@@ -51,7 +51,7 @@ impl Team {
 pub(super) enum Order {
     /// A step, and the number of steps of the run.
     Step(u32),
-    /// Measure a held-out view each, from this one on: of all, or of those of intermediate evaluations.
+    /// Each rank measures one held-out view, from `first` on: of all views, or of those of intermediate evaluations.
     Evaluate { first: usize, all: bool },
     /// Hand over the shard for a checkpoint.
     Save,

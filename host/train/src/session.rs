@@ -19,7 +19,7 @@ use organza_core::ranks::Ranks;
 use organza_data::{Dataset, Frame};
 use organza_render::{DeviceScene, Renderer};
 
-/// A training run in a folder: a [`Trainer`](crate::Trainer) with a log, checkpoints and evaluations. Whoever watches it
+/// A training run in a folder: a [`Trainer`](crate::Trainer) with a log, checkpoints and evaluations. Its listener
 /// makes more of its [events](Event), such as a report.
 ///
 /// ```
@@ -85,7 +85,7 @@ pub enum Event<'a> {
     Begin(u32),
     /// A setting has a different value than before the resume.
     Changed(&'a Change),
-    /// The settings and the log are written. What anyone else keeps of the run is now continued, or begins anew.
+    /// The settings and the log are written. Other records of the run now continue, or begin anew.
     Opened {
         /// Steps so far. Nothing of a later step is left in the folder.
         step: u64,

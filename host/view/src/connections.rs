@@ -137,7 +137,7 @@ mod tests {
             assert_eq!(connections.lock().connections.len(), MAX_CONNECTIONS);
             assert_eq!(numbers(peer(0)), [1]);
             assert!(numbers(peer(1)).is_empty());
-            // nobody with the token makes room
+            // clients with the token keep theirs
             assert!((1..MAX_OF_PEER).all(|_| admit(peer(0), true)));
             assert!(!admit(peer(0), true));
             assert_eq!(numbers(peer(0)).len(), MAX_OF_PEER);

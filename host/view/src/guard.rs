@@ -1,7 +1,7 @@
 //! Decides who may send requests: only pages that this server gave out.
 //!
 //! Any page in a browser can send requests to this machine. A request names the origin of its page (`Origin`). It
-//! also names the host (`Host`): if somebody's DNS leads another name here, that name is not one of this machine.
+//! also names the host (`Host`): if DNS leads another name here, that name is not one of this machine.
 
 use std::net::SocketAddr;
 

@@ -3,7 +3,7 @@
 //!
 //! There are two threads. The [server](Server) reads requests and puts them on a [`Queue`]. The thread that owns the
 //! scene takes them from there, one at a time, and [renders](FrameRenderer). A client has at most one image in the queue: a
-//! newer request replaces an older one, so the latest camera wins. An image that nobody waits for is not rendered.
+//! newer request replaces an older one, so the latest camera wins. An image that no client waits for is not rendered.
 //!
 //! [`web`] makes a page that renders by itself, without a server, and [`film`] writes films of images.
 

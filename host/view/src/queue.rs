@@ -34,7 +34,7 @@ pub struct Rendered {
 pub struct FrameJob {
     pub request: FrameRequest,
     pub camera: Camera,
-    /// Closed if nobody waits for the image anymore.
+    /// Closed if the client no longer waits for the image.
     pub reply: oneshot::Sender<Answer>,
 }
 
@@ -93,7 +93,7 @@ impl Queue {
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
         let mut state = self.state();
-        // whoever waits for an answer gets to know
+        // clients that wait for an answer learn of it
         state.clients.clear();
         state.questions.clear();
         self.wake.notify_all();
@@ -183,7 +183,7 @@ impl Queue {
         state.clients.get_mut(&next).and_then(|client| client.job.take()).map(NextJob::Frame)
     }
 
-    /// Whether an image is obsolete: nobody waits for it, or its client wants another one.
+    /// Whether an image is obsolete: its client no longer waits for it, or wants another one.
     pub(super) fn is_outdated(&self, job: &FrameJob) -> bool {
         let newest = self.state().clients.get(&job.request.client).map(|client| client.sequence);
         job.reply.is_closed()

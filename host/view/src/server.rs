@@ -372,7 +372,7 @@ async fn rendered(answer: oneshot::Receiver<Answer>) -> Result<Reply, Refusal> {
         }
         Ok(Err(reason)) => Err(Refusal(StatusCode::UNPROCESSABLE_ENTITY, reason)),
         // a newer request has replaced it
-        Err(_) => Err(Refusal(StatusCode::CONFLICT, "nobody waits for this any more".to_owned())),
+        Err(_) => Err(Refusal(StatusCode::CONFLICT, "this is no longer needed".to_owned())),
     }
 }
 

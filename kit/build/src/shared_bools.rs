@@ -1,4 +1,4 @@
-//! Makes integers of the `bool`s in workgroup memory: through naga, an NVIDIA H200 reads `false` there, whatever was written.
+//! Makes integers of the `bool`s in workgroup memory: through naga, an NVIDIA H200 always reads `false` there.
 
 use std::collections::{BTreeMap, BTreeSet};
 

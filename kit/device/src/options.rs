@@ -74,7 +74,7 @@ pub struct DeviceOptions {
     /// that a kernel may write.
     pub check_races: bool,
     /// With [`check_races`](Self::check_races), whether to fail if a kernel writes NaN to `f32` or vectors of them,
-    /// even to elements that nobody reads.
+    /// even to elements that are never read.
     pub check_nan: bool,
     /// Whether [`Device::run`](crate::Device::run) and [`Device::run_over`](crate::Device::run_over) start one workgroup more than needed along x, and along y if
     /// there is a size. For tests of kernels: the additional invocations must do nothing.

@@ -42,7 +42,7 @@ impl Device {
         Ok(buffer)
     }
 
-    /// Marks a buffer as unwritten, whatever it contains: see [`Device::unwritten`].
+    /// Marks a buffer as unwritten, even if it was written: see [`Device::unwritten`].
     pub fn forget<T: Pod>(&self, buffer: &Buffer<T>) {
         let raw = buffer.raw();
         if let (DeviceKind::Cpu(cpu), Memory::Cpu(memory)) = (&self.kind, &raw.memory) {
@@ -78,7 +78,7 @@ impl Device {
         let mut buffer = self.buffer(label, values.len(), false)?;
         match (&self.kind, &mut buffer.raw_mut().memory) {
             (DeviceKind::Cpu(_), Memory::Cpu(memory)) => {
-                let memory = Arc::get_mut(memory).expect("nobody else has it yet");
+                let memory = Arc::get_mut(memory).expect("it is not shared yet");
                 memory.bytes_mut()[..size_of_val(values)]
                     .copy_from_slice(bytemuck::cast_slice(values));
             }

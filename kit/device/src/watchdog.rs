@@ -204,8 +204,8 @@ mod imp {
             let limit = exit.limit;
             Err(format!("does not end within {limit:?}{place}{invocation}"))
         };
-        // SAFETY: the coroutine runs: `EXIT` is set by it alone. A kernel owns nothing that must be dropped, and after an error nobody
-        // relies on what it has written.
+        // SAFETY: the coroutine runs: `EXIT` is set by it alone. A kernel owns nothing that must be dropped, and after an error
+        // its outputs are not used.
         let registers = unsafe { exit.trap.setup_trap_handler(result) };
         let TrapHandlerRegs { rip, rsp, rbp, rdi, rsi } = registers;
         // SAFETY: `SA_SIGINFO` handlers get a context of this type

@@ -67,7 +67,7 @@ fn table(kernels: &Path, manifest: &Manifest) -> String {
     table + "]\n"
 }
 
-/// Whether the GPU still runs an old version of a kernel. Without sources, nobody knows.
+/// Whether the GPU still runs an old version of a kernel. Without sources, this is unknown.
 fn is_stale(workspace: &Path, manifest: &Manifest) -> bool {
     let folders: Vec<_> = manifest.sources.iter().map(|folder| workspace.join(folder)).collect();
     if folders.is_empty() || !folders.iter().all(|folder| folder.is_dir()) {

@@ -103,7 +103,7 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
     let train = |name: &str, resume: bool, time_limit: Option<f64>| {
         let folder = sandbox.path(name);
         fs::create_dir_all(&folder).unwrap();
-        let folder = RunFolder::lock(&folder, resume).expect("nobody else has it");
+        let folder = RunFolder::lock(&folder, resume).expect("it is free");
         let session = Session::new(&renderer, &config, &dataset, &folder);
         let session = session.with_time_limit(time_limit);
         session.run(resume, &mut |_| Ok(())).expect("it trains")

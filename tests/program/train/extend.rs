@@ -67,7 +67,7 @@ fn a_killed_extension_ends_with_the_same_bits() {
         child.kill().unwrap();
         child.wait().unwrap();
     }
-    // new settings are written, so that nobody has to repeat them
+    // new settings are written, so that they need not be repeated
     sandbox.run("train --resume killed --backend cpu").assert_ok();
     assert_same("killed", &bits(&sandbox, "killed"), &bits(&sandbox, "run"));
     let numbers = |run: &str| {

@@ -150,7 +150,7 @@ fn a_second_training_in_the_same_folder_is_refused() {
     assert!(first.try_wait().unwrap().is_none(), "the first goes on");
     first.kill().unwrap();
     first.wait().unwrap();
-    // the lock of a killed run blocks nobody, and is removed
+    // the lock of a killed run blocks no other run, and is removed
     sandbox.run(&format!("{RESUME} --time-limit 1")).assert_ok();
     assert!(!sandbox.path("run/.organza-lock").exists());
 }

@@ -129,7 +129,7 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     let renderer = Renderer::new(devices::cpu(None));
     let folder = sandbox.path("run");
     fs::create_dir(&folder).unwrap();
-    let folder = RunFolder::lock(&folder, false).expect("nobody else has it");
+    let folder = RunFolder::lock(&folder, false).expect("it is free");
     let session = Session::new(&renderer, &config, &dataset, &folder);
     let mut hooked = Vec::new();
     let mut scenes = Vec::new();

@@ -1,4 +1,4 @@
-//! `organza train` from a user's point of view: the files that a run leaves, whatever happens to it.
+//! `organza train` from a user's point of view: the files that a run leaves, however it ends.
 
 mod background;
 mod bits;

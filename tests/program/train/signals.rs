@@ -45,7 +45,7 @@ fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     }
 }
 
-/// Nobody reads the program's messages, so writing them blocks.
+/// The program's messages are not read, so writing them blocks.
 #[test]
 fn a_signal_is_not_swallowed_where_standard_error_blocks() {
     let sandbox = sandbox();

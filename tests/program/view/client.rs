@@ -56,7 +56,7 @@ impl Viewer {
 
     /// The lines that the program printed after its address, once it has ended.
     pub fn last_words(&self) -> Vec<String> {
-        self.said.lock().expect("nobody panicked").iter().collect()
+        self.said.lock().expect("no thread has panicked").iter().collect()
     }
 
     /// The address of the page.
@@ -118,7 +118,7 @@ impl Viewer {
     }
 }
 
-/// Connects, if somebody listens.
+/// Connects, if a server listens.
 pub fn connect(host: &str) -> io::Result<TcpStream> {
     let stream = TcpStream::connect(host)?;
     stream.set_read_timeout(Some(Duration::from_secs(60)))?;

@@ -97,7 +97,7 @@ fn a_page_that_goes_away_ends_its_film() {
     drop(films);
     let since = Instant::now();
     while film(&viewer, &request(&keyframes, 2)).status != 200 {
-        assert!(since.elapsed() < Duration::from_secs(30), "films of nobody go on");
+        assert!(since.elapsed() < Duration::from_secs(30), "films go on without their pages");
         thread::sleep(Duration::from_millis(20));
     }
 }

@@ -54,7 +54,7 @@ fn a_page_that_renders_by_itself_is_given_out() {
     assert_eq!(script.body, fs::read(sandbox.path("page/page.js")).expect("a script"));
     assert!(script.headers.contains("content-type: text/javascript"), "{}", script.headers);
     assert!(viewer.get("/scene.js").ok().body.starts_with(b"const ORGANZA_SCENE = "));
-    // and nothing else, for nobody else
+    // other addresses and other clients get nothing
     for (head, status) in [
         ("GET /scene.json", 404),
         ("GET /main.js", 404),

@@ -89,7 +89,7 @@ fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u
     let rendered: RenderedTiles = cpu
         .render_from_eye(&scene, camera, &batch, &mut EyeCache::default(), &options)
         .expect("an image")
-        .expect("nobody has cancelled it");
+        .expect("it was not cancelled");
     let (pixels, counts, small) = played(page, camera, steps);
     let report = &rendered.report;
     assert_eq!(counts, [report.pairs, report.members, report.samples], "steps x {steps}");

@@ -228,7 +228,7 @@ fn a_scale_of_all_axes_and_rounding_to_three_digits_are_taken_out() {
     for change in [|value| 33.0 * value, |value| 0.02 * value] {
         assert!(apart(changed(change).unwrap()) < 1e-12);
     }
-    // what is exact enough stays as it is in the file
+    // a rotation that is exact enough stays as it is in the file
     assert_eq!(changed(|value| value).unwrap(), expected);
     assert!(apart(changed(|value| (1e3 * value).round() / 1e3).unwrap()) < 6e-4);
     assert!(changed(|value| (1e2 * value).round() / 1e2).is_err());

@@ -40,7 +40,7 @@ pub struct SceneConfig {
     pub step: f64,
     /// Added to the diagonal of each projected covariance, in square pixels.
     pub blur: f64,
-    /// Whether the blur leaves a Gaussian's weight as it is: what it makes wider becomes fainter. A file without this
+    /// Whether the blur keeps a Gaussian's total weight: a Gaussian that becomes wider becomes fainter. A file without this
     /// field has `false`. `docs/pipeline.md` has the equation.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub antialiased: bool,

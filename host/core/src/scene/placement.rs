@@ -13,8 +13,8 @@ use crate::error::Result;
 const DISTANCE: f64 = 4.0;
 /// The same where the cameras look at no common place: some may stand close to what they show.
 const SPREAD_DISTANCE: f64 = 100.0;
-/// Cosine of the angle between the cameras' upward direction and an axis of the world, within which the axis is taken:
-/// somebody has aligned the data set. It is 5 degrees.
+/// Cosine of 5 degrees. If the cameras' upward direction is this close to an axis of the world, the data set is aligned, and
+/// the axis is taken.
 const ALIGNED: f64 = 0.996_194_698_091_745_5;
 /// Smallest distance between cameras, relative to their coordinates, that is not a rounding error.
 const ROUNDING: f64 = 1e-12;
@@ -51,7 +51,7 @@ pub struct Placement {
     pub up: [f64; 3],
     /// The scene's x axis in the world, a unit vector.
     pub right: [f64; 3],
-    /// Meters in one world unit, if somebody has measured it.
+    /// Meters in one world unit, if they are known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub meters: Option<f64>,
 }

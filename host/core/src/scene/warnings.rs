@@ -5,7 +5,7 @@ use super::Scene;
 /// From this resolution on, an f32 position keeps fewer than 11 bits of its fraction inside a cell.
 const FINE_RESOLUTION: u32 = 8192;
 
-/// It is usual that fewer than one in so many Gaussians are outside the box.
+/// There is no warning if fewer than one in this number of Gaussians is outside the box.
 const USUAL: usize = 10;
 
 impl Scene {

@@ -42,7 +42,7 @@ impl Number for f64 {
 
 /// A number, and how fast it changes with the one that [`gradient`] looks at.
 ///
-/// The derivatives have the precision of f64, whatever cancels in a function's value: a difference of two values would lose
+/// The derivatives have the precision of f64, even if a function's terms cancel. A difference of two values would lose
 /// a Gaussian of 1e-9 pixels beside a blur of 0.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual {

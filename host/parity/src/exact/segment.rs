@@ -64,7 +64,7 @@ pub struct ContractedRay {
     pub direction: [f64; 3],
     /// Up to this distance from the foot, steps are even.
     pub radius: f64,
-    /// Where the Gaussian and the camera are, in what steps are even in.
+    /// Where the Gaussian and the camera are, in the coordinate in which steps are even.
     pub ends: [f64; 2],
     /// L
     pub length: f64,

@@ -8,7 +8,7 @@ use crate::stages::counts::Capacity;
 const BATCHES: usize = 16;
 /// Extra capacity, as a fraction of the largest number that one of them needed.
 const MARGIN: f64 = 0.125;
-/// Extra capacity, whatever they needed.
+/// Extra capacity that does not depend on the batches.
 const LEAST: f64 = 1024.0;
 /// Kernels count items in 32 bits, and some of them in steps of three.
 const MOST: f64 = (u32::MAX / 4) as f64;

@@ -155,8 +155,8 @@ impl Part {
         Ok(())
     }
 
-    /// The other stages, after the scale of the hash grids' sums is set. With the `rows` of a block, takes what each
-    /// camera has of the Gaussians. The last camera of a part may continue in the next one.
+    /// The other stages, after the scale of the hash grids' sums is set. With the `rows` of a block, takes the
+    /// Gaussians' gradients in each camera. The last camera of a part may continue in the next one.
     pub fn add_pairs(
         &self,
         scene: &DeviceScene,
@@ -200,7 +200,7 @@ impl Part {
         Ok(FieldVectors { color, transmittance })
     }
 
-    /// Adds what some cameras have of the Gaussians, and of their statistics.
+    /// Adds the gradients of the Gaussians in some cameras, and their statistics.
     fn add_gaussians(
         &self,
         scene: &DeviceScene,

@@ -1,6 +1,6 @@
 //! The one way through a batch: cut, render, keep, go back, and make room where memory ends.
 //!
-//! A view batch is a batch's tiles of one camera. Its gradients have the same bits whoever computes it, alone or in one
+//! A view batch is a batch's tiles of one camera. Its gradients have the same bits on any rank, alone or in one
 //! part with others. So the sum depends neither on how a batch is cut into parts, nor on how many
 //! [ranks](organza_core::ranks) share it. View batches are dealt to groups of ranks: group v mod G has the one with the
 //! number v.
@@ -78,7 +78,7 @@ pub struct PassPart {
 pub type GoBack<'b> = dyn FnMut(TileGradient) -> Result<()> + 'b;
 
 impl Parts {
-    /// Gives up the memory of what was kept.
+    /// Gives up the memory of kept parts.
     pub fn release(&mut self) {
         self.room = 0;
         for part in &mut self.list {
@@ -102,7 +102,7 @@ impl PassPart {
         Self { plan, block, needed: [0; 2], part: None, of_tiles: None, of_pairs: None }
     }
 
-    /// Keeps what was rendered, if there is room.
+    /// Keeps a rendered part, if there is room.
     fn keep(&mut self, part: Arc<Part>, needed: Capacity, room: &mut u64) {
         self.needed = [needed.pairs, needed.samples].map(u64::from);
         let takes: u64 = self.needed.iter().sum();

@@ -99,7 +99,7 @@ impl FixedSums {
         Ok(Self { values: memory::zeros(len, "the sums of a batch")?, odd })
     }
 
-    /// Adds what a block has from this value on.
+    /// Adds the values of a block, from the value `first` on.
     fn add(&mut self, first: usize, values: &[f32]) {
         for (index, &value) in (first..).zip(values) {
             if value.abs() <= LARGEST {
@@ -110,7 +110,7 @@ impl FixedSums {
         }
     }
 
-    /// Adds what all ranks have.
+    /// Adds the sums of all ranks.
     fn finish(
         mut self,
         ranks: &dyn Ranks,
@@ -265,7 +265,7 @@ fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<(
     Ok(())
 }
 
-/// The gradients of Gaussians, and the statistics of growth, as rows: what a view batch has made of each Gaussian.
+/// The gradients of Gaussians, and the statistics of growth, as rows: one for each Gaussian that a view batch has seen.
 pub struct Rows<'a> {
     device: &'a Device,
     ranks: &'a dyn Ranks,
@@ -310,7 +310,7 @@ impl<'a> Rows<'a> {
         Ok(Self { device, ranks, scenes, for_each: vec![Vec::new(); ranks.size()] })
     }
 
-    /// Takes what a view batch has left of a scene on the device.
+    /// Takes the rows that a view batch has made of a scene from the device.
     pub fn take(&mut self, scene: usize) -> Result<()> {
         let device = self.device;
         let scene = &self.scenes[scene];
@@ -374,7 +374,7 @@ impl SceneRows<'_> {
         begin(rank)..begin(rank + 1)
     }
 
-    /// The sums of the rows that a rank owns, those that any view batch has. Takes the rows from what each rank has sent.
+    /// The sums of the rows that a rank owns, those that any view batch has. Takes the rows that each rank has sent.
     fn sum(&self, views: usize, rest: &mut [&[u32]], rank: usize) -> Vec<u32> {
         let width = self.width();
         let owned = self.owned(rank, rest.len());
@@ -443,7 +443,7 @@ mod tests {
     use super::*;
     use organza_core::tile::Tile;
 
-    /// Any order gives the same sums; what is no number stays none.
+    /// Any order gives the same sums, and NaN stays NaN.
     #[test]
     fn sums_do_not_depend_on_the_order() {
         let batch = TileBatch { side: 4, tiles: vec![Tile { camera: 0, origin: [0, 0] }] };

@@ -195,7 +195,7 @@ impl Renderer {
     /// Adds dL/dtensor of `grad_tiles [K, 3, S, S]` to `gradient`, and waits for it. Nothing is kept.
     ///
     /// # Errors
-    /// The same errors as [`Renderer::gradient`]. Where memory ended on the way, `gradient` has lost what it had before.
+    /// The same errors as [`Renderer::gradient`]. If memory ran out on the way, `gradient` has lost its earlier values.
     pub fn add_gradient(
         &self,
         scene: &DeviceScene,
@@ -259,7 +259,7 @@ impl Recording<'_> {
         gradient.check(device)
     }
 
-    /// Gives up the memory of what was kept. [`Recording::backward`] then renders again.
+    /// Gives up the memory of kept parts. [`Recording::backward`] then renders again.
     pub fn release(&mut self) {
         self.parts().release();
     }

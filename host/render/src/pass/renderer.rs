@@ -241,7 +241,7 @@ impl Renderer {
         guesses.then(|| self.predictor().predict(kind, plan.tiles.len())).flatten()
     }
 
-    /// Learns what a part has needed.
+    /// Learns from the capacity that a part has needed.
     pub(crate) fn observe(&self, scene: &DeviceScene, plan: &PartTiles, needed: Capacity) {
         if self.device.leaves_counts_on_device() {
             let kind = [scene.gaussians, plan.side];

@@ -75,7 +75,7 @@ pub fn pack_network(network: &Network) -> Vec<f32> {
     parameters
 }
 
-/// The inverse of [`pack_network`]: what pads the outputs is left out.
+/// The inverse of [`pack_network`]. It leaves out the padding of the outputs.
 pub fn unpack_network(parameters: &[f32], network: &mut Network) {
     let places = LayerPlace::from_network(network);
     for (layer, place) in network.layers.iter_mut().zip(places) {

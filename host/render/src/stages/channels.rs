@@ -34,7 +34,7 @@ const LEAST_WEIGHT: f32 = 1e-30;
 /// The channel of one tile, `[planes, S, S]`, of its sums `[4, S, S]`, in the world where a scene lies.
 fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) -> Vec<f32> {
     let weight = &sum[3 * area..];
-    // NaN is covered: it shows what an overflowing network makes of its pixels.
+    // NaN is covered: it shows the pixels of an overflowing network.
     let is_empty = |weight: f32| weight < LEAST_WEIGHT;
     let covered = |value: f32, weight: f32| if is_empty(weight) { 0.0 } else { value };
     let mean = |plane: usize| {

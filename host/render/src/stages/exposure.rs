@@ -41,7 +41,7 @@ impl Exposed {
         Ok(Self { params, exposure, image: exposed })
     }
 
-    /// Turns `gradient [K, 3, S, S]` from dL/dx' into dL/dx; returns what [`gradients`] adds up.
+    /// Turns `gradient [K, 3, S, S]` from dL/dx' into dL/dx; returns the sums for [`gradients`].
     pub fn backward(
         &self,
         device: &Device,

@@ -195,7 +195,7 @@ impl SceneGradient {
         self.poses.iter().for_each(|poses| poses.clear(device));
     }
 
-    /// Clears what says which blocks of the tables have a gradient: for the next step.
+    /// Clears the marks of the blocks of the tables that have a gradient, for the next step.
     pub fn clear_touched(&self, device: &Device) {
         let touched = self.tensors.iter().filter_map(|(_, tensor)| tensor.touched.as_ref());
         touched.for_each(|touched| device.clear(touched));

@@ -43,8 +43,8 @@ pub fn project(
     Ok((camera, projection, degenerate))
 }
 
-/// Adds what `pair_gradient [pairs, 3]` makes of positions, rotations, scales and opacities to `gradient`, and the pairs to
-/// its statistics: those of some of the part's cameras.
+/// Adds the gradients of positions, rotations, scales and opacities, from `pair_gradient [pairs, 3]`, to `gradient`, and the
+/// pairs to its statistics: those of some of the part's cameras.
 pub fn project_backward(
     scene: &DeviceScene,
     bins: &Bins,
@@ -95,7 +95,7 @@ pub fn project_backward(
 /// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
 pub const POSE: usize = VALUES as usize;
 
-/// Adds what `pair_gradient [pairs, 3]` makes of the poses of a part's cameras to the sums of `gradient [cameras, 6]`, of all
+/// Adds the gradients of the poses of a part's cameras, from `pair_gradient [pairs, 3]`, to `gradient [cameras, 6]`, of all
 /// cameras that a batch may show.
 pub fn pose_backward(
     scene: &DeviceScene,

@@ -84,7 +84,7 @@ fn a_recording_has_the_bits_of_rendering_and_of_rendering_again() {
     }
 }
 
-/// The derivative by the last bias of T's network, whatever the length of T's steps.
+/// The derivative by the last bias of T's network, for any length of T's steps.
 #[test]
 fn longer_steps_have_gradients_of_their_own() {
     const STEP: f32 = 0.02;

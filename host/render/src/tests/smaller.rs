@@ -39,7 +39,7 @@ fn variance(standard_deviation: f64, factor: u32) -> f64 {
 
 #[test]
 fn a_smaller_image_has_the_blur_of_its_pixels() {
-    // a footprint ends where its falloff is 1/255: what a normal distribution of two dimensions has left
+    // a footprint ends where its falloff is 1/255, with this part of the variance of the normal distribution
     let cut = 1.0 - 255f64.ln() / 254.0;
     let blur = demo::config().blur;
     for standard_deviation in [1.0, 1.5, 3.0] {

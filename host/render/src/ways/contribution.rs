@@ -35,7 +35,7 @@ pub struct Contributions {
 struct GaussianSums {
     /// Of `alpha / max(S, 1)`, over all pixels of all views.
     pixels: f64,
-    /// Of the squares of what each view has of `pixels`.
+    /// Of the squares of each view's part of `pixels`.
     squares: f64,
     /// Like `pixels`, over the pixels whose surface was looked for.
     measured: f64,
@@ -72,7 +72,7 @@ impl Contributions {
         if measured > 0.0 { in_front / measured } else { 0.0 }
     }
 
-    /// Adds what a view has.
+    /// Adds the sums of a view.
     fn add(&mut self, view: &[GaussianSums]) {
         for (sum, view) in self.sums.iter_mut().zip(view) {
             sum.pixels += view.pixels;

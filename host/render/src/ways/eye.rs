@@ -27,7 +27,7 @@ use organza_core::error::Result;
 use organza_core::tile::TileBatch;
 use organza_core::{Channel, RenderedTiles};
 
-/// Pairs that are evaluated at once, so that a frame nobody waits for any more ends soon: on a CPU about a tenth of a
+/// Pairs that are evaluated at once, so that a cancelled frame ends soon: on a CPU about a tenth of a
 /// second.
 const CPU_PAIRS: usize = 1 << 12;
 const GPU_PAIRS: usize = 1 << 17;
@@ -79,7 +79,7 @@ pub struct EyeOptions<'a> {
     pub renewed: Option<[usize; 2]>,
     /// Instead of the scene's background.
     pub background: Option<[f64; 3]>,
-    /// Whether nobody waits for the image any more.
+    /// Whether the image is no longer needed.
     pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -124,12 +124,12 @@ impl EyeCache {
             |&at: &u32| !self.is_current(at) || self.steps[at as usize] > options.steps;
         let missing = gaussians.iter().copied().filter(is_missing);
         let Some([least, most]) = options.renewed else { return missing.collect() };
-        // neighbors take turns, so that what is old is faint noise and no hole
+        // neighbors take turns, so that old values are faint noise and no hole
         let scattered = |at: u32| 1.0 + at.wrapping_mul(0x9e37_79b9) as f32 / u32::MAX as f32;
         let age = |at| self.moved(self.eyes[at as usize], at) * scattered(at);
         let mut missing: Vec<_> = missing.map(|at| (age(at), at)).collect();
         missing.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
-        // what is not known has the age infinity
+        // an unknown value has the age infinity
         let unknown = missing.partition_point(|(age, _)| *age > f32::MAX);
         let overdue = missing.partition_point(|(age, _)| *age > 2.0) - unknown;
         let share: f32 = gaussians.iter().map(|&at| self.moved(self.eye_before, at).min(1.0)).sum();
@@ -137,7 +137,7 @@ impl EyeCache {
         missing.into_iter().map(|(_, at)| at).collect()
     }
 
-    /// Evaluates what is not known of some Gaussians. Returns the number of samples, or nothing where it was cancelled.
+    /// Evaluates the unknown values of some Gaussians. Returns the number of samples; `None` if it was cancelled.
     fn complete(
         &mut self,
         scene: &DeviceScene,

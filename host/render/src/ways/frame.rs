@@ -24,8 +24,8 @@ pub struct FrameShape {
     pub capacity: Capacity,
 }
 
-/// A frame that a [planner](muslin_device::Device::planner) has written down, and the numbers of the buffers that whoever runs
-/// it writes and reads.
+/// A frame that a [planner](muslin_device::Device::planner) has written down, and the numbers of the buffers that its
+/// user writes and reads.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Buffers and steps.
@@ -62,7 +62,7 @@ impl Renderer {
                 let (_, first_sample) = segments(scene, &bins.pairs)?;
                 let samples = bins.pairs.read_samples(device, &first_sample)?.upper_bound();
                 *needed = Capacity {
-                    // what parts have in common is counted once for each: that is room to spare
+                    // pairs of several parts count once for each part: that is room to spare
                     pairs: needed.pairs.saturating_add(pairs).min(scene.gaussians),
                     members: needed.members.saturating_add(members),
                     samples: needed.samples.saturating_add(samples),
@@ -78,9 +78,9 @@ impl Renderer {
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) if a table is larger than a browser can bind.
     pub fn plan_frame(&self, scene: &DeviceScene, shape: &FrameShape) -> Result<Frame> {
         let device = self.device();
-        // of what a mistake before may have left
+        // an earlier error may have left a plan
         drop(device.take_plan());
-        // Whoever runs it puts the others anywhere to the right and below: no Gaussian of those is to be left out.
+        // Its user puts the others anywhere to the right and below: the Gaussians there must be kept.
         let origin = |place| if place == 0 { [0, 0] } else { [MAX_IMAGE_SIDE as i32; 2] };
         let tile =
             |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place, view: 0 };

@@ -123,7 +123,7 @@ function plot(chart, element) {
   };
   const drawn = new uPlot(options, columns(chart), element);
   label(drawn);
-  // The caption is as wide as the plot, and as high whatever the plot's size is.
+  // The caption is as wide as the plot. Its height does not depend on the plot.
   new ResizeObserver(() => drawn.setSize(size())).observe(element.previousElementSibling);
   charts.push([chart, drawn]);
 }

@@ -40,7 +40,7 @@ impl<const D: usize> Cell<D> {
             }
         }
         let axis = (0..D).max_by(|&a, &b| squares[a].total_cmp(&squares[b])).unwrap_or(0);
-        // equal values have no error, whatever their mean rounds to
+        // equal values have no error, even if their mean is rounded
         let first = &values[part[0] as usize];
         let is_one_value = part.iter().all(|&index| values[index as usize] == *first);
         let error = if is_one_value { 0.0 } else { squares.iter().sum() };

@@ -222,7 +222,7 @@ fn logit_of(opacity: u8) -> f32 {
     logit(f32::from(opacity).clamp(0.25, 254.75) / 255.0)
 }
 
-/// The logarithm of a scale. That of 0 is not finite, so it is replaced by one that nobody can see.
+/// The logarithm of a scale. That of 0 is not finite, so it is replaced by one that is too small to see.
 fn log_of(scale: f32) -> f32 {
     if scale == 0.0 { -69.0 } else { scale.ln() }
 }

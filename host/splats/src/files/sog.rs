@@ -221,7 +221,7 @@ impl Files<'_> {
         let mut file = file.or_else(|error| damaged(path, format!("{name}: {error}")))?;
         let size = file.size();
         memory::check(size, "a file of a SOG archive")?;
-        // memory grows with what is there, whatever the archive says
+        // memory grows with the data, not with the size that the archive gives
         let mut bytes = Vec::new();
         let read = file.by_ref().take(size).read_to_end(&mut bytes);
         read.or_else(|error| damaged(path, format!("{name}: {error}")))?;

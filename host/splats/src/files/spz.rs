@@ -35,8 +35,8 @@ const MOST_FRACTION: u8 = 30;
 const EXTENDED: u8 = 2;
 /// Number of Adobe's extension that names the axes.
 const AXES: u32 = 0xadbe_0003;
-/// Number of an extension of organza's own: the axes are those of the scene, whatever they mean to others, so that the
-/// scene's cameras fit the file.
+/// Number of an extension of organza's own: the axes are those of the scene, also where other programs expect
+/// others, so that the scene's cameras fit the file.
 const OWN_AXES: u32 = 0x4f52_0001;
 /// Factor and offset that turn the logarithm of a scale into a byte.
 const SCALE: [f32; 2] = [16.0, 160.0];
@@ -328,7 +328,7 @@ pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat
         let mut stream = source.by_ref().take(packed);
         let Ok(decoder) = zstd::Decoder::new(&mut stream) else { return cut(path) };
         *array = fill(decoder, unpacked as usize, path)?;
-        // what the decoder has left, so that the next stream begins where the table says
+        // skips the rest, so that the next stream begins where the table says
         io::copy(&mut stream, &mut io::sink()).or_else(|_| cut(path))?;
     }
     header.placed(&arrays, &extensions, path)
@@ -378,7 +378,7 @@ fn packed_rotation([w, x, y, z]: [f32; 4]) -> [u8; 4] {
     bits.to_le_bytes()
 }
 
-/// The next bytes. Memory grows with what is there, whatever a header says.
+/// The next bytes. Memory grows with the data, not with the size in a header.
 fn fill(source: impl Read, count: usize, path: &Path) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     match source.take(count as u64).read_to_end(&mut bytes) {
@@ -497,7 +497,7 @@ mod tests {
         let declared = |axes: u32| {
             let mut bytes = packed(write);
             bytes[40..44].copy_from_slice(&axes.to_le_bytes());
-            // an extension that nobody knows in place of organza's own
+            // an unknown extension in place of organza's own
             bytes[44..48].copy_from_slice(&7_u32.to_le_bytes());
             read_bytes(&bytes).unwrap()
         };

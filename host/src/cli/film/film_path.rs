@@ -142,7 +142,7 @@ impl PathArgs {
         frames: usize,
         size: impl Fn(&Camera) -> [u32; 2],
     ) -> Result<Vec<Camera>> {
-        // what the user gives is of the world
+        // the user's numbers are those of the world
         let orbit = Orbit {
             center: self.center.map_or(found.center, |center| placement.own(center)),
             up: self.up.map_or(found.up, |up| placement.own_direction(up)),

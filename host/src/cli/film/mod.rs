@@ -42,8 +42,8 @@ Examples:
 An MP4 is encoded by ffmpeg, which must be installed. An animated PNG (.png) needs nothing, loses nothing, plays in \
 every browser, and is larger.
 
-Between cameras, position, rotation and field of view change smoothly, at an even pace. The film shows all that a camera \
-sees, whatever the film's shape.
+Between cameras, position, rotation and field of view change smoothly, at an even pace. A film of another shape than the \
+images still shows all that a camera sees.
 
 Ctrl-C stops. Finished frames are kept in FILE.frames, or in the folder, and the same command continues from there, even \
 if the program was killed. A folder with other files, or with frames of another film, is refused without `--overwrite`. A \

@@ -165,7 +165,7 @@ impl DataSet {
         let run = scene.settings()?.filter(|run| run.poses.refine);
         let Some(run) = run.filter(|_| named.is_none()) else { return Ok(self) };
         let learned = Checkpoint::load_poses(scene.file())?;
-        // the frames that the run was trained on, whatever is held out now
+        // the frames that the run was trained on, even if others are held out now
         let frames = match &run.data.path {
             Some(path) => Poses::load(path, &run.data.options())?.cameras()?,
             None => built_in_cameras(&run.data),

@@ -98,7 +98,7 @@ impl Checkpoint {
     /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
     ///
     /// # Errors
-    /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has left what numbers can hold.
+    /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has overflowed.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
         self.save_shards(path, binding, &ThreadRanks::alone())
     }

@@ -294,7 +294,7 @@ macro_rules! define {
                 /// Adam's beta2.
                 beta2: f64 = 0.99, in 0.0..=0.999_999_9;
                 /// Last part of the run, in which all learning rates also fall linearly, to a fiftieth; 0: none.
-                // What noise moved comes to rest: Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond
+                // Values that noise has moved settle: Hägele et al. 2024, "Scaling Laws and Compute-Optimal Training Beyond
                 // Fixed Training Durations".
                 cooldown: f64 = 0.3, in 0.0..=1.0;
                 /// Weight decay of the transmittance network's grid: each step multiplies its values by 1 minus this

@@ -46,7 +46,7 @@ export class Explain {
   async ask(pixel) {
     const camera = this.view.camera;
     const answer = await this.fetch(pixel);
-    // somebody has moved meanwhile
+    // the camera has moved meanwhile
     if (!answer || camera !== this.view.camera) return;
     this.answer = answer;
     this.show();

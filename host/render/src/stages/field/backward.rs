@@ -170,8 +170,8 @@ impl DeviceField {
         Ok(())
     }
 
-    /// Adds what [`DeviceField::backward`] has left of a group to the sums of the hash grid, whose features begin at
-    /// `grid_row`.
+    /// Adds the gradients of a group's inputs, which [`DeviceField::backward`] has written, to the sums of the hash grid.
+    /// The features of the grid begin at `grid_row`.
     pub fn grid_backward(
         &self,
         device: &Device,

@@ -25,7 +25,7 @@ export class Pace {
     return enough.filter((plan) => plan.tiles === fewest);
   }
 
-  // The plan for so many tiles; none where all that there are were too small.
+  // The plan for this number of tiles; none if all plans were too small.
   plan(tiles, steps) {
     const ladder = this.ladder(tiles, steps);
     return ladder[this.level.get(this.key(ladder[0]?.tiles, steps)) ?? 0];
@@ -52,7 +52,7 @@ export class Pace {
     }
   }
 
-  // After an image while moving, which took so many milliseconds; `least` is the smallest shrink that there are plans for.
+  // Called after an image while moving, which took `time` milliseconds; `least` is the smallest shrink that there are plans for.
   learn(time, least) {
     if (time > SLOW) {
       if (this.coarse < this.steps.length - 1) this.coarse += 1;
@@ -63,7 +63,7 @@ export class Pace {
     }
   }
 
-  // The shrink at rest, after an image with all samples took so many milliseconds at another.
+  // The shrink at rest, after an image with all samples took `time` milliseconds at `shrink`.
   rest(time, shrink, least) {
     return Math.max(least, shrink * Math.min(1, Math.sqrt(time / PATIENCE)));
   }

@@ -1,4 +1,4 @@
-//! Only the invocations that have work come to the barrier.
+//! Only the invocations that have work reach the barrier.
 
 use crate::bug::*;
 

@@ -1,4 +1,4 @@
-//! Each half of the workgroup leaves out another round: all come to the barrier three times, but not together.
+//! Each half of the workgroup leaves out another round: all reach the barrier three times, but not together.
 
 use crate::bug::*;
 

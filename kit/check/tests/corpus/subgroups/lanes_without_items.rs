@@ -1,4 +1,4 @@
-//! The invocations without an item do not come to the sum of their subgroup.
+//! The invocations without an item do not reach the sum of their subgroup.
 
 use crate::bug::*;
 

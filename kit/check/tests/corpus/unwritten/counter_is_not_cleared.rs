@@ -1,4 +1,4 @@
-//! Adds to a counter that nobody has cleared.
+//! Adds to a counter that was never cleared.
 
 use crate::bug::*;
 

@@ -1,4 +1,4 @@
-//! Adds a row of terms to an output that nobody has written.
+//! Adds a row of terms to an output that was never written.
 
 use crate::bug::*;
 

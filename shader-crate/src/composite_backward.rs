@@ -28,7 +28,7 @@ pub struct CompositeBackwardParams {
     pub first_row: u32,
     /// Rows that it sums over: at most [`band_rows`].
     pub rows: u32,
-    /// 0 if nobody needs the gradient of the colors.
+    /// 0 if the gradient of the colors is not needed.
     pub colors: u32,
     /// See [`SplatParams::compensated_blur`](crate::splat::SplatParams::compensated_blur).
     pub compensated_blur: f32,

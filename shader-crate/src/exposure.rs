@@ -1,5 +1,5 @@
-//! A photograph's exposure: what its camera made of the colors that everybody sees, `x' = gain x + offset` for each
-//! channel, and the gradient. A plane is a channel of a tile.
+//! A photograph's exposure: its camera turned the scene's colors x into `x' = gain x + offset` for each
+//! channel. And the gradient. A plane is a channel of a tile.
 
 use crate::limits::MAX_TILE_SIDE;
 use muslin::prelude::*;

@@ -155,7 +155,7 @@ pub fn hash_grid_scale(
             slot += 1;
         }
         let above = exponents + exponent(mantissa.to_bits()) + 1;
-        // what is infinite or NaN is above the limit, whatever it is
+        // infinity and NaN are above any limit
         let above = if above > 128 { 128 } else { above };
         let above = if above < -125 { -125 } else { above };
         let sample_bits =

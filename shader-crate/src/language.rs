@@ -59,7 +59,7 @@ const MAX_STEPS: u32 = MAX_RUNS * (MAX_RUNS + 1) / 2;
 pub fn sort_rows(id: Invocation, params: &SortParams, values: Write<u32>) {
     let row = id.workgroup_index();
     let first = row * params.columns;
-    // all workgroups come to each barrier: browsers want to see that only the parameters decide it
+    // all workgroups reach each barrier: browsers must see that only the parameters decide it
     let pairs = if row < params.rows { params.columns / 2 } else { 0 };
     let mut run = 2;
     while run <= params.columns {

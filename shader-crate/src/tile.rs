@@ -57,8 +57,8 @@ pub fn distance_squared(x: Vec2, low: Vec2, side: f32) -> f32 {
 
 /// Eq. 15, with a margin for the rounding of f32.
 ///
-/// Where q is at most the cutoff the falloff is not zero, and such a pixel must find the Gaussian among its tile's
-/// members whatever the tiling.  A member too many adds exact zeros.
+/// Where q is at most the cutoff, the falloff is not zero. In any tiling, the Gaussian must then be a member of the
+/// pixel's tile. A member too many adds exact zeros.
 #[inline(always)]
 pub fn reaches(mean2d: Vec2, radius: f32, low: Vec2, side: f32) -> bool {
     let r = radius * 1.001 + 0.01;

@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_is_clamped() {
+    fn places_outside_are_clamped() {
         let scene_box = SceneBox::new([[-1.0; 3], [1.0; 3]], false);
         let [low, middle, high] = scene_box.split(Vec3::new(-3.0, 0.0, 1e30)).map(Split::clamped);
         assert_eq!((low.coarse, low.fine), (0.0, 0.0));

@@ -21,7 +21,7 @@ const RANGES: u32 = 256 / RANGE;
 /// Rows of a sum: the ranges, and that of what is infinite or NaN.
 pub const ROWS: u32 = RANGES + 1;
 
-/// A NaN, whatever bits are set beside these.
+/// A NaN. Other bits may be set beside these.
 const NAN_BITS: u32 = 0x7fc0_0000;
 
 /// Adds a number to the sum at `index`, of `sum [17, sums, 2]`. What a GPU may flush counts as zero.

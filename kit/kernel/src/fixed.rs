@@ -12,7 +12,7 @@ const WORD: f32 = 4_294_967_296.0;
 
 /// The integer nearest to a number of less than 2^62, halves away from zero: its low word and its high one.
 ///
-/// Every step is exact, so that all devices get the same integer, whatever they fuse or regroup.
+/// Every step is exact, so that all devices get the same integer, even if they fuse or regroup.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn words(x: f32) -> [u32; 2] {
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_taken_is_gone() {
+    fn taking_clears_the_sum() {
         let mut values = [0; 4];
         let [low, high] = words(-1e12);
         values[2..].copy_from_slice(&[low, high]);

@@ -98,7 +98,7 @@ mod tests {
     ];
 
     #[test]
-    fn integers_are_those_of_core() {
+    fn integers_match_core() {
         for a in EDGES {
             for b in EDGES {
                 assert_eq!(saturating_add(a, b), a.saturating_add(b));

@@ -1,7 +1,7 @@
 //! The path of an invocation to a barrier: the branches and the rounds of loops that it is in.
 //!
 //! A barrier is reached by all invocations of a workgroup on the same path, or by none. The place of the barrier alone does not tell: a
-//! helper can be called from two branches, and a loop can come to its barrier in another round. In debug builds, `#[kernel]` and
+//! helper can be called from two branches, and a loop can reach its barrier in another round. In debug builds, `#[kernel]` and
 //! `#[loops]` note both.
 
 extern crate std;

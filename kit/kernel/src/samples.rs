@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn four_samples_are_those_of_one() {
+    fn four_samples_match_single_samples() {
         let input = [0.5, -2.0, 0.0, 3.0, -0.25, 7.0, f32::MIN_POSITIVE, -1.0, 2.0, 1.0, 4.0, 0.0];
         for count in 1..=4 {
             for first in [0, 4] {
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn vectors_of_samples_are_those_of_one() {
+    fn vectors_of_samples_match_single_samples() {
         let input: [f32; 16] = core::array::from_fn(|i| (i * 37 % 11) as f32 - 5.0);
         let mut vectors = [9.0; 12];
         let mut one = [9.0; 12];

@@ -36,7 +36,7 @@
 //! # }
 //! ```
 //!
-//! All invocations of a subgroup come to each operation, on the same path. They wait for each other there, but it is no barrier: what
+//! All invocations of a subgroup reach each operation, on the same path. They wait for each other there, but it is no barrier: what
 //! they write to memory is not ordered. In the last subgroup of a workgroup, lanes can be missing. Workgroups lie along x, because only there
 //! naga knows lanes:
 //!

@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn what_an_index_keeps_of_a_value() {
+    fn an_index_drops_the_fraction() {
         let values = Wide::<4, false>([0.0, 0.99, 1.5, 16_777_215.0]);
         assert_eq!(values.index().0, [0, 0, 1, 16_777_215]);
         assert_eq!(values.truncate().0, [0.0, 0.0, 1.0, 16_777_215.0]);

@@ -102,7 +102,7 @@ fn suspend(at: &'static Location<'static>) {
     let invocation = running::invocation();
     let left = running::iterations_left();
     let path = path::take();
-    // SAFETY: nobody looks at it after this coroutine was resumed or dropped, and until then `path` is not touched
+    // SAFETY: it is not read after this coroutine was resumed or dropped, and until then `path` is not touched
     let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
     unsafe { &*yielder }.suspend(Stop { at, path: steps });

@@ -5,6 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use crate::casts::check_cast;
 use crate::half::normal_half_value;
 use crate::lane::Lane;
+use crate::math::integral;
 use crate::memory::{Read, Write};
 use crate::wide_index::{WideIndex, WideMask};
 use crate::{atomic, fixed};
@@ -143,7 +144,11 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn truncate(self) -> Self {
-        Self(vectors!(truncate(self.0), lanes!(|i| crate::math::truncate(self.0[i]))))
+        Self(vectors!(truncate(self.0), {
+            // a cast of its own would check each lane for NaN and for what no integer holds
+            let whole = self.wholes();
+            lanes!(|i| integral(self.0[i], whole[i] as f32))
+        }))
     }
 
     #[inline(always)]

@@ -397,7 +397,7 @@ pub fn dense_weight_backward<L: Lane>(
     input: ReadFours<f32>,
     output_gradient: ReadFours<f32>,
     carry: Write<Vec4>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
 ) {
     let index = id.index();
     let columns = params.columns;
@@ -491,7 +491,7 @@ fn add_slice<L: Lane>(
     input: ReadFours<f32>,
     output_gradient: ReadFours<f32>,
     carry: Write<Vec4>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
 ) {
     let columns = params.columns;
     let inputs = params.inputs;
@@ -577,7 +577,7 @@ fn sum_column<L: Lane>(
 fn add_sum(
     params: &DenseWeightBackwardParams,
     carry: Write<Vec4>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     is_whole: bool,
     after: u32,
     to: u32,

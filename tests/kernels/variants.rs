@@ -5,7 +5,7 @@ use muslin::kernel::{
     MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS, workgroup_bytes,
 };
 use muslin_check::Rounding;
-use organza::{DeviceOptions, Renderer, SpirvPath};
+use organza::{DeviceOptions, InstructionSet, Renderer, SpirvPath};
 use organza_tests::compare::assert_close;
 use organza_tests::{cases, devices};
 
@@ -38,6 +38,20 @@ fn variants_give_what_the_plain_kernels_give() {
         }
         assert!(compared > 0, "{name} runs no variant");
     }
+}
+
+/// A driver may compile each entry point of a `fused` kernel differently. The CPU shows that both add the same numbers in the
+/// same order, one lane at a time.
+#[test]
+fn a_fused_variant_adds_in_the_order_of_the_plain_kernel() {
+    let [plain, variants] = [devices::with(InstructionSet::Scalar), devices::checked_variants()];
+    let cases = organza_parity::cases();
+    let case = cases.iter().find(|case| case.kernel == "dense_weight_backward").expect("a case");
+    assert_ne!(case.entry_point(&variants), case.entry_point(&plain));
+    let measure = case.measure(&plain, &variants, Rounding::AsWritten).expect("it runs");
+    assert!(measure.values > 0);
+    assert_eq!(measure.absolute.value, 0.0, "{measure:?}");
+    assert_eq!(measure.share.value, 0.0, "{measure:?}");
 }
 
 #[test]

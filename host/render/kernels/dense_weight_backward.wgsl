@@ -22,8 +22,8 @@ struct type_11 {
     member: array<u32>,
 }
 
-struct type_17 {
-    member: array<vec4<f32>>,
+struct type_16 {
+    member: array<f32>,
 }
 
 struct type_19 {
@@ -39,7 +39,11 @@ struct type_20 {
     member_2: u32,
 }
 
-struct type_24 {
+struct type_23 {
+    member: array<vec4<f32>>,
+}
+
+struct type_28 {
     member: array<atomic<u32>>,
 }
 
@@ -53,77 +57,77 @@ var<storage> global_4: type_11;
 @group(0) @binding(2) 
 var<storage> global_5: type_11;
 @group(0) @binding(5) 
-var<storage, read_write> global_6: type_17;
+var<storage, read_write> global_6: type_16;
 @group(0) @binding(4) 
-var<storage> global_7: type_17;
+var<storage> global_7: type_23;
 @group(0) @binding(6) 
-var<storage, read_write> global_8: type_24;
+var<storage, read_write> global_8: type_28;
 @group(0) @binding(3) 
-var<storage> global_9: type_17;
+var<storage> global_9: type_23;
 
 fn function_() {
-    var phi_118_: array<u32, 2>;
-    var phi_142_: u32;
-    var phi_145_: u32;
-    var phi_166_: u32;
+    var phi_122_: array<u32, 2>;
+    var phi_155_: u32;
+    var phi_158_: u32;
+    var phi_179_: u32;
     var local: u32;
-    var phi_181_: u32;
+    var phi_194_: u32;
     var local_1: u32;
-    var phi_190_: u32;
-    var phi_208_: u32;
-    var phi_209_: u32;
-    var phi_210_: bool;
-    var phi_215_: u32;
-    var phi_217_: u32;
-    var phi_220_: u32;
+    var phi_203_: u32;
+    var phi_221_: u32;
     var phi_222_: u32;
-    var phi_240_: u32;
-    var phi_271_: vec4<f32>;
-    var phi_280_: type_20;
-    var phi_283_: type_19;
-    var phi_299_: bool;
-    var phi_387_: type_20;
-    var phi_390_: type_19;
-    var phi_457_: type_20;
-    var phi_460_: type_19;
-    var phi_476_: bool;
+    var phi_223_: bool;
+    var phi_228_: u32;
+    var phi_230_: u32;
+    var phi_233_: u32;
+    var phi_235_: u32;
+    var phi_255_: u32;
+    var phi_307_: vec4<f32>;
+    var phi_316_: type_20;
+    var phi_319_: type_19;
+    var phi_335_: bool;
+    var phi_423_: type_20;
+    var phi_426_: type_19;
+    var phi_493_: type_20;
+    var phi_496_: type_19;
+    var phi_512_: bool;
     var local_2: type_19;
     var local_3: type_19;
     var local_4: type_19;
     var local_5: type_19;
-    var phi_612_: u32;
-    var phi_614_: array<u32, 2>;
-    var phi_620_: array<u32, 2>;
-    var phi_673_: u32;
-    var phi_675_: array<u32, 2>;
-    var phi_681_: array<u32, 2>;
-    var phi_734_: u32;
-    var phi_736_: array<u32, 2>;
-    var phi_742_: array<u32, 2>;
-    var phi_795_: u32;
-    var phi_797_: array<u32, 2>;
-    var phi_803_: array<u32, 2>;
-    var phi_864_: vec4<f32>;
-    var phi_875_: vec4<f32>;
-    var phi_886_: vec4<f32>;
-    var phi_897_: vec4<f32>;
-    var phi_912_: type_19;
-    var phi_915_: type_19;
-    var phi_917_: type_19;
-    var phi_919_: type_19;
-    var phi_921_: type_20;
-    var phi_937_: bool;
-    var phi_1191_: type_19;
-    var phi_1194_: type_19;
-    var phi_1196_: type_19;
-    var phi_1198_: type_19;
-    var phi_1200_: type_20;
-    var phi_1417_: type_19;
-    var phi_1420_: type_19;
-    var phi_1422_: type_19;
-    var phi_1424_: type_19;
-    var phi_1426_: type_20;
-    var phi_1442_: bool;
+    var phi_650_: u32;
+    var phi_652_: array<u32, 2>;
+    var phi_658_: array<u32, 2>;
+    var phi_722_: u32;
+    var phi_724_: array<u32, 2>;
+    var phi_730_: array<u32, 2>;
+    var phi_794_: u32;
+    var phi_796_: array<u32, 2>;
+    var phi_802_: array<u32, 2>;
+    var phi_866_: u32;
+    var phi_868_: array<u32, 2>;
+    var phi_874_: array<u32, 2>;
+    var phi_960_: vec4<f32>;
+    var phi_993_: vec4<f32>;
+    var phi_1026_: vec4<f32>;
+    var phi_1059_: vec4<f32>;
+    var phi_1074_: type_19;
+    var phi_1077_: type_19;
+    var phi_1079_: type_19;
+    var phi_1081_: type_19;
+    var phi_1083_: type_20;
+    var phi_1099_: bool;
+    var phi_1353_: type_19;
+    var phi_1356_: type_19;
+    var phi_1358_: type_19;
+    var phi_1360_: type_19;
+    var phi_1362_: type_20;
+    var phi_1579_: type_19;
+    var phi_1582_: type_19;
+    var phi_1584_: type_19;
+    var phi_1586_: type_19;
+    var phi_1588_: type_20;
+    var phi_1604_: bool;
     var local_6: type_19;
     var local_7: type_19;
     var local_8: type_19;
@@ -140,58 +144,58 @@ fn function_() {
     var local_19: type_19;
     var local_20: type_19;
     var local_21: type_19;
-    var phi_1756_: u32;
-    var phi_1758_: array<u32, 2>;
-    var phi_1764_: array<u32, 2>;
-    var phi_1817_: u32;
-    var phi_1819_: array<u32, 2>;
-    var phi_1825_: array<u32, 2>;
-    var phi_1878_: u32;
-    var phi_1880_: array<u32, 2>;
-    var phi_1886_: array<u32, 2>;
-    var phi_1939_: u32;
-    var phi_1941_: array<u32, 2>;
-    var phi_1947_: array<u32, 2>;
-    var phi_2016_: u32;
-    var phi_2018_: array<u32, 2>;
-    var phi_2024_: array<u32, 2>;
-    var phi_2077_: u32;
-    var phi_2079_: array<u32, 2>;
-    var phi_2085_: array<u32, 2>;
-    var phi_2138_: u32;
-    var phi_2140_: array<u32, 2>;
-    var phi_2146_: array<u32, 2>;
-    var phi_2199_: u32;
-    var phi_2201_: array<u32, 2>;
-    var phi_2207_: array<u32, 2>;
-    var phi_2276_: u32;
-    var phi_2278_: array<u32, 2>;
-    var phi_2284_: array<u32, 2>;
-    var phi_2337_: u32;
-    var phi_2339_: array<u32, 2>;
-    var phi_2345_: array<u32, 2>;
-    var phi_2398_: u32;
-    var phi_2400_: array<u32, 2>;
-    var phi_2406_: array<u32, 2>;
-    var phi_2459_: u32;
-    var phi_2461_: array<u32, 2>;
-    var phi_2467_: array<u32, 2>;
-    var phi_2536_: u32;
-    var phi_2538_: array<u32, 2>;
-    var phi_2544_: array<u32, 2>;
-    var phi_2597_: u32;
-    var phi_2599_: array<u32, 2>;
-    var phi_2605_: array<u32, 2>;
-    var phi_2658_: u32;
-    var phi_2660_: array<u32, 2>;
-    var phi_2666_: array<u32, 2>;
-    var phi_2719_: u32;
-    var phi_2721_: array<u32, 2>;
-    var phi_2727_: array<u32, 2>;
-    var phi_2757_: u32;
-    var phi_218_: u32;
-    var phi_221_: u32;
-    var phi_223_: u32;
+    var phi_1920_: u32;
+    var phi_1922_: array<u32, 2>;
+    var phi_1928_: array<u32, 2>;
+    var phi_1992_: u32;
+    var phi_1994_: array<u32, 2>;
+    var phi_2000_: array<u32, 2>;
+    var phi_2064_: u32;
+    var phi_2066_: array<u32, 2>;
+    var phi_2072_: array<u32, 2>;
+    var phi_2136_: u32;
+    var phi_2138_: array<u32, 2>;
+    var phi_2144_: array<u32, 2>;
+    var phi_2214_: u32;
+    var phi_2216_: array<u32, 2>;
+    var phi_2222_: array<u32, 2>;
+    var phi_2284_: u32;
+    var phi_2286_: array<u32, 2>;
+    var phi_2292_: array<u32, 2>;
+    var phi_2354_: u32;
+    var phi_2356_: array<u32, 2>;
+    var phi_2362_: array<u32, 2>;
+    var phi_2424_: u32;
+    var phi_2426_: array<u32, 2>;
+    var phi_2432_: array<u32, 2>;
+    var phi_2502_: u32;
+    var phi_2504_: array<u32, 2>;
+    var phi_2510_: array<u32, 2>;
+    var phi_2572_: u32;
+    var phi_2574_: array<u32, 2>;
+    var phi_2580_: array<u32, 2>;
+    var phi_2642_: u32;
+    var phi_2644_: array<u32, 2>;
+    var phi_2650_: array<u32, 2>;
+    var phi_2712_: u32;
+    var phi_2714_: array<u32, 2>;
+    var phi_2720_: array<u32, 2>;
+    var phi_2790_: u32;
+    var phi_2792_: array<u32, 2>;
+    var phi_2798_: array<u32, 2>;
+    var phi_2860_: u32;
+    var phi_2862_: array<u32, 2>;
+    var phi_2868_: array<u32, 2>;
+    var phi_2930_: u32;
+    var phi_2932_: array<u32, 2>;
+    var phi_2938_: array<u32, 2>;
+    var phi_3000_: u32;
+    var phi_3002_: array<u32, 2>;
+    var phi_3008_: array<u32, 2>;
+    var phi_3038_: u32;
+    var phi_231_: u32;
+    var phi_234_: u32;
+    var phi_236_: u32;
     var local_22: u32;
     var local_23: u32;
     var local_24: u32;
@@ -239,14 +243,14 @@ fn function_() {
             let _e40 = global;
             let _e41 = global_1;
             let _e42 = global_2;
-            let _e50 = (((_e41.x + (_e41.y * _e42.x)) * 64u) + _e40.x);
-            let _e53 = global_3.member.member_4;
-            let _e56 = global_3.member.member_10;
-            let _e59 = global_3.member.member_3;
-            let _e60 = (_e59 - 1u);
-            let _e62 = ((_e60 / 4u) + 1u);
-            if ((_e53 % 8u) == 0u) {
-                let _e69 = (4u * _e53);
+            let _e45 = global_3.member.member_10;
+            let _e48 = global_3.member.member_3;
+            let _e49 = (_e48 - 1u);
+            let _e51 = ((_e49 / 4u) + 1u);
+            let _e59 = (((_e41.x + (_e41.y * _e42.x)) * 64u) + _e40.x);
+            let _e62 = global_3.member.member_4;
+            if ((_e62 % 8u) == 0u) {
+                let _e69 = (4u * _e62);
                 let _e70 = (_e69 == 0u);
                 if _e70 {
                     break;
@@ -254,1364 +258,1530 @@ fn function_() {
                 if _e70 {
                     break;
                 }
-                let _e72 = (_e50 % _e69);
-                phi_118_ = array<u32, 2>(((4u * (_e50 / _e69)) + ((_e72 / 8u) % 4u)), (((_e72 / 32u) * 8u) + (_e72 % 8u)));
+                let _e72 = (_e59 % _e69);
+                phi_122_ = array<u32, 2>(((4u * (_e59 / _e69)) + ((_e72 / 8u) % 4u)), (((_e72 / 32u) * 8u) + (_e72 % 8u)));
             } else {
-                let _e65 = (_e53 == 0u);
+                let _e65 = (_e62 == 0u);
                 if _e65 {
                     break;
                 }
                 if _e65 {
                     break;
                 }
-                phi_118_ = array<u32, 2>((_e50 / _e53), (_e50 % _e53));
+                phi_122_ = array<u32, 2>((_e59 / _e62), (_e59 % _e62));
             }
-            let _e83 = phi_118_;
-            let _e86 = global_3.member.member_1;
-            let _e89 = global_3.member.member;
-            let _e90 = (_e86 + _e89);
-            let _e93 = (_e86 + (_e41.z * _e56));
-            if (_e83[0] <= _e62) {
-                if (_e93 < _e90) {
-                    let _e97 = (_e93 + _e56);
-                    let _e102 = global_3.member.member_7;
-                    phi_142_ = _e102;
-                    phi_145_ = 0u;
+            let _e83 = phi_122_;
+            let _e84 = (4u * _e62);
+            let _e85 = (_e84 - 1u);
+            let _e88 = (((_e85 / 32u) + 1u) == 0u);
+            if _e88 {
+                break;
+            }
+            if _e88 {
+                break;
+            }
+            let _e93 = global_3.member.member_1;
+            let _e96 = global_3.member.member;
+            let _e97 = (_e93 + _e96);
+            let _e100 = (_e93 + (_e41.z * _e45));
+            if (_e83[0] <= _e51) {
+                if (_e100 < _e97) {
+                    let _e102 = (_e100 + _e45);
+                    let _e107 = global_3.member.member_7;
+                    phi_155_ = _e107;
+                    phi_158_ = 0u;
                     loop {
-                        let _e104 = phi_142_;
-                        let _e106 = phi_145_;
-                        let _e107 = (_e106 + 1u);
-                        local = _e106;
-                        local_1 = _e107;
-                        local_26 = _e106;
-                        if (_e107 < _e104) {
-                            let _e110 = ((_e106 + _e104) / 2u);
-                            let _e113 = global_3.member.member_8;
-                            let _e117 = global_4.member[(_e110 * _e113)];
-                            let _e120 = global_3.member.member_9;
-                            if (_e120 == 0u) {
-                                phi_166_ = _e117;
+                        let _e109 = phi_155_;
+                        let _e111 = phi_158_;
+                        let _e112 = (_e111 + 1u);
+                        local = _e111;
+                        local_1 = _e112;
+                        local_26 = _e111;
+                        if (_e112 < _e109) {
+                            let _e115 = ((_e111 + _e109) / 2u);
+                            let _e118 = global_3.member.member_8;
+                            let _e122 = global_4.member[(_e115 * _e118)];
+                            let _e125 = global_3.member.member_9;
+                            if (_e125 == 0u) {
+                                phi_179_ = _e122;
                             } else {
-                                let _e124 = global_5.member[_e117];
-                                phi_166_ = _e124;
+                                let _e129 = global_5.member[_e122];
+                                phi_179_ = _e129;
                             }
-                            let _e126 = phi_166_;
-                            let _e127 = (_e126 <= _e93);
-                            local_22 = select(_e110, _e104, _e127);
-                            local_23 = select(_e106, _e110, _e127);
+                            let _e131 = phi_179_;
+                            let _e132 = (_e131 <= _e100);
+                            local_22 = select(_e115, _e109, _e132);
+                            local_23 = select(_e111, _e115, _e132);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2656 = local_22;
-                            phi_142_ = _e2656;
-                            let _e2659 = local_23;
-                            phi_145_ = _e2659;
+                            let _e2854 = local_22;
+                            phi_155_ = _e2854;
+                            let _e2857 = local_23;
+                            phi_158_ = _e2857;
                         }
                     }
-                    let _e132 = global_3.member.member_8;
-                    let _e134 = local;
-                    let _e138 = global_4.member[(_e134 * _e132)];
-                    let _e141 = global_3.member.member_9;
-                    let _e142 = (_e141 == 0u);
-                    if _e142 {
-                        phi_181_ = _e138;
+                    let _e137 = global_3.member.member_8;
+                    let _e139 = local;
+                    let _e143 = global_4.member[(_e139 * _e137)];
+                    let _e146 = global_3.member.member_9;
+                    let _e147 = (_e146 == 0u);
+                    if _e147 {
+                        phi_194_ = _e143;
                     } else {
-                        let _e145 = global_5.member[_e138];
-                        phi_181_ = _e145;
+                        let _e150 = global_5.member[_e143];
+                        phi_194_ = _e150;
                     }
-                    let _e147 = phi_181_;
-                    let _e149 = local_1;
-                    let _e153 = global_4.member[(_e149 * _e132)];
-                    if _e142 {
-                        phi_190_ = _e153;
+                    let _e152 = phi_194_;
+                    let _e154 = local_1;
+                    let _e158 = global_4.member[(_e154 * _e137)];
+                    if _e147 {
+                        phi_203_ = _e158;
                     } else {
-                        let _e156 = global_5.member[_e153];
-                        phi_190_ = _e156;
+                        let _e161 = global_5.member[_e158];
+                        phi_203_ = _e161;
                     }
-                    let _e158 = phi_190_;
-                    if (_e56 == 0u) {
+                    let _e163 = phi_203_;
+                    if (_e45 == 0u) {
                         break;
                     }
-                    let _e161 = ((_e93 - _e147) % _e56);
+                    let _e166 = ((_e100 - _e152) % _e45);
                     if (_e41.z == 0u) {
-                        phi_209_ = u32();
-                        phi_210_ = true;
+                        phi_222_ = u32();
+                        phi_223_ = true;
                     } else {
-                        let _e163 = (_e161 == 0u);
-                        if _e163 {
-                            phi_208_ = u32();
+                        let _e168 = (_e166 == 0u);
+                        if _e168 {
+                            phi_221_ = u32();
                         } else {
-                            let _e165 = ((_e93 - _e161) + _e56);
-                            phi_208_ = select(_e158, _e165, (_e165 < _e158));
+                            let _e170 = ((_e100 - _e166) + _e45);
+                            phi_221_ = select(_e163, _e170, (_e170 < _e163));
                         }
-                        let _e169 = phi_208_;
-                        phi_209_ = _e169;
-                        phi_210_ = _e163;
+                        let _e174 = phi_221_;
+                        phi_222_ = _e174;
+                        phi_223_ = _e168;
                     }
-                    let _e171 = phi_209_;
-                    let _e173 = phi_210_;
-                    if _e173 {
-                        phi_215_ = (_e93 - _e161);
+                    let _e176 = phi_222_;
+                    let _e178 = phi_223_;
+                    if _e178 {
+                        phi_228_ = (_e100 - _e166);
                     } else {
-                        phi_215_ = _e171;
+                        phi_228_ = _e176;
                     }
-                    let _e176 = phi_215_;
-                    phi_217_ = _e158;
-                    phi_220_ = _e176;
-                    let _e2677 = local_26;
-                    phi_222_ = _e2677;
+                    let _e181 = phi_228_;
+                    phi_230_ = _e163;
+                    phi_233_ = _e181;
+                    let _e2875 = local_26;
+                    phi_235_ = _e2875;
                     loop {
-                        let _e178 = phi_217_;
-                        let _e180 = phi_220_;
-                        let _e182 = phi_222_;
-                        if (_e180 < select(_e90, _e97, (_e97 < _e90))) {
-                            if (_e180 == _e178) {
-                                let _e2641 = global_4.member[((_e182 + 2u) * _e132)];
-                                if _e142 {
-                                    phi_2757_ = _e2641;
+                        let _e183 = phi_230_;
+                        let _e185 = phi_233_;
+                        let _e187 = phi_235_;
+                        if (_e185 < select(_e97, _e102, (_e102 < _e97))) {
+                            if (_e185 == _e183) {
+                                let _e2839 = global_4.member[((_e187 + 2u) * _e137)];
+                                if _e147 {
+                                    phi_3038_ = _e2839;
                                 } else {
-                                    let _e2644 = global_5.member[_e2641];
-                                    phi_2757_ = _e2644;
+                                    let _e2842 = global_5.member[_e2839];
+                                    phi_3038_ = _e2842;
                                 }
-                                let _e2646 = phi_2757_;
-                                phi_218_ = _e2646;
-                                phi_221_ = _e180;
-                                phi_223_ = (_e182 + 1u);
+                                let _e2844 = phi_3038_;
+                                phi_231_ = _e2844;
+                                phi_234_ = _e185;
+                                phi_236_ = (_e187 + 1u);
                             } else {
-                                let _e185 = (_e180 + _e56);
-                                let _e187 = select(_e178, _e185, (_e185 < _e178));
-                                if (_e180 > _e86) {
-                                    phi_240_ = (_e180 - _e86);
+                                let _e190 = (_e185 + _e45);
+                                let _e192 = select(_e183, _e190, (_e190 < _e183));
+                                let _e195 = global_3.member.member_11;
+                                let _e196 = (4u * _e195);
+                                if (_e185 > _e93) {
+                                    phi_255_ = (_e185 - _e93);
                                 } else {
-                                    phi_240_ = 0u;
+                                    phi_255_ = 0u;
                                 }
-                                let _e192 = phi_240_;
-                                let _e193 = (_e187 - _e86);
-                                let _e195 = select(_e89, _e193, (_e193 < _e89));
-                                let _e198 = global_3.member.member_12;
-                                let _e201 = global_3.member.member_11;
-                                let _e202 = (_e198 * _e201);
-                                let _e204 = ((1u - _e198) * _e201);
-                                let _e205 = (_e187 <= _e90);
-                                let _e207 = select(false, true, (_e180 < _e86));
-                                let _e210 = global_3.member.member_2;
-                                let _e212 = ((4u * _e83[1]) * _e210);
-                                if (_e83[0] < _e62) {
-                                    let _e766 = (_e83[0] * 4u);
-                                    let _e769 = global_3.member.member_5;
-                                    let _e772 = ((_e769 + (_e766 * _e53)) + _e83[1]);
-                                    let _e773 = (_e60 - _e766);
-                                    let _e777 = (_e772 + (select(_e773, 1u, (1u < _e773)) * _e53));
-                                    let _e781 = (_e772 + (select(_e773, 2u, (2u < _e773)) * _e53));
-                                    let _e785 = (_e772 + (select(_e773, 3u, (3u < _e773)) * _e53));
-                                    let _e791 = (_e766 + 1u);
-                                    let _e795 = (_e766 + 2u);
-                                    let _e799 = (_e766 + 3u);
-                                    if _e207 {
-                                        let _e805 = global_6.member[(_e202 + _e772)];
-                                        phi_864_ = _e805;
+                                let _e200 = phi_255_;
+                                let _e201 = (_e192 - _e93);
+                                let _e203 = select(_e96, _e201, (_e201 < _e96));
+                                let _e205 = (_e192 <= _e97);
+                                let _e208 = global_3.member.member_12;
+                                let _e209 = (_e208 * _e196);
+                                let _e211 = ((1u - _e208) * _e196);
+                                let _e213 = select(false, true, (_e185 < _e93));
+                                let _e216 = global_3.member.member_2;
+                                let _e217 = (4u * _e83[1]);
+                                let _e218 = (_e217 * _e216);
+                                if (_e83[0] < _e51) {
+                                    let _e814 = (_e83[0] * 4u);
+                                    let _e817 = global_3.member.member_5;
+                                    let _e820 = (4u * (_e817 + (_e814 * _e62)));
+                                    let _e821 = (_e49 - _e814);
+                                    let _e826 = (_e820 + ((4u * select(_e821, 1u, (1u < _e821))) * _e62));
+                                    let _e831 = (_e820 + ((4u * select(_e821, 2u, (2u < _e821))) * _e62));
+                                    let _e836 = (_e820 + ((4u * select(_e821, 3u, (3u < _e821))) * _e62));
+                                    let _e837 = (_e209 + _e820);
+                                    let _e838 = (_e209 + _e826);
+                                    let _e839 = (_e209 + _e831);
+                                    let _e840 = (_e209 + _e836);
+                                    let _e842 = (_e814 + 1u);
+                                    let _e846 = (_e814 + 2u);
+                                    let _e850 = (_e814 + 3u);
+                                    if _e213 {
+                                        let _e859 = global_6.member[(_e837 + select(_e85, _e217, (_e217 < _e85)))];
+                                        let _e860 = (_e217 + 1u);
+                                        let _e866 = global_6.member[(_e837 + select(_e85, _e860, (_e860 < _e85)))];
+                                        let _e867 = (_e217 + 2u);
+                                        let _e873 = global_6.member[(_e837 + select(_e85, _e867, (_e867 < _e85)))];
+                                        let _e874 = (_e217 + 3u);
+                                        let _e880 = global_6.member[(_e837 + select(_e85, _e874, (_e874 < _e85)))];
+                                        phi_960_ = vec4<f32>(_e859, _e866, _e873, _e880);
                                     } else {
-                                        phi_864_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_960_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e807 = phi_864_;
-                                    if _e207 {
-                                        let _e815 = global_6.member[(_e202 + _e777)];
-                                        phi_875_ = _e815;
+                                    let _e883 = phi_960_;
+                                    if _e213 {
+                                        let _e894 = global_6.member[(_e838 + select(_e85, _e217, (_e217 < _e85)))];
+                                        let _e895 = (_e217 + 1u);
+                                        let _e901 = global_6.member[(_e838 + select(_e85, _e895, (_e895 < _e85)))];
+                                        let _e902 = (_e217 + 2u);
+                                        let _e908 = global_6.member[(_e838 + select(_e85, _e902, (_e902 < _e85)))];
+                                        let _e909 = (_e217 + 3u);
+                                        let _e915 = global_6.member[(_e838 + select(_e85, _e909, (_e909 < _e85)))];
+                                        phi_993_ = vec4<f32>(_e894, _e901, _e908, _e915);
                                     } else {
-                                        phi_875_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_993_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e817 = phi_875_;
-                                    if _e207 {
-                                        let _e825 = global_6.member[(_e202 + _e781)];
-                                        phi_886_ = _e825;
+                                    let _e918 = phi_993_;
+                                    if _e213 {
+                                        let _e929 = global_6.member[(_e839 + select(_e85, _e217, (_e217 < _e85)))];
+                                        let _e930 = (_e217 + 1u);
+                                        let _e936 = global_6.member[(_e839 + select(_e85, _e930, (_e930 < _e85)))];
+                                        let _e937 = (_e217 + 2u);
+                                        let _e943 = global_6.member[(_e839 + select(_e85, _e937, (_e937 < _e85)))];
+                                        let _e944 = (_e217 + 3u);
+                                        let _e950 = global_6.member[(_e839 + select(_e85, _e944, (_e944 < _e85)))];
+                                        phi_1026_ = vec4<f32>(_e929, _e936, _e943, _e950);
                                     } else {
-                                        phi_886_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_1026_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e827 = phi_886_;
-                                    if _e207 {
-                                        let _e835 = global_6.member[(_e202 + _e785)];
-                                        phi_897_ = _e835;
+                                    let _e953 = phi_1026_;
+                                    if _e213 {
+                                        let _e964 = global_6.member[(_e840 + select(_e85, _e217, (_e217 < _e85)))];
+                                        let _e965 = (_e217 + 1u);
+                                        let _e971 = global_6.member[(_e840 + select(_e85, _e965, (_e965 < _e85)))];
+                                        let _e972 = (_e217 + 2u);
+                                        let _e978 = global_6.member[(_e840 + select(_e85, _e972, (_e972 < _e85)))];
+                                        let _e979 = (_e217 + 3u);
+                                        let _e985 = global_6.member[(_e840 + select(_e85, _e979, (_e979 < _e85)))];
+                                        phi_1059_ = vec4<f32>(_e964, _e971, _e978, _e985);
                                     } else {
-                                        phi_897_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_1059_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e837 = phi_897_;
-                                    let _e845 = ((_e766 * _e210) / 4u);
-                                    let _e846 = ((select(_e60, _e791, (_e791 < _e60)) * _e210) / 4u);
-                                    let _e847 = ((select(_e60, _e795, (_e795 < _e60)) * _e210) / 4u);
-                                    let _e848 = ((select(_e60, _e799, (_e799 < _e60)) * _e210) / 4u);
-                                    let _e849 = (_e212 / 4u);
-                                    let _e850 = (_e210 / 4u);
-                                    phi_912_ = type_19(_e837.x, _e837.y, _e837.z, _e837.w);
-                                    phi_915_ = type_19(_e827.x, _e827.y, _e827.z, _e827.w);
-                                    phi_917_ = type_19(_e817.x, _e817.y, _e817.z, _e817.w);
-                                    phi_919_ = type_19(_e807.x, _e807.y, _e807.z, _e807.w);
-                                    phi_921_ = type_20((_e192 / 4u), _e192, _e195);
+                                    let _e988 = phi_1059_;
+                                    let _e996 = ((_e814 * _e216) / 4u);
+                                    let _e997 = ((select(_e49, _e842, (_e842 < _e49)) * _e216) / 4u);
+                                    let _e998 = ((select(_e49, _e846, (_e846 < _e49)) * _e216) / 4u);
+                                    let _e999 = ((select(_e49, _e850, (_e850 < _e49)) * _e216) / 4u);
+                                    let _e1000 = (_e218 / 4u);
+                                    let _e1001 = (_e216 / 4u);
+                                    phi_1074_ = type_19(_e988.x, _e988.y, _e988.z, _e988.w);
+                                    phi_1077_ = type_19(_e953.x, _e953.y, _e953.z, _e953.w);
+                                    phi_1079_ = type_19(_e918.x, _e918.y, _e918.z, _e918.w);
+                                    phi_1081_ = type_19(_e883.x, _e883.y, _e883.z, _e883.w);
+                                    phi_1083_ = type_20((_e200 / 4u), _e200, _e203);
                                     loop {
-                                        let _e852 = phi_912_;
-                                        let _e854 = phi_915_;
-                                        let _e856 = phi_917_;
-                                        let _e858 = phi_919_;
-                                        let _e860 = phi_921_;
-                                        local_43 = _e852;
-                                        local_45 = _e854;
-                                        local_47 = _e856;
-                                        local_49 = _e858;
-                                        local_51 = _e860;
-                                        let _e862 = (4u * _e860.member);
-                                        if (_e862 < _e860.member_2) {
-                                            phi_937_ = select(((_e862 + 4u) > _e860.member_2), true, (_e862 < _e860.member_1));
+                                        let _e1003 = phi_1074_;
+                                        let _e1005 = phi_1077_;
+                                        let _e1007 = phi_1079_;
+                                        let _e1009 = phi_1081_;
+                                        let _e1011 = phi_1083_;
+                                        local_43 = _e1003;
+                                        local_45 = _e1005;
+                                        local_47 = _e1007;
+                                        local_49 = _e1009;
+                                        local_51 = _e1011;
+                                        let _e1013 = (4u * _e1011.member);
+                                        if (_e1013 < _e1011.member_2) {
+                                            phi_1099_ = select(((_e1013 + 4u) > _e1011.member_2), true, (_e1013 < _e1011.member_1));
                                         } else {
-                                            phi_937_ = false;
+                                            phi_1099_ = false;
                                         }
-                                        let _e871 = phi_937_;
-                                        if _e871 {
-                                            let _e875 = global_7.member[(_e849 + _e860.member)];
-                                            let _e882 = (_e860.member_2 - _e860.member_1);
-                                            let _e883 = ((_e862 - _e860.member_1) < _e882);
-                                            let _e884 = select(0f, _e875.x, _e883);
-                                            let _e887 = (((_e862 + 1u) - _e860.member_1) < _e882);
-                                            let _e888 = select(0f, _e875.y, _e887);
-                                            let _e891 = (((_e862 + 2u) - _e860.member_1) < _e882);
-                                            let _e892 = select(0f, _e875.z, _e891);
-                                            let _e895 = (((_e862 + 3u) - _e860.member_1) < _e882);
-                                            let _e896 = select(0f, _e875.w, _e895);
-                                            let _e901 = global_7.member[((_e849 + _e850) + _e860.member)];
-                                            let _e906 = select(0f, _e901.x, _e883);
-                                            let _e907 = select(0f, _e901.y, _e887);
-                                            let _e908 = select(0f, _e901.z, _e891);
-                                            let _e909 = select(0f, _e901.w, _e895);
-                                            let _e915 = global_7.member[((_e849 + (2u * _e850)) + _e860.member)];
-                                            let _e920 = select(0f, _e915.x, _e883);
-                                            let _e921 = select(0f, _e915.y, _e887);
-                                            let _e922 = select(0f, _e915.z, _e891);
-                                            let _e923 = select(0f, _e915.w, _e895);
-                                            let _e929 = global_7.member[((_e849 + (3u * _e850)) + _e860.member)];
-                                            let _e934 = select(0f, _e929.x, _e883);
-                                            let _e935 = select(0f, _e929.y, _e887);
-                                            let _e936 = select(0f, _e929.z, _e891);
-                                            let _e937 = select(0f, _e929.w, _e895);
-                                            let _e941 = global_9.member[(_e845 + _e860.member)];
-                                            let _e946 = select(0f, _e941.x, _e883);
-                                            let _e947 = select(0f, _e941.y, _e887);
-                                            let _e948 = select(0f, _e941.z, _e891);
-                                            let _e949 = select(0f, _e941.w, _e895);
-                                            let _e953 = global_9.member[(_e846 + _e860.member)];
-                                            let _e958 = select(0f, _e953.x, _e883);
-                                            let _e959 = select(0f, _e953.y, _e887);
-                                            let _e960 = select(0f, _e953.z, _e891);
-                                            let _e961 = select(0f, _e953.w, _e895);
-                                            let _e965 = global_9.member[(_e847 + _e860.member)];
-                                            let _e970 = select(0f, _e965.x, _e883);
-                                            let _e971 = select(0f, _e965.y, _e887);
-                                            let _e972 = select(0f, _e965.z, _e891);
-                                            let _e973 = select(0f, _e965.w, _e895);
-                                            let _e977 = global_9.member[(_e848 + _e860.member)];
-                                            let _e982 = select(0f, _e977.x, _e883);
-                                            let _e983 = select(0f, _e977.y, _e887);
-                                            let _e984 = select(0f, _e977.z, _e891);
-                                            let _e985 = select(0f, _e977.w, _e895);
-                                            local_38 = type_19(((_e985 * _e896) + ((_e984 * _e892) + ((_e983 * _e888) + ((_e982 * _e884) + _e852.member)))), ((_e985 * _e909) + ((_e984 * _e908) + ((_e983 * _e907) + ((_e982 * _e906) + _e852.member_1)))), ((_e985 * _e923) + ((_e984 * _e922) + ((_e983 * _e921) + ((_e982 * _e920) + _e852.member_2)))), ((_e985 * _e937) + ((_e984 * _e936) + ((_e983 * _e935) + ((_e982 * _e934) + _e852.member_3)))));
-                                            local_39 = type_19(((_e973 * _e896) + ((_e972 * _e892) + ((_e971 * _e888) + ((_e970 * _e884) + _e854.member)))), ((_e973 * _e909) + ((_e972 * _e908) + ((_e971 * _e907) + ((_e970 * _e906) + _e854.member_1)))), ((_e973 * _e923) + ((_e972 * _e922) + ((_e971 * _e921) + ((_e970 * _e920) + _e854.member_2)))), ((_e973 * _e937) + ((_e972 * _e936) + ((_e971 * _e935) + ((_e970 * _e934) + _e854.member_3)))));
-                                            local_40 = type_19(((_e961 * _e896) + ((_e960 * _e892) + ((_e959 * _e888) + ((_e958 * _e884) + _e856.member)))), ((_e961 * _e909) + ((_e960 * _e908) + ((_e959 * _e907) + ((_e958 * _e906) + _e856.member_1)))), ((_e961 * _e923) + ((_e960 * _e922) + ((_e959 * _e921) + ((_e958 * _e920) + _e856.member_2)))), ((_e961 * _e937) + ((_e960 * _e936) + ((_e959 * _e935) + ((_e958 * _e934) + _e856.member_3)))));
-                                            local_41 = type_19(((_e949 * _e896) + ((_e948 * _e892) + ((_e947 * _e888) + ((_e946 * _e884) + _e858.member)))), ((_e949 * _e909) + ((_e948 * _e908) + ((_e947 * _e907) + ((_e946 * _e906) + _e858.member_1)))), ((_e949 * _e923) + ((_e948 * _e922) + ((_e947 * _e921) + ((_e946 * _e920) + _e858.member_2)))), ((_e949 * _e937) + ((_e948 * _e936) + ((_e947 * _e935) + ((_e946 * _e934) + _e858.member_3)))));
-                                            local_42 = type_20((_e860.member + 1u), _e860.member_1, _e860.member_2);
+                                        let _e1022 = phi_1099_;
+                                        if _e1022 {
+                                            let _e1026 = global_7.member[(_e1000 + _e1011.member)];
+                                            let _e1033 = (_e1011.member_2 - _e1011.member_1);
+                                            let _e1034 = ((_e1013 - _e1011.member_1) < _e1033);
+                                            let _e1035 = select(0f, _e1026.x, _e1034);
+                                            let _e1038 = (((_e1013 + 1u) - _e1011.member_1) < _e1033);
+                                            let _e1039 = select(0f, _e1026.y, _e1038);
+                                            let _e1042 = (((_e1013 + 2u) - _e1011.member_1) < _e1033);
+                                            let _e1043 = select(0f, _e1026.z, _e1042);
+                                            let _e1046 = (((_e1013 + 3u) - _e1011.member_1) < _e1033);
+                                            let _e1047 = select(0f, _e1026.w, _e1046);
+                                            let _e1052 = global_7.member[((_e1000 + _e1001) + _e1011.member)];
+                                            let _e1057 = select(0f, _e1052.x, _e1034);
+                                            let _e1058 = select(0f, _e1052.y, _e1038);
+                                            let _e1059 = select(0f, _e1052.z, _e1042);
+                                            let _e1060 = select(0f, _e1052.w, _e1046);
+                                            let _e1066 = global_7.member[((_e1000 + (2u * _e1001)) + _e1011.member)];
+                                            let _e1071 = select(0f, _e1066.x, _e1034);
+                                            let _e1072 = select(0f, _e1066.y, _e1038);
+                                            let _e1073 = select(0f, _e1066.z, _e1042);
+                                            let _e1074 = select(0f, _e1066.w, _e1046);
+                                            let _e1080 = global_7.member[((_e1000 + (3u * _e1001)) + _e1011.member)];
+                                            let _e1085 = select(0f, _e1080.x, _e1034);
+                                            let _e1086 = select(0f, _e1080.y, _e1038);
+                                            let _e1087 = select(0f, _e1080.z, _e1042);
+                                            let _e1088 = select(0f, _e1080.w, _e1046);
+                                            let _e1092 = global_9.member[(_e996 + _e1011.member)];
+                                            let _e1097 = select(0f, _e1092.x, _e1034);
+                                            let _e1098 = select(0f, _e1092.y, _e1038);
+                                            let _e1099 = select(0f, _e1092.z, _e1042);
+                                            let _e1100 = select(0f, _e1092.w, _e1046);
+                                            let _e1104 = global_9.member[(_e997 + _e1011.member)];
+                                            let _e1109 = select(0f, _e1104.x, _e1034);
+                                            let _e1110 = select(0f, _e1104.y, _e1038);
+                                            let _e1111 = select(0f, _e1104.z, _e1042);
+                                            let _e1112 = select(0f, _e1104.w, _e1046);
+                                            let _e1116 = global_9.member[(_e998 + _e1011.member)];
+                                            let _e1121 = select(0f, _e1116.x, _e1034);
+                                            let _e1122 = select(0f, _e1116.y, _e1038);
+                                            let _e1123 = select(0f, _e1116.z, _e1042);
+                                            let _e1124 = select(0f, _e1116.w, _e1046);
+                                            let _e1128 = global_9.member[(_e999 + _e1011.member)];
+                                            let _e1133 = select(0f, _e1128.x, _e1034);
+                                            let _e1134 = select(0f, _e1128.y, _e1038);
+                                            let _e1135 = select(0f, _e1128.z, _e1042);
+                                            let _e1136 = select(0f, _e1128.w, _e1046);
+                                            local_38 = type_19(((_e1136 * _e1047) + ((_e1135 * _e1043) + ((_e1134 * _e1039) + ((_e1133 * _e1035) + _e1003.member)))), ((_e1136 * _e1060) + ((_e1135 * _e1059) + ((_e1134 * _e1058) + ((_e1133 * _e1057) + _e1003.member_1)))), ((_e1136 * _e1074) + ((_e1135 * _e1073) + ((_e1134 * _e1072) + ((_e1133 * _e1071) + _e1003.member_2)))), ((_e1136 * _e1088) + ((_e1135 * _e1087) + ((_e1134 * _e1086) + ((_e1133 * _e1085) + _e1003.member_3)))));
+                                            local_39 = type_19(((_e1124 * _e1047) + ((_e1123 * _e1043) + ((_e1122 * _e1039) + ((_e1121 * _e1035) + _e1005.member)))), ((_e1124 * _e1060) + ((_e1123 * _e1059) + ((_e1122 * _e1058) + ((_e1121 * _e1057) + _e1005.member_1)))), ((_e1124 * _e1074) + ((_e1123 * _e1073) + ((_e1122 * _e1072) + ((_e1121 * _e1071) + _e1005.member_2)))), ((_e1124 * _e1088) + ((_e1123 * _e1087) + ((_e1122 * _e1086) + ((_e1121 * _e1085) + _e1005.member_3)))));
+                                            local_40 = type_19(((_e1112 * _e1047) + ((_e1111 * _e1043) + ((_e1110 * _e1039) + ((_e1109 * _e1035) + _e1007.member)))), ((_e1112 * _e1060) + ((_e1111 * _e1059) + ((_e1110 * _e1058) + ((_e1109 * _e1057) + _e1007.member_1)))), ((_e1112 * _e1074) + ((_e1111 * _e1073) + ((_e1110 * _e1072) + ((_e1109 * _e1071) + _e1007.member_2)))), ((_e1112 * _e1088) + ((_e1111 * _e1087) + ((_e1110 * _e1086) + ((_e1109 * _e1085) + _e1007.member_3)))));
+                                            local_41 = type_19(((_e1100 * _e1047) + ((_e1099 * _e1043) + ((_e1098 * _e1039) + ((_e1097 * _e1035) + _e1009.member)))), ((_e1100 * _e1060) + ((_e1099 * _e1059) + ((_e1098 * _e1058) + ((_e1097 * _e1057) + _e1009.member_1)))), ((_e1100 * _e1074) + ((_e1099 * _e1073) + ((_e1098 * _e1072) + ((_e1097 * _e1071) + _e1009.member_2)))), ((_e1100 * _e1088) + ((_e1099 * _e1087) + ((_e1098 * _e1086) + ((_e1097 * _e1085) + _e1009.member_3)))));
+                                            local_42 = type_20((_e1011.member + 1u), _e1011.member_1, _e1011.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2732 = local_38;
-                                            phi_912_ = _e2732;
-                                            let _e2735 = local_39;
-                                            phi_915_ = _e2735;
-                                            let _e2738 = local_40;
-                                            phi_917_ = _e2738;
-                                            let _e2741 = local_41;
-                                            phi_919_ = _e2741;
-                                            let _e2744 = local_42;
-                                            phi_921_ = _e2744;
+                                            let _e2930 = local_38;
+                                            phi_1074_ = _e2930;
+                                            let _e2933 = local_39;
+                                            phi_1077_ = _e2933;
+                                            let _e2936 = local_40;
+                                            phi_1079_ = _e2936;
+                                            let _e2939 = local_41;
+                                            phi_1081_ = _e2939;
+                                            let _e2942 = local_42;
+                                            phi_1083_ = _e2942;
                                         }
                                     }
-                                    let _e2748 = local_43;
-                                    phi_1191_ = _e2748;
-                                    let _e2753 = local_45;
-                                    phi_1194_ = _e2753;
-                                    let _e2758 = local_47;
-                                    phi_1196_ = _e2758;
-                                    let _e2763 = local_49;
-                                    phi_1198_ = _e2763;
-                                    let _e2768 = local_51;
-                                    phi_1200_ = _e2768;
+                                    let _e2946 = local_43;
+                                    phi_1353_ = _e2946;
+                                    let _e2951 = local_45;
+                                    phi_1356_ = _e2951;
+                                    let _e2956 = local_47;
+                                    phi_1358_ = _e2956;
+                                    let _e2961 = local_49;
+                                    phi_1360_ = _e2961;
+                                    let _e2966 = local_51;
+                                    phi_1362_ = _e2966;
                                     loop {
-                                        let _e1140 = phi_1191_;
-                                        let _e1142 = phi_1194_;
-                                        let _e1144 = phi_1196_;
-                                        let _e1146 = phi_1198_;
-                                        let _e1148 = phi_1200_;
-                                        local_53 = _e1140;
-                                        local_55 = _e1142;
-                                        local_57 = _e1144;
-                                        local_59 = _e1146;
-                                        local_61 = _e1148;
-                                        if !((((4u * _e1148.member) + 4u) > _e1148.member_2)) {
-                                            let _e1158 = global_7.member[(_e849 + _e1148.member)];
-                                            let _e1167 = global_7.member[((_e849 + _e850) + _e1148.member)];
-                                            let _e1177 = global_7.member[((_e849 + (2u * _e850)) + _e1148.member)];
-                                            let _e1187 = global_7.member[((_e849 + (3u * _e850)) + _e1148.member)];
-                                            let _e1195 = global_9.member[(_e845 + _e1148.member)];
-                                            let _e1203 = global_9.member[(_e846 + _e1148.member)];
-                                            let _e1211 = global_9.member[(_e847 + _e1148.member)];
-                                            let _e1219 = global_9.member[(_e848 + _e1148.member)];
-                                            local_44 = type_19(((_e1219.w * _e1158.w) + ((_e1219.z * _e1158.z) + ((_e1219.y * _e1158.y) + ((_e1219.x * _e1158.x) + _e1140.member)))), ((_e1219.w * _e1167.w) + ((_e1219.z * _e1167.z) + ((_e1219.y * _e1167.y) + ((_e1219.x * _e1167.x) + _e1140.member_1)))), ((_e1219.w * _e1177.w) + ((_e1219.z * _e1177.z) + ((_e1219.y * _e1177.y) + ((_e1219.x * _e1177.x) + _e1140.member_2)))), ((_e1219.w * _e1187.w) + ((_e1219.z * _e1187.z) + ((_e1219.y * _e1187.y) + ((_e1219.x * _e1187.x) + _e1140.member_3)))));
-                                            local_46 = type_19(((_e1211.w * _e1158.w) + ((_e1211.z * _e1158.z) + ((_e1211.y * _e1158.y) + ((_e1211.x * _e1158.x) + _e1142.member)))), ((_e1211.w * _e1167.w) + ((_e1211.z * _e1167.z) + ((_e1211.y * _e1167.y) + ((_e1211.x * _e1167.x) + _e1142.member_1)))), ((_e1211.w * _e1177.w) + ((_e1211.z * _e1177.z) + ((_e1211.y * _e1177.y) + ((_e1211.x * _e1177.x) + _e1142.member_2)))), ((_e1211.w * _e1187.w) + ((_e1211.z * _e1187.z) + ((_e1211.y * _e1187.y) + ((_e1211.x * _e1187.x) + _e1142.member_3)))));
-                                            local_48 = type_19(((_e1203.w * _e1158.w) + ((_e1203.z * _e1158.z) + ((_e1203.y * _e1158.y) + ((_e1203.x * _e1158.x) + _e1144.member)))), ((_e1203.w * _e1167.w) + ((_e1203.z * _e1167.z) + ((_e1203.y * _e1167.y) + ((_e1203.x * _e1167.x) + _e1144.member_1)))), ((_e1203.w * _e1177.w) + ((_e1203.z * _e1177.z) + ((_e1203.y * _e1177.y) + ((_e1203.x * _e1177.x) + _e1144.member_2)))), ((_e1203.w * _e1187.w) + ((_e1203.z * _e1187.z) + ((_e1203.y * _e1187.y) + ((_e1203.x * _e1187.x) + _e1144.member_3)))));
-                                            local_50 = type_19(((_e1195.w * _e1158.w) + ((_e1195.z * _e1158.z) + ((_e1195.y * _e1158.y) + ((_e1195.x * _e1158.x) + _e1146.member)))), ((_e1195.w * _e1167.w) + ((_e1195.z * _e1167.z) + ((_e1195.y * _e1167.y) + ((_e1195.x * _e1167.x) + _e1146.member_1)))), ((_e1195.w * _e1177.w) + ((_e1195.z * _e1177.z) + ((_e1195.y * _e1177.y) + ((_e1195.x * _e1177.x) + _e1146.member_2)))), ((_e1195.w * _e1187.w) + ((_e1195.z * _e1187.z) + ((_e1195.y * _e1187.y) + ((_e1195.x * _e1187.x) + _e1146.member_3)))));
-                                            local_52 = type_20((_e1148.member + 1u), _e1148.member_1, _e1148.member_2);
+                                        let _e1291 = phi_1353_;
+                                        let _e1293 = phi_1356_;
+                                        let _e1295 = phi_1358_;
+                                        let _e1297 = phi_1360_;
+                                        let _e1299 = phi_1362_;
+                                        local_53 = _e1291;
+                                        local_55 = _e1293;
+                                        local_57 = _e1295;
+                                        local_59 = _e1297;
+                                        local_61 = _e1299;
+                                        if !((((4u * _e1299.member) + 4u) > _e1299.member_2)) {
+                                            let _e1309 = global_7.member[(_e1000 + _e1299.member)];
+                                            let _e1318 = global_7.member[((_e1000 + _e1001) + _e1299.member)];
+                                            let _e1328 = global_7.member[((_e1000 + (2u * _e1001)) + _e1299.member)];
+                                            let _e1338 = global_7.member[((_e1000 + (3u * _e1001)) + _e1299.member)];
+                                            let _e1346 = global_9.member[(_e996 + _e1299.member)];
+                                            let _e1354 = global_9.member[(_e997 + _e1299.member)];
+                                            let _e1362 = global_9.member[(_e998 + _e1299.member)];
+                                            let _e1370 = global_9.member[(_e999 + _e1299.member)];
+                                            local_44 = type_19(((_e1370.w * _e1309.w) + ((_e1370.z * _e1309.z) + ((_e1370.y * _e1309.y) + ((_e1370.x * _e1309.x) + _e1291.member)))), ((_e1370.w * _e1318.w) + ((_e1370.z * _e1318.z) + ((_e1370.y * _e1318.y) + ((_e1370.x * _e1318.x) + _e1291.member_1)))), ((_e1370.w * _e1328.w) + ((_e1370.z * _e1328.z) + ((_e1370.y * _e1328.y) + ((_e1370.x * _e1328.x) + _e1291.member_2)))), ((_e1370.w * _e1338.w) + ((_e1370.z * _e1338.z) + ((_e1370.y * _e1338.y) + ((_e1370.x * _e1338.x) + _e1291.member_3)))));
+                                            local_46 = type_19(((_e1362.w * _e1309.w) + ((_e1362.z * _e1309.z) + ((_e1362.y * _e1309.y) + ((_e1362.x * _e1309.x) + _e1293.member)))), ((_e1362.w * _e1318.w) + ((_e1362.z * _e1318.z) + ((_e1362.y * _e1318.y) + ((_e1362.x * _e1318.x) + _e1293.member_1)))), ((_e1362.w * _e1328.w) + ((_e1362.z * _e1328.z) + ((_e1362.y * _e1328.y) + ((_e1362.x * _e1328.x) + _e1293.member_2)))), ((_e1362.w * _e1338.w) + ((_e1362.z * _e1338.z) + ((_e1362.y * _e1338.y) + ((_e1362.x * _e1338.x) + _e1293.member_3)))));
+                                            local_48 = type_19(((_e1354.w * _e1309.w) + ((_e1354.z * _e1309.z) + ((_e1354.y * _e1309.y) + ((_e1354.x * _e1309.x) + _e1295.member)))), ((_e1354.w * _e1318.w) + ((_e1354.z * _e1318.z) + ((_e1354.y * _e1318.y) + ((_e1354.x * _e1318.x) + _e1295.member_1)))), ((_e1354.w * _e1328.w) + ((_e1354.z * _e1328.z) + ((_e1354.y * _e1328.y) + ((_e1354.x * _e1328.x) + _e1295.member_2)))), ((_e1354.w * _e1338.w) + ((_e1354.z * _e1338.z) + ((_e1354.y * _e1338.y) + ((_e1354.x * _e1338.x) + _e1295.member_3)))));
+                                            local_50 = type_19(((_e1346.w * _e1309.w) + ((_e1346.z * _e1309.z) + ((_e1346.y * _e1309.y) + ((_e1346.x * _e1309.x) + _e1297.member)))), ((_e1346.w * _e1318.w) + ((_e1346.z * _e1318.z) + ((_e1346.y * _e1318.y) + ((_e1346.x * _e1318.x) + _e1297.member_1)))), ((_e1346.w * _e1328.w) + ((_e1346.z * _e1328.z) + ((_e1346.y * _e1328.y) + ((_e1346.x * _e1328.x) + _e1297.member_2)))), ((_e1346.w * _e1338.w) + ((_e1346.z * _e1338.z) + ((_e1346.y * _e1338.y) + ((_e1346.x * _e1338.x) + _e1297.member_3)))));
+                                            local_52 = type_20((_e1299.member + 1u), _e1299.member_1, _e1299.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2750 = local_44;
-                                            phi_1191_ = _e2750;
-                                            let _e2755 = local_46;
-                                            phi_1194_ = _e2755;
-                                            let _e2760 = local_48;
-                                            phi_1196_ = _e2760;
-                                            let _e2765 = local_50;
-                                            phi_1198_ = _e2765;
-                                            let _e2770 = local_52;
-                                            phi_1200_ = _e2770;
+                                            let _e2948 = local_44;
+                                            phi_1353_ = _e2948;
+                                            let _e2953 = local_46;
+                                            phi_1356_ = _e2953;
+                                            let _e2958 = local_48;
+                                            phi_1358_ = _e2958;
+                                            let _e2963 = local_50;
+                                            phi_1360_ = _e2963;
+                                            let _e2968 = local_52;
+                                            phi_1362_ = _e2968;
                                         }
                                     }
-                                    let _e2773 = local_53;
-                                    phi_1417_ = _e2773;
-                                    let _e2778 = local_55;
-                                    phi_1420_ = _e2778;
-                                    let _e2783 = local_57;
-                                    phi_1422_ = _e2783;
-                                    let _e2788 = local_59;
-                                    phi_1424_ = _e2788;
-                                    let _e2793 = local_61;
-                                    phi_1426_ = _e2793;
+                                    let _e2971 = local_53;
+                                    phi_1579_ = _e2971;
+                                    let _e2976 = local_55;
+                                    phi_1582_ = _e2976;
+                                    let _e2981 = local_57;
+                                    phi_1584_ = _e2981;
+                                    let _e2986 = local_59;
+                                    phi_1586_ = _e2986;
+                                    let _e2991 = local_61;
+                                    phi_1588_ = _e2991;
                                     loop {
-                                        let _e1378 = phi_1417_;
-                                        let _e1380 = phi_1420_;
-                                        let _e1382 = phi_1422_;
-                                        let _e1384 = phi_1424_;
-                                        let _e1386 = phi_1426_;
-                                        local_6 = _e1384;
-                                        local_7 = _e1384;
-                                        local_8 = _e1384;
-                                        local_9 = _e1384;
-                                        local_10 = _e1382;
-                                        local_11 = _e1382;
-                                        local_12 = _e1382;
-                                        local_13 = _e1382;
-                                        local_14 = _e1380;
-                                        local_15 = _e1380;
-                                        local_16 = _e1380;
-                                        local_17 = _e1380;
-                                        local_18 = _e1378;
-                                        local_19 = _e1378;
-                                        local_20 = _e1378;
-                                        local_21 = _e1378;
-                                        let _e1388 = (4u * _e1386.member);
-                                        if (_e1388 < _e1386.member_2) {
-                                            phi_1442_ = select(((_e1388 + 4u) > _e1386.member_2), true, (_e1388 < _e1386.member_1));
+                                        let _e1529 = phi_1579_;
+                                        let _e1531 = phi_1582_;
+                                        let _e1533 = phi_1584_;
+                                        let _e1535 = phi_1586_;
+                                        let _e1537 = phi_1588_;
+                                        local_6 = _e1535;
+                                        local_7 = _e1535;
+                                        local_8 = _e1535;
+                                        local_9 = _e1535;
+                                        local_10 = _e1533;
+                                        local_11 = _e1533;
+                                        local_12 = _e1533;
+                                        local_13 = _e1533;
+                                        local_14 = _e1531;
+                                        local_15 = _e1531;
+                                        local_16 = _e1531;
+                                        local_17 = _e1531;
+                                        local_18 = _e1529;
+                                        local_19 = _e1529;
+                                        local_20 = _e1529;
+                                        local_21 = _e1529;
+                                        let _e1539 = (4u * _e1537.member);
+                                        if (_e1539 < _e1537.member_2) {
+                                            phi_1604_ = select(((_e1539 + 4u) > _e1537.member_2), true, (_e1539 < _e1537.member_1));
                                         } else {
-                                            phi_1442_ = false;
+                                            phi_1604_ = false;
                                         }
-                                        let _e1397 = phi_1442_;
-                                        if _e1397 {
-                                            let _e1401 = global_7.member[(_e849 + _e1386.member)];
-                                            let _e1408 = (_e1386.member_2 - _e1386.member_1);
-                                            let _e1409 = ((_e1388 - _e1386.member_1) < _e1408);
-                                            let _e1410 = select(0f, _e1401.x, _e1409);
-                                            let _e1413 = (((_e1388 + 1u) - _e1386.member_1) < _e1408);
-                                            let _e1414 = select(0f, _e1401.y, _e1413);
-                                            let _e1417 = (((_e1388 + 2u) - _e1386.member_1) < _e1408);
-                                            let _e1418 = select(0f, _e1401.z, _e1417);
-                                            let _e1421 = (((_e1388 + 3u) - _e1386.member_1) < _e1408);
-                                            let _e1422 = select(0f, _e1401.w, _e1421);
-                                            let _e1427 = global_7.member[((_e849 + _e850) + _e1386.member)];
-                                            let _e1432 = select(0f, _e1427.x, _e1409);
-                                            let _e1433 = select(0f, _e1427.y, _e1413);
-                                            let _e1434 = select(0f, _e1427.z, _e1417);
-                                            let _e1435 = select(0f, _e1427.w, _e1421);
-                                            let _e1441 = global_7.member[((_e849 + (2u * _e850)) + _e1386.member)];
-                                            let _e1446 = select(0f, _e1441.x, _e1409);
-                                            let _e1447 = select(0f, _e1441.y, _e1413);
-                                            let _e1448 = select(0f, _e1441.z, _e1417);
-                                            let _e1449 = select(0f, _e1441.w, _e1421);
-                                            let _e1455 = global_7.member[((_e849 + (3u * _e850)) + _e1386.member)];
-                                            let _e1460 = select(0f, _e1455.x, _e1409);
-                                            let _e1461 = select(0f, _e1455.y, _e1413);
-                                            let _e1462 = select(0f, _e1455.z, _e1417);
-                                            let _e1463 = select(0f, _e1455.w, _e1421);
-                                            let _e1467 = global_9.member[(_e845 + _e1386.member)];
-                                            let _e1472 = select(0f, _e1467.x, _e1409);
-                                            let _e1473 = select(0f, _e1467.y, _e1413);
-                                            let _e1474 = select(0f, _e1467.z, _e1417);
-                                            let _e1475 = select(0f, _e1467.w, _e1421);
-                                            let _e1479 = global_9.member[(_e846 + _e1386.member)];
-                                            let _e1484 = select(0f, _e1479.x, _e1409);
-                                            let _e1485 = select(0f, _e1479.y, _e1413);
-                                            let _e1486 = select(0f, _e1479.z, _e1417);
-                                            let _e1487 = select(0f, _e1479.w, _e1421);
-                                            let _e1491 = global_9.member[(_e847 + _e1386.member)];
-                                            let _e1496 = select(0f, _e1491.x, _e1409);
-                                            let _e1497 = select(0f, _e1491.y, _e1413);
-                                            let _e1498 = select(0f, _e1491.z, _e1417);
-                                            let _e1499 = select(0f, _e1491.w, _e1421);
-                                            let _e1503 = global_9.member[(_e848 + _e1386.member)];
-                                            let _e1508 = select(0f, _e1503.x, _e1409);
-                                            let _e1509 = select(0f, _e1503.y, _e1413);
-                                            let _e1510 = select(0f, _e1503.z, _e1417);
-                                            let _e1511 = select(0f, _e1503.w, _e1421);
-                                            local_54 = type_19(((_e1511 * _e1422) + ((_e1510 * _e1418) + ((_e1509 * _e1414) + ((_e1508 * _e1410) + _e1378.member)))), ((_e1511 * _e1435) + ((_e1510 * _e1434) + ((_e1509 * _e1433) + ((_e1508 * _e1432) + _e1378.member_1)))), ((_e1511 * _e1449) + ((_e1510 * _e1448) + ((_e1509 * _e1447) + ((_e1508 * _e1446) + _e1378.member_2)))), ((_e1511 * _e1463) + ((_e1510 * _e1462) + ((_e1509 * _e1461) + ((_e1508 * _e1460) + _e1378.member_3)))));
-                                            local_56 = type_19(((_e1499 * _e1422) + ((_e1498 * _e1418) + ((_e1497 * _e1414) + ((_e1496 * _e1410) + _e1380.member)))), ((_e1499 * _e1435) + ((_e1498 * _e1434) + ((_e1497 * _e1433) + ((_e1496 * _e1432) + _e1380.member_1)))), ((_e1499 * _e1449) + ((_e1498 * _e1448) + ((_e1497 * _e1447) + ((_e1496 * _e1446) + _e1380.member_2)))), ((_e1499 * _e1463) + ((_e1498 * _e1462) + ((_e1497 * _e1461) + ((_e1496 * _e1460) + _e1380.member_3)))));
-                                            local_58 = type_19(((_e1487 * _e1422) + ((_e1486 * _e1418) + ((_e1485 * _e1414) + ((_e1484 * _e1410) + _e1382.member)))), ((_e1487 * _e1435) + ((_e1486 * _e1434) + ((_e1485 * _e1433) + ((_e1484 * _e1432) + _e1382.member_1)))), ((_e1487 * _e1449) + ((_e1486 * _e1448) + ((_e1485 * _e1447) + ((_e1484 * _e1446) + _e1382.member_2)))), ((_e1487 * _e1463) + ((_e1486 * _e1462) + ((_e1485 * _e1461) + ((_e1484 * _e1460) + _e1382.member_3)))));
-                                            local_60 = type_19(((_e1475 * _e1422) + ((_e1474 * _e1418) + ((_e1473 * _e1414) + ((_e1472 * _e1410) + _e1384.member)))), ((_e1475 * _e1435) + ((_e1474 * _e1434) + ((_e1473 * _e1433) + ((_e1472 * _e1432) + _e1384.member_1)))), ((_e1475 * _e1449) + ((_e1474 * _e1448) + ((_e1473 * _e1447) + ((_e1472 * _e1446) + _e1384.member_2)))), ((_e1475 * _e1463) + ((_e1474 * _e1462) + ((_e1473 * _e1461) + ((_e1472 * _e1460) + _e1384.member_3)))));
-                                            local_62 = type_20((_e1386.member + 1u), _e1386.member_1, _e1386.member_2);
+                                        let _e1548 = phi_1604_;
+                                        if _e1548 {
+                                            let _e1552 = global_7.member[(_e1000 + _e1537.member)];
+                                            let _e1559 = (_e1537.member_2 - _e1537.member_1);
+                                            let _e1560 = ((_e1539 - _e1537.member_1) < _e1559);
+                                            let _e1561 = select(0f, _e1552.x, _e1560);
+                                            let _e1564 = (((_e1539 + 1u) - _e1537.member_1) < _e1559);
+                                            let _e1565 = select(0f, _e1552.y, _e1564);
+                                            let _e1568 = (((_e1539 + 2u) - _e1537.member_1) < _e1559);
+                                            let _e1569 = select(0f, _e1552.z, _e1568);
+                                            let _e1572 = (((_e1539 + 3u) - _e1537.member_1) < _e1559);
+                                            let _e1573 = select(0f, _e1552.w, _e1572);
+                                            let _e1578 = global_7.member[((_e1000 + _e1001) + _e1537.member)];
+                                            let _e1583 = select(0f, _e1578.x, _e1560);
+                                            let _e1584 = select(0f, _e1578.y, _e1564);
+                                            let _e1585 = select(0f, _e1578.z, _e1568);
+                                            let _e1586 = select(0f, _e1578.w, _e1572);
+                                            let _e1592 = global_7.member[((_e1000 + (2u * _e1001)) + _e1537.member)];
+                                            let _e1597 = select(0f, _e1592.x, _e1560);
+                                            let _e1598 = select(0f, _e1592.y, _e1564);
+                                            let _e1599 = select(0f, _e1592.z, _e1568);
+                                            let _e1600 = select(0f, _e1592.w, _e1572);
+                                            let _e1606 = global_7.member[((_e1000 + (3u * _e1001)) + _e1537.member)];
+                                            let _e1611 = select(0f, _e1606.x, _e1560);
+                                            let _e1612 = select(0f, _e1606.y, _e1564);
+                                            let _e1613 = select(0f, _e1606.z, _e1568);
+                                            let _e1614 = select(0f, _e1606.w, _e1572);
+                                            let _e1618 = global_9.member[(_e996 + _e1537.member)];
+                                            let _e1623 = select(0f, _e1618.x, _e1560);
+                                            let _e1624 = select(0f, _e1618.y, _e1564);
+                                            let _e1625 = select(0f, _e1618.z, _e1568);
+                                            let _e1626 = select(0f, _e1618.w, _e1572);
+                                            let _e1630 = global_9.member[(_e997 + _e1537.member)];
+                                            let _e1635 = select(0f, _e1630.x, _e1560);
+                                            let _e1636 = select(0f, _e1630.y, _e1564);
+                                            let _e1637 = select(0f, _e1630.z, _e1568);
+                                            let _e1638 = select(0f, _e1630.w, _e1572);
+                                            let _e1642 = global_9.member[(_e998 + _e1537.member)];
+                                            let _e1647 = select(0f, _e1642.x, _e1560);
+                                            let _e1648 = select(0f, _e1642.y, _e1564);
+                                            let _e1649 = select(0f, _e1642.z, _e1568);
+                                            let _e1650 = select(0f, _e1642.w, _e1572);
+                                            let _e1654 = global_9.member[(_e999 + _e1537.member)];
+                                            let _e1659 = select(0f, _e1654.x, _e1560);
+                                            let _e1660 = select(0f, _e1654.y, _e1564);
+                                            let _e1661 = select(0f, _e1654.z, _e1568);
+                                            let _e1662 = select(0f, _e1654.w, _e1572);
+                                            local_54 = type_19(((_e1662 * _e1573) + ((_e1661 * _e1569) + ((_e1660 * _e1565) + ((_e1659 * _e1561) + _e1529.member)))), ((_e1662 * _e1586) + ((_e1661 * _e1585) + ((_e1660 * _e1584) + ((_e1659 * _e1583) + _e1529.member_1)))), ((_e1662 * _e1600) + ((_e1661 * _e1599) + ((_e1660 * _e1598) + ((_e1659 * _e1597) + _e1529.member_2)))), ((_e1662 * _e1614) + ((_e1661 * _e1613) + ((_e1660 * _e1612) + ((_e1659 * _e1611) + _e1529.member_3)))));
+                                            local_56 = type_19(((_e1650 * _e1573) + ((_e1649 * _e1569) + ((_e1648 * _e1565) + ((_e1647 * _e1561) + _e1531.member)))), ((_e1650 * _e1586) + ((_e1649 * _e1585) + ((_e1648 * _e1584) + ((_e1647 * _e1583) + _e1531.member_1)))), ((_e1650 * _e1600) + ((_e1649 * _e1599) + ((_e1648 * _e1598) + ((_e1647 * _e1597) + _e1531.member_2)))), ((_e1650 * _e1614) + ((_e1649 * _e1613) + ((_e1648 * _e1612) + ((_e1647 * _e1611) + _e1531.member_3)))));
+                                            local_58 = type_19(((_e1638 * _e1573) + ((_e1637 * _e1569) + ((_e1636 * _e1565) + ((_e1635 * _e1561) + _e1533.member)))), ((_e1638 * _e1586) + ((_e1637 * _e1585) + ((_e1636 * _e1584) + ((_e1635 * _e1583) + _e1533.member_1)))), ((_e1638 * _e1600) + ((_e1637 * _e1599) + ((_e1636 * _e1598) + ((_e1635 * _e1597) + _e1533.member_2)))), ((_e1638 * _e1614) + ((_e1637 * _e1613) + ((_e1636 * _e1612) + ((_e1635 * _e1611) + _e1533.member_3)))));
+                                            local_60 = type_19(((_e1626 * _e1573) + ((_e1625 * _e1569) + ((_e1624 * _e1565) + ((_e1623 * _e1561) + _e1535.member)))), ((_e1626 * _e1586) + ((_e1625 * _e1585) + ((_e1624 * _e1584) + ((_e1623 * _e1583) + _e1535.member_1)))), ((_e1626 * _e1600) + ((_e1625 * _e1599) + ((_e1624 * _e1598) + ((_e1623 * _e1597) + _e1535.member_2)))), ((_e1626 * _e1614) + ((_e1625 * _e1613) + ((_e1624 * _e1612) + ((_e1623 * _e1611) + _e1535.member_3)))));
+                                            local_62 = type_20((_e1537.member + 1u), _e1537.member_1, _e1537.member_2);
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2775 = local_54;
-                                            phi_1417_ = _e2775;
-                                            let _e2780 = local_56;
-                                            phi_1420_ = _e2780;
-                                            let _e2785 = local_58;
-                                            phi_1422_ = _e2785;
-                                            let _e2790 = local_60;
-                                            phi_1424_ = _e2790;
-                                            let _e2795 = local_62;
-                                            phi_1426_ = _e2795;
+                                            let _e2973 = local_54;
+                                            phi_1579_ = _e2973;
+                                            let _e2978 = local_56;
+                                            phi_1582_ = _e2978;
+                                            let _e2983 = local_58;
+                                            phi_1584_ = _e2983;
+                                            let _e2988 = local_60;
+                                            phi_1586_ = _e2988;
+                                            let _e2993 = local_62;
+                                            phi_1588_ = _e2993;
                                         }
                                     }
-                                    let _e1666 = local_6;
-                                    let _e1669 = local_7;
-                                    let _e1672 = local_8;
-                                    let _e1675 = local_9;
-                                    let _e1678 = local_10;
-                                    let _e1681 = local_11;
-                                    let _e1684 = local_12;
-                                    let _e1687 = local_13;
-                                    let _e1690 = local_14;
-                                    let _e1693 = local_15;
-                                    let _e1696 = local_16;
-                                    let _e1699 = local_17;
-                                    let _e1702 = local_18;
-                                    let _e1705 = local_19;
-                                    let _e1708 = local_20;
-                                    let _e1711 = local_21;
-                                    if _e205 {
-                                        let _e1722 = (4u * _e201);
-                                        let _e1723 = (4u * _e772);
-                                        let _e1724 = bitcast<u32>((_e1666.member + 0f));
-                                        let _e1727 = ((_e1724 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1727 == 0u) {
-                                        } else {
-                                            let _e1730 = (_e1727 % 16u);
-                                            let _e1732 = ((_e1724 & 8388607u) | 8388608u);
-                                            let _e1735 = (_e1732 << bitcast<u32>((_e1730 & 31u)));
-                                            let _e1741 = ((_e1732 >> bitcast<u32>(((31u - _e1730) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1724 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1758_ = array<u32, 2>(_e1735, _e1741);
-                                            } else {
-                                                let _e1747 = (~(_e1735) + 1u);
-                                                if (_e1747 == 0u) {
-                                                    phi_1756_ = (~(_e1741) + 1u);
-                                                } else {
-                                                    phi_1756_ = ~(_e1741);
-                                                }
-                                                let _e1753 = phi_1756_;
-                                                phi_1758_ = array<u32, 2>(_e1747, _e1753);
-                                            }
-                                            let _e1756 = phi_1758_;
-                                            let _e1757 = (_e1727 < 255u);
-                                            if _e1757 {
-                                                phi_1764_ = _e1756;
-                                            } else {
-                                                phi_1764_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e1760 = phi_1764_;
-                                            let _e1765 = (2u * ((select(16u, (_e1727 / 16u), _e1757) * _e1722) + _e1723));
-                                            let _e1768 = atomicAdd((&global_8.member[_e1765]), _e1760[0]);
-                                            let _e1772 = (_e1760[1] + select(0u, 1u, ((_e1768 + _e1760[0]) < _e1760[0])));
-                                            if (_e1772 == 0u) {
-                                            } else {
-                                                let _e1777 = atomicAdd((&global_8.member[(_e1765 + 1u)]), _e1772);
-                                            }
-                                        }
-                                        let _e1779 = bitcast<u32>((_e1669.member_1 + 0f));
-                                        let _e1782 = ((_e1779 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1782 == 0u) {
-                                        } else {
-                                            let _e1785 = (_e1782 % 16u);
-                                            let _e1787 = ((_e1779 & 8388607u) | 8388608u);
-                                            let _e1790 = (_e1787 << bitcast<u32>((_e1785 & 31u)));
-                                            let _e1796 = ((_e1787 >> bitcast<u32>(((31u - _e1785) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1779 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1819_ = array<u32, 2>(_e1790, _e1796);
-                                            } else {
-                                                let _e1802 = (~(_e1790) + 1u);
-                                                if (_e1802 == 0u) {
-                                                    phi_1817_ = (~(_e1796) + 1u);
-                                                } else {
-                                                    phi_1817_ = ~(_e1796);
-                                                }
-                                                let _e1808 = phi_1817_;
-                                                phi_1819_ = array<u32, 2>(_e1802, _e1808);
-                                            }
-                                            let _e1811 = phi_1819_;
-                                            let _e1812 = (_e1782 < 255u);
-                                            if _e1812 {
-                                                phi_1825_ = _e1811;
-                                            } else {
-                                                phi_1825_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e1815 = phi_1825_;
-                                            let _e1820 = (2u * ((select(16u, (_e1782 / 16u), _e1812) * _e1722) + (_e1723 + 1u)));
-                                            let _e1823 = atomicAdd((&global_8.member[_e1820]), _e1815[0]);
-                                            let _e1827 = (_e1815[1] + select(0u, 1u, ((_e1823 + _e1815[0]) < _e1815[0])));
-                                            if (_e1827 == 0u) {
-                                            } else {
-                                                let _e1832 = atomicAdd((&global_8.member[(_e1820 + 1u)]), _e1827);
-                                            }
-                                        }
-                                        let _e1834 = bitcast<u32>((_e1672.member_2 + 0f));
-                                        let _e1837 = ((_e1834 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1837 == 0u) {
-                                        } else {
-                                            let _e1840 = (_e1837 % 16u);
-                                            let _e1842 = ((_e1834 & 8388607u) | 8388608u);
-                                            let _e1845 = (_e1842 << bitcast<u32>((_e1840 & 31u)));
-                                            let _e1851 = ((_e1842 >> bitcast<u32>(((31u - _e1840) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1834 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1880_ = array<u32, 2>(_e1845, _e1851);
-                                            } else {
-                                                let _e1857 = (~(_e1845) + 1u);
-                                                if (_e1857 == 0u) {
-                                                    phi_1878_ = (~(_e1851) + 1u);
-                                                } else {
-                                                    phi_1878_ = ~(_e1851);
-                                                }
-                                                let _e1863 = phi_1878_;
-                                                phi_1880_ = array<u32, 2>(_e1857, _e1863);
-                                            }
-                                            let _e1866 = phi_1880_;
-                                            let _e1867 = (_e1837 < 255u);
-                                            if _e1867 {
-                                                phi_1886_ = _e1866;
-                                            } else {
-                                                phi_1886_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e1870 = phi_1886_;
-                                            let _e1875 = (2u * ((select(16u, (_e1837 / 16u), _e1867) * _e1722) + (_e1723 + 2u)));
-                                            let _e1878 = atomicAdd((&global_8.member[_e1875]), _e1870[0]);
-                                            let _e1882 = (_e1870[1] + select(0u, 1u, ((_e1878 + _e1870[0]) < _e1870[0])));
-                                            if (_e1882 == 0u) {
-                                            } else {
-                                                let _e1887 = atomicAdd((&global_8.member[(_e1875 + 1u)]), _e1882);
-                                            }
-                                        }
-                                        let _e1889 = bitcast<u32>((_e1675.member_3 + 0f));
-                                        let _e1892 = ((_e1889 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e1892 == 0u) {
-                                        } else {
-                                            let _e1895 = (_e1892 % 16u);
-                                            let _e1897 = ((_e1889 & 8388607u) | 8388608u);
-                                            let _e1900 = (_e1897 << bitcast<u32>((_e1895 & 31u)));
-                                            let _e1906 = ((_e1897 >> bitcast<u32>(((31u - _e1895) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e1889 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_1941_ = array<u32, 2>(_e1900, _e1906);
-                                            } else {
-                                                let _e1912 = (~(_e1900) + 1u);
-                                                if (_e1912 == 0u) {
-                                                    phi_1939_ = (~(_e1906) + 1u);
-                                                } else {
-                                                    phi_1939_ = ~(_e1906);
-                                                }
-                                                let _e1918 = phi_1939_;
-                                                phi_1941_ = array<u32, 2>(_e1912, _e1918);
-                                            }
-                                            let _e1921 = phi_1941_;
-                                            let _e1922 = (_e1892 < 255u);
-                                            if _e1922 {
-                                                phi_1947_ = _e1921;
-                                            } else {
-                                                phi_1947_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e1925 = phi_1947_;
-                                            let _e1930 = (2u * ((select(16u, (_e1892 / 16u), _e1922) * _e1722) + (_e1723 + 3u)));
-                                            let _e1933 = atomicAdd((&global_8.member[_e1930]), _e1925[0]);
-                                            let _e1937 = (_e1925[1] + select(0u, 1u, ((_e1933 + _e1925[0]) < _e1925[0])));
-                                            if (_e1937 == 0u) {
-                                            } else {
-                                                let _e1942 = atomicAdd((&global_8.member[(_e1930 + 1u)]), _e1937);
-                                            }
-                                        }
-                                    } else {
-                                        global_6.member[(_e204 + _e772)] = (vec4<f32>(_e1666.member, _e1669.member_1, _e1672.member_2, _e1675.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
-                                    }
-                                    if (_e791 < _e59) {
+                                    let _e1817 = local_6;
+                                    let _e1820 = local_7;
+                                    let _e1823 = local_8;
+                                    let _e1826 = local_9;
+                                    let _e1829 = local_10;
+                                    let _e1832 = local_11;
+                                    let _e1835 = local_12;
+                                    let _e1838 = local_13;
+                                    let _e1841 = local_14;
+                                    let _e1844 = local_15;
+                                    let _e1847 = local_16;
+                                    let _e1850 = local_17;
+                                    let _e1853 = local_18;
+                                    let _e1856 = local_19;
+                                    let _e1859 = local_20;
+                                    let _e1862 = local_21;
+                                    let _e1864 = (_e1817.member + 0f);
+                                    let _e1865 = (_e1820.member_1 + 0f);
+                                    let _e1866 = (_e1823.member_2 + 0f);
+                                    let _e1867 = (_e1826.member_3 + 0f);
+                                    let _e1868 = (_e217 < _e84);
+                                    if _e1868 {
                                         if _e205 {
-                                            let _e1953 = (4u * _e201);
-                                            let _e1954 = (4u * _e777);
-                                            let _e1955 = bitcast<u32>((_e1678.member + 0f));
-                                            let _e1958 = ((_e1955 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e1958 == 0u) {
+                                            let _e1874 = bitcast<u32>(_e1864);
+                                            let _e1877 = ((_e1874 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1877 == 0u) {
                                             } else {
-                                                let _e1961 = (_e1958 % 16u);
-                                                let _e1963 = ((_e1955 & 8388607u) | 8388608u);
-                                                let _e1966 = (_e1963 << bitcast<u32>((_e1961 & 31u)));
-                                                let _e1972 = ((_e1963 >> bitcast<u32>(((31u - _e1961) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e1955 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2018_ = array<u32, 2>(_e1966, _e1972);
+                                                let _e1880 = (_e1877 % 16u);
+                                                let _e1882 = ((_e1874 & 8388607u) | 8388608u);
+                                                let _e1885 = (_e1882 << bitcast<u32>((_e1880 & 31u)));
+                                                let _e1891 = ((_e1882 >> bitcast<u32>(((31u - _e1880) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1874 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_1922_ = array<u32, 2>(_e1885, _e1891);
                                                 } else {
-                                                    let _e1978 = (~(_e1966) + 1u);
-                                                    if (_e1978 == 0u) {
-                                                        phi_2016_ = (~(_e1972) + 1u);
+                                                    let _e1897 = (~(_e1885) + 1u);
+                                                    if (_e1897 == 0u) {
+                                                        phi_1920_ = (~(_e1891) + 1u);
                                                     } else {
-                                                        phi_2016_ = ~(_e1972);
+                                                        phi_1920_ = ~(_e1891);
                                                     }
-                                                    let _e1984 = phi_2016_;
-                                                    phi_2018_ = array<u32, 2>(_e1978, _e1984);
+                                                    let _e1903 = phi_1920_;
+                                                    phi_1922_ = array<u32, 2>(_e1897, _e1903);
                                                 }
-                                                let _e1987 = phi_2018_;
-                                                let _e1988 = (_e1958 < 255u);
-                                                if _e1988 {
-                                                    phi_2024_ = _e1987;
+                                                let _e1906 = phi_1922_;
+                                                let _e1907 = (_e1877 < 255u);
+                                                if _e1907 {
+                                                    phi_1928_ = _e1906;
                                                 } else {
-                                                    phi_2024_ = array<u32, 2>(1u, 0u);
+                                                    phi_1928_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e1991 = phi_2024_;
-                                                let _e1996 = (2u * ((select(16u, (_e1958 / 16u), _e1988) * _e1953) + _e1954));
-                                                let _e1999 = atomicAdd((&global_8.member[_e1996]), _e1991[0]);
-                                                let _e2003 = (_e1991[1] + select(0u, 1u, ((_e1999 + _e1991[0]) < _e1991[0])));
-                                                if (_e2003 == 0u) {
+                                                let _e1910 = phi_1928_;
+                                                let _e1915 = (2u * ((select(16u, (_e1877 / 16u), _e1907) * _e196) + (_e820 + _e217)));
+                                                let _e1918 = atomicAdd((&global_8.member[_e1915]), _e1910[0]);
+                                                let _e1922 = (_e1910[1] + select(0u, 1u, ((_e1918 + _e1910[0]) < _e1910[0])));
+                                                if (_e1922 == 0u) {
                                                 } else {
-                                                    let _e2008 = atomicAdd((&global_8.member[(_e1996 + 1u)]), _e2003);
-                                                }
-                                            }
-                                            let _e2010 = bitcast<u32>((_e1681.member_1 + 0f));
-                                            let _e2013 = ((_e2010 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2013 == 0u) {
-                                            } else {
-                                                let _e2016 = (_e2013 % 16u);
-                                                let _e2018 = ((_e2010 & 8388607u) | 8388608u);
-                                                let _e2021 = (_e2018 << bitcast<u32>((_e2016 & 31u)));
-                                                let _e2027 = ((_e2018 >> bitcast<u32>(((31u - _e2016) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2010 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2079_ = array<u32, 2>(_e2021, _e2027);
-                                                } else {
-                                                    let _e2033 = (~(_e2021) + 1u);
-                                                    if (_e2033 == 0u) {
-                                                        phi_2077_ = (~(_e2027) + 1u);
-                                                    } else {
-                                                        phi_2077_ = ~(_e2027);
-                                                    }
-                                                    let _e2039 = phi_2077_;
-                                                    phi_2079_ = array<u32, 2>(_e2033, _e2039);
-                                                }
-                                                let _e2042 = phi_2079_;
-                                                let _e2043 = (_e2013 < 255u);
-                                                if _e2043 {
-                                                    phi_2085_ = _e2042;
-                                                } else {
-                                                    phi_2085_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2046 = phi_2085_;
-                                                let _e2051 = (2u * ((select(16u, (_e2013 / 16u), _e2043) * _e1953) + (_e1954 + 1u)));
-                                                let _e2054 = atomicAdd((&global_8.member[_e2051]), _e2046[0]);
-                                                let _e2058 = (_e2046[1] + select(0u, 1u, ((_e2054 + _e2046[0]) < _e2046[0])));
-                                                if (_e2058 == 0u) {
-                                                } else {
-                                                    let _e2063 = atomicAdd((&global_8.member[(_e2051 + 1u)]), _e2058);
-                                                }
-                                            }
-                                            let _e2065 = bitcast<u32>((_e1684.member_2 + 0f));
-                                            let _e2068 = ((_e2065 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2068 == 0u) {
-                                            } else {
-                                                let _e2071 = (_e2068 % 16u);
-                                                let _e2073 = ((_e2065 & 8388607u) | 8388608u);
-                                                let _e2076 = (_e2073 << bitcast<u32>((_e2071 & 31u)));
-                                                let _e2082 = ((_e2073 >> bitcast<u32>(((31u - _e2071) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2065 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2140_ = array<u32, 2>(_e2076, _e2082);
-                                                } else {
-                                                    let _e2088 = (~(_e2076) + 1u);
-                                                    if (_e2088 == 0u) {
-                                                        phi_2138_ = (~(_e2082) + 1u);
-                                                    } else {
-                                                        phi_2138_ = ~(_e2082);
-                                                    }
-                                                    let _e2094 = phi_2138_;
-                                                    phi_2140_ = array<u32, 2>(_e2088, _e2094);
-                                                }
-                                                let _e2097 = phi_2140_;
-                                                let _e2098 = (_e2068 < 255u);
-                                                if _e2098 {
-                                                    phi_2146_ = _e2097;
-                                                } else {
-                                                    phi_2146_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2101 = phi_2146_;
-                                                let _e2106 = (2u * ((select(16u, (_e2068 / 16u), _e2098) * _e1953) + (_e1954 + 2u)));
-                                                let _e2109 = atomicAdd((&global_8.member[_e2106]), _e2101[0]);
-                                                let _e2113 = (_e2101[1] + select(0u, 1u, ((_e2109 + _e2101[0]) < _e2101[0])));
-                                                if (_e2113 == 0u) {
-                                                } else {
-                                                    let _e2118 = atomicAdd((&global_8.member[(_e2106 + 1u)]), _e2113);
-                                                }
-                                            }
-                                            let _e2120 = bitcast<u32>((_e1687.member_3 + 0f));
-                                            let _e2123 = ((_e2120 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2123 == 0u) {
-                                            } else {
-                                                let _e2126 = (_e2123 % 16u);
-                                                let _e2128 = ((_e2120 & 8388607u) | 8388608u);
-                                                let _e2131 = (_e2128 << bitcast<u32>((_e2126 & 31u)));
-                                                let _e2137 = ((_e2128 >> bitcast<u32>(((31u - _e2126) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2120 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2201_ = array<u32, 2>(_e2131, _e2137);
-                                                } else {
-                                                    let _e2143 = (~(_e2131) + 1u);
-                                                    if (_e2143 == 0u) {
-                                                        phi_2199_ = (~(_e2137) + 1u);
-                                                    } else {
-                                                        phi_2199_ = ~(_e2137);
-                                                    }
-                                                    let _e2149 = phi_2199_;
-                                                    phi_2201_ = array<u32, 2>(_e2143, _e2149);
-                                                }
-                                                let _e2152 = phi_2201_;
-                                                let _e2153 = (_e2123 < 255u);
-                                                if _e2153 {
-                                                    phi_2207_ = _e2152;
-                                                } else {
-                                                    phi_2207_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2156 = phi_2207_;
-                                                let _e2161 = (2u * ((select(16u, (_e2123 / 16u), _e2153) * _e1953) + (_e1954 + 3u)));
-                                                let _e2164 = atomicAdd((&global_8.member[_e2161]), _e2156[0]);
-                                                let _e2168 = (_e2156[1] + select(0u, 1u, ((_e2164 + _e2156[0]) < _e2156[0])));
-                                                if (_e2168 == 0u) {
-                                                } else {
-                                                    let _e2173 = atomicAdd((&global_8.member[(_e2161 + 1u)]), _e2168);
+                                                    let _e1927 = atomicAdd((&global_8.member[(_e1915 + 1u)]), _e1922);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e204 + _e777)] = (vec4<f32>(_e1678.member, _e1681.member_1, _e1684.member_2, _e1687.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
+                                            global_6.member[((_e211 + _e820) + _e217)] = _e1864;
                                         }
                                     }
-                                    if (_e795 < _e59) {
+                                    let _e1928 = (_e217 + 1u);
+                                    let _e1929 = (_e1928 < _e84);
+                                    if _e1929 {
                                         if _e205 {
-                                            let _e2184 = (4u * _e201);
-                                            let _e2185 = (4u * _e781);
-                                            let _e2186 = bitcast<u32>((_e1690.member + 0f));
-                                            let _e2189 = ((_e2186 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2189 == 0u) {
+                                            let _e1935 = bitcast<u32>(_e1865);
+                                            let _e1938 = ((_e1935 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1938 == 0u) {
                                             } else {
-                                                let _e2192 = (_e2189 % 16u);
-                                                let _e2194 = ((_e2186 & 8388607u) | 8388608u);
-                                                let _e2197 = (_e2194 << bitcast<u32>((_e2192 & 31u)));
-                                                let _e2203 = ((_e2194 >> bitcast<u32>(((31u - _e2192) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2186 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2278_ = array<u32, 2>(_e2197, _e2203);
+                                                let _e1941 = (_e1938 % 16u);
+                                                let _e1943 = ((_e1935 & 8388607u) | 8388608u);
+                                                let _e1946 = (_e1943 << bitcast<u32>((_e1941 & 31u)));
+                                                let _e1952 = ((_e1943 >> bitcast<u32>(((31u - _e1941) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1935 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_1994_ = array<u32, 2>(_e1946, _e1952);
                                                 } else {
-                                                    let _e2209 = (~(_e2197) + 1u);
-                                                    if (_e2209 == 0u) {
-                                                        phi_2276_ = (~(_e2203) + 1u);
+                                                    let _e1958 = (~(_e1946) + 1u);
+                                                    if (_e1958 == 0u) {
+                                                        phi_1992_ = (~(_e1952) + 1u);
                                                     } else {
-                                                        phi_2276_ = ~(_e2203);
+                                                        phi_1992_ = ~(_e1952);
                                                     }
-                                                    let _e2215 = phi_2276_;
-                                                    phi_2278_ = array<u32, 2>(_e2209, _e2215);
+                                                    let _e1964 = phi_1992_;
+                                                    phi_1994_ = array<u32, 2>(_e1958, _e1964);
                                                 }
-                                                let _e2218 = phi_2278_;
-                                                let _e2219 = (_e2189 < 255u);
-                                                if _e2219 {
-                                                    phi_2284_ = _e2218;
+                                                let _e1967 = phi_1994_;
+                                                let _e1968 = (_e1938 < 255u);
+                                                if _e1968 {
+                                                    phi_2000_ = _e1967;
                                                 } else {
-                                                    phi_2284_ = array<u32, 2>(1u, 0u);
+                                                    phi_2000_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2222 = phi_2284_;
-                                                let _e2227 = (2u * ((select(16u, (_e2189 / 16u), _e2219) * _e2184) + _e2185));
-                                                let _e2230 = atomicAdd((&global_8.member[_e2227]), _e2222[0]);
-                                                let _e2234 = (_e2222[1] + select(0u, 1u, ((_e2230 + _e2222[0]) < _e2222[0])));
-                                                if (_e2234 == 0u) {
+                                                let _e1971 = phi_2000_;
+                                                let _e1976 = (2u * ((select(16u, (_e1938 / 16u), _e1968) * _e196) + (_e820 + _e1928)));
+                                                let _e1979 = atomicAdd((&global_8.member[_e1976]), _e1971[0]);
+                                                let _e1983 = (_e1971[1] + select(0u, 1u, ((_e1979 + _e1971[0]) < _e1971[0])));
+                                                if (_e1983 == 0u) {
                                                 } else {
-                                                    let _e2239 = atomicAdd((&global_8.member[(_e2227 + 1u)]), _e2234);
-                                                }
-                                            }
-                                            let _e2241 = bitcast<u32>((_e1693.member_1 + 0f));
-                                            let _e2244 = ((_e2241 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2244 == 0u) {
-                                            } else {
-                                                let _e2247 = (_e2244 % 16u);
-                                                let _e2249 = ((_e2241 & 8388607u) | 8388608u);
-                                                let _e2252 = (_e2249 << bitcast<u32>((_e2247 & 31u)));
-                                                let _e2258 = ((_e2249 >> bitcast<u32>(((31u - _e2247) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2241 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2339_ = array<u32, 2>(_e2252, _e2258);
-                                                } else {
-                                                    let _e2264 = (~(_e2252) + 1u);
-                                                    if (_e2264 == 0u) {
-                                                        phi_2337_ = (~(_e2258) + 1u);
-                                                    } else {
-                                                        phi_2337_ = ~(_e2258);
-                                                    }
-                                                    let _e2270 = phi_2337_;
-                                                    phi_2339_ = array<u32, 2>(_e2264, _e2270);
-                                                }
-                                                let _e2273 = phi_2339_;
-                                                let _e2274 = (_e2244 < 255u);
-                                                if _e2274 {
-                                                    phi_2345_ = _e2273;
-                                                } else {
-                                                    phi_2345_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2277 = phi_2345_;
-                                                let _e2282 = (2u * ((select(16u, (_e2244 / 16u), _e2274) * _e2184) + (_e2185 + 1u)));
-                                                let _e2285 = atomicAdd((&global_8.member[_e2282]), _e2277[0]);
-                                                let _e2289 = (_e2277[1] + select(0u, 1u, ((_e2285 + _e2277[0]) < _e2277[0])));
-                                                if (_e2289 == 0u) {
-                                                } else {
-                                                    let _e2294 = atomicAdd((&global_8.member[(_e2282 + 1u)]), _e2289);
-                                                }
-                                            }
-                                            let _e2296 = bitcast<u32>((_e1696.member_2 + 0f));
-                                            let _e2299 = ((_e2296 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2299 == 0u) {
-                                            } else {
-                                                let _e2302 = (_e2299 % 16u);
-                                                let _e2304 = ((_e2296 & 8388607u) | 8388608u);
-                                                let _e2307 = (_e2304 << bitcast<u32>((_e2302 & 31u)));
-                                                let _e2313 = ((_e2304 >> bitcast<u32>(((31u - _e2302) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2296 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2400_ = array<u32, 2>(_e2307, _e2313);
-                                                } else {
-                                                    let _e2319 = (~(_e2307) + 1u);
-                                                    if (_e2319 == 0u) {
-                                                        phi_2398_ = (~(_e2313) + 1u);
-                                                    } else {
-                                                        phi_2398_ = ~(_e2313);
-                                                    }
-                                                    let _e2325 = phi_2398_;
-                                                    phi_2400_ = array<u32, 2>(_e2319, _e2325);
-                                                }
-                                                let _e2328 = phi_2400_;
-                                                let _e2329 = (_e2299 < 255u);
-                                                if _e2329 {
-                                                    phi_2406_ = _e2328;
-                                                } else {
-                                                    phi_2406_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2332 = phi_2406_;
-                                                let _e2337 = (2u * ((select(16u, (_e2299 / 16u), _e2329) * _e2184) + (_e2185 + 2u)));
-                                                let _e2340 = atomicAdd((&global_8.member[_e2337]), _e2332[0]);
-                                                let _e2344 = (_e2332[1] + select(0u, 1u, ((_e2340 + _e2332[0]) < _e2332[0])));
-                                                if (_e2344 == 0u) {
-                                                } else {
-                                                    let _e2349 = atomicAdd((&global_8.member[(_e2337 + 1u)]), _e2344);
-                                                }
-                                            }
-                                            let _e2351 = bitcast<u32>((_e1699.member_3 + 0f));
-                                            let _e2354 = ((_e2351 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2354 == 0u) {
-                                            } else {
-                                                let _e2357 = (_e2354 % 16u);
-                                                let _e2359 = ((_e2351 & 8388607u) | 8388608u);
-                                                let _e2362 = (_e2359 << bitcast<u32>((_e2357 & 31u)));
-                                                let _e2368 = ((_e2359 >> bitcast<u32>(((31u - _e2357) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2351 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2461_ = array<u32, 2>(_e2362, _e2368);
-                                                } else {
-                                                    let _e2374 = (~(_e2362) + 1u);
-                                                    if (_e2374 == 0u) {
-                                                        phi_2459_ = (~(_e2368) + 1u);
-                                                    } else {
-                                                        phi_2459_ = ~(_e2368);
-                                                    }
-                                                    let _e2380 = phi_2459_;
-                                                    phi_2461_ = array<u32, 2>(_e2374, _e2380);
-                                                }
-                                                let _e2383 = phi_2461_;
-                                                let _e2384 = (_e2354 < 255u);
-                                                if _e2384 {
-                                                    phi_2467_ = _e2383;
-                                                } else {
-                                                    phi_2467_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2387 = phi_2467_;
-                                                let _e2392 = (2u * ((select(16u, (_e2354 / 16u), _e2384) * _e2184) + (_e2185 + 3u)));
-                                                let _e2395 = atomicAdd((&global_8.member[_e2392]), _e2387[0]);
-                                                let _e2399 = (_e2387[1] + select(0u, 1u, ((_e2395 + _e2387[0]) < _e2387[0])));
-                                                if (_e2399 == 0u) {
-                                                } else {
-                                                    let _e2404 = atomicAdd((&global_8.member[(_e2392 + 1u)]), _e2399);
+                                                    let _e1988 = atomicAdd((&global_8.member[(_e1976 + 1u)]), _e1983);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e204 + _e781)] = (vec4<f32>(_e1690.member, _e1693.member_1, _e1696.member_2, _e1699.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
+                                            global_6.member[((_e211 + _e820) + _e1928)] = _e1865;
                                         }
                                     }
-                                    if (_e799 < _e59) {
+                                    let _e1989 = (_e217 + 2u);
+                                    let _e1990 = (_e1989 < _e84);
+                                    if _e1990 {
                                         if _e205 {
-                                            let _e2415 = (4u * _e201);
-                                            let _e2416 = (4u * _e785);
-                                            let _e2417 = bitcast<u32>((_e1702.member + 0f));
-                                            let _e2420 = ((_e2417 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2420 == 0u) {
+                                            let _e1996 = bitcast<u32>(_e1866);
+                                            let _e1999 = ((_e1996 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e1999 == 0u) {
                                             } else {
-                                                let _e2423 = (_e2420 % 16u);
-                                                let _e2425 = ((_e2417 & 8388607u) | 8388608u);
-                                                let _e2428 = (_e2425 << bitcast<u32>((_e2423 & 31u)));
-                                                let _e2434 = ((_e2425 >> bitcast<u32>(((31u - _e2423) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2417 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2538_ = array<u32, 2>(_e2428, _e2434);
+                                                let _e2002 = (_e1999 % 16u);
+                                                let _e2004 = ((_e1996 & 8388607u) | 8388608u);
+                                                let _e2007 = (_e2004 << bitcast<u32>((_e2002 & 31u)));
+                                                let _e2013 = ((_e2004 >> bitcast<u32>(((31u - _e2002) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e1996 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2066_ = array<u32, 2>(_e2007, _e2013);
                                                 } else {
-                                                    let _e2440 = (~(_e2428) + 1u);
-                                                    if (_e2440 == 0u) {
-                                                        phi_2536_ = (~(_e2434) + 1u);
+                                                    let _e2019 = (~(_e2007) + 1u);
+                                                    if (_e2019 == 0u) {
+                                                        phi_2064_ = (~(_e2013) + 1u);
                                                     } else {
-                                                        phi_2536_ = ~(_e2434);
+                                                        phi_2064_ = ~(_e2013);
                                                     }
-                                                    let _e2446 = phi_2536_;
-                                                    phi_2538_ = array<u32, 2>(_e2440, _e2446);
+                                                    let _e2025 = phi_2064_;
+                                                    phi_2066_ = array<u32, 2>(_e2019, _e2025);
                                                 }
-                                                let _e2449 = phi_2538_;
-                                                let _e2450 = (_e2420 < 255u);
-                                                if _e2450 {
-                                                    phi_2544_ = _e2449;
+                                                let _e2028 = phi_2066_;
+                                                let _e2029 = (_e1999 < 255u);
+                                                if _e2029 {
+                                                    phi_2072_ = _e2028;
                                                 } else {
-                                                    phi_2544_ = array<u32, 2>(1u, 0u);
+                                                    phi_2072_ = array<u32, 2>(1u, 0u);
                                                 }
-                                                let _e2453 = phi_2544_;
-                                                let _e2458 = (2u * ((select(16u, (_e2420 / 16u), _e2450) * _e2415) + _e2416));
-                                                let _e2461 = atomicAdd((&global_8.member[_e2458]), _e2453[0]);
-                                                let _e2465 = (_e2453[1] + select(0u, 1u, ((_e2461 + _e2453[0]) < _e2453[0])));
-                                                if (_e2465 == 0u) {
+                                                let _e2032 = phi_2072_;
+                                                let _e2037 = (2u * ((select(16u, (_e1999 / 16u), _e2029) * _e196) + (_e820 + _e1989)));
+                                                let _e2040 = atomicAdd((&global_8.member[_e2037]), _e2032[0]);
+                                                let _e2044 = (_e2032[1] + select(0u, 1u, ((_e2040 + _e2032[0]) < _e2032[0])));
+                                                if (_e2044 == 0u) {
                                                 } else {
-                                                    let _e2470 = atomicAdd((&global_8.member[(_e2458 + 1u)]), _e2465);
-                                                }
-                                            }
-                                            let _e2472 = bitcast<u32>((_e1705.member_1 + 0f));
-                                            let _e2475 = ((_e2472 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2475 == 0u) {
-                                            } else {
-                                                let _e2478 = (_e2475 % 16u);
-                                                let _e2480 = ((_e2472 & 8388607u) | 8388608u);
-                                                let _e2483 = (_e2480 << bitcast<u32>((_e2478 & 31u)));
-                                                let _e2489 = ((_e2480 >> bitcast<u32>(((31u - _e2478) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2472 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2599_ = array<u32, 2>(_e2483, _e2489);
-                                                } else {
-                                                    let _e2495 = (~(_e2483) + 1u);
-                                                    if (_e2495 == 0u) {
-                                                        phi_2597_ = (~(_e2489) + 1u);
-                                                    } else {
-                                                        phi_2597_ = ~(_e2489);
-                                                    }
-                                                    let _e2501 = phi_2597_;
-                                                    phi_2599_ = array<u32, 2>(_e2495, _e2501);
-                                                }
-                                                let _e2504 = phi_2599_;
-                                                let _e2505 = (_e2475 < 255u);
-                                                if _e2505 {
-                                                    phi_2605_ = _e2504;
-                                                } else {
-                                                    phi_2605_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2508 = phi_2605_;
-                                                let _e2513 = (2u * ((select(16u, (_e2475 / 16u), _e2505) * _e2415) + (_e2416 + 1u)));
-                                                let _e2516 = atomicAdd((&global_8.member[_e2513]), _e2508[0]);
-                                                let _e2520 = (_e2508[1] + select(0u, 1u, ((_e2516 + _e2508[0]) < _e2508[0])));
-                                                if (_e2520 == 0u) {
-                                                } else {
-                                                    let _e2525 = atomicAdd((&global_8.member[(_e2513 + 1u)]), _e2520);
-                                                }
-                                            }
-                                            let _e2527 = bitcast<u32>((_e1708.member_2 + 0f));
-                                            let _e2530 = ((_e2527 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2530 == 0u) {
-                                            } else {
-                                                let _e2533 = (_e2530 % 16u);
-                                                let _e2535 = ((_e2527 & 8388607u) | 8388608u);
-                                                let _e2538 = (_e2535 << bitcast<u32>((_e2533 & 31u)));
-                                                let _e2544 = ((_e2535 >> bitcast<u32>(((31u - _e2533) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2527 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2660_ = array<u32, 2>(_e2538, _e2544);
-                                                } else {
-                                                    let _e2550 = (~(_e2538) + 1u);
-                                                    if (_e2550 == 0u) {
-                                                        phi_2658_ = (~(_e2544) + 1u);
-                                                    } else {
-                                                        phi_2658_ = ~(_e2544);
-                                                    }
-                                                    let _e2556 = phi_2658_;
-                                                    phi_2660_ = array<u32, 2>(_e2550, _e2556);
-                                                }
-                                                let _e2559 = phi_2660_;
-                                                let _e2560 = (_e2530 < 255u);
-                                                if _e2560 {
-                                                    phi_2666_ = _e2559;
-                                                } else {
-                                                    phi_2666_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2563 = phi_2666_;
-                                                let _e2568 = (2u * ((select(16u, (_e2530 / 16u), _e2560) * _e2415) + (_e2416 + 2u)));
-                                                let _e2571 = atomicAdd((&global_8.member[_e2568]), _e2563[0]);
-                                                let _e2575 = (_e2563[1] + select(0u, 1u, ((_e2571 + _e2563[0]) < _e2563[0])));
-                                                if (_e2575 == 0u) {
-                                                } else {
-                                                    let _e2580 = atomicAdd((&global_8.member[(_e2568 + 1u)]), _e2575);
-                                                }
-                                            }
-                                            let _e2582 = bitcast<u32>((_e1711.member_3 + 0f));
-                                            let _e2585 = ((_e2582 >> bitcast<u32>(23i)) & 255u);
-                                            if (_e2585 == 0u) {
-                                            } else {
-                                                let _e2588 = (_e2585 % 16u);
-                                                let _e2590 = ((_e2582 & 8388607u) | 8388608u);
-                                                let _e2593 = (_e2590 << bitcast<u32>((_e2588 & 31u)));
-                                                let _e2599 = ((_e2590 >> bitcast<u32>(((31u - _e2588) & 31u))) >> bitcast<u32>(1i));
-                                                if ((_e2582 >> bitcast<u32>(31i)) == 0u) {
-                                                    phi_2721_ = array<u32, 2>(_e2593, _e2599);
-                                                } else {
-                                                    let _e2605 = (~(_e2593) + 1u);
-                                                    if (_e2605 == 0u) {
-                                                        phi_2719_ = (~(_e2599) + 1u);
-                                                    } else {
-                                                        phi_2719_ = ~(_e2599);
-                                                    }
-                                                    let _e2611 = phi_2719_;
-                                                    phi_2721_ = array<u32, 2>(_e2605, _e2611);
-                                                }
-                                                let _e2614 = phi_2721_;
-                                                let _e2615 = (_e2585 < 255u);
-                                                if _e2615 {
-                                                    phi_2727_ = _e2614;
-                                                } else {
-                                                    phi_2727_ = array<u32, 2>(1u, 0u);
-                                                }
-                                                let _e2618 = phi_2727_;
-                                                let _e2623 = (2u * ((select(16u, (_e2585 / 16u), _e2615) * _e2415) + (_e2416 + 3u)));
-                                                let _e2626 = atomicAdd((&global_8.member[_e2623]), _e2618[0]);
-                                                let _e2630 = (_e2618[1] + select(0u, 1u, ((_e2626 + _e2618[0]) < _e2618[0])));
-                                                if (_e2630 == 0u) {
-                                                } else {
-                                                    let _e2635 = atomicAdd((&global_8.member[(_e2623 + 1u)]), _e2630);
+                                                    let _e2049 = atomicAdd((&global_8.member[(_e2037 + 1u)]), _e2044);
                                                 }
                                             }
                                         } else {
-                                            global_6.member[(_e204 + _e785)] = (vec4<f32>(_e1702.member, _e1705.member_1, _e1708.member_2, _e1711.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
+                                            global_6.member[((_e211 + _e820) + _e1989)] = _e1866;
+                                        }
+                                    }
+                                    let _e2050 = (_e217 + 3u);
+                                    let _e2051 = (_e2050 < _e84);
+                                    if _e2051 {
+                                        if _e205 {
+                                            let _e2057 = bitcast<u32>(_e1867);
+                                            let _e2060 = ((_e2057 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e2060 == 0u) {
+                                            } else {
+                                                let _e2063 = (_e2060 % 16u);
+                                                let _e2065 = ((_e2057 & 8388607u) | 8388608u);
+                                                let _e2068 = (_e2065 << bitcast<u32>((_e2063 & 31u)));
+                                                let _e2074 = ((_e2065 >> bitcast<u32>(((31u - _e2063) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e2057 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_2138_ = array<u32, 2>(_e2068, _e2074);
+                                                } else {
+                                                    let _e2080 = (~(_e2068) + 1u);
+                                                    if (_e2080 == 0u) {
+                                                        phi_2136_ = (~(_e2074) + 1u);
+                                                    } else {
+                                                        phi_2136_ = ~(_e2074);
+                                                    }
+                                                    let _e2086 = phi_2136_;
+                                                    phi_2138_ = array<u32, 2>(_e2080, _e2086);
+                                                }
+                                                let _e2089 = phi_2138_;
+                                                let _e2090 = (_e2060 < 255u);
+                                                if _e2090 {
+                                                    phi_2144_ = _e2089;
+                                                } else {
+                                                    phi_2144_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e2093 = phi_2144_;
+                                                let _e2098 = (2u * ((select(16u, (_e2060 / 16u), _e2090) * _e196) + (_e820 + _e2050)));
+                                                let _e2101 = atomicAdd((&global_8.member[_e2098]), _e2093[0]);
+                                                let _e2105 = (_e2093[1] + select(0u, 1u, ((_e2101 + _e2093[0]) < _e2093[0])));
+                                                if (_e2105 == 0u) {
+                                                } else {
+                                                    let _e2110 = atomicAdd((&global_8.member[(_e2098 + 1u)]), _e2105);
+                                                }
+                                            }
+                                        } else {
+                                            global_6.member[((_e211 + _e820) + _e2050)] = _e1867;
+                                        }
+                                    }
+                                    if (_e842 < _e48) {
+                                        let _e2112 = (_e1829.member + 0f);
+                                        let _e2113 = (_e1832.member_1 + 0f);
+                                        let _e2114 = (_e1835.member_2 + 0f);
+                                        let _e2115 = (_e1838.member_3 + 0f);
+                                        if _e1868 {
+                                            if _e205 {
+                                                let _e2121 = bitcast<u32>(_e2112);
+                                                let _e2124 = ((_e2121 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2124 == 0u) {
+                                                } else {
+                                                    let _e2127 = (_e2124 % 16u);
+                                                    let _e2129 = ((_e2121 & 8388607u) | 8388608u);
+                                                    let _e2132 = (_e2129 << bitcast<u32>((_e2127 & 31u)));
+                                                    let _e2138 = ((_e2129 >> bitcast<u32>(((31u - _e2127) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2121 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2216_ = array<u32, 2>(_e2132, _e2138);
+                                                    } else {
+                                                        let _e2144 = (~(_e2132) + 1u);
+                                                        if (_e2144 == 0u) {
+                                                            phi_2214_ = (~(_e2138) + 1u);
+                                                        } else {
+                                                            phi_2214_ = ~(_e2138);
+                                                        }
+                                                        let _e2150 = phi_2214_;
+                                                        phi_2216_ = array<u32, 2>(_e2144, _e2150);
+                                                    }
+                                                    let _e2153 = phi_2216_;
+                                                    let _e2154 = (_e2124 < 255u);
+                                                    if _e2154 {
+                                                        phi_2222_ = _e2153;
+                                                    } else {
+                                                        phi_2222_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2157 = phi_2222_;
+                                                    let _e2162 = (2u * ((select(16u, (_e2124 / 16u), _e2154) * _e196) + (_e826 + _e217)));
+                                                    let _e2165 = atomicAdd((&global_8.member[_e2162]), _e2157[0]);
+                                                    let _e2169 = (_e2157[1] + select(0u, 1u, ((_e2165 + _e2157[0]) < _e2157[0])));
+                                                    if (_e2169 == 0u) {
+                                                    } else {
+                                                        let _e2174 = atomicAdd((&global_8.member[(_e2162 + 1u)]), _e2169);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e826) + _e217)] = _e2112;
+                                            }
+                                        }
+                                        if _e1929 {
+                                            if _e205 {
+                                                let _e2180 = bitcast<u32>(_e2113);
+                                                let _e2183 = ((_e2180 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2183 == 0u) {
+                                                } else {
+                                                    let _e2186 = (_e2183 % 16u);
+                                                    let _e2188 = ((_e2180 & 8388607u) | 8388608u);
+                                                    let _e2191 = (_e2188 << bitcast<u32>((_e2186 & 31u)));
+                                                    let _e2197 = ((_e2188 >> bitcast<u32>(((31u - _e2186) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2180 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2286_ = array<u32, 2>(_e2191, _e2197);
+                                                    } else {
+                                                        let _e2203 = (~(_e2191) + 1u);
+                                                        if (_e2203 == 0u) {
+                                                            phi_2284_ = (~(_e2197) + 1u);
+                                                        } else {
+                                                            phi_2284_ = ~(_e2197);
+                                                        }
+                                                        let _e2209 = phi_2284_;
+                                                        phi_2286_ = array<u32, 2>(_e2203, _e2209);
+                                                    }
+                                                    let _e2212 = phi_2286_;
+                                                    let _e2213 = (_e2183 < 255u);
+                                                    if _e2213 {
+                                                        phi_2292_ = _e2212;
+                                                    } else {
+                                                        phi_2292_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2216 = phi_2292_;
+                                                    let _e2221 = (2u * ((select(16u, (_e2183 / 16u), _e2213) * _e196) + (_e826 + _e1928)));
+                                                    let _e2224 = atomicAdd((&global_8.member[_e2221]), _e2216[0]);
+                                                    let _e2228 = (_e2216[1] + select(0u, 1u, ((_e2224 + _e2216[0]) < _e2216[0])));
+                                                    if (_e2228 == 0u) {
+                                                    } else {
+                                                        let _e2233 = atomicAdd((&global_8.member[(_e2221 + 1u)]), _e2228);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e826) + _e1928)] = _e2113;
+                                            }
+                                        }
+                                        if _e1990 {
+                                            if _e205 {
+                                                let _e2239 = bitcast<u32>(_e2114);
+                                                let _e2242 = ((_e2239 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2242 == 0u) {
+                                                } else {
+                                                    let _e2245 = (_e2242 % 16u);
+                                                    let _e2247 = ((_e2239 & 8388607u) | 8388608u);
+                                                    let _e2250 = (_e2247 << bitcast<u32>((_e2245 & 31u)));
+                                                    let _e2256 = ((_e2247 >> bitcast<u32>(((31u - _e2245) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2239 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2356_ = array<u32, 2>(_e2250, _e2256);
+                                                    } else {
+                                                        let _e2262 = (~(_e2250) + 1u);
+                                                        if (_e2262 == 0u) {
+                                                            phi_2354_ = (~(_e2256) + 1u);
+                                                        } else {
+                                                            phi_2354_ = ~(_e2256);
+                                                        }
+                                                        let _e2268 = phi_2354_;
+                                                        phi_2356_ = array<u32, 2>(_e2262, _e2268);
+                                                    }
+                                                    let _e2271 = phi_2356_;
+                                                    let _e2272 = (_e2242 < 255u);
+                                                    if _e2272 {
+                                                        phi_2362_ = _e2271;
+                                                    } else {
+                                                        phi_2362_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2275 = phi_2362_;
+                                                    let _e2280 = (2u * ((select(16u, (_e2242 / 16u), _e2272) * _e196) + (_e826 + _e1989)));
+                                                    let _e2283 = atomicAdd((&global_8.member[_e2280]), _e2275[0]);
+                                                    let _e2287 = (_e2275[1] + select(0u, 1u, ((_e2283 + _e2275[0]) < _e2275[0])));
+                                                    if (_e2287 == 0u) {
+                                                    } else {
+                                                        let _e2292 = atomicAdd((&global_8.member[(_e2280 + 1u)]), _e2287);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e826) + _e1989)] = _e2114;
+                                            }
+                                        }
+                                        if _e2051 {
+                                            if _e205 {
+                                                let _e2298 = bitcast<u32>(_e2115);
+                                                let _e2301 = ((_e2298 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2301 == 0u) {
+                                                } else {
+                                                    let _e2304 = (_e2301 % 16u);
+                                                    let _e2306 = ((_e2298 & 8388607u) | 8388608u);
+                                                    let _e2309 = (_e2306 << bitcast<u32>((_e2304 & 31u)));
+                                                    let _e2315 = ((_e2306 >> bitcast<u32>(((31u - _e2304) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2298 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2426_ = array<u32, 2>(_e2309, _e2315);
+                                                    } else {
+                                                        let _e2321 = (~(_e2309) + 1u);
+                                                        if (_e2321 == 0u) {
+                                                            phi_2424_ = (~(_e2315) + 1u);
+                                                        } else {
+                                                            phi_2424_ = ~(_e2315);
+                                                        }
+                                                        let _e2327 = phi_2424_;
+                                                        phi_2426_ = array<u32, 2>(_e2321, _e2327);
+                                                    }
+                                                    let _e2330 = phi_2426_;
+                                                    let _e2331 = (_e2301 < 255u);
+                                                    if _e2331 {
+                                                        phi_2432_ = _e2330;
+                                                    } else {
+                                                        phi_2432_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2334 = phi_2432_;
+                                                    let _e2339 = (2u * ((select(16u, (_e2301 / 16u), _e2331) * _e196) + (_e826 + _e2050)));
+                                                    let _e2342 = atomicAdd((&global_8.member[_e2339]), _e2334[0]);
+                                                    let _e2346 = (_e2334[1] + select(0u, 1u, ((_e2342 + _e2334[0]) < _e2334[0])));
+                                                    if (_e2346 == 0u) {
+                                                    } else {
+                                                        let _e2351 = atomicAdd((&global_8.member[(_e2339 + 1u)]), _e2346);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e826) + _e2050)] = _e2115;
+                                            }
+                                        }
+                                    }
+                                    if (_e846 < _e48) {
+                                        let _e2353 = (_e1841.member + 0f);
+                                        let _e2354 = (_e1844.member_1 + 0f);
+                                        let _e2355 = (_e1847.member_2 + 0f);
+                                        let _e2356 = (_e1850.member_3 + 0f);
+                                        if _e1868 {
+                                            if _e205 {
+                                                let _e2362 = bitcast<u32>(_e2353);
+                                                let _e2365 = ((_e2362 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2365 == 0u) {
+                                                } else {
+                                                    let _e2368 = (_e2365 % 16u);
+                                                    let _e2370 = ((_e2362 & 8388607u) | 8388608u);
+                                                    let _e2373 = (_e2370 << bitcast<u32>((_e2368 & 31u)));
+                                                    let _e2379 = ((_e2370 >> bitcast<u32>(((31u - _e2368) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2362 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2504_ = array<u32, 2>(_e2373, _e2379);
+                                                    } else {
+                                                        let _e2385 = (~(_e2373) + 1u);
+                                                        if (_e2385 == 0u) {
+                                                            phi_2502_ = (~(_e2379) + 1u);
+                                                        } else {
+                                                            phi_2502_ = ~(_e2379);
+                                                        }
+                                                        let _e2391 = phi_2502_;
+                                                        phi_2504_ = array<u32, 2>(_e2385, _e2391);
+                                                    }
+                                                    let _e2394 = phi_2504_;
+                                                    let _e2395 = (_e2365 < 255u);
+                                                    if _e2395 {
+                                                        phi_2510_ = _e2394;
+                                                    } else {
+                                                        phi_2510_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2398 = phi_2510_;
+                                                    let _e2403 = (2u * ((select(16u, (_e2365 / 16u), _e2395) * _e196) + (_e831 + _e217)));
+                                                    let _e2406 = atomicAdd((&global_8.member[_e2403]), _e2398[0]);
+                                                    let _e2410 = (_e2398[1] + select(0u, 1u, ((_e2406 + _e2398[0]) < _e2398[0])));
+                                                    if (_e2410 == 0u) {
+                                                    } else {
+                                                        let _e2415 = atomicAdd((&global_8.member[(_e2403 + 1u)]), _e2410);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e831) + _e217)] = _e2353;
+                                            }
+                                        }
+                                        if _e1929 {
+                                            if _e205 {
+                                                let _e2421 = bitcast<u32>(_e2354);
+                                                let _e2424 = ((_e2421 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2424 == 0u) {
+                                                } else {
+                                                    let _e2427 = (_e2424 % 16u);
+                                                    let _e2429 = ((_e2421 & 8388607u) | 8388608u);
+                                                    let _e2432 = (_e2429 << bitcast<u32>((_e2427 & 31u)));
+                                                    let _e2438 = ((_e2429 >> bitcast<u32>(((31u - _e2427) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2421 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2574_ = array<u32, 2>(_e2432, _e2438);
+                                                    } else {
+                                                        let _e2444 = (~(_e2432) + 1u);
+                                                        if (_e2444 == 0u) {
+                                                            phi_2572_ = (~(_e2438) + 1u);
+                                                        } else {
+                                                            phi_2572_ = ~(_e2438);
+                                                        }
+                                                        let _e2450 = phi_2572_;
+                                                        phi_2574_ = array<u32, 2>(_e2444, _e2450);
+                                                    }
+                                                    let _e2453 = phi_2574_;
+                                                    let _e2454 = (_e2424 < 255u);
+                                                    if _e2454 {
+                                                        phi_2580_ = _e2453;
+                                                    } else {
+                                                        phi_2580_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2457 = phi_2580_;
+                                                    let _e2462 = (2u * ((select(16u, (_e2424 / 16u), _e2454) * _e196) + (_e831 + _e1928)));
+                                                    let _e2465 = atomicAdd((&global_8.member[_e2462]), _e2457[0]);
+                                                    let _e2469 = (_e2457[1] + select(0u, 1u, ((_e2465 + _e2457[0]) < _e2457[0])));
+                                                    if (_e2469 == 0u) {
+                                                    } else {
+                                                        let _e2474 = atomicAdd((&global_8.member[(_e2462 + 1u)]), _e2469);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e831) + _e1928)] = _e2354;
+                                            }
+                                        }
+                                        if _e1990 {
+                                            if _e205 {
+                                                let _e2480 = bitcast<u32>(_e2355);
+                                                let _e2483 = ((_e2480 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2483 == 0u) {
+                                                } else {
+                                                    let _e2486 = (_e2483 % 16u);
+                                                    let _e2488 = ((_e2480 & 8388607u) | 8388608u);
+                                                    let _e2491 = (_e2488 << bitcast<u32>((_e2486 & 31u)));
+                                                    let _e2497 = ((_e2488 >> bitcast<u32>(((31u - _e2486) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2480 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2644_ = array<u32, 2>(_e2491, _e2497);
+                                                    } else {
+                                                        let _e2503 = (~(_e2491) + 1u);
+                                                        if (_e2503 == 0u) {
+                                                            phi_2642_ = (~(_e2497) + 1u);
+                                                        } else {
+                                                            phi_2642_ = ~(_e2497);
+                                                        }
+                                                        let _e2509 = phi_2642_;
+                                                        phi_2644_ = array<u32, 2>(_e2503, _e2509);
+                                                    }
+                                                    let _e2512 = phi_2644_;
+                                                    let _e2513 = (_e2483 < 255u);
+                                                    if _e2513 {
+                                                        phi_2650_ = _e2512;
+                                                    } else {
+                                                        phi_2650_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2516 = phi_2650_;
+                                                    let _e2521 = (2u * ((select(16u, (_e2483 / 16u), _e2513) * _e196) + (_e831 + _e1989)));
+                                                    let _e2524 = atomicAdd((&global_8.member[_e2521]), _e2516[0]);
+                                                    let _e2528 = (_e2516[1] + select(0u, 1u, ((_e2524 + _e2516[0]) < _e2516[0])));
+                                                    if (_e2528 == 0u) {
+                                                    } else {
+                                                        let _e2533 = atomicAdd((&global_8.member[(_e2521 + 1u)]), _e2528);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e831) + _e1989)] = _e2355;
+                                            }
+                                        }
+                                        if _e2051 {
+                                            if _e205 {
+                                                let _e2539 = bitcast<u32>(_e2356);
+                                                let _e2542 = ((_e2539 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2542 == 0u) {
+                                                } else {
+                                                    let _e2545 = (_e2542 % 16u);
+                                                    let _e2547 = ((_e2539 & 8388607u) | 8388608u);
+                                                    let _e2550 = (_e2547 << bitcast<u32>((_e2545 & 31u)));
+                                                    let _e2556 = ((_e2547 >> bitcast<u32>(((31u - _e2545) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2539 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2714_ = array<u32, 2>(_e2550, _e2556);
+                                                    } else {
+                                                        let _e2562 = (~(_e2550) + 1u);
+                                                        if (_e2562 == 0u) {
+                                                            phi_2712_ = (~(_e2556) + 1u);
+                                                        } else {
+                                                            phi_2712_ = ~(_e2556);
+                                                        }
+                                                        let _e2568 = phi_2712_;
+                                                        phi_2714_ = array<u32, 2>(_e2562, _e2568);
+                                                    }
+                                                    let _e2571 = phi_2714_;
+                                                    let _e2572 = (_e2542 < 255u);
+                                                    if _e2572 {
+                                                        phi_2720_ = _e2571;
+                                                    } else {
+                                                        phi_2720_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2575 = phi_2720_;
+                                                    let _e2580 = (2u * ((select(16u, (_e2542 / 16u), _e2572) * _e196) + (_e831 + _e2050)));
+                                                    let _e2583 = atomicAdd((&global_8.member[_e2580]), _e2575[0]);
+                                                    let _e2587 = (_e2575[1] + select(0u, 1u, ((_e2583 + _e2575[0]) < _e2575[0])));
+                                                    if (_e2587 == 0u) {
+                                                    } else {
+                                                        let _e2592 = atomicAdd((&global_8.member[(_e2580 + 1u)]), _e2587);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e831) + _e2050)] = _e2356;
+                                            }
+                                        }
+                                    }
+                                    if (_e850 < _e48) {
+                                        let _e2594 = (_e1853.member + 0f);
+                                        let _e2595 = (_e1856.member_1 + 0f);
+                                        let _e2596 = (_e1859.member_2 + 0f);
+                                        let _e2597 = (_e1862.member_3 + 0f);
+                                        if _e1868 {
+                                            if _e205 {
+                                                let _e2603 = bitcast<u32>(_e2594);
+                                                let _e2606 = ((_e2603 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2606 == 0u) {
+                                                } else {
+                                                    let _e2609 = (_e2606 % 16u);
+                                                    let _e2611 = ((_e2603 & 8388607u) | 8388608u);
+                                                    let _e2614 = (_e2611 << bitcast<u32>((_e2609 & 31u)));
+                                                    let _e2620 = ((_e2611 >> bitcast<u32>(((31u - _e2609) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2603 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2792_ = array<u32, 2>(_e2614, _e2620);
+                                                    } else {
+                                                        let _e2626 = (~(_e2614) + 1u);
+                                                        if (_e2626 == 0u) {
+                                                            phi_2790_ = (~(_e2620) + 1u);
+                                                        } else {
+                                                            phi_2790_ = ~(_e2620);
+                                                        }
+                                                        let _e2632 = phi_2790_;
+                                                        phi_2792_ = array<u32, 2>(_e2626, _e2632);
+                                                    }
+                                                    let _e2635 = phi_2792_;
+                                                    let _e2636 = (_e2606 < 255u);
+                                                    if _e2636 {
+                                                        phi_2798_ = _e2635;
+                                                    } else {
+                                                        phi_2798_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2639 = phi_2798_;
+                                                    let _e2644 = (2u * ((select(16u, (_e2606 / 16u), _e2636) * _e196) + (_e836 + _e217)));
+                                                    let _e2647 = atomicAdd((&global_8.member[_e2644]), _e2639[0]);
+                                                    let _e2651 = (_e2639[1] + select(0u, 1u, ((_e2647 + _e2639[0]) < _e2639[0])));
+                                                    if (_e2651 == 0u) {
+                                                    } else {
+                                                        let _e2656 = atomicAdd((&global_8.member[(_e2644 + 1u)]), _e2651);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e836) + _e217)] = _e2594;
+                                            }
+                                        }
+                                        if _e1929 {
+                                            if _e205 {
+                                                let _e2662 = bitcast<u32>(_e2595);
+                                                let _e2665 = ((_e2662 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2665 == 0u) {
+                                                } else {
+                                                    let _e2668 = (_e2665 % 16u);
+                                                    let _e2670 = ((_e2662 & 8388607u) | 8388608u);
+                                                    let _e2673 = (_e2670 << bitcast<u32>((_e2668 & 31u)));
+                                                    let _e2679 = ((_e2670 >> bitcast<u32>(((31u - _e2668) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2662 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2862_ = array<u32, 2>(_e2673, _e2679);
+                                                    } else {
+                                                        let _e2685 = (~(_e2673) + 1u);
+                                                        if (_e2685 == 0u) {
+                                                            phi_2860_ = (~(_e2679) + 1u);
+                                                        } else {
+                                                            phi_2860_ = ~(_e2679);
+                                                        }
+                                                        let _e2691 = phi_2860_;
+                                                        phi_2862_ = array<u32, 2>(_e2685, _e2691);
+                                                    }
+                                                    let _e2694 = phi_2862_;
+                                                    let _e2695 = (_e2665 < 255u);
+                                                    if _e2695 {
+                                                        phi_2868_ = _e2694;
+                                                    } else {
+                                                        phi_2868_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2698 = phi_2868_;
+                                                    let _e2703 = (2u * ((select(16u, (_e2665 / 16u), _e2695) * _e196) + (_e836 + _e1928)));
+                                                    let _e2706 = atomicAdd((&global_8.member[_e2703]), _e2698[0]);
+                                                    let _e2710 = (_e2698[1] + select(0u, 1u, ((_e2706 + _e2698[0]) < _e2698[0])));
+                                                    if (_e2710 == 0u) {
+                                                    } else {
+                                                        let _e2715 = atomicAdd((&global_8.member[(_e2703 + 1u)]), _e2710);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e836) + _e1928)] = _e2595;
+                                            }
+                                        }
+                                        if _e1990 {
+                                            if _e205 {
+                                                let _e2721 = bitcast<u32>(_e2596);
+                                                let _e2724 = ((_e2721 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2724 == 0u) {
+                                                } else {
+                                                    let _e2727 = (_e2724 % 16u);
+                                                    let _e2729 = ((_e2721 & 8388607u) | 8388608u);
+                                                    let _e2732 = (_e2729 << bitcast<u32>((_e2727 & 31u)));
+                                                    let _e2738 = ((_e2729 >> bitcast<u32>(((31u - _e2727) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2721 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_2932_ = array<u32, 2>(_e2732, _e2738);
+                                                    } else {
+                                                        let _e2744 = (~(_e2732) + 1u);
+                                                        if (_e2744 == 0u) {
+                                                            phi_2930_ = (~(_e2738) + 1u);
+                                                        } else {
+                                                            phi_2930_ = ~(_e2738);
+                                                        }
+                                                        let _e2750 = phi_2930_;
+                                                        phi_2932_ = array<u32, 2>(_e2744, _e2750);
+                                                    }
+                                                    let _e2753 = phi_2932_;
+                                                    let _e2754 = (_e2724 < 255u);
+                                                    if _e2754 {
+                                                        phi_2938_ = _e2753;
+                                                    } else {
+                                                        phi_2938_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2757 = phi_2938_;
+                                                    let _e2762 = (2u * ((select(16u, (_e2724 / 16u), _e2754) * _e196) + (_e836 + _e1989)));
+                                                    let _e2765 = atomicAdd((&global_8.member[_e2762]), _e2757[0]);
+                                                    let _e2769 = (_e2757[1] + select(0u, 1u, ((_e2765 + _e2757[0]) < _e2757[0])));
+                                                    if (_e2769 == 0u) {
+                                                    } else {
+                                                        let _e2774 = atomicAdd((&global_8.member[(_e2762 + 1u)]), _e2769);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e836) + _e1989)] = _e2596;
+                                            }
+                                        }
+                                        if _e2051 {
+                                            if _e205 {
+                                                let _e2780 = bitcast<u32>(_e2597);
+                                                let _e2783 = ((_e2780 >> bitcast<u32>(23i)) & 255u);
+                                                if (_e2783 == 0u) {
+                                                } else {
+                                                    let _e2786 = (_e2783 % 16u);
+                                                    let _e2788 = ((_e2780 & 8388607u) | 8388608u);
+                                                    let _e2791 = (_e2788 << bitcast<u32>((_e2786 & 31u)));
+                                                    let _e2797 = ((_e2788 >> bitcast<u32>(((31u - _e2786) & 31u))) >> bitcast<u32>(1i));
+                                                    if ((_e2780 >> bitcast<u32>(31i)) == 0u) {
+                                                        phi_3002_ = array<u32, 2>(_e2791, _e2797);
+                                                    } else {
+                                                        let _e2803 = (~(_e2791) + 1u);
+                                                        if (_e2803 == 0u) {
+                                                            phi_3000_ = (~(_e2797) + 1u);
+                                                        } else {
+                                                            phi_3000_ = ~(_e2797);
+                                                        }
+                                                        let _e2809 = phi_3000_;
+                                                        phi_3002_ = array<u32, 2>(_e2803, _e2809);
+                                                    }
+                                                    let _e2812 = phi_3002_;
+                                                    let _e2813 = (_e2783 < 255u);
+                                                    if _e2813 {
+                                                        phi_3008_ = _e2812;
+                                                    } else {
+                                                        phi_3008_ = array<u32, 2>(1u, 0u);
+                                                    }
+                                                    let _e2816 = phi_3008_;
+                                                    let _e2821 = (2u * ((select(16u, (_e2783 / 16u), _e2813) * _e196) + (_e836 + _e2050)));
+                                                    let _e2824 = atomicAdd((&global_8.member[_e2821]), _e2816[0]);
+                                                    let _e2828 = (_e2816[1] + select(0u, 1u, ((_e2824 + _e2816[0]) < _e2816[0])));
+                                                    if (_e2828 == 0u) {
+                                                    } else {
+                                                        let _e2833 = atomicAdd((&global_8.member[(_e2821 + 1u)]), _e2828);
+                                                    }
+                                                }
+                                            } else {
+                                                global_6.member[((_e211 + _e836) + _e2050)] = _e2597;
+                                            }
                                         }
                                     }
                                 } else {
-                                    let _e216 = global_3.member.member_6;
-                                    let _e217 = (_e216 + _e83[1]);
-                                    if _e207 {
-                                        let _e221 = global_6.member[(_e202 + _e217)];
-                                        phi_271_ = _e221;
+                                    let _e222 = global_3.member.member_6;
+                                    let _e223 = (4u * _e222);
+                                    let _e224 = (_e209 + _e223);
+                                    if _e213 {
+                                        let _e230 = global_6.member[(_e224 + select(_e85, _e217, (_e217 < _e85)))];
+                                        let _e231 = (_e217 + 1u);
+                                        let _e237 = global_6.member[(_e224 + select(_e85, _e231, (_e231 < _e85)))];
+                                        let _e238 = (_e217 + 2u);
+                                        let _e244 = global_6.member[(_e224 + select(_e85, _e238, (_e238 < _e85)))];
+                                        let _e245 = (_e217 + 3u);
+                                        let _e251 = global_6.member[(_e224 + select(_e85, _e245, (_e245 < _e85)))];
+                                        phi_307_ = vec4<f32>(_e230, _e237, _e244, _e251);
                                     } else {
-                                        phi_271_ = vec4<f32>(0f, 0f, 0f, 0f);
+                                        phi_307_ = vec4<f32>(0f, 0f, 0f, 0f);
                                     }
-                                    let _e223 = phi_271_;
-                                    phi_280_ = type_20((_e192 / 4u), _e192, _e195);
-                                    phi_283_ = type_19(_e223.x, _e223.y, _e223.z, _e223.w);
+                                    let _e254 = phi_307_;
+                                    phi_316_ = type_20((_e200 / 4u), _e200, _e203);
+                                    phi_319_ = type_19(_e254.x, _e254.y, _e254.z, _e254.w);
                                     loop {
-                                        let _e232 = phi_280_;
-                                        let _e234 = phi_283_;
-                                        local_30 = _e232;
-                                        local_32 = _e234;
-                                        let _e236 = (4u * _e232.member);
-                                        if (_e236 < _e232.member_2) {
-                                            phi_299_ = select(((_e236 + 4u) > _e232.member_2), true, (_e236 < _e232.member_1));
+                                        let _e263 = phi_316_;
+                                        let _e265 = phi_319_;
+                                        local_30 = _e263;
+                                        local_32 = _e265;
+                                        let _e267 = (4u * _e263.member);
+                                        if (_e267 < _e263.member_2) {
+                                            phi_335_ = select(((_e267 + 4u) > _e263.member_2), true, (_e267 < _e263.member_1));
                                         } else {
-                                            phi_299_ = false;
+                                            phi_335_ = false;
                                         }
-                                        let _e245 = phi_299_;
-                                        if _e245 {
-                                            let _e246 = (_e212 / 4u);
-                                            let _e247 = (_e210 / 4u);
-                                            let _e251 = global_7.member[(_e246 + _e232.member)];
-                                            let _e258 = (_e232.member_2 - _e232.member_1);
-                                            let _e259 = ((_e236 - _e232.member_1) < _e258);
-                                            let _e263 = (((_e236 + 1u) - _e232.member_1) < _e258);
-                                            let _e267 = (((_e236 + 2u) - _e232.member_1) < _e258);
-                                            let _e271 = (((_e236 + 3u) - _e232.member_1) < _e258);
-                                            let _e277 = global_7.member[((_e246 + _e247) + _e232.member)];
-                                            let _e291 = global_7.member[((_e246 + (2u * _e247)) + _e232.member)];
-                                            let _e305 = global_7.member[((_e246 + (3u * _e247)) + _e232.member)];
-                                            local_28 = type_20((_e232.member + 1u), _e232.member_1, _e232.member_2);
-                                            local_29 = type_19(((((_e234.member + select(0f, _e251.x, _e259)) + select(0f, _e251.y, _e263)) + select(0f, _e251.z, _e267)) + select(0f, _e251.w, _e271)), ((((_e234.member_1 + select(0f, _e277.x, _e259)) + select(0f, _e277.y, _e263)) + select(0f, _e277.z, _e267)) + select(0f, _e277.w, _e271)), ((((_e234.member_2 + select(0f, _e291.x, _e259)) + select(0f, _e291.y, _e263)) + select(0f, _e291.z, _e267)) + select(0f, _e291.w, _e271)), ((((_e234.member_3 + select(0f, _e305.x, _e259)) + select(0f, _e305.y, _e263)) + select(0f, _e305.z, _e267)) + select(0f, _e305.w, _e271)));
+                                        let _e276 = phi_335_;
+                                        if _e276 {
+                                            let _e277 = (_e218 / 4u);
+                                            let _e278 = (_e216 / 4u);
+                                            let _e282 = global_7.member[(_e277 + _e263.member)];
+                                            let _e289 = (_e263.member_2 - _e263.member_1);
+                                            let _e290 = ((_e267 - _e263.member_1) < _e289);
+                                            let _e294 = (((_e267 + 1u) - _e263.member_1) < _e289);
+                                            let _e298 = (((_e267 + 2u) - _e263.member_1) < _e289);
+                                            let _e302 = (((_e267 + 3u) - _e263.member_1) < _e289);
+                                            let _e308 = global_7.member[((_e277 + _e278) + _e263.member)];
+                                            let _e322 = global_7.member[((_e277 + (2u * _e278)) + _e263.member)];
+                                            let _e336 = global_7.member[((_e277 + (3u * _e278)) + _e263.member)];
+                                            local_28 = type_20((_e263.member + 1u), _e263.member_1, _e263.member_2);
+                                            local_29 = type_19(((((_e265.member + select(0f, _e282.x, _e290)) + select(0f, _e282.y, _e294)) + select(0f, _e282.z, _e298)) + select(0f, _e282.w, _e302)), ((((_e265.member_1 + select(0f, _e308.x, _e290)) + select(0f, _e308.y, _e294)) + select(0f, _e308.z, _e298)) + select(0f, _e308.w, _e302)), ((((_e265.member_2 + select(0f, _e322.x, _e290)) + select(0f, _e322.y, _e294)) + select(0f, _e322.z, _e298)) + select(0f, _e322.w, _e302)), ((((_e265.member_3 + select(0f, _e336.x, _e290)) + select(0f, _e336.y, _e294)) + select(0f, _e336.z, _e298)) + select(0f, _e336.w, _e302)));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2684 = local_28;
-                                            phi_280_ = _e2684;
-                                            let _e2687 = local_29;
-                                            phi_283_ = _e2687;
+                                            let _e2882 = local_28;
+                                            phi_316_ = _e2882;
+                                            let _e2885 = local_29;
+                                            phi_319_ = _e2885;
                                         }
                                     }
-                                    let _e2691 = local_30;
-                                    phi_387_ = _e2691;
-                                    let _e2696 = local_32;
-                                    phi_390_ = _e2696;
+                                    let _e2889 = local_30;
+                                    phi_423_ = _e2889;
+                                    let _e2894 = local_32;
+                                    phi_426_ = _e2894;
                                     loop {
-                                        let _e341 = phi_387_;
-                                        let _e343 = phi_390_;
-                                        local_34 = _e341;
-                                        local_36 = _e343;
-                                        if !((((4u * _e341.member) + 4u) > _e341.member_2)) {
-                                            let _e350 = (_e212 / 4u);
-                                            let _e351 = (_e210 / 4u);
-                                            let _e355 = global_7.member[(_e350 + _e341.member)];
-                                            let _e364 = global_7.member[((_e350 + _e351) + _e341.member)];
-                                            let _e374 = global_7.member[((_e350 + (2u * _e351)) + _e341.member)];
-                                            let _e384 = global_7.member[((_e350 + (3u * _e351)) + _e341.member)];
-                                            local_31 = type_20((_e341.member + 1u), _e341.member_1, _e341.member_2);
-                                            local_33 = type_19(((((_e343.member + _e355.x) + _e355.y) + _e355.z) + _e355.w), ((((_e343.member_1 + _e364.x) + _e364.y) + _e364.z) + _e364.w), ((((_e343.member_2 + _e374.x) + _e374.y) + _e374.z) + _e374.w), ((((_e343.member_3 + _e384.x) + _e384.y) + _e384.z) + _e384.w));
+                                        let _e372 = phi_423_;
+                                        let _e374 = phi_426_;
+                                        local_34 = _e372;
+                                        local_36 = _e374;
+                                        if !((((4u * _e372.member) + 4u) > _e372.member_2)) {
+                                            let _e381 = (_e218 / 4u);
+                                            let _e382 = (_e216 / 4u);
+                                            let _e386 = global_7.member[(_e381 + _e372.member)];
+                                            let _e395 = global_7.member[((_e381 + _e382) + _e372.member)];
+                                            let _e405 = global_7.member[((_e381 + (2u * _e382)) + _e372.member)];
+                                            let _e415 = global_7.member[((_e381 + (3u * _e382)) + _e372.member)];
+                                            local_31 = type_20((_e372.member + 1u), _e372.member_1, _e372.member_2);
+                                            local_33 = type_19(((((_e374.member + _e386.x) + _e386.y) + _e386.z) + _e386.w), ((((_e374.member_1 + _e395.x) + _e395.y) + _e395.z) + _e395.w), ((((_e374.member_2 + _e405.x) + _e405.y) + _e405.z) + _e405.w), ((((_e374.member_3 + _e415.x) + _e415.y) + _e415.z) + _e415.w));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2693 = local_31;
-                                            phi_387_ = _e2693;
-                                            let _e2698 = local_33;
-                                            phi_390_ = _e2698;
+                                            let _e2891 = local_31;
+                                            phi_423_ = _e2891;
+                                            let _e2896 = local_33;
+                                            phi_426_ = _e2896;
                                         }
                                     }
-                                    let _e2701 = local_34;
-                                    phi_457_ = _e2701;
-                                    let _e2706 = local_36;
-                                    phi_460_ = _e2706;
+                                    let _e2899 = local_34;
+                                    phi_493_ = _e2899;
+                                    let _e2904 = local_36;
+                                    phi_496_ = _e2904;
                                     loop {
-                                        let _e416 = phi_457_;
-                                        let _e418 = phi_460_;
-                                        local_2 = _e418;
-                                        local_3 = _e418;
-                                        local_4 = _e418;
-                                        local_5 = _e418;
-                                        let _e420 = (4u * _e416.member);
-                                        if (_e420 < _e416.member_2) {
-                                            phi_476_ = select(((_e420 + 4u) > _e416.member_2), true, (_e420 < _e416.member_1));
+                                        let _e447 = phi_493_;
+                                        let _e449 = phi_496_;
+                                        local_2 = _e449;
+                                        local_3 = _e449;
+                                        local_4 = _e449;
+                                        local_5 = _e449;
+                                        let _e451 = (4u * _e447.member);
+                                        if (_e451 < _e447.member_2) {
+                                            phi_512_ = select(((_e451 + 4u) > _e447.member_2), true, (_e451 < _e447.member_1));
                                         } else {
-                                            phi_476_ = false;
+                                            phi_512_ = false;
                                         }
-                                        let _e429 = phi_476_;
-                                        if _e429 {
-                                            let _e430 = (_e212 / 4u);
-                                            let _e431 = (_e210 / 4u);
-                                            let _e435 = global_7.member[(_e430 + _e416.member)];
-                                            let _e442 = (_e416.member_2 - _e416.member_1);
-                                            let _e443 = ((_e420 - _e416.member_1) < _e442);
-                                            let _e447 = (((_e420 + 1u) - _e416.member_1) < _e442);
-                                            let _e451 = (((_e420 + 2u) - _e416.member_1) < _e442);
-                                            let _e455 = (((_e420 + 3u) - _e416.member_1) < _e442);
-                                            let _e461 = global_7.member[((_e430 + _e431) + _e416.member)];
-                                            let _e475 = global_7.member[((_e430 + (2u * _e431)) + _e416.member)];
-                                            let _e489 = global_7.member[((_e430 + (3u * _e431)) + _e416.member)];
-                                            local_35 = type_20((_e416.member + 1u), _e416.member_1, _e416.member_2);
-                                            local_37 = type_19(((((_e418.member + select(0f, _e435.x, _e443)) + select(0f, _e435.y, _e447)) + select(0f, _e435.z, _e451)) + select(0f, _e435.w, _e455)), ((((_e418.member_1 + select(0f, _e461.x, _e443)) + select(0f, _e461.y, _e447)) + select(0f, _e461.z, _e451)) + select(0f, _e461.w, _e455)), ((((_e418.member_2 + select(0f, _e475.x, _e443)) + select(0f, _e475.y, _e447)) + select(0f, _e475.z, _e451)) + select(0f, _e475.w, _e455)), ((((_e418.member_3 + select(0f, _e489.x, _e443)) + select(0f, _e489.y, _e447)) + select(0f, _e489.z, _e451)) + select(0f, _e489.w, _e455)));
+                                        let _e460 = phi_512_;
+                                        if _e460 {
+                                            let _e461 = (_e218 / 4u);
+                                            let _e462 = (_e216 / 4u);
+                                            let _e466 = global_7.member[(_e461 + _e447.member)];
+                                            let _e473 = (_e447.member_2 - _e447.member_1);
+                                            let _e474 = ((_e451 - _e447.member_1) < _e473);
+                                            let _e478 = (((_e451 + 1u) - _e447.member_1) < _e473);
+                                            let _e482 = (((_e451 + 2u) - _e447.member_1) < _e473);
+                                            let _e486 = (((_e451 + 3u) - _e447.member_1) < _e473);
+                                            let _e492 = global_7.member[((_e461 + _e462) + _e447.member)];
+                                            let _e506 = global_7.member[((_e461 + (2u * _e462)) + _e447.member)];
+                                            let _e520 = global_7.member[((_e461 + (3u * _e462)) + _e447.member)];
+                                            local_35 = type_20((_e447.member + 1u), _e447.member_1, _e447.member_2);
+                                            local_37 = type_19(((((_e449.member + select(0f, _e466.x, _e474)) + select(0f, _e466.y, _e478)) + select(0f, _e466.z, _e482)) + select(0f, _e466.w, _e486)), ((((_e449.member_1 + select(0f, _e492.x, _e474)) + select(0f, _e492.y, _e478)) + select(0f, _e492.z, _e482)) + select(0f, _e492.w, _e486)), ((((_e449.member_2 + select(0f, _e506.x, _e474)) + select(0f, _e506.y, _e478)) + select(0f, _e506.z, _e482)) + select(0f, _e506.w, _e486)), ((((_e449.member_3 + select(0f, _e520.x, _e474)) + select(0f, _e520.y, _e478)) + select(0f, _e520.z, _e482)) + select(0f, _e520.w, _e486)));
                                             continue;
                                         } else {
                                             break;
                                         }
                                         continuing {
-                                            let _e2703 = local_35;
-                                            phi_457_ = _e2703;
-                                            let _e2708 = local_37;
-                                            phi_460_ = _e2708;
+                                            let _e2901 = local_35;
+                                            phi_493_ = _e2901;
+                                            let _e2906 = local_37;
+                                            phi_496_ = _e2906;
                                         }
                                     }
-                                    let _e525 = local_2;
-                                    let _e528 = local_3;
-                                    let _e531 = local_4;
-                                    let _e534 = local_5;
-                                    if _e205 {
-                                        let _e545 = (4u * _e201);
-                                        let _e546 = (4u * _e217);
-                                        let _e547 = bitcast<u32>((_e525.member + 0f));
-                                        let _e550 = ((_e547 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e550 == 0u) {
-                                        } else {
-                                            let _e553 = (_e550 % 16u);
-                                            let _e555 = ((_e547 & 8388607u) | 8388608u);
-                                            let _e558 = (_e555 << bitcast<u32>((_e553 & 31u)));
-                                            let _e564 = ((_e555 >> bitcast<u32>(((31u - _e553) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e547 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_614_ = array<u32, 2>(_e558, _e564);
+                                    let _e556 = local_2;
+                                    let _e559 = local_3;
+                                    let _e562 = local_4;
+                                    let _e565 = local_5;
+                                    let _e567 = (_e556.member + 0f);
+                                    let _e568 = (_e559.member_1 + 0f);
+                                    let _e569 = (_e562.member_2 + 0f);
+                                    let _e570 = (_e565.member_3 + 0f);
+                                    if (_e217 < _e84) {
+                                        if _e205 {
+                                            let _e577 = bitcast<u32>(_e567);
+                                            let _e580 = ((_e577 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e580 == 0u) {
                                             } else {
-                                                let _e570 = (~(_e558) + 1u);
-                                                if (_e570 == 0u) {
-                                                    phi_612_ = (~(_e564) + 1u);
+                                                let _e583 = (_e580 % 16u);
+                                                let _e585 = ((_e577 & 8388607u) | 8388608u);
+                                                let _e588 = (_e585 << bitcast<u32>((_e583 & 31u)));
+                                                let _e594 = ((_e585 >> bitcast<u32>(((31u - _e583) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e577 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_652_ = array<u32, 2>(_e588, _e594);
                                                 } else {
-                                                    phi_612_ = ~(_e564);
+                                                    let _e600 = (~(_e588) + 1u);
+                                                    if (_e600 == 0u) {
+                                                        phi_650_ = (~(_e594) + 1u);
+                                                    } else {
+                                                        phi_650_ = ~(_e594);
+                                                    }
+                                                    let _e606 = phi_650_;
+                                                    phi_652_ = array<u32, 2>(_e600, _e606);
                                                 }
-                                                let _e576 = phi_612_;
-                                                phi_614_ = array<u32, 2>(_e570, _e576);
-                                            }
-                                            let _e579 = phi_614_;
-                                            let _e580 = (_e550 < 255u);
-                                            if _e580 {
-                                                phi_620_ = _e579;
-                                            } else {
-                                                phi_620_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e583 = phi_620_;
-                                            let _e588 = (2u * ((select(16u, (_e550 / 16u), _e580) * _e545) + _e546));
-                                            let _e591 = atomicAdd((&global_8.member[_e588]), _e583[0]);
-                                            let _e595 = (_e583[1] + select(0u, 1u, ((_e591 + _e583[0]) < _e583[0])));
-                                            if (_e595 == 0u) {
-                                            } else {
-                                                let _e600 = atomicAdd((&global_8.member[(_e588 + 1u)]), _e595);
-                                            }
-                                        }
-                                        let _e602 = bitcast<u32>((_e528.member_1 + 0f));
-                                        let _e605 = ((_e602 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e605 == 0u) {
-                                        } else {
-                                            let _e608 = (_e605 % 16u);
-                                            let _e610 = ((_e602 & 8388607u) | 8388608u);
-                                            let _e613 = (_e610 << bitcast<u32>((_e608 & 31u)));
-                                            let _e619 = ((_e610 >> bitcast<u32>(((31u - _e608) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e602 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_675_ = array<u32, 2>(_e613, _e619);
-                                            } else {
-                                                let _e625 = (~(_e613) + 1u);
+                                                let _e609 = phi_652_;
+                                                let _e610 = (_e580 < 255u);
+                                                if _e610 {
+                                                    phi_658_ = _e609;
+                                                } else {
+                                                    phi_658_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e613 = phi_658_;
+                                                let _e618 = (2u * ((select(16u, (_e580 / 16u), _e610) * _e196) + (_e223 + _e217)));
+                                                let _e621 = atomicAdd((&global_8.member[_e618]), _e613[0]);
+                                                let _e625 = (_e613[1] + select(0u, 1u, ((_e621 + _e613[0]) < _e613[0])));
                                                 if (_e625 == 0u) {
-                                                    phi_673_ = (~(_e619) + 1u);
                                                 } else {
-                                                    phi_673_ = ~(_e619);
+                                                    let _e630 = atomicAdd((&global_8.member[(_e618 + 1u)]), _e625);
                                                 }
-                                                let _e631 = phi_673_;
-                                                phi_675_ = array<u32, 2>(_e625, _e631);
                                             }
-                                            let _e634 = phi_675_;
-                                            let _e635 = (_e605 < 255u);
-                                            if _e635 {
-                                                phi_681_ = _e634;
-                                            } else {
-                                                phi_681_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e638 = phi_681_;
-                                            let _e643 = (2u * ((select(16u, (_e605 / 16u), _e635) * _e545) + (_e546 + 1u)));
-                                            let _e646 = atomicAdd((&global_8.member[_e643]), _e638[0]);
-                                            let _e650 = (_e638[1] + select(0u, 1u, ((_e646 + _e638[0]) < _e638[0])));
-                                            if (_e650 == 0u) {
-                                            } else {
-                                                let _e655 = atomicAdd((&global_8.member[(_e643 + 1u)]), _e650);
-                                            }
-                                        }
-                                        let _e657 = bitcast<u32>((_e531.member_2 + 0f));
-                                        let _e660 = ((_e657 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e660 == 0u) {
                                         } else {
-                                            let _e663 = (_e660 % 16u);
-                                            let _e665 = ((_e657 & 8388607u) | 8388608u);
-                                            let _e668 = (_e665 << bitcast<u32>((_e663 & 31u)));
-                                            let _e674 = ((_e665 >> bitcast<u32>(((31u - _e663) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e657 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_736_ = array<u32, 2>(_e668, _e674);
-                                            } else {
-                                                let _e680 = (~(_e668) + 1u);
-                                                if (_e680 == 0u) {
-                                                    phi_734_ = (~(_e674) + 1u);
-                                                } else {
-                                                    phi_734_ = ~(_e674);
-                                                }
-                                                let _e686 = phi_734_;
-                                                phi_736_ = array<u32, 2>(_e680, _e686);
-                                            }
-                                            let _e689 = phi_736_;
-                                            let _e690 = (_e660 < 255u);
-                                            if _e690 {
-                                                phi_742_ = _e689;
-                                            } else {
-                                                phi_742_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e693 = phi_742_;
-                                            let _e698 = (2u * ((select(16u, (_e660 / 16u), _e690) * _e545) + (_e546 + 2u)));
-                                            let _e701 = atomicAdd((&global_8.member[_e698]), _e693[0]);
-                                            let _e705 = (_e693[1] + select(0u, 1u, ((_e701 + _e693[0]) < _e693[0])));
-                                            if (_e705 == 0u) {
-                                            } else {
-                                                let _e710 = atomicAdd((&global_8.member[(_e698 + 1u)]), _e705);
-                                            }
+                                            global_6.member[((_e211 + _e223) + _e217)] = _e567;
                                         }
-                                        let _e712 = bitcast<u32>((_e534.member_3 + 0f));
-                                        let _e715 = ((_e712 >> bitcast<u32>(23i)) & 255u);
-                                        if (_e715 == 0u) {
+                                    }
+                                    let _e631 = (_e217 + 1u);
+                                    if (_e631 < _e84) {
+                                        if _e205 {
+                                            let _e638 = bitcast<u32>(_e568);
+                                            let _e641 = ((_e638 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e641 == 0u) {
+                                            } else {
+                                                let _e644 = (_e641 % 16u);
+                                                let _e646 = ((_e638 & 8388607u) | 8388608u);
+                                                let _e649 = (_e646 << bitcast<u32>((_e644 & 31u)));
+                                                let _e655 = ((_e646 >> bitcast<u32>(((31u - _e644) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e638 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_724_ = array<u32, 2>(_e649, _e655);
+                                                } else {
+                                                    let _e661 = (~(_e649) + 1u);
+                                                    if (_e661 == 0u) {
+                                                        phi_722_ = (~(_e655) + 1u);
+                                                    } else {
+                                                        phi_722_ = ~(_e655);
+                                                    }
+                                                    let _e667 = phi_722_;
+                                                    phi_724_ = array<u32, 2>(_e661, _e667);
+                                                }
+                                                let _e670 = phi_724_;
+                                                let _e671 = (_e641 < 255u);
+                                                if _e671 {
+                                                    phi_730_ = _e670;
+                                                } else {
+                                                    phi_730_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e674 = phi_730_;
+                                                let _e679 = (2u * ((select(16u, (_e641 / 16u), _e671) * _e196) + (_e223 + _e631)));
+                                                let _e682 = atomicAdd((&global_8.member[_e679]), _e674[0]);
+                                                let _e686 = (_e674[1] + select(0u, 1u, ((_e682 + _e674[0]) < _e674[0])));
+                                                if (_e686 == 0u) {
+                                                } else {
+                                                    let _e691 = atomicAdd((&global_8.member[(_e679 + 1u)]), _e686);
+                                                }
+                                            }
                                         } else {
-                                            let _e718 = (_e715 % 16u);
-                                            let _e720 = ((_e712 & 8388607u) | 8388608u);
-                                            let _e723 = (_e720 << bitcast<u32>((_e718 & 31u)));
-                                            let _e729 = ((_e720 >> bitcast<u32>(((31u - _e718) & 31u))) >> bitcast<u32>(1i));
-                                            if ((_e712 >> bitcast<u32>(31i)) == 0u) {
-                                                phi_797_ = array<u32, 2>(_e723, _e729);
-                                            } else {
-                                                let _e735 = (~(_e723) + 1u);
-                                                if (_e735 == 0u) {
-                                                    phi_795_ = (~(_e729) + 1u);
-                                                } else {
-                                                    phi_795_ = ~(_e729);
-                                                }
-                                                let _e741 = phi_795_;
-                                                phi_797_ = array<u32, 2>(_e735, _e741);
-                                            }
-                                            let _e744 = phi_797_;
-                                            let _e745 = (_e715 < 255u);
-                                            if _e745 {
-                                                phi_803_ = _e744;
-                                            } else {
-                                                phi_803_ = array<u32, 2>(1u, 0u);
-                                            }
-                                            let _e748 = phi_803_;
-                                            let _e753 = (2u * ((select(16u, (_e715 / 16u), _e745) * _e545) + (_e546 + 3u)));
-                                            let _e756 = atomicAdd((&global_8.member[_e753]), _e748[0]);
-                                            let _e760 = (_e748[1] + select(0u, 1u, ((_e756 + _e748[0]) < _e748[0])));
-                                            if (_e760 == 0u) {
-                                            } else {
-                                                let _e765 = atomicAdd((&global_8.member[(_e753 + 1u)]), _e760);
-                                            }
+                                            global_6.member[((_e211 + _e223) + _e631)] = _e568;
                                         }
-                                    } else {
-                                        global_6.member[(_e204 + _e217)] = (vec4<f32>(_e525.member, _e528.member_1, _e531.member_2, _e534.member_3) + vec4<f32>(0f, 0f, 0f, 0f));
+                                    }
+                                    let _e692 = (_e217 + 2u);
+                                    if (_e692 < _e84) {
+                                        if _e205 {
+                                            let _e699 = bitcast<u32>(_e569);
+                                            let _e702 = ((_e699 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e702 == 0u) {
+                                            } else {
+                                                let _e705 = (_e702 % 16u);
+                                                let _e707 = ((_e699 & 8388607u) | 8388608u);
+                                                let _e710 = (_e707 << bitcast<u32>((_e705 & 31u)));
+                                                let _e716 = ((_e707 >> bitcast<u32>(((31u - _e705) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e699 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_796_ = array<u32, 2>(_e710, _e716);
+                                                } else {
+                                                    let _e722 = (~(_e710) + 1u);
+                                                    if (_e722 == 0u) {
+                                                        phi_794_ = (~(_e716) + 1u);
+                                                    } else {
+                                                        phi_794_ = ~(_e716);
+                                                    }
+                                                    let _e728 = phi_794_;
+                                                    phi_796_ = array<u32, 2>(_e722, _e728);
+                                                }
+                                                let _e731 = phi_796_;
+                                                let _e732 = (_e702 < 255u);
+                                                if _e732 {
+                                                    phi_802_ = _e731;
+                                                } else {
+                                                    phi_802_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e735 = phi_802_;
+                                                let _e740 = (2u * ((select(16u, (_e702 / 16u), _e732) * _e196) + (_e223 + _e692)));
+                                                let _e743 = atomicAdd((&global_8.member[_e740]), _e735[0]);
+                                                let _e747 = (_e735[1] + select(0u, 1u, ((_e743 + _e735[0]) < _e735[0])));
+                                                if (_e747 == 0u) {
+                                                } else {
+                                                    let _e752 = atomicAdd((&global_8.member[(_e740 + 1u)]), _e747);
+                                                }
+                                            }
+                                        } else {
+                                            global_6.member[((_e211 + _e223) + _e692)] = _e569;
+                                        }
+                                    }
+                                    let _e753 = (_e217 + 3u);
+                                    if (_e753 < _e84) {
+                                        if _e205 {
+                                            let _e760 = bitcast<u32>(_e570);
+                                            let _e763 = ((_e760 >> bitcast<u32>(23i)) & 255u);
+                                            if (_e763 == 0u) {
+                                            } else {
+                                                let _e766 = (_e763 % 16u);
+                                                let _e768 = ((_e760 & 8388607u) | 8388608u);
+                                                let _e771 = (_e768 << bitcast<u32>((_e766 & 31u)));
+                                                let _e777 = ((_e768 >> bitcast<u32>(((31u - _e766) & 31u))) >> bitcast<u32>(1i));
+                                                if ((_e760 >> bitcast<u32>(31i)) == 0u) {
+                                                    phi_868_ = array<u32, 2>(_e771, _e777);
+                                                } else {
+                                                    let _e783 = (~(_e771) + 1u);
+                                                    if (_e783 == 0u) {
+                                                        phi_866_ = (~(_e777) + 1u);
+                                                    } else {
+                                                        phi_866_ = ~(_e777);
+                                                    }
+                                                    let _e789 = phi_866_;
+                                                    phi_868_ = array<u32, 2>(_e783, _e789);
+                                                }
+                                                let _e792 = phi_868_;
+                                                let _e793 = (_e763 < 255u);
+                                                if _e793 {
+                                                    phi_874_ = _e792;
+                                                } else {
+                                                    phi_874_ = array<u32, 2>(1u, 0u);
+                                                }
+                                                let _e796 = phi_874_;
+                                                let _e801 = (2u * ((select(16u, (_e763 / 16u), _e793) * _e196) + (_e223 + _e753)));
+                                                let _e804 = atomicAdd((&global_8.member[_e801]), _e796[0]);
+                                                let _e808 = (_e796[1] + select(0u, 1u, ((_e804 + _e796[0]) < _e796[0])));
+                                                if (_e808 == 0u) {
+                                                } else {
+                                                    let _e813 = atomicAdd((&global_8.member[(_e801 + 1u)]), _e808);
+                                                }
+                                            }
+                                        } else {
+                                            global_6.member[((_e211 + _e223) + _e753)] = _e570;
+                                        }
                                     }
                                 }
-                                phi_218_ = _e178;
-                                phi_221_ = _e187;
-                                phi_223_ = _e182;
+                                phi_231_ = _e183;
+                                phi_234_ = _e192;
+                                phi_236_ = _e187;
                             }
-                            let _e2648 = phi_218_;
-                            let _e2650 = phi_221_;
-                            let _e2652 = phi_223_;
-                            local_24 = _e2648;
-                            local_25 = _e2650;
-                            local_27 = _e2652;
+                            let _e2846 = phi_231_;
+                            let _e2848 = phi_234_;
+                            let _e2850 = phi_236_;
+                            local_24 = _e2846;
+                            local_25 = _e2848;
+                            local_27 = _e2850;
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e2671 = local_24;
-                            phi_217_ = _e2671;
-                            let _e2674 = local_25;
-                            phi_220_ = _e2674;
-                            let _e2679 = local_27;
-                            phi_222_ = _e2679;
+                            let _e2869 = local_24;
+                            phi_230_ = _e2869;
+                            let _e2872 = local_25;
+                            phi_233_ = _e2872;
+                            let _e2877 = local_27;
+                            phi_235_ = _e2877;
                         }
                     }
                 }

@@ -588,22 +588,22 @@ fn add_slice<L: Lane>(
         } else {
             rests
         };
-        add_sums(params, carry, sum, part, to, outputs, total(sum0, rest0));
+        add_sums::<true>(params, carry, sum, part, to, outputs, total(sum0, rest0));
         if first + 1 < inputs {
-            add_sums(params, carry, sum, part, to1, outputs, total(sum1, rest1));
+            add_sums::<true>(params, carry, sum, part, to1, outputs, total(sum1, rest1));
         }
         if first + 2 < inputs {
-            add_sums(params, carry, sum, part, to2, outputs, total(sum2, rest2));
+            add_sums::<true>(params, carry, sum, part, to2, outputs, total(sum2, rest2));
         }
         if first + 3 < inputs {
-            add_sums(params, carry, sum, part, to3, outputs, total(sum3, rest3));
+            add_sums::<true>(params, carry, sum, part, to3, outputs, total(sum3, rest3));
         }
     } else {
         let to = 4 * params.bias;
         let begin_lanes = begin_sum::<L>(carry, part.before + to, outputs, of_lanes);
         let begin_rest = begin_sum::<L::One>(carry, part.before + to, outputs, of_rest);
         let of_column = sum_column::<L>(begin_lanes, begin_rest, output_gradient, g, stride, range);
-        add_sums(params, carry, sum, part, to, outputs, of_column);
+        add_sums::<true>(params, carry, sum, part, to, outputs, of_column);
     }
 }
 
@@ -628,9 +628,9 @@ fn sum_column<L: Lane>(
 }
 
 /// Adds four sums of a slice to those of all slices, or leaves them for the next chunk: of a row of parameters that begins
-/// at `to`.
+/// at `to`. The layer has them all if they are `WHOLE`.
 #[inline(always)]
-pub fn add_sums(
+pub fn add_sums<const WHOLE: bool>(
     params: &DenseWeightBackwardParams,
     carry: Write<f32>,
     sum: Write<u32>,
@@ -640,15 +640,15 @@ pub fn add_sums(
     value: Vec4,
 ) {
     let Outputs { first, step, end } = outputs;
-    add_sum(params, carry, sum, part, to, [first, end], value.x);
-    add_sum(params, carry, sum, part, to, [first + step, end], value.y);
-    add_sum(params, carry, sum, part, to, [first + 2 * step, end], value.z);
-    add_sum(params, carry, sum, part, to, [first + 3 * step, end], value.w);
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first, end], value.x);
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first + step, end], value.y);
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first + 2 * step, end], value.z);
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first + 3 * step, end], value.w);
 }
 
 /// As [`add_sums`], of one output, if the layer has it.
 #[inline(always)]
-fn add_sum(
+fn add_sum<const WHOLE: bool>(
     params: &DenseWeightBackwardParams,
     carry: Write<f32>,
     sum: Write<u32>,
@@ -657,7 +657,7 @@ fn add_sum(
     [output, end]: [u32; 2],
     value: f32,
 ) {
-    if output < end {
+    if WHOLE || output < end {
         if part.is_whole {
             binned::add(sum, 4 * params.parameters, to + output, value);
         } else {
@@ -1005,6 +1005,8 @@ mod tests {
                 sum
             });
             assert_eq!(sum, sum_shared, "{samples} samples, {inputs} inputs");
+            // the helpers' loops count on, outside of the kernel
+            muslin::kernel::allow_iterations(u32::MAX);
             for index in 0..4 * parameters {
                 let place = index / 4;
                 let row = place / columns;

@@ -74,6 +74,7 @@ fn weights_of(params: &DenseWeightBackwardParams, input: u32) -> u32 {
 
 /// Adds what a workgroup's tile has of a slice; of one that ends in another chunk, leaves it in `carry`.
 #[inline(always)]
+#[allow(clippy::too_many_arguments)]
 pub fn add_tile(
     id: Invocation,
     params: &DenseWeightBackwardParams,
@@ -100,7 +101,7 @@ pub fn add_tile(
     add_rows(params, carry, sum, part, outputs, input, sums);
     add_rows(params, carry, sum, part, outputs, next, more);
     if has_bias {
-        add_sums(params, carry, sum, part, bias, outputs, rounded(biases));
+        add_sums::<false>(params, carry, sum, part, bias, outputs, rounded(biases));
     }
 }
 
@@ -154,7 +155,7 @@ fn add_row(
 ) {
     if input < params.inputs {
         let to = weights_of(params, input);
-        add_sums(params, carry, sum, part, to, outputs, rounded(value));
+        add_sums::<false>(params, carry, sum, part, to, outputs, rounded(value));
     }
 }
 
@@ -167,6 +168,7 @@ fn rounded(value: LaneVec4<f32>) -> Vec4 {
 /// Sums of an invocation over a range of samples.
 #[loops]
 #[inline(always)]
+#[allow(clippy::too_many_arguments)]
 fn sum_tile(
     id: Invocation,
     params: &DenseWeightBackwardParams,

@@ -555,8 +555,7 @@ fn add_slice<L: Lane>(
     carry: Write<f32>,
     sum: Write<u32>,
 ) {
-    let columns = params.columns;
-    let inputs = params.inputs;
+    let [inputs, columns] = [params.inputs, params.columns];
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
     // one lane goes on where the chunk before has ended: the sum does not depend on where that was
     let of_lanes = part.continues && L::WIDTH == 1;

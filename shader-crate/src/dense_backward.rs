@@ -6,6 +6,9 @@
 use glam::Vec4;
 
 use crate::limits::{MAX_CAMERAS, MAX_HIDDEN_WIDTH, MAX_SLICE};
+#[cfg(not(target_arch = "spirv"))]
+use crate::weight_tile::tiles;
+use crate::weight_tile::{STAGED, add_tile, tile_of};
 use muslin::binned;
 use muslin::lane_vec4::LaneVec4;
 use muslin::prelude::*;
@@ -73,7 +76,7 @@ fn read_column<S: Samples>(buffer: ReadFours<f32>, first: u32, stride: u32) -> L
 
 /// The smaller of two numbers.
 #[inline(always)]
-fn least(a: u32, b: u32) -> u32 {
+pub fn least(a: u32, b: u32) -> u32 {
     if a < b { a } else { b }
 }
 
@@ -273,14 +276,17 @@ fn add_scaled<L: Lane>(sum: LaneVec4<L>, x: L, g: LaneVec4<L>) -> LaneVec4<L> {
 }
 
 /// Samples whose values are read together where [`Lane::READS_FOUR`]. Rows are then counted in fours.
-const FEW: u32 = 4;
+pub const FEW: u32 = 4;
 
 /// Where a few samples lie, in fours, and the range of those that count.
 #[derive(Clone, Copy)]
-struct Few {
-    at: u32,
-    begin: u32,
-    end: u32,
+pub struct Few {
+    /// Where they lie.
+    pub at: u32,
+    /// The first sample that counts.
+    pub begin: u32,
+    /// The last one, and one.
+    pub end: u32,
 }
 
 impl Few {
@@ -318,7 +324,7 @@ fn read_few<L: Lane, const WHOLE: bool>(
 
 /// A few values of a row, and zeros for those that do not count.
 #[inline(always)]
-fn few_of_row<L: Lane, const WHOLE: bool>(
+pub fn few_of_row<L: Lane, const WHOLE: bool>(
     rows: ReadFours<f32>,
     row: u32,
     few: Few,
@@ -337,7 +343,7 @@ fn few_of_row<L: Lane, const WHOLE: bool>(
 
 /// [`add_scaled`] of a few samples, one after another.
 #[inline(always)]
-fn add_few<L: Lane>(
+pub fn add_few<L: Lane>(
     sum: LaneVec4<L>,
     [x0, x1, x2, x3]: [L; FEW as usize],
     [g0, g1, g2, g3]: [LaneVec4<L>; FEW as usize],
@@ -356,7 +362,7 @@ pub fn add<L: Lane>(sum: LaneVec4<L>, g: LaneVec4<L>) -> LaneVec4<L> {
 
 /// The sum of all lanes, and of the samples that were left over.
 #[inline(always)]
-fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
+pub fn total<L: Lane, M: Lane>(sum: LaneVec4<L>, rest: LaneVec4<M>) -> Vec4 {
     Vec4::new(
         sum.x.sum() + rest.x.sum(),
         sum.y.sum() + rest.y.sum(),
@@ -386,9 +392,11 @@ fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'
 /// before.
 ///
 /// `first_pair [cameras, words] + 1`; `first_sample [pairs + 1]`, which is not read for pairs; `input [inputs, stride]`,
-/// `output_gradient [4 columns, stride]`; `carry [2, parameters]`, the sums of a slice that ends in another chunk;
+/// `output_gradient [4 columns, stride]`; `carry [2, 4 parameters]`, the sums of a slice that ends in another chunk;
 /// `sum [17, 4 parameters, 2]`.
-#[kernel(threads(64), iterations = 2 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
+///
+/// In the variant, a workgroup takes a [tile](crate::weight_tile) of the weights.
+#[kernel(threads(64), iterations = 4 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,
@@ -396,17 +404,19 @@ pub fn dense_weight_backward<L: Lane>(
     first_sample: Read<u32>,
     input: ReadFours<f32>,
     output_gradient: ReadFours<f32>,
-    carry: Write<Vec4>,
+    carry: Write<f32>,
     sum: Write<u32>,
+    staged: &mut impl SharedTile<Vec4, STAGED>,
 ) {
-    let index = id.index();
-    let columns = params.columns;
     let slice = params.slice;
     let blocks = (params.inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
-    let place = place_of(index, columns);
+    let place = place_of(id.index(), params.columns);
+    let tile = tile_of(params, id.workgroup_index());
+    // all invocations of a workgroup wait for each other, those without weights too
+    let has_part = if staged.is_shared() { tile[0] < params.inputs } else { place[0] <= blocks };
     let end = params.first_sample + params.samples;
     let window = params.first_sample + id.workgroup.z * slice;
-    if place[0] <= blocks && window < end {
+    if has_part && window < end {
         let stop = least(window + slice, end);
         let mut camera = camera_of(params, first_pair, first_sample, window);
         let begin = first_of(params, first_pair, first_sample, camera);
@@ -421,17 +431,26 @@ pub fn dense_weight_backward<L: Lane>(
                 camera_end = first_of(params, first_pair, first_sample, camera + 1);
             } else {
                 let last = least(first + slice, camera_end);
-                add_slice::<L>(params, place, [first, last], input, output_gradient, carry, sum);
+                let part = part_of(params, [first, last]);
+                if staged.is_shared() {
+                    let rows = [input, output_gradient];
+                    add_tile(id, params, tile, part, rows, carry, sum, staged);
+                } else {
+                    add_slice::<L>(params, place, part, input, output_gradient, carry, sum);
+                }
                 first = last;
             }
         }
     }
 }
 
-/// Invocations of [`dense_weight_backward`] for a layer: neighbors take four blocks of inputs together.
+/// Invocations of [`dense_weight_backward`] for a layer: neighbors take four blocks of inputs together. The variant needs no
+/// more, but for narrow layers of many inputs.
 #[cfg(not(target_arch = "spirv"))]
 pub fn weight_invocations(inputs: u32, columns: u32) -> u32 {
-    (inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1).next_multiple_of(BLOCKS_TOGETHER) * columns
+    let blocks = inputs.div_ceil(WEIGHT_ROWS_PER_INVOCATION) + 1;
+    let plain = blocks.next_multiple_of(BLOCKS_TOGETHER) * columns;
+    plain.max(64 * tiles(inputs, columns))
 }
 
 /// Blocks of inputs of which neighboring invocations take eight columns each.
@@ -482,73 +501,108 @@ fn camera_of(
     low
 }
 
+/// What a chunk has of a slice.
+#[derive(Clone, Copy)]
+pub struct SlicePart {
+    /// The first sample, counted from the chunk's.
+    pub begin: u32,
+    /// The last one, and one.
+    pub end: u32,
+    /// Whether the slice begins in the chunk before: its sums go on.
+    pub continues: bool,
+    /// Whether it ends in this one.
+    pub is_whole: bool,
+    /// Where in `carry` the chunk before has left its sums.
+    pub before: u32,
+    /// Where this one leaves them.
+    pub after: u32,
+}
+
+/// The part of the slice from a sample to another one.
+#[inline(always)]
+fn part_of(params: &DenseWeightBackwardParams, [first, last]: [u32; 2]) -> SlicePart {
+    let chunk = params.first_sample;
+    let values = 4 * params.parameters;
+    SlicePart {
+        begin: if first > chunk { first - chunk } else { 0 },
+        end: least(last - chunk, params.samples),
+        continues: first < chunk,
+        is_whole: last <= chunk + params.samples,
+        before: params.turn * values,
+        after: (1 - params.turn) * values,
+    }
+}
+
+/// Four outputs of a layer: every `step`th from `first` on, of those before `end`.
+#[derive(Clone, Copy)]
+pub struct Outputs {
+    /// The first one.
+    pub first: u32,
+    /// Distance of two.
+    pub step: u32,
+    /// The outputs of the layer.
+    pub end: u32,
+}
+
 /// Adds what an invocation has of a slice; of one that ends in another chunk, leaves it in `carry`.
 #[inline(always)]
 fn add_slice<L: Lane>(
     params: &DenseWeightBackwardParams,
     [block, column]: [u32; 2],
-    [first, last]: [u32; 2],
+    part: SlicePart,
     input: ReadFours<f32>,
     output_gradient: ReadFours<f32>,
-    carry: Write<Vec4>,
+    carry: Write<f32>,
     sum: Write<u32>,
 ) {
-    let columns = params.columns;
-    let inputs = params.inputs;
-    let chunk = params.first_sample;
+    let [inputs, columns] = [params.inputs, params.columns];
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
-    // counted from the chunk's first sample
-    let begin = if first > chunk { first - chunk } else { 0 };
-    let end = least(last - chunk, params.samples);
-    let before = params.turn * params.parameters;
-    let after = (1 - params.turn) * params.parameters;
-    let is_whole = last <= chunk + params.samples;
     // one lane goes on where the chunk before has ended: the sum does not depend on where that was
-    let continues = first < chunk;
-    let of_lanes = continues && L::WIDTH == 1;
-    let of_rest = continues && L::WIDTH > 1;
-    let range = [begin, end];
+    let of_lanes = part.continues && L::WIDTH == 1;
+    let of_rest = part.continues && L::WIDTH > 1;
+    let range = [part.begin, part.end];
     let stride = params.stride;
     let g = 4 * column * stride;
+    let outputs = Outputs { first: 4 * column, step: 1, end: 4 * columns };
     if block < blocks {
         let first = block * WEIGHT_ROWS_PER_INVOCATION;
-        let to = params.weight + first * columns + column;
+        let to = 4 * (params.weight + first * columns);
         // inputs past the last repeat it
-        let to1 = to + least(1, inputs - 1 - first) * columns;
-        let to2 = to + least(2, inputs - 1 - first) * columns;
-        let to3 = to + least(3, inputs - 1 - first) * columns;
-        let from = [before + to, before + to1, before + to2, before + to3];
+        let to1 = to + 4 * least(1, inputs - 1 - first) * columns;
+        let to2 = to + 4 * least(2, inputs - 1 - first) * columns;
+        let to3 = to + 4 * least(3, inputs - 1 - first) * columns;
+        let from = [part.before + to, part.before + to1, part.before + to2, part.before + to3];
         let rows = input_rows(params, first);
-        let sums = begin_sums::<L>(carry, from, of_lanes);
+        let sums = begin_sums::<L>(carry, from, outputs, of_lanes);
         let ([sum0, sum1, sum2, sum3], sample) =
             sum_products::<L>(sums, input, rows, output_gradient, g, stride, range);
         let sum0 = sum0.materialize();
         let sum1 = sum1.materialize();
         let sum2 = sum2.materialize();
         let sum3 = sum3.materialize();
-        let rests = begin_sums::<L::One>(carry, from, of_rest);
-        let range = [sample, end];
+        let rests = begin_sums::<L::One>(carry, from, outputs, of_rest);
+        let range = [sample, part.end];
         let [rest0, rest1, rest2, rest3] = if L::WIDTH > 1 {
             sum_each::<L::One>(rests, input, rows, output_gradient, g, stride, range).0
         } else {
             rests
         };
-        add_sum(params, carry, sum, is_whole, after, to, total(sum0, rest0));
+        add_sums::<true>(params, carry, sum, part, to, outputs, total(sum0, rest0));
         if first + 1 < inputs {
-            add_sum(params, carry, sum, is_whole, after, to1, total(sum1, rest1));
+            add_sums::<true>(params, carry, sum, part, to1, outputs, total(sum1, rest1));
         }
         if first + 2 < inputs {
-            add_sum(params, carry, sum, is_whole, after, to2, total(sum2, rest2));
+            add_sums::<true>(params, carry, sum, part, to2, outputs, total(sum2, rest2));
         }
         if first + 3 < inputs {
-            add_sum(params, carry, sum, is_whole, after, to3, total(sum3, rest3));
+            add_sums::<true>(params, carry, sum, part, to3, outputs, total(sum3, rest3));
         }
     } else {
-        let to = params.bias + column;
-        let begin_lanes = begin_sum::<L>(carry, before + to, of_lanes);
-        let begin_rest = begin_sum::<L::One>(carry, before + to, of_rest);
+        let to = 4 * params.bias;
+        let begin_lanes = begin_sum::<L>(carry, part.before + to, outputs, of_lanes);
+        let begin_rest = begin_sum::<L::One>(carry, part.before + to, outputs, of_rest);
         let of_column = sum_column::<L>(begin_lanes, begin_rest, output_gradient, g, stride, range);
-        add_sum(params, carry, sum, is_whole, after, to, of_column);
+        add_sums::<true>(params, carry, sum, part, to, outputs, of_column);
     }
 }
 
@@ -572,42 +626,79 @@ fn sum_column<L: Lane>(
     total(lanes, rest)
 }
 
-/// Adds four sums of a slice to those of all slices, or leaves them for the next chunk.
+/// Adds four sums of a slice to those of all slices, or leaves them for the next chunk: of a row of parameters that begins
+/// at `to`. The layer has them all if they are `WHOLE`.
 #[inline(always)]
-fn add_sum(
+pub fn add_sums<const WHOLE: bool>(
     params: &DenseWeightBackwardParams,
-    carry: Write<Vec4>,
+    carry: Write<f32>,
     sum: Write<u32>,
-    is_whole: bool,
-    after: u32,
+    part: SlicePart,
     to: u32,
+    outputs: Outputs,
     value: Vec4,
 ) {
-    if is_whole {
-        let values = 4 * params.parameters;
-        binned::add(sum, values, 4 * to, value.x);
-        binned::add(sum, values, 4 * to + 1, value.y);
-        binned::add(sum, values, 4 * to + 2, value.z);
-        binned::add(sum, values, 4 * to + 3, value.w);
-    } else {
-        carry.write(after + to, value);
+    let Outputs { first, step, end } = outputs;
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first, end], value.x);
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first + step, end], value.y);
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first + 2 * step, end], value.z);
+    add_sum::<WHOLE>(params, carry, sum, part, to, [first + 3 * step, end], value.w);
+}
+
+/// As [`add_sums`], of one output, if the layer has it.
+#[inline(always)]
+fn add_sum<const WHOLE: bool>(
+    params: &DenseWeightBackwardParams,
+    carry: Write<f32>,
+    sum: Write<u32>,
+    part: SlicePart,
+    to: u32,
+    [output, end]: [u32; 2],
+    value: f32,
+) {
+    if WHOLE || output < end {
+        if part.is_whole {
+            binned::add(sum, 4 * params.parameters, to + output, value);
+        } else {
+            carry.write(part.after + to + output, value);
+        }
     }
 }
 
-/// The start of a sum: zeros, or the sum of the chunk before.
+/// The start of four sums: zeros, or the sums of the chunk before, of a row of parameters. Outputs past the last repeat it.
 #[inline(always)]
-fn begin_sum<L: Lane>(carry: Write<Vec4>, at: u32, continues: bool) -> LaneVec4<L> {
-    LaneVec4::<L>::splat(if continues { carry.read(at) } else { Vec4::ZERO })
+pub fn begin_sum<L: Lane>(
+    carry: Write<f32>,
+    row: u32,
+    outputs: Outputs,
+    continues: bool,
+) -> LaneVec4<L> {
+    let Outputs { first, step, end } = outputs;
+    LaneVec4::<L>::splat(if continues {
+        Vec4::new(
+            carry.read(row + least(first, end - 1)),
+            carry.read(row + least(first + step, end - 1)),
+            carry.read(row + least(first + 2 * step, end - 1)),
+            carry.read(row + least(first + 3 * step, end - 1)),
+        )
+    } else {
+        Vec4::ZERO
+    })
 }
 
-/// As [`begin_sum`], for four sums.
+/// As [`begin_sum`], for four rows.
 #[inline(always)]
-fn begin_sums<L: Lane>(carry: Write<Vec4>, at: [u32; 4], continues: bool) -> [LaneVec4<L>; 4] {
+pub fn begin_sums<L: Lane>(
+    carry: Write<f32>,
+    rows: [u32; 4],
+    outputs: Outputs,
+    continues: bool,
+) -> [LaneVec4<L>; 4] {
     [
-        begin_sum(carry, at[0], continues),
-        begin_sum(carry, at[1], continues),
-        begin_sum(carry, at[2], continues),
-        begin_sum(carry, at[3], continues),
+        begin_sum(carry, rows[0], outputs, continues),
+        begin_sum(carry, rows[1], outputs, continues),
+        begin_sum(carry, rows[2], outputs, continues),
+        begin_sum(carry, rows[3], outputs, continues),
     ]
 }
 
@@ -770,6 +861,8 @@ mod tests {
     use std::vec::Vec;
 
     use glam::UVec3;
+    use muslin::shared_tile::Unshared;
+    use muslin::workgroup::{SharedMemory, Workgroup};
 
     use super::*;
     use crate::dense::{DenseParams, dense};
@@ -843,14 +936,26 @@ mod tests {
         }
     }
 
-    /// As above: slices that begin and end anywhere, and what a GPU reads together.
+    /// The invocations of workgroups.
+    fn run(workgroups: [u32; 3], invocation: impl Fn(Invocation, Shared<Vec4, STAGED>)) {
+        for z in 0..workgroups[2] {
+            for x in 0..workgroups[0] {
+                let staged = SharedMemory::new();
+                let workgroup = Workgroup::new([64, 1, 1]).at([x, 0, z], workgroups);
+                workgroup.run(|id| invocation(id, staged.view()));
+            }
+        }
+    }
+
+    /// As above: slices that begin and end anywhere, and what a GPU reads together. The variant adds the same bits.
     #[test]
     fn weights_are_summed_slice_by_slice() {
         let sizes = [(1, 9), (3, 9), (4, 4), (70, 33), (64, 7), (12, 1), (11, 3)];
-        for ((samples, slice), columns) in sizes.into_iter().flat_map(|size| [(size, 2), (size, 8)])
+        let layers = [(6, 2), (6, 8), (67, 9)];
+        for ((samples, slice), (inputs, columns)) in
+            sizes.into_iter().flat_map(|size| layers.map(|layer| (size, layer)))
         {
             let stride = (samples + 3_u32).next_multiple_of(4);
-            let inputs = 6;
             let parameters = (inputs + 1) * columns;
             let params = DenseWeightBackwardParams {
                 samples,
@@ -869,21 +974,38 @@ mod tests {
             };
             let input = numbers(inputs * stride);
             let gradient = numbers(4 * columns * stride);
-            let mut carry = vec![Vec4::ZERO; 2 * parameters as usize];
-            let mut sum = vec![0_u32; (2 * binned::ROWS * 4 * parameters) as usize];
-            for id in (0..samples.div_ceil(slice) + 1).flat_map(invocations) {
-                dense_weight_backward::<f32>(
-                    id,
-                    &params,
-                    Read::from(&[0, samples][..]),
-                    Read::from(&[0][..]),
-                    Read::from(&input[..]),
-                    Read::from(&gradient[..]),
-                    Write::from(&mut carry[..]),
-                    Write::from(&mut sum[..]),
-                );
-            }
-            assert!(carry.iter().all(|carried| *carried == Vec4::ZERO), "every slice is whole");
+            let [mut sum, sum_shared] = [false, true].map(|is_shared| {
+                let mut carry = vec![0.0; 8 * parameters as usize];
+                let mut sum = vec![0_u32; (2 * binned::ROWS * 4 * parameters) as usize];
+                let workgroups = [
+                    weight_invocations(inputs, columns).div_ceil(64),
+                    1,
+                    samples.div_ceil(slice) + 1,
+                ];
+                let views = (Write::from(&mut carry[..]), Write::from(&mut sum[..]));
+                let pairs = [0, samples];
+                let reads = (Read::from(&pairs[..]), Read::from(&[0][..]));
+                let rows = (Read::from(&input[..]), Read::from(&gradient[..]));
+                run(workgroups, |id, mut staged| {
+                    let ((pair, sample), (x, g), (carry, sum)) = (reads, rows, views);
+                    if is_shared {
+                        let staged = &mut staged;
+                        dense_weight_backward::<f32>(
+                            id, &params, pair, sample, x, g, carry, sum, staged,
+                        );
+                    } else {
+                        let staged = &mut Unshared;
+                        dense_weight_backward::<f32>(
+                            id, &params, pair, sample, x, g, carry, sum, staged,
+                        );
+                    }
+                });
+                assert!(carry.iter().all(|carried| *carried == 0.0), "every slice is whole");
+                sum
+            });
+            assert_eq!(sum, sum_shared, "{samples} samples, {inputs} inputs");
+            // the helpers' loops count on, outside of the kernel
+            muslin::kernel::allow_iterations(u32::MAX);
             for index in 0..4 * parameters {
                 let place = index / 4;
                 let row = place / columns;

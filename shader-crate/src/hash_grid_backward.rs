@@ -47,7 +47,7 @@ pub fn hash_grid_backward<L: Lane>(
     position: Read<f32>,
     feature_gradient: Read<f32>,
     scale: Read<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     touched: Write<u32>,
     status: Write<u32>,
 ) {

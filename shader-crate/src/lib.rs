@@ -50,3 +50,4 @@ pub mod tile_cells;
 pub mod transmittance;
 pub mod transmittance_backward;
 pub mod unit_cube;
+pub mod weight_tile;

@@ -5,7 +5,7 @@ use muslin::kernel::{
     MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS, workgroup_bytes,
 };
 use muslin_check::Rounding;
-use organza::{DeviceOptions, Renderer, SpirvPath};
+use organza::{DeviceOptions, InstructionSet, Renderer, SpirvPath};
 use organza_tests::compare::assert_close;
 use organza_tests::{cases, devices};
 
@@ -40,6 +40,20 @@ fn variants_match_plain_kernels() {
     }
 }
 
+/// A driver may compile each entry point of a `fused` kernel differently. The CPU shows that both add the same numbers in the
+/// same order, one lane at a time.
+#[test]
+fn a_fused_variant_adds_in_the_order_of_the_plain_kernel() {
+    let [plain, variants] = [devices::with(InstructionSet::Scalar), devices::checked_variants()];
+    let cases = organza_parity::cases();
+    let case = cases.iter().find(|case| case.kernel == "dense_weight_backward").expect("a case");
+    assert_ne!(case.entry_point(&variants), case.entry_point(&plain));
+    let measure = case.measure(&plain, &variants, Rounding::AsWritten).expect("it runs");
+    assert!(measure.values > 0);
+    assert_eq!(measure.absolute.value, 0.0, "{measure:?}");
+    assert_eq!(measure.share.value, 0.0, "{measure:?}");
+}
+
 #[test]
 fn tiles_of_variants_match_the_reference() {
     let all = cases::all();
@@ -72,8 +86,13 @@ fn a_device_names_the_kernels_it_runs() {
         for kernel in muslin::kernels() {
             assert_eq!(plain.entry_point(kernel).name, kernel.name, "{name}");
         }
-        let Some(composite) = kernel("composite").variant else { panic!("it has a variant") };
-        assert_eq!(variants.entry_point(kernel("composite")).name, composite.name, "{name}");
+        assert_eq!(variants.entry_point(kernel("composite")).name, "composite_shared", "{name}");
+        // naga's path asks for no 64-bit atomics
+        let is_wide = variants.choice().contains("64-bit atomics");
+        assert!(!is_wide || name.contains(SpirvPath::Passthrough.as_str()), "{name}");
+        let point = variants.entry_point(kernel("hash_grid_backward"));
+        let expected = if is_wide { "hash_grid_backward_wide" } else { "hash_grid_backward" };
+        assert_eq!(point.name, expected, "{name}");
     }
     // asking for variants does not ask for a GPU
     let options = DeviceOptions::cpu(None).variants(true);

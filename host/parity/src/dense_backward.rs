@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
@@ -25,11 +24,6 @@ fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
         reach += a.abs() + b.abs() + 1.0;
     }
     Bound { scale: scale * (1.0 + count), floor: reach * f64::from(TINY) }
-}
-
-/// Vectors of four of the numbers.
-fn vectors(numbers: &[f32]) -> Vec<Vec4> {
-    numbers.chunks_exact(4).map(Vec4::from_slice).collect()
 }
 
 /// Inputs of `dense_backward`.
@@ -162,8 +156,8 @@ pub struct DenseWeightBackward {
     pub of_rays: bool,
     /// The chunk's first sample.
     pub first_sample: u32,
-    /// `[2, parameters]`: the carry of the chunk before, and that of the one before it.
-    pub carry: Vec<Vec4>,
+    /// `[2, 4 parameters]`: the carry of the chunk before, and that of the one before it.
+    pub carry: Vec<f32>,
     /// Which half of `carry` the chunk before has written.
     pub turn: u32,
     /// `[4 parameters]`: what other chunks have added.
@@ -196,7 +190,7 @@ impl DenseWeightBackward {
         let len = (4 * layer.columns * layer.stride) as usize;
         let gradient = fill.values(random, len, [-1.0, 1.0], 1e15);
         let parameters = 4 * layer.parameters.len();
-        let carry = vectors(&fill.values(random, 2 * parameters, [-1.0, 1.0], 1e15));
+        let carry = fill.values(random, 2 * parameters, [-1.0, 1.0], 1e15);
         let before = fill.values(random, parameters, [-1.0, 1.0], 1e15);
         let turn = random.below(2);
         let of_rays = random.below(2) == 1;
@@ -238,8 +232,8 @@ impl DenseWeightBackward {
     fn terms(&self, slice: &Range<u32>, value: usize) -> (Range<u32>, f64) {
         let chunk = self.chunk();
         let samples = slice.start.max(chunk.start)..slice.end.min(chunk.end);
-        let from = self.turn as usize * self.layer.parameters.len() + value / 4;
-        let before = if slice.start < chunk.start { self.carry[from][value % 4] } else { 0.0 };
+        let from = self.turn as usize * self.before.len() + value;
+        let before = if slice.start < chunk.start { self.carry[from] } else { 0.0 };
         (samples.start - chunk.start..samples.end - chunk.start, f64::from(before))
     }
 
@@ -256,7 +250,7 @@ impl DenseWeightBackward {
             let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
             return Some((self.in_chunk(true).collect(), index, before));
         }
-        let before = f64::from(self.carry.get(index / 4)?[index % 4]);
+        let before = f64::from(*self.carry.get(index)?);
         let half = index / values;
         let value = index % values;
         let continues: Vec<_> = self.in_chunk(false).collect();
@@ -278,9 +272,16 @@ impl Parity for DenseWeightBackward {
             let layer = Self::layer(n, 6, 2, fill, random);
             Self::new(layer, 100, fill, random)
         });
-        for (inputs, columns, slice) in
-            [(1, 1, 4096), (4, 3, 16), (5, 2, 1), (7, 16, 33), (64, 1, 300)]
-        {
+        // the last two have more than one tile
+        for (inputs, columns, slice) in [
+            (1, 1, 4096),
+            (4, 3, 16),
+            (5, 2, 1),
+            (7, 16, 33),
+            (64, 1, 300),
+            (130, 1, 64),
+            (67, 17, 100),
+        ] {
             let mut random = Random::new(11);
             let layer = Self::layer(300, inputs, columns, Fill::Random, &mut random);
             let set = Self::new(layer, slice, Fill::Random, &mut random);
@@ -295,11 +296,15 @@ impl Parity for DenseWeightBackward {
         padded.gradient[5 * padded.layer.stride as usize..].fill(0.0);
         sets.push(("three of eight outputs are padding".into(), padded));
         // the chunk begins in a slice, and ends in another one; a camera in it is empty
-        for (name, fill) in [("random", Fill::Random), ("mixed", Fill::Mixed)] {
+        for (name, fill, inputs, columns) in [
+            ("random", Fill::Random, 6, 2),
+            ("mixed", Fill::Mixed, 6, 2),
+            ("several tiles", Fill::Random, 66, 9),
+        ] {
             for (first_sample, slice) in [(70, 33), (70, 4096), (50, 1), (0, 7)] {
                 let first = vec![0, 50, 131, 131, 131, 200, 420];
                 let mut random = Random::new(19);
-                let layer = Self::layer(300, 6, 2, fill, &mut random);
+                let layer = Self::layer(300, inputs, columns, fill, &mut random);
                 let set = Self::from_cameras(layer, first, slice, first_sample, fill, &mut random);
                 sets.push((format!("{name}, slices of {slice}, from {first_sample} on"), set));
             }

@@ -48,7 +48,7 @@ pub struct DeviceArgs {
     #[arg(long, value_name = "NAME", help_heading = "Device", hide_short_help = true)]
     adapter: Option<String>,
 
-    /// Which kernels a GPU runs: `plain` ones, or the `best` it has, with workgroup memory
+    /// Which kernels a GPU runs: `plain` ones, or the `best` it has, with workgroup memory or 64-bit atomics
     /// [default: best; plain on a software device]
     #[arg(long, value_enum, help_heading = "Device", hide_short_help = true)]
     variants: Option<Variants>,

@@ -14,8 +14,8 @@ Examples:
   organza kernels --json
 
 `shared` is the workgroup memory and `SPIR-V` the compiled module, both in bytes. `iterations` is the most that one \
-invocation needs, all its loops together. A name that ends in `_shared` is a variant that uses workgroup memory \
-(docs/kernels.md).";
+invocation needs, all its loops together. A name that ends in `_shared` is a variant that uses workgroup memory, \
+one in `_wide` a variant with 64-bit atomics (docs/kernels.md).";
 
 /// List the kernels: their bindings, workgroups, code and loops
 #[derive(Debug, clap::Args)]

@@ -94,7 +94,8 @@ pub fn build(
         .spirv_metadata(SpirvMetadata::None)
         .target_dir_path(target.join("spirv"));
     builder.capabilities =
-        [&lower::SUBGROUPS[..], &small_integers::CAPABILITIES[..], &[lower::AS_WRITTEN]].concat();
+        [&lower::SUBGROUPS[..], &lower::WIDE, &small_integers::CAPABILITIES, &[lower::AS_WRITTEN]]
+            .concat();
     compiler.configure(&mut builder);
     let result = builder.build().context("the kernels do not compile")?;
     let ModuleResult::MultiModule(paths) = result.module else {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use anyhow::{Result, anyhow, ensure};
 use rspirv::binary::Assemble;
-use rspirv::dr::{self, Module, Operand};
+use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Capability, ExecutionMode, Op};
 
 use crate::{
@@ -68,16 +68,28 @@ pub const SUBGROUPS: [Capability; 3] = [
     Capability::GroupNonUniformBallot,
 ];
 
-/// Drops [`AS_WRITTEN`], and the capabilities of subgroups that no instruction and no built-in variable needs: a device can lack them.
+/// The capabilities of 64-bit sums, which the compiler gives to every module.
+pub const WIDE: [Capability; 2] = [Capability::Int64, Capability::Int64Atomics];
+
+/// Whether a type is that of 64-bit integers.
+fn is_wide(of: &Instruction) -> bool {
+    of.class.opcode == Op::TypeInt && of.operands[0] == Operand::LiteralBit32(64)
+}
+
+/// Drops [`AS_WRITTEN`], and the capabilities of subgroups and of 64-bit sums that nothing needs: a device can lack them.
 fn drop_unused_capabilities(module: &mut Module) {
     let of_functions = module.functions.iter().flat_map(|function| function.all_inst_iter());
     let mut needed: BTreeSet<_> =
         of_functions.flat_map(|i| i.class.capabilities).copied().collect();
     let operands = module.annotations.iter().flat_map(|annotation| &annotation.operands);
     needed.extend(operands.flat_map(Operand::required_capabilities));
+    if module.types_global_values.iter().any(is_wide) {
+        needed.extend(WIDE);
+    }
+    let optional = [&SUBGROUPS[..], &WIDE].concat();
     module.capabilities.retain(|instruction| match instruction.operands[..] {
         [Operand::Capability(of)] => {
-            of != AS_WRITTEN && (!SUBGROUPS.contains(&of) || needed.contains(&of))
+            of != AS_WRITTEN && (!optional.contains(&of) || needed.contains(&of))
         }
         _ => true,
     });

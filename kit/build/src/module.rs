@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use muslin_kernel::{EntryPoint, KernelInfo};
 use rspirv::dr::{self, Instruction, Module, Operand};
-use rspirv::spirv::{Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word};
+use rspirv::spirv::{
+    Capability, Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word,
+};
 
 use crate::lower;
 
@@ -23,17 +25,31 @@ pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()
         kernel.workgroup_size
     );
     for buffer in buffers(&module)? {
-        check_buffer(kernel, &buffer)?;
+        check_buffer(kernel, point, &buffer)?;
     }
     check_subgroups(kernel, &module)?;
+    check_wide(point, &module)?;
     check_loops(kernel, &module)
+}
+
+/// Whether a module has one of these capabilities.
+fn has_any(module: &Module, capabilities: &[Capability]) -> bool {
+    let mut operands = module.capabilities.iter().flat_map(|instruction| &instruction.operands);
+    operands.any(|of| matches!(of, Operand::Capability(of) if capabilities.contains(of)))
+}
+
+/// Only a variant has 64-bit integers: some devices have none.
+fn check_wide(point: &EntryPoint, module: &Module) -> Result<()> {
+    let has_some = has_any(module, &lower::WIDE);
+    let declares = !point.sums.is_empty();
+    ensure!(declares || !has_some, "it has `u64` or `i64`, in helpers too, which GPUs lack");
+    ensure!(has_some || !declares, "it declares `impl SumWord`, and adds nothing to it");
+    Ok(())
 }
 
 /// A kernel with operations of subgroups declares them: some devices have none.
 fn check_subgroups(kernel: &KernelInfo, module: &Module) -> Result<()> {
-    let mut capabilities = module.capabilities.iter().flat_map(|instruction| &instruction.operands);
-    let has_some = capabilities
-        .any(|of| matches!(of, Operand::Capability(of) if lower::SUBGROUPS.contains(of)));
+    let has_some = has_any(module, &lower::SUBGROUPS);
     let wrong =
         "it has operations of subgroups, in helpers too: declare them, `#[kernel(.., subgroups)]`";
     ensure!(kernel.subgroups || !has_some, wrong);
@@ -64,7 +80,7 @@ struct Buffer {
     stride: Option<u32>,
 }
 
-fn check_buffer(kernel: &KernelInfo, buffer: &Buffer) -> Result<()> {
+fn check_buffer(kernel: &KernelInfo, point: &EntryPoint, buffer: &Buffer) -> Result<()> {
     let Buffer { set, binding, class, read_only, stride } = *buffer;
     ensure!(set == 0, "the module uses descriptor set {set}");
     let Some(declared) = kernel.bindings.get(binding as usize) else {
@@ -85,7 +101,7 @@ fn check_buffer(kernel: &KernelInfo, buffer: &Buffer) -> Result<()> {
         declared.name
     );
     // small integers are packed into words
-    let bytes = declared.device_bytes.max(4);
+    let bytes = if point.sums.contains(&declared.name) { 8 } else { declared.device_bytes.max(4) };
     let element = declared.element;
     ensure!(
         access == "uniform" || stride == Some(bytes),
@@ -240,12 +256,17 @@ mod tests {
     }
 
     #[test]
-    fn subgroups_are_declared() {
-        let mut module = dr::load_bytes(module(4, false)).unwrap();
-        let capability = vec![Operand::Capability(Capability::GroupNonUniformBallot)];
-        module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
-        let message = wrong(&bytes(&module));
-        assert!(message.starts_with("it has operations of subgroups, in helpers too"), "{message}");
+    fn what_a_device_can_lack_is_declared() {
+        for (capability, part) in [
+            (Capability::GroupNonUniformBallot, "it has operations of subgroups, in helpers too"),
+            (Capability::Int64, "it has `u64` or `i64`, in helpers too"),
+        ] {
+            let mut module = dr::load_bytes(module(4, false)).unwrap();
+            let capability = vec![Operand::Capability(capability)];
+            module.capabilities.push(Instruction::new(Op::Capability, None, None, capability));
+            let message = wrong(&bytes(&module));
+            assert!(message.starts_with(part), "{message}");
+        }
     }
 
     #[test]

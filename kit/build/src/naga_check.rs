@@ -6,7 +6,10 @@ use naga::front::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 /// What a kernel can need, and an adapter may have.
-const OFFERED: Capabilities = Capabilities::SHADER_FLOAT16.union(Capabilities::SUBGROUP);
+const OFFERED: Capabilities = Capabilities::SHADER_FLOAT16
+    .union(Capabilities::SUBGROUP)
+    .union(Capabilities::SHADER_INT64)
+    .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
 
 fn read(spirv: &[u8]) -> Result<Module> {
     match spv::parse_u8_slice(spirv, &spv::Options::default()) {

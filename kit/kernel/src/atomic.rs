@@ -207,40 +207,88 @@ pub fn raise(buffer: Write<u32>, index: u32, value: u32) -> u32 {
     }
 }
 
+/// What a buffer of 64-bit integers is made of: words, the low one first, or whole integers in the variant for GPUs that add
+/// them at once. The bytes are the same.
+pub trait SumWord: Copy {
+    /// Adds to the integer at `index`, atomically.
+    #[cfg(target_arch = "spirv")]
+    fn add(sums: Write<Self>, index: u32, words: [u32; 2]);
+    /// The same buffer, of words.
+    #[cfg(not(target_arch = "spirv"))]
+    fn words(sums: Write<Self>) -> Write<u32>;
+}
+
+impl SumWord for u32 {
+    #[cfg(target_arch = "spirv")]
+    #[inline(always)]
+    fn add(sums: Write<u32>, index: u32, words: [u32; 2]) {
+        add_halves(sums, index, words);
+    }
+
+    #[cfg(not(target_arch = "spirv"))]
+    #[inline(always)]
+    fn words(sums: Write<u32>) -> Write<u32> {
+        sums
+    }
+}
+
+#[cfg(target_arch = "spirv")]
+impl SumWord for u64 {
+    #[inline(always)]
+    fn add(sums: Write<u64>, index: u32, [low, high]: [u32; 2]) {
+        // SAFETY: the CPU run checks the index
+        unsafe {
+            let at = sums.index_unchecked_mut(index as usize);
+            let value = (high as u64) << 32 | low as u64;
+            spirv_std::arch::atomic_i_add::<_, SCOPE, NO_ORDER>(at, value);
+        }
+    }
+}
+
 /// Adds to the 64-bit integer at `2 index` (low word) and `2 index + 1` (high word), modulo 2^64.
 ///
 /// On the CPU it is a plain addition. So use it only in kernels with `z_serial`, and on integers that the workgroups of a
 /// single z change.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-pub fn add_wide(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
+pub fn add_wide(buffer: Write<impl SumWord>, index: u32, [low, high]: [u32; 2]) {
     #[cfg(target_arch = "spirv")]
-    add_wide_shared(buffer, index, [low, high]);
+    SumWord::add(buffer, index, [low, high]);
     #[cfg(not(target_arch = "spirv"))]
-    add_wide_lanes(buffer, [index], [(u64::from(high) << 32 | u64::from(low)) as i64]);
+    add_wide_lanes(
+        SumWord::words(buffer),
+        [index],
+        [(u64::from(high) << 32 | u64::from(low)) as i64],
+    );
 }
 
 /// Like [`add_wide`], for integers that any workgroup may change: it is atomic on the CPU, too.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-pub fn add_wide_shared(buffer: Write<u32>, index: u32, words: [u32; 2]) {
-    #[cfg(any(target_arch = "spirv", target_endian = "big"))]
-    {
-        let [low, high] = words;
-        let before = add(buffer, 2 * index, low);
-        let carry = if before.wrapping_add(low) < low { 1 } else { 0 };
-        let high = high.wrapping_add(carry);
-        if high != 0 {
-            add(buffer, 2 * index + 1, high);
-        }
-    }
+pub fn add_wide_shared(buffer: Write<impl SumWord>, index: u32, [low, high]: [u32; 2]) {
+    #[cfg(target_arch = "spirv")]
+    SumWord::add(buffer, index, [low, high]);
+    #[cfg(all(not(target_arch = "spirv"), target_endian = "big"))]
+    add_halves(SumWord::words(buffer), index, [low, high]);
     #[cfg(all(not(target_arch = "spirv"), target_endian = "little"))]
     {
-        let [low, high] = words;
-        let at = buffer.wide_addresses([index], Touch::Atomic);
+        let at = SumWord::words(buffer).wide_addresses([index], Touch::Atomic);
         // SAFETY: the address is in range and aligned, and kernels touch such sums only through atomics
         let at = unsafe { AtomicU64::from_ptr(at.add(index as usize)) };
         at.fetch_add(u64::from(high) << 32 | u64::from(low), Ordering::Relaxed);
+    }
+}
+
+/// Adds the words one after the other: who takes the low one past 2^32 carries.
+#[cfg(any(target_arch = "spirv", target_endian = "big"))]
+#[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
+fn add_halves(buffer: Write<u32>, index: u32, [low, high]: [u32; 2]) {
+    let before = add(buffer, 2 * index, low);
+    let carry = if before.wrapping_add(low) < low { 1 } else { 0 };
+    let high = high.wrapping_add(carry);
+    if high != 0 {
+        add(buffer, 2 * index + 1, high);
     }
 }
 

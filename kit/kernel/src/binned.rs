@@ -8,7 +8,7 @@
 
 use muslin_macros::loops;
 
-use crate::atomic;
+use crate::atomic::{self, SumWord};
 use crate::fixed;
 use crate::memory::Write;
 #[cfg(target_arch = "spirv")]
@@ -27,7 +27,7 @@ const NAN_BITS: u32 = 0x7fc0_0000;
 /// Adds a number to the sum at `index`, of `sum [17, sums, 2]`. What a GPU may flush counts as zero.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-pub fn add(sum: Write<u32>, sums: u32, index: u32, x: f32) {
+pub fn add(sum: Write<impl SumWord>, sums: u32, index: u32, x: f32) {
     let bits = x.to_bits();
     let exponent = bits >> 23 & 0xff;
     if exponent != 0 {

@@ -118,6 +118,8 @@ pub struct EntryPoint {
     pub name: &'static str,
     /// Workgroup memory: the kernel's, and in the variant that of its [shared tiles](crate::shared_tile).
     pub shared: &'static [SharedInfo],
+    /// Bindings that are [integers of 64 bits](crate::atomic::SumWord), which a device can lack.
+    pub sums: &'static [&'static str],
 }
 
 /// The declaration of a kernel.
@@ -146,7 +148,8 @@ pub struct KernelInfo {
     pub bindings: &'static [BindingInfo],
     /// Workgroup memory.
     pub shared: &'static [SharedInfo],
-    /// The second entry point of a kernel with shared tiles: the variant, in which they are in workgroup memory.
+    /// The second entry point of a kernel with shared tiles or sums: the variant, in which tiles are in workgroup memory, and sums are
+    /// integers of 64 bits.
     pub variant: Option<EntryPoint>,
     /// Counts the work of a dispatch, if the kernel declares it.
     pub work: Option<WorkOf>,
@@ -170,7 +173,7 @@ pub struct KernelInfo {
 impl KernelInfo {
     /// The plain entry point.
     pub const fn plain(&self) -> EntryPoint {
-        EntryPoint { name: self.name, shared: self.shared }
+        EntryPoint { name: self.name, shared: self.shared, sums: &[] }
     }
 
     /// The work of a dispatch, given its parameters' bytes, the number of elements of its storage buffers, and its

@@ -9,11 +9,12 @@ use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
 
+use crate::atomic::{self, SumWord};
+use crate::fixed;
 use crate::half::normal_half_value;
 use crate::memory::{Read, Write};
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
-use crate::{atomic, fixed};
 
 #[cfg(not(target_arch = "spirv"))]
 pub use crate::wide::Wide;
@@ -94,16 +95,16 @@ pub trait Lane:
     fn write(self, buffer: Write<f32>, first: u32);
     /// Adds the values to the [fixed-point](crate::fixed) sums at `at`, in lanes where the mask holds: see
     /// [`atomic::add_wide`].
-    fn add_fixed(self, mask: Self::Mask, sum: Write<u32>, at: Self::Index);
+    fn add_fixed(self, mask: Self::Mask, sum: Write<impl SumWord>, at: Self::Index);
     /// Like [`Lane::add_fixed`], for two consecutive values each at several places.
     fn add_fixed_two<const M: usize>(
         values: [[Self; 2]; M],
         mask: Self::Mask,
-        sum: Write<u32>,
+        sum: Write<impl SumWord>,
         at: [Self::Index; M],
     );
     /// Hints that the fixed-point sums at `at` are about to be changed.
-    fn expect_fixed(sum: Write<u32>, at: Self::Index);
+    fn expect_fixed(sum: Write<impl SumWord>, at: Self::Index);
     /// Takes consecutive fixed-point sums, starting at `first`, and leaves zeros.
     fn take_fixed(sum: Write<u32>, first: u32) -> Self;
     /// In lanes where the mask holds, sets the flag of the block of `block` elements that contains the element `at`.
@@ -259,7 +260,7 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn add_fixed(self, mask: bool, sum: Write<u32>, at: u32) {
+    fn add_fixed(self, mask: bool, sum: Write<impl SumWord>, at: u32) {
         if mask {
             atomic::add_wide(sum, at, fixed::words(self));
         }
@@ -269,7 +270,7 @@ impl Lane for f32 {
     fn add_fixed_two<const M: usize>(
         values: [[Self; 2]; M],
         mask: bool,
-        sum: Write<u32>,
+        sum: Write<impl SumWord>,
         at: [u32; M],
     ) {
         let mut i = 0;
@@ -281,7 +282,7 @@ impl Lane for f32 {
     }
 
     #[inline(always)]
-    fn expect_fixed(_: Write<u32>, _: u32) {}
+    fn expect_fixed(_: Write<impl SumWord>, _: u32) {}
 
     #[inline(always)]
     fn take_fixed(sum: Write<u32>, first: u32) -> Self {

@@ -66,12 +66,18 @@ pub fn truncate(x: f32) -> f32 {
     {
         Float::trunc(x)
     }
-    // an integer and back, while `libm` computes with bits; from 2^23 on there is no fraction
+    // an integer and back, while `libm` computes with bits
     #[cfg(not(target_arch = "spirv"))]
     {
-        let whole = x as i32 as f32;
-        if abs(x) < 8_388_608.0 { whole.copysign(x) } else { x }
+        integral(x, x as i32 as f32)
     }
+}
+
+/// `whole` with the sign of x, or x itself from 2^23 on, where no number has a fraction.
+#[cfg(not(target_arch = "spirv"))]
+#[inline(always)]
+pub(crate) fn integral(x: f32, whole: f32) -> f32 {
+    if abs(x) < 8_388_608.0 { whole.copysign(x) } else { x }
 }
 
 /// x without its fraction, for x from 0 to below 2^32. Any other x gives some number, which on the CPU is the

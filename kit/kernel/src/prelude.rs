@@ -6,6 +6,7 @@ pub use muslin_macros::{kernel, loops, params};
 
 #[cfg(target_arch = "spirv")]
 pub use crate::atomic::AtomicBuffer;
+pub use crate::atomic::SumWord;
 pub use crate::invocation::Invocation;
 pub use crate::lane::{Lane, LaneIndex};
 pub use crate::memory::{Packed, Read, ReadFours, Shared, Write, WriteFours};

@@ -43,6 +43,17 @@ pub trait SharedTile<T: Copy, const N: usize> {
 
     /// The element at an offset.
     fn element<S: Source<T>>(&self, offset: u32, source: S) -> T;
+
+    /// Begins to fill a tile by [`store`](Self::store): for what [`fill`](Self::fill) cannot lay out.
+    fn begin_stores(&self);
+
+    /// Stores an element in workgroup memory, where there is any.
+    fn store(&mut self, index: u32, value: T);
+
+    /// An element that was [stored](Self::store); without workgroup memory, nothing.
+    fn load(&self, index: u32) -> T
+    where
+        T: Default;
 }
 
 /// An empty tile: reads go to the source.
@@ -74,6 +85,20 @@ impl<T: Copy, const N: usize> SharedTile<T, N> for Unshared {
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
     fn element<S: Source<T>>(&self, offset: u32, source: S) -> T {
         source.element(offset)
+    }
+
+    #[inline(always)]
+    fn begin_stores(&self) {}
+
+    #[inline(always)]
+    fn store(&mut self, _: u32, _: T) {}
+
+    #[inline(always)]
+    fn load(&self, _: u32) -> T
+    where
+        T: Default,
+    {
+        T::default()
     }
 }
 
@@ -124,6 +149,26 @@ macro_rules! impl_shared_tile {
             #[cfg_attr(not(target_arch = "spirv"), track_caller)]
             fn element<S: Source<T>>(&self, offset: u32, _: S) -> T {
                 self.read(offset)
+            }
+
+            #[inline(always)]
+            fn begin_stores(&self) {
+                self.begin_round();
+            }
+
+            #[inline(always)]
+            #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+            fn store(&mut self, index: u32, value: T) {
+                self.write(index, value);
+            }
+
+            #[inline(always)]
+            #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+            fn load(&self, index: u32) -> T
+            where
+                T: Default,
+            {
+                self.read(index)
             }
         }
     };

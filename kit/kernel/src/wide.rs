@@ -2,12 +2,14 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::atomic::{self, SumWord};
 use crate::casts::check_cast;
+use crate::fixed;
 use crate::half::normal_half_value;
 use crate::lane::Lane;
+use crate::math::integral;
 use crate::memory::{Read, Write};
 use crate::wide_index::{WideIndex, WideMask};
-use crate::{atomic, fixed};
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
 ///
@@ -143,7 +145,11 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     fn truncate(self) -> Self {
-        Self(vectors!(truncate(self.0), lanes!(|i| crate::math::truncate(self.0[i]))))
+        Self(vectors!(truncate(self.0), {
+            // a cast of its own would check each lane for NaN and for what no integer holds
+            let whole = self.wholes();
+            lanes!(|i| integral(self.0[i], whole[i] as f32))
+        }))
     }
 
     #[inline(always)]
@@ -208,9 +214,9 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
 
     #[inline(always)]
     #[track_caller]
-    fn add_fixed(self, mask: Self::Mask, sum: Write<u32>, at: Self::Index) {
+    fn add_fixed(self, mask: Self::Mask, sum: Write<impl SumWord>, at: Self::Index) {
         let values = Self::select(mask, self, Self::splat(0.0));
-        atomic::add_wide_lanes(sum, at.0, fixed::integers(values.0));
+        atomic::add_wide_lanes(SumWord::words(sum), at.0, fixed::integers(values.0));
     }
 
     #[inline(always)]
@@ -218,7 +224,7 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
     fn add_fixed_two<const M: usize>(
         values: [[Self; 2]; M],
         mask: Self::Mask,
-        sum: Write<u32>,
+        sum: Write<impl SumWord>,
         at: [Self::Index; M],
     ) {
         let zero = Self::splat(0.0);
@@ -230,11 +236,12 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
             pairs[i] = lanes!(|lane| [first[lane], second[lane]]);
             i += 1;
         }
-        atomic::add_two_wide_lanes(sum, at.map(|at| at.0), pairs);
+        atomic::add_two_wide_lanes(SumWord::words(sum), at.map(|at| at.0), pairs);
     }
 
     #[inline(always)]
-    fn expect_fixed(sum: Write<u32>, at: Self::Index) {
+    fn expect_fixed(sum: Write<impl SumWord>, at: Self::Index) {
+        let sum = SumWord::words(sum);
         let mut i = 0;
         while i < N {
             sum.prefetch(2 * at.0[i]);

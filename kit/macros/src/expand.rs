@@ -12,8 +12,8 @@ use crate::parse::{Attribute, Kernel, Parameter, Role};
 pub fn expand(kernel: &Kernel) -> TokenStream {
     let function = function(kernel);
     let arithmetic = arithmetic_functions(kernel);
-    let variants = if kernel.has_shared_tiles() { &[false, true][..] } else { &[false] };
-    let entries = variants.iter().map(|&shared| entry_point(kernel, shared));
+    let variants = if kernel.has_variant() { &[false, true][..] } else { &[false] };
+    let entries = variants.iter().map(|&is_variant| entry_point(kernel, is_variant));
     let info = info(kernel);
     let dispatch = dispatch(kernel);
     let inputs = inputs(kernel, &dispatch_name(kernel));
@@ -111,16 +111,20 @@ fn info_name(kernel: &Kernel) -> syn::Ident {
 }
 
 /// An entry point's name: of the plain one, or of the variant.
-fn entry_name(kernel: &Kernel, shared: bool) -> String {
+fn entry_name(kernel: &Kernel, is_variant: bool) -> String {
     let name = &kernel.function.sig.ident;
-    if shared { format!("{name}_shared") } else { name.to_string() }
+    match is_variant {
+        true if kernel.sums().next().is_some() => format!("{name}_wide"),
+        true => format!("{name}_shared"),
+        false => name.to_string(),
+    }
 }
 
 /// A SPIR-V entry point: the built-ins and bindings as Rust-GPU wants them, then the function. The attribute takes literals alone, so the
 /// kernel builder writes the size of the workgroup.
-fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
+fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    let entry_point_name = entry_name(kernel, shared);
+    let entry_point_name = entry_name(kernel, is_variant);
     let entry = format_ident!("{entry_point_name}_entry_point");
     let [x, y, z] = &kernel.threads;
     let mut binding = 0;
@@ -136,16 +140,17 @@ fn entry_point(kernel: &Kernel, shared: bool) -> TokenStream {
                 quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: ::muslin::memory::Packed<#element> }
             }
             Role::Write => {
+                let element = if parameter.is_sum && is_variant { &parse_quote!(u64) } else { element };
                 quote! { #[spirv(storage_buffer, descriptor_set = 0, binding = #number)] #name: &mut [#element] }
             }
             Role::Shared(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
-            Role::SharedTile(_) if !shared => return None,
+            Role::SharedTile(_) if !is_variant => return None,
             Role::SharedTile(len) => quote! { #[spirv(workgroup)] #name: &mut [#element; #len] },
         })
     });
     let arguments = kernel.parameters.iter().map(|parameter| {
         let name = &parameter.name;
-        if shared { quote!(#name) } else { plain_argument(parameter) }
+        if is_variant { quote!(#name) } else { plain_argument(parameter) }
     });
     // an invocation of a GPU is a lane, or takes four samples
     let lane = kernel.lanes.is_some().then(|| match kernel.samples {
@@ -326,13 +331,14 @@ fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
 
 /// The registry's record of the second entry point.
 fn variant(kernel: &Kernel) -> TokenStream {
-    if !kernel.has_shared_tiles() {
+    if !kernel.has_variant() {
         return quote!(::core::option::Option::None);
     }
     let name = entry_name(kernel, true);
     let shared = shared(kernel, true);
+    let sums = kernel.sums().map(|parameter| parameter.name.to_string());
     quote! {
-        ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared })
+        ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared, sums: &[#(#sums),*] })
     }
 }
 

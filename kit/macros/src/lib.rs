@@ -21,6 +21,7 @@
 //! | `name: Write<T>`   | a storage buffer of `T` that is read and written            |
 //! | `name: ReadFours<f32>`, `WriteFours<f32>` | the same two, of which a GPU reads and writes four numbers at once: rows of `Samples` |
 //! | `name: Shared<T, N>` | `N` values of `T` in workgroup memory                     |
+//! | `name: Write<impl SumWord>` | a storage buffer of `u32`, two for each 64-bit sum; in the variant `_wide`, of `u64` |
 //! | `name: &mut impl SharedTile<T, N>` | in the variant `_shared`, `N` values of `T` in workgroup memory; nothing otherwise |
 //!
 //! From this declaration the attribute writes the SPIR-V entry points, the host's typed dispatch (`SquareKernel`), the inputs
@@ -42,7 +43,7 @@
 //! | `z_serial`          | the CPU runs the workgroups of one z one after another, on one thread: `atomic::add_wide` can then change what only they touch |
 //! | `z_innermost`       | the CPU runs the workgroups of one x and y one after another: they find in a cache what the first has read |
 //!
-//! A kernel with a shared tile has a second SPIR-V entry point, its variant, with the same body and bindings. The CPU always
+//! A kernel with a shared tile or sums has a second SPIR-V entry point, its variant, with the same body and bindings. The CPU always
 //! runs the plain one.
 
 /// Methods of a `VisitMut` that looks at what runs: the compiler computes constants, and a function in a function is another one.

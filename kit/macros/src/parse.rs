@@ -48,6 +48,8 @@ pub struct Parameter {
     pub element: Type,
     /// The same on a GPU: of `ReadFours<T>` and `WriteFours<T>`, a vector.
     pub device_element: Type,
+    /// Whether it is `Write<impl SumWord>`: `u32`, and in the variant `u64`.
+    pub is_sum: bool,
 }
 
 /// How the CPU fills the lanes of a kernel that is generic over them.
@@ -182,9 +184,19 @@ impl Kernel {
         self.storage_barriers || self.subgroups || self.has(|role| matches!(role, Role::Shared(_)))
     }
 
-    /// Whether it has a second entry point, in which shared tiles are workgroup memory.
+    /// Whether it has a second entry point.
+    pub fn has_variant(&self) -> bool {
+        self.has_shared_tiles() || self.sums().next().is_some()
+    }
+
+    /// Whether the variant has shared tiles in workgroup memory.
     pub fn has_shared_tiles(&self) -> bool {
         self.has(|role| matches!(role, Role::SharedTile(_)))
+    }
+
+    /// The bindings that are 64-bit integers in the variant.
+    pub fn sums(&self) -> impl Iterator<Item = &Parameter> {
+        self.parameters.iter().filter(|parameter| parameter.is_sum)
     }
 
     fn has(&self, what: impl Fn(&Role) -> bool) -> bool {
@@ -319,6 +331,9 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
             "a parameter is `&Params`, `Read<T>`, `Packed<T>`, `Write<T>`, `ReadFours<T>`, `WriteFours<T>`, `Shared<T, N>` or `&mut impl SharedTile<T, N>`",
         )
     })?;
+    let is_sum = matches!(role, Role::Write)
+        && implemented(&element).is_some_and(|segment| segment.ident == "SumWord");
+    let element = if is_sum { parse_quote!(u32) } else { element };
     let is_small = ["u8", "u16"].iter().any(|small| is_path(&element, small));
     if matches!(role, Role::Packed) && !is_small {
         let message = format!("the elements of `{name}` are `u8` or `u16`: use `Read` for others");
@@ -337,7 +352,7 @@ fn parse_parameter(argument: &FnArg) -> Result<Parameter> {
         true => parse_quote!(<#element as ::muslin::memory::Fours>::Vector),
         false => element.clone(),
     };
-    Ok(Parameter { name, role, element, device_element })
+    Ok(Parameter { name, role, element, device_element, is_sum })
 }
 
 /// Most fields of a struct of parameters: it has a slot of 256 bytes.

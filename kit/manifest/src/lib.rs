@@ -132,6 +132,9 @@ pub struct Interface {
     /// Whether it has operations of subgroups, which a device or a browser can lack.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub subgroups: bool,
+    /// Bindings that are 64-bit integers, which a device can lack; to the host, these are two elements.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sums: Vec<String>,
 }
 
 /// One buffer of a kernel.
@@ -240,6 +243,7 @@ impl Interface {
             bindings: kernel.bindings.iter().map(binding).collect(),
             shared: point.shared.iter().map(shared).collect(),
             subgroups: kernel.subgroups,
+            sums: point.sums.iter().map(|&name| name.to_owned()).collect(),
         }
     }
 }
@@ -277,6 +281,7 @@ mod tests {
                 }],
                 shared: Vec::new(),
                 subgroups: false,
+                sums: Vec::new(),
             },
         }
     }

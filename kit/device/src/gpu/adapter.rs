@@ -126,12 +126,17 @@ fn require(limits: &wgpu::Limits) -> std::result::Result<(), String> {
     }
 }
 
+/// What the variants of kernels with 64-bit sums need.
+pub const WIDE: wgpu::Features =
+    wgpu::Features::SHADER_INT64.union(wgpu::Features::SHADER_INT64_ATOMIC_ALL_OPS);
+
 /// Opens an adapter with its own limits: the default ones end at 128 MiB per binding.
 pub fn request(adapter: &wgpu::Adapter, spirv: SpirvPath) -> Result<(wgpu::Device, wgpu::Queue)> {
     let (required_features, experimental_features) = match spirv {
         SpirvPath::Passthrough => {
             // SAFETY: passing shaders through is what is experimental; they are our own compiler's, validated when built
-            (wgpu::Features::PASSTHROUGH_SHADERS, unsafe { wgpu::ExperimentalFeatures::enabled() })
+            let experimental = unsafe { wgpu::ExperimentalFeatures::enabled() };
+            (wgpu::Features::PASSTHROUGH_SHADERS | adapter.features() & WIDE, experimental)
         }
         SpirvPath::Naga => (wgpu::Features::empty(), wgpu::ExperimentalFeatures::disabled()),
     };

@@ -52,8 +52,8 @@ impl Gpu {
     /// Opens the adapter that `options` name, or else the most capable one.
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         let (adapter, spirv) = adapter::choose(options)?;
-        let variants = Variants::new(&adapter, options.variants);
         let (device, queue) = adapter::request(&adapter, spirv)?;
+        let variants = Variants::new(&device, options.variants);
         let limits = device.limits();
         let failures = Arc::default();
         record_failures(&device, &failures);

@@ -7,29 +7,39 @@ use std::sync::{Arc, Mutex, PoisonError};
 use muslin_kernel::{Access, EntryPoint, KernelInfo};
 
 use crate::error::{Error, Result};
+use crate::gpu::adapter::WIDE;
 use crate::modules::Modules;
 use crate::options::SpirvPath;
 
 /// Whether a device runs the variants of kernels.
 #[derive(Clone, Copy, Debug)]
-pub struct Variants(bool);
+pub struct Variants {
+    wanted: bool,
+    /// Whether the device has atomics of 64 bits.
+    wide: bool,
+}
 
 impl Variants {
-    /// The choice for an adapter. `wanted` is [`DeviceOptions::variants`](crate::DeviceOptions::variants).
-    pub fn new(adapter: &wgpu::Adapter, wanted: Option<bool>) -> Self {
+    /// The choice for a device. `wanted` is [`DeviceOptions::variants`](crate::DeviceOptions::variants).
+    pub fn new(device: &wgpu::Device, wanted: Option<bool>) -> Self {
         // on a software device, workgroup memory is ordinary memory, and slower
-        let is_hardware = adapter.get_info().device_type != wgpu::DeviceType::Cpu;
-        Self(wanted.unwrap_or(is_hardware))
+        let is_hardware = device.adapter_info().device_type != wgpu::DeviceType::Cpu;
+        Self { wanted: wanted.unwrap_or(is_hardware), wide: device.features().contains(WIDE) }
     }
 
     /// The entry point of a kernel.
     pub fn entry_point(self, kernel: &KernelInfo) -> EntryPoint {
-        kernel.variant.filter(|_| self.0).unwrap_or(kernel.plain())
+        let can_run = |point: &EntryPoint| self.wanted && (self.wide || point.sums.is_empty());
+        kernel.variant.filter(can_run).unwrap_or(kernel.plain())
     }
 
     /// A description for the user.
     pub fn as_str(self) -> &'static str {
-        if self.0 { "variants with workgroup memory" } else { "plain kernels" }
+        match (self.wanted, self.wide) {
+            (true, true) => "variants with workgroup memory and 64-bit atomics",
+            (true, false) => "variants with workgroup memory",
+            (false, _) => "plain kernels",
+        }
     }
 }
 

@@ -1,7 +1,6 @@
 //! The derivatives of a field: chunk by chunk from its network's output back to its parameters and inputs, and group by
 //! group from there to its hash grid.
 
-use glam::Vec4;
 use organza_shaders::dense_backward::{
     DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
     INPUTS_PER_INVOCATION, weight_invocations,
@@ -45,8 +44,8 @@ impl CameraSamples {
 pub struct GroupScratch {
     /// Gradients of a group's inputs: `[chunks, rows, stride]`.
     input_gradient: Buffer<f32>,
-    /// Gradients of the network's parameters, of a slice that ends in another chunk: `[2, parameters]`.
-    carry: Buffer<Vec4>,
+    /// Gradients of the network's parameters, of a slice that ends in another chunk: `[2, 4 parameters]`.
+    carry: Buffer<f32>,
     layout: Layout,
     samples: CameraSamples,
 }
@@ -64,7 +63,7 @@ impl GroupScratch {
         let rows = field.layers[0].inputs;
         Ok(Self {
             input_gradient: layout.room_for_group(device, label, rows)?,
-            carry: device.unwritten("gradients of a slice", 2 * field.parameters.len())?,
+            carry: device.unwritten("gradients of a slice", 8 * field.parameters.len())?,
             layout,
             samples,
         })

@@ -405,7 +405,7 @@ pub fn dense_weight_backward<L: Lane>(
     input: ReadFours<f32>,
     output_gradient: ReadFours<f32>,
     carry: Write<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     staged: &mut impl SharedTile<Vec4, STAGED>,
 ) {
     let slice = params.slice;
@@ -553,7 +553,7 @@ fn add_slice<L: Lane>(
     input: ReadFours<f32>,
     output_gradient: ReadFours<f32>,
     carry: Write<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
 ) {
     let [inputs, columns] = [params.inputs, params.columns];
     let blocks = (inputs - 1) / WEIGHT_ROWS_PER_INVOCATION + 1;
@@ -632,7 +632,7 @@ fn sum_column<L: Lane>(
 pub fn add_sums<const WHOLE: bool>(
     params: &DenseWeightBackwardParams,
     carry: Write<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     part: SlicePart,
     to: u32,
     outputs: Outputs,
@@ -650,7 +650,7 @@ pub fn add_sums<const WHOLE: bool>(
 fn add_sum<const WHOLE: bool>(
     params: &DenseWeightBackwardParams,
     carry: Write<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     part: SlicePart,
     to: u32,
     [output, end]: [u32; 2],

@@ -82,10 +82,16 @@ pub fn hash_grid_backward<L: Lane>(
             let corners = Corners::new(&level, level.cell(x)).places(features);
             // the CPU does not look so far ahead by itself
             of_corners!(each corners, |place, _weight| L::expect_fixed(sum, place));
-            // one flag for each corner: a block holds whole entries
-            of_corners!(each corners, |place, _weight| {
-                L::flag(active, touched, place, VALUES_PER_FLAG)
+            // One flag for each corner: a block holds whole entries. All points share the few flags of a coarse level, so a GPU
+            // looks first: it reads an element for many invocations at once, and changes it for one after another.
+            let are_set = of_corners!(corners, |place, _weight| {
+                L::is_flagged(touched, place, VALUES_PER_FLAG)
             });
+            if !all(are_set) {
+                of_corners!(each corners, |place, _weight| {
+                    L::flag(active, touched, place, VALUES_PER_FLAG)
+                });
+            }
             let unit = L::splat(scale.read(SCALE));
             let mut row = first;
             let mut f = 0;
@@ -109,6 +115,12 @@ pub fn hash_grid_backward<L: Lane>(
             }
         }
     }
+}
+
+/// Whether all corners have something.
+#[inline(always)]
+fn all([a, b, c, d, e, f, g, h]: [bool; 8]) -> bool {
+    a & b & c & d & e & f & g & h
 }
 
 /// |x|

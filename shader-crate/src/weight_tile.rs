@@ -82,7 +82,7 @@ pub fn add_tile(
     part: SlicePart,
     rows: [ReadFours<f32>; 2],
     carry: Write<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     staged: &mut impl SharedTile<Vec4, STAGED>,
 ) {
     let [down, across] = [id.local.x / SIDE, id.local.x % SIDE];
@@ -129,7 +129,7 @@ fn begin_rows(
 fn add_rows(
     params: &DenseWeightBackwardParams,
     carry: Write<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     part: SlicePart,
     outputs: Outputs,
     input: u32,
@@ -147,7 +147,7 @@ fn add_rows(
 fn add_row(
     params: &DenseWeightBackwardParams,
     carry: Write<f32>,
-    sum: Write<u32>,
+    sum: Write<impl SumWord>,
     part: SlicePart,
     outputs: Outputs,
     input: u32,

@@ -66,32 +66,32 @@ fn function_() {
     var local_1: f32;
     var local_2: f32;
     var phi_394_: array<u32, 8>;
-    var phi_462_: u32;
-    var phi_465_: u32;
-    var phi_490_: u32;
-    var phi_505_: u32;
-    var phi_507_: array<u32, 2>;
-    var phi_539_: u32;
-    var phi_554_: u32;
-    var phi_556_: array<u32, 2>;
-    var phi_588_: u32;
-    var phi_603_: u32;
-    var phi_605_: array<u32, 2>;
-    var phi_637_: u32;
-    var phi_652_: u32;
-    var phi_654_: array<u32, 2>;
-    var phi_686_: u32;
-    var phi_701_: u32;
-    var phi_703_: array<u32, 2>;
-    var phi_735_: u32;
-    var phi_750_: u32;
-    var phi_752_: array<u32, 2>;
-    var phi_784_: u32;
-    var phi_799_: u32;
-    var phi_801_: array<u32, 2>;
-    var phi_833_: u32;
-    var phi_848_: u32;
-    var phi_850_: array<u32, 2>;
+    var phi_488_: u32;
+    var phi_491_: u32;
+    var phi_516_: u32;
+    var phi_531_: u32;
+    var phi_533_: array<u32, 2>;
+    var phi_565_: u32;
+    var phi_580_: u32;
+    var phi_582_: array<u32, 2>;
+    var phi_614_: u32;
+    var phi_629_: u32;
+    var phi_631_: array<u32, 2>;
+    var phi_663_: u32;
+    var phi_678_: u32;
+    var phi_680_: array<u32, 2>;
+    var phi_712_: u32;
+    var phi_727_: u32;
+    var phi_729_: array<u32, 2>;
+    var phi_761_: u32;
+    var phi_776_: u32;
+    var phi_778_: array<u32, 2>;
+    var phi_810_: u32;
+    var phi_825_: u32;
+    var phi_827_: array<u32, 2>;
+    var phi_859_: u32;
+    var phi_874_: u32;
+    var phi_876_: array<u32, 2>;
     var local_3: u32;
     var local_4: u32;
     var local_5: f32;
@@ -145,14 +145,14 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e743 = local_3;
-                        phi_202_ = _e743;
-                        let _e746 = local_4;
-                        phi_205_ = _e746;
-                        let _e749 = local_5;
-                        phi_207_ = _e749;
-                        let _e752 = local_6;
-                        phi_209_ = _e752;
+                        let _e766 = local_3;
+                        phi_202_ = _e766;
+                        let _e769 = local_4;
+                        phi_205_ = _e769;
+                        let _e772 = local_5;
+                        phi_207_ = _e772;
+                        let _e775 = local_6;
+                        phi_209_ = _e775;
                     }
                 }
                 let _e97 = local;
@@ -258,315 +258,326 @@ fn function_() {
                     let _e335 = (_e321[5] * _e46);
                     let _e336 = (_e321[6] * _e46);
                     let _e337 = (_e321[7] * _e46);
-                    if _e108 {
-                        let _e341 = atomicMax((&global_9.member[(_e330 / 64u)]), 1u);
+                    let _e341 = atomicLoad((&global_9.member[(_e330 / 64u)]));
+                    let _e346 = atomicLoad((&global_9.member[(_e331 / 64u)]));
+                    let _e351 = atomicLoad((&global_9.member[(_e332 / 64u)]));
+                    let _e356 = atomicLoad((&global_9.member[(_e333 / 64u)]));
+                    let _e361 = atomicLoad((&global_9.member[(_e334 / 64u)]));
+                    let _e366 = atomicLoad((&global_9.member[(_e335 / 64u)]));
+                    let _e371 = atomicLoad((&global_9.member[(_e336 / 64u)]));
+                    let _e376 = atomicLoad((&global_9.member[(_e337 / 64u)]));
+                    if ((((((((_e341 != 0u) && (_e346 != 0u)) && (_e351 != 0u)) && (_e356 != 0u)) && (_e361 != 0u)) && (_e366 != 0u)) && (_e371 != 0u)) && (_e376 != 0u)) {
+                    } else {
+                        if _e108 {
+                            let _e385 = atomicMax((&global_9.member[(_e330 / 64u)]), 1u);
+                        }
+                        if _e108 {
+                            let _e386 = atomicMax((&global_9.member[(_e331 / 64u)]), 1u);
+                        }
+                        if _e108 {
+                            let _e387 = atomicMax((&global_9.member[(_e332 / 64u)]), 1u);
+                        }
+                        if _e108 {
+                            let _e388 = atomicMax((&global_9.member[(_e333 / 64u)]), 1u);
+                        }
+                        if _e108 {
+                            let _e389 = atomicMax((&global_9.member[(_e334 / 64u)]), 1u);
+                        }
+                        if _e108 {
+                            let _e390 = atomicMax((&global_9.member[(_e335 / 64u)]), 1u);
+                        }
+                        if _e108 {
+                            let _e391 = atomicMax((&global_9.member[(_e336 / 64u)]), 1u);
+                        }
+                        if _e108 {
+                            let _e392 = atomicMax((&global_9.member[(_e337 / 64u)]), 1u);
+                        }
                     }
-                    if _e108 {
-                        let _e345 = atomicMax((&global_9.member[(_e331 / 64u)]), 1u);
-                    }
-                    if _e108 {
-                        let _e349 = atomicMax((&global_9.member[(_e332 / 64u)]), 1u);
-                    }
-                    if _e108 {
-                        let _e353 = atomicMax((&global_9.member[(_e333 / 64u)]), 1u);
-                    }
-                    if _e108 {
-                        let _e357 = atomicMax((&global_9.member[(_e334 / 64u)]), 1u);
-                    }
-                    if _e108 {
-                        let _e361 = atomicMax((&global_9.member[(_e335 / 64u)]), 1u);
-                    }
-                    if _e108 {
-                        let _e365 = atomicMax((&global_9.member[(_e336 / 64u)]), 1u);
-                    }
-                    if _e108 {
-                        let _e369 = atomicMax((&global_9.member[(_e337 / 64u)]), 1u);
-                    }
-                    let _e372 = global_4.member[0u];
-                    phi_462_ = 0u;
-                    phi_465_ = _e71;
+                    let _e395 = global_4.member[0u];
+                    phi_488_ = 0u;
+                    phi_491_ = _e71;
                     loop {
-                        let _e374 = phi_462_;
-                        let _e376 = phi_465_;
-                        if (_e374 < _e46) {
-                            let _e380 = global_5.member[_e376];
-                            let _e381 = -(_e380);
-                            let _e386 = select(0f, (_e380 * _e372), (0.000000000000000000000000000000000000011754944f <= select(_e381, _e380, (_e380 > _e381))));
-                            let _e387 = (_e386 * (_e216 * _e215));
+                        let _e397 = phi_488_;
+                        let _e399 = phi_491_;
+                        if (_e397 < _e46) {
+                            let _e403 = global_5.member[_e399];
+                            let _e404 = -(_e403);
+                            let _e409 = select(0f, (_e403 * _e395), (0.000000000000000000000000000000000000011754944f <= select(_e404, _e403, (_e403 > _e404))));
+                            let _e410 = (_e409 * (_e216 * _e215));
                             if _e108 {
-                                let _e389 = abs(_e387);
-                                let _e392 = u32((_e389 * (1f / 4294967300f)));
-                                let _e395 = (_e389 - (f32(_e392) * 4294967300f));
-                                let _e396 = u32(_e395);
-                                if ((_e395 - f32(_e396)) >= 0.5f) {
-                                    phi_490_ = (_e396 + 1u);
+                                let _e412 = abs(_e410);
+                                let _e415 = u32((_e412 * (1f / 4294967300f)));
+                                let _e418 = (_e412 - (f32(_e415) * 4294967300f));
+                                let _e419 = u32(_e418);
+                                if ((_e418 - f32(_e419)) >= 0.5f) {
+                                    phi_516_ = (_e419 + 1u);
                                 } else {
-                                    phi_490_ = _e396;
+                                    phi_516_ = _e419;
                                 }
-                                let _e402 = phi_490_;
-                                if (_e387 < 0f) {
-                                    let _e406 = (~(_e402) + 1u);
-                                    if (_e406 == 0u) {
-                                        phi_505_ = (~(_e392) + 1u);
+                                let _e425 = phi_516_;
+                                if (_e410 < 0f) {
+                                    let _e429 = (~(_e425) + 1u);
+                                    if (_e429 == 0u) {
+                                        phi_531_ = (~(_e415) + 1u);
                                     } else {
-                                        phi_505_ = ~(_e392);
+                                        phi_531_ = ~(_e415);
                                     }
-                                    let _e412 = phi_505_;
-                                    phi_507_ = array<u32, 2>(_e406, _e412);
+                                    let _e435 = phi_531_;
+                                    phi_533_ = array<u32, 2>(_e429, _e435);
                                 } else {
-                                    phi_507_ = array<u32, 2>(_e402, _e392);
+                                    phi_533_ = array<u32, 2>(_e425, _e415);
                                 }
-                                let _e415 = phi_507_;
-                                let _e418 = (2u * (_e330 + _e374));
-                                let _e421 = atomicAdd((&global_10.member[_e418]), _e415[0]);
-                                let _e425 = (_e415[1] + select(0u, 1u, ((_e421 + _e415[0]) < _e415[0])));
-                                if (_e425 == 0u) {
+                                let _e438 = phi_533_;
+                                let _e441 = (2u * (_e330 + _e397));
+                                let _e444 = atomicAdd((&global_10.member[_e441]), _e438[0]);
+                                let _e448 = (_e438[1] + select(0u, 1u, ((_e444 + _e438[0]) < _e438[0])));
+                                if (_e448 == 0u) {
                                 } else {
-                                    let _e430 = atomicAdd((&global_10.member[(_e418 + 1u)]), _e425);
+                                    let _e453 = atomicAdd((&global_10.member[(_e441 + 1u)]), _e448);
                                 }
                             }
-                            let _e431 = (_e386 * (_e217 * _e215));
+                            let _e454 = (_e409 * (_e217 * _e215));
                             if _e108 {
-                                let _e433 = abs(_e431);
-                                let _e436 = u32((_e433 * (1f / 4294967300f)));
-                                let _e439 = (_e433 - (f32(_e436) * 4294967300f));
-                                let _e440 = u32(_e439);
-                                if ((_e439 - f32(_e440)) >= 0.5f) {
-                                    phi_539_ = (_e440 + 1u);
+                                let _e456 = abs(_e454);
+                                let _e459 = u32((_e456 * (1f / 4294967300f)));
+                                let _e462 = (_e456 - (f32(_e459) * 4294967300f));
+                                let _e463 = u32(_e462);
+                                if ((_e462 - f32(_e463)) >= 0.5f) {
+                                    phi_565_ = (_e463 + 1u);
                                 } else {
-                                    phi_539_ = _e440;
+                                    phi_565_ = _e463;
                                 }
-                                let _e446 = phi_539_;
-                                if (_e431 < 0f) {
-                                    let _e450 = (~(_e446) + 1u);
-                                    if (_e450 == 0u) {
-                                        phi_554_ = (~(_e436) + 1u);
+                                let _e469 = phi_565_;
+                                if (_e454 < 0f) {
+                                    let _e473 = (~(_e469) + 1u);
+                                    if (_e473 == 0u) {
+                                        phi_580_ = (~(_e459) + 1u);
                                     } else {
-                                        phi_554_ = ~(_e436);
+                                        phi_580_ = ~(_e459);
                                     }
-                                    let _e456 = phi_554_;
-                                    phi_556_ = array<u32, 2>(_e450, _e456);
+                                    let _e479 = phi_580_;
+                                    phi_582_ = array<u32, 2>(_e473, _e479);
                                 } else {
-                                    phi_556_ = array<u32, 2>(_e446, _e436);
+                                    phi_582_ = array<u32, 2>(_e469, _e459);
                                 }
-                                let _e459 = phi_556_;
-                                let _e462 = (2u * (_e331 + _e374));
-                                let _e465 = atomicAdd((&global_10.member[_e462]), _e459[0]);
-                                let _e469 = (_e459[1] + select(0u, 1u, ((_e465 + _e459[0]) < _e459[0])));
-                                if (_e469 == 0u) {
+                                let _e482 = phi_582_;
+                                let _e485 = (2u * (_e331 + _e397));
+                                let _e488 = atomicAdd((&global_10.member[_e485]), _e482[0]);
+                                let _e492 = (_e482[1] + select(0u, 1u, ((_e488 + _e482[0]) < _e482[0])));
+                                if (_e492 == 0u) {
                                 } else {
-                                    let _e474 = atomicAdd((&global_10.member[(_e462 + 1u)]), _e469);
+                                    let _e497 = atomicAdd((&global_10.member[(_e485 + 1u)]), _e492);
                                 }
                             }
-                            let _e475 = (_e386 * (_e218 * _e215));
+                            let _e498 = (_e409 * (_e218 * _e215));
                             if _e108 {
-                                let _e477 = abs(_e475);
-                                let _e480 = u32((_e477 * (1f / 4294967300f)));
-                                let _e483 = (_e477 - (f32(_e480) * 4294967300f));
-                                let _e484 = u32(_e483);
-                                if ((_e483 - f32(_e484)) >= 0.5f) {
-                                    phi_588_ = (_e484 + 1u);
+                                let _e500 = abs(_e498);
+                                let _e503 = u32((_e500 * (1f / 4294967300f)));
+                                let _e506 = (_e500 - (f32(_e503) * 4294967300f));
+                                let _e507 = u32(_e506);
+                                if ((_e506 - f32(_e507)) >= 0.5f) {
+                                    phi_614_ = (_e507 + 1u);
                                 } else {
-                                    phi_588_ = _e484;
+                                    phi_614_ = _e507;
                                 }
-                                let _e490 = phi_588_;
-                                if (_e475 < 0f) {
-                                    let _e494 = (~(_e490) + 1u);
-                                    if (_e494 == 0u) {
-                                        phi_603_ = (~(_e480) + 1u);
+                                let _e513 = phi_614_;
+                                if (_e498 < 0f) {
+                                    let _e517 = (~(_e513) + 1u);
+                                    if (_e517 == 0u) {
+                                        phi_629_ = (~(_e503) + 1u);
                                     } else {
-                                        phi_603_ = ~(_e480);
+                                        phi_629_ = ~(_e503);
                                     }
-                                    let _e500 = phi_603_;
-                                    phi_605_ = array<u32, 2>(_e494, _e500);
+                                    let _e523 = phi_629_;
+                                    phi_631_ = array<u32, 2>(_e517, _e523);
                                 } else {
-                                    phi_605_ = array<u32, 2>(_e490, _e480);
+                                    phi_631_ = array<u32, 2>(_e513, _e503);
                                 }
-                                let _e503 = phi_605_;
-                                let _e506 = (2u * (_e332 + _e374));
-                                let _e509 = atomicAdd((&global_10.member[_e506]), _e503[0]);
-                                let _e513 = (_e503[1] + select(0u, 1u, ((_e509 + _e503[0]) < _e503[0])));
-                                if (_e513 == 0u) {
+                                let _e526 = phi_631_;
+                                let _e529 = (2u * (_e332 + _e397));
+                                let _e532 = atomicAdd((&global_10.member[_e529]), _e526[0]);
+                                let _e536 = (_e526[1] + select(0u, 1u, ((_e532 + _e526[0]) < _e526[0])));
+                                if (_e536 == 0u) {
                                 } else {
-                                    let _e518 = atomicAdd((&global_10.member[(_e506 + 1u)]), _e513);
+                                    let _e541 = atomicAdd((&global_10.member[(_e529 + 1u)]), _e536);
                                 }
                             }
-                            let _e519 = (_e386 * (_e219 * _e215));
+                            let _e542 = (_e409 * (_e219 * _e215));
                             if _e108 {
-                                let _e521 = abs(_e519);
-                                let _e524 = u32((_e521 * (1f / 4294967300f)));
-                                let _e527 = (_e521 - (f32(_e524) * 4294967300f));
-                                let _e528 = u32(_e527);
-                                if ((_e527 - f32(_e528)) >= 0.5f) {
-                                    phi_637_ = (_e528 + 1u);
+                                let _e544 = abs(_e542);
+                                let _e547 = u32((_e544 * (1f / 4294967300f)));
+                                let _e550 = (_e544 - (f32(_e547) * 4294967300f));
+                                let _e551 = u32(_e550);
+                                if ((_e550 - f32(_e551)) >= 0.5f) {
+                                    phi_663_ = (_e551 + 1u);
                                 } else {
-                                    phi_637_ = _e528;
+                                    phi_663_ = _e551;
                                 }
-                                let _e534 = phi_637_;
-                                if (_e519 < 0f) {
-                                    let _e538 = (~(_e534) + 1u);
-                                    if (_e538 == 0u) {
-                                        phi_652_ = (~(_e524) + 1u);
+                                let _e557 = phi_663_;
+                                if (_e542 < 0f) {
+                                    let _e561 = (~(_e557) + 1u);
+                                    if (_e561 == 0u) {
+                                        phi_678_ = (~(_e547) + 1u);
                                     } else {
-                                        phi_652_ = ~(_e524);
+                                        phi_678_ = ~(_e547);
                                     }
-                                    let _e544 = phi_652_;
-                                    phi_654_ = array<u32, 2>(_e538, _e544);
+                                    let _e567 = phi_678_;
+                                    phi_680_ = array<u32, 2>(_e561, _e567);
                                 } else {
-                                    phi_654_ = array<u32, 2>(_e534, _e524);
+                                    phi_680_ = array<u32, 2>(_e557, _e547);
                                 }
-                                let _e547 = phi_654_;
-                                let _e550 = (2u * (_e333 + _e374));
-                                let _e553 = atomicAdd((&global_10.member[_e550]), _e547[0]);
-                                let _e557 = (_e547[1] + select(0u, 1u, ((_e553 + _e547[0]) < _e547[0])));
-                                if (_e557 == 0u) {
+                                let _e570 = phi_680_;
+                                let _e573 = (2u * (_e333 + _e397));
+                                let _e576 = atomicAdd((&global_10.member[_e573]), _e570[0]);
+                                let _e580 = (_e570[1] + select(0u, 1u, ((_e576 + _e570[0]) < _e570[0])));
+                                if (_e580 == 0u) {
                                 } else {
-                                    let _e562 = atomicAdd((&global_10.member[(_e550 + 1u)]), _e557);
+                                    let _e585 = atomicAdd((&global_10.member[(_e573 + 1u)]), _e580);
                                 }
                             }
-                            let _e563 = (_e386 * (_e216 * _e210));
+                            let _e586 = (_e409 * (_e216 * _e210));
                             if _e108 {
-                                let _e565 = abs(_e563);
-                                let _e568 = u32((_e565 * (1f / 4294967300f)));
-                                let _e571 = (_e565 - (f32(_e568) * 4294967300f));
-                                let _e572 = u32(_e571);
-                                if ((_e571 - f32(_e572)) >= 0.5f) {
-                                    phi_686_ = (_e572 + 1u);
+                                let _e588 = abs(_e586);
+                                let _e591 = u32((_e588 * (1f / 4294967300f)));
+                                let _e594 = (_e588 - (f32(_e591) * 4294967300f));
+                                let _e595 = u32(_e594);
+                                if ((_e594 - f32(_e595)) >= 0.5f) {
+                                    phi_712_ = (_e595 + 1u);
                                 } else {
-                                    phi_686_ = _e572;
+                                    phi_712_ = _e595;
                                 }
-                                let _e578 = phi_686_;
-                                if (_e563 < 0f) {
-                                    let _e582 = (~(_e578) + 1u);
-                                    if (_e582 == 0u) {
-                                        phi_701_ = (~(_e568) + 1u);
+                                let _e601 = phi_712_;
+                                if (_e586 < 0f) {
+                                    let _e605 = (~(_e601) + 1u);
+                                    if (_e605 == 0u) {
+                                        phi_727_ = (~(_e591) + 1u);
                                     } else {
-                                        phi_701_ = ~(_e568);
+                                        phi_727_ = ~(_e591);
                                     }
-                                    let _e588 = phi_701_;
-                                    phi_703_ = array<u32, 2>(_e582, _e588);
+                                    let _e611 = phi_727_;
+                                    phi_729_ = array<u32, 2>(_e605, _e611);
                                 } else {
-                                    phi_703_ = array<u32, 2>(_e578, _e568);
+                                    phi_729_ = array<u32, 2>(_e601, _e591);
                                 }
-                                let _e591 = phi_703_;
-                                let _e594 = (2u * (_e334 + _e374));
-                                let _e597 = atomicAdd((&global_10.member[_e594]), _e591[0]);
-                                let _e601 = (_e591[1] + select(0u, 1u, ((_e597 + _e591[0]) < _e591[0])));
-                                if (_e601 == 0u) {
+                                let _e614 = phi_729_;
+                                let _e617 = (2u * (_e334 + _e397));
+                                let _e620 = atomicAdd((&global_10.member[_e617]), _e614[0]);
+                                let _e624 = (_e614[1] + select(0u, 1u, ((_e620 + _e614[0]) < _e614[0])));
+                                if (_e624 == 0u) {
                                 } else {
-                                    let _e606 = atomicAdd((&global_10.member[(_e594 + 1u)]), _e601);
+                                    let _e629 = atomicAdd((&global_10.member[(_e617 + 1u)]), _e624);
                                 }
                             }
-                            let _e607 = (_e386 * (_e217 * _e210));
+                            let _e630 = (_e409 * (_e217 * _e210));
                             if _e108 {
-                                let _e609 = abs(_e607);
-                                let _e612 = u32((_e609 * (1f / 4294967300f)));
-                                let _e615 = (_e609 - (f32(_e612) * 4294967300f));
-                                let _e616 = u32(_e615);
-                                if ((_e615 - f32(_e616)) >= 0.5f) {
-                                    phi_735_ = (_e616 + 1u);
+                                let _e632 = abs(_e630);
+                                let _e635 = u32((_e632 * (1f / 4294967300f)));
+                                let _e638 = (_e632 - (f32(_e635) * 4294967300f));
+                                let _e639 = u32(_e638);
+                                if ((_e638 - f32(_e639)) >= 0.5f) {
+                                    phi_761_ = (_e639 + 1u);
                                 } else {
-                                    phi_735_ = _e616;
+                                    phi_761_ = _e639;
                                 }
-                                let _e622 = phi_735_;
-                                if (_e607 < 0f) {
-                                    let _e626 = (~(_e622) + 1u);
-                                    if (_e626 == 0u) {
-                                        phi_750_ = (~(_e612) + 1u);
+                                let _e645 = phi_761_;
+                                if (_e630 < 0f) {
+                                    let _e649 = (~(_e645) + 1u);
+                                    if (_e649 == 0u) {
+                                        phi_776_ = (~(_e635) + 1u);
                                     } else {
-                                        phi_750_ = ~(_e612);
+                                        phi_776_ = ~(_e635);
                                     }
-                                    let _e632 = phi_750_;
-                                    phi_752_ = array<u32, 2>(_e626, _e632);
+                                    let _e655 = phi_776_;
+                                    phi_778_ = array<u32, 2>(_e649, _e655);
                                 } else {
-                                    phi_752_ = array<u32, 2>(_e622, _e612);
+                                    phi_778_ = array<u32, 2>(_e645, _e635);
                                 }
-                                let _e635 = phi_752_;
-                                let _e638 = (2u * (_e335 + _e374));
-                                let _e641 = atomicAdd((&global_10.member[_e638]), _e635[0]);
-                                let _e645 = (_e635[1] + select(0u, 1u, ((_e641 + _e635[0]) < _e635[0])));
-                                if (_e645 == 0u) {
+                                let _e658 = phi_778_;
+                                let _e661 = (2u * (_e335 + _e397));
+                                let _e664 = atomicAdd((&global_10.member[_e661]), _e658[0]);
+                                let _e668 = (_e658[1] + select(0u, 1u, ((_e664 + _e658[0]) < _e658[0])));
+                                if (_e668 == 0u) {
                                 } else {
-                                    let _e650 = atomicAdd((&global_10.member[(_e638 + 1u)]), _e645);
+                                    let _e673 = atomicAdd((&global_10.member[(_e661 + 1u)]), _e668);
                                 }
                             }
-                            let _e651 = (_e386 * (_e218 * _e210));
+                            let _e674 = (_e409 * (_e218 * _e210));
                             if _e108 {
-                                let _e653 = abs(_e651);
-                                let _e656 = u32((_e653 * (1f / 4294967300f)));
-                                let _e659 = (_e653 - (f32(_e656) * 4294967300f));
-                                let _e660 = u32(_e659);
-                                if ((_e659 - f32(_e660)) >= 0.5f) {
-                                    phi_784_ = (_e660 + 1u);
+                                let _e676 = abs(_e674);
+                                let _e679 = u32((_e676 * (1f / 4294967300f)));
+                                let _e682 = (_e676 - (f32(_e679) * 4294967300f));
+                                let _e683 = u32(_e682);
+                                if ((_e682 - f32(_e683)) >= 0.5f) {
+                                    phi_810_ = (_e683 + 1u);
                                 } else {
-                                    phi_784_ = _e660;
+                                    phi_810_ = _e683;
                                 }
-                                let _e666 = phi_784_;
-                                if (_e651 < 0f) {
-                                    let _e670 = (~(_e666) + 1u);
-                                    if (_e670 == 0u) {
-                                        phi_799_ = (~(_e656) + 1u);
+                                let _e689 = phi_810_;
+                                if (_e674 < 0f) {
+                                    let _e693 = (~(_e689) + 1u);
+                                    if (_e693 == 0u) {
+                                        phi_825_ = (~(_e679) + 1u);
                                     } else {
-                                        phi_799_ = ~(_e656);
+                                        phi_825_ = ~(_e679);
                                     }
-                                    let _e676 = phi_799_;
-                                    phi_801_ = array<u32, 2>(_e670, _e676);
+                                    let _e699 = phi_825_;
+                                    phi_827_ = array<u32, 2>(_e693, _e699);
                                 } else {
-                                    phi_801_ = array<u32, 2>(_e666, _e656);
+                                    phi_827_ = array<u32, 2>(_e689, _e679);
                                 }
-                                let _e679 = phi_801_;
-                                let _e682 = (2u * (_e336 + _e374));
-                                let _e685 = atomicAdd((&global_10.member[_e682]), _e679[0]);
-                                let _e689 = (_e679[1] + select(0u, 1u, ((_e685 + _e679[0]) < _e679[0])));
-                                if (_e689 == 0u) {
+                                let _e702 = phi_827_;
+                                let _e705 = (2u * (_e336 + _e397));
+                                let _e708 = atomicAdd((&global_10.member[_e705]), _e702[0]);
+                                let _e712 = (_e702[1] + select(0u, 1u, ((_e708 + _e702[0]) < _e702[0])));
+                                if (_e712 == 0u) {
                                 } else {
-                                    let _e694 = atomicAdd((&global_10.member[(_e682 + 1u)]), _e689);
+                                    let _e717 = atomicAdd((&global_10.member[(_e705 + 1u)]), _e712);
                                 }
                             }
-                            let _e695 = (_e386 * (_e219 * _e210));
+                            let _e718 = (_e409 * (_e219 * _e210));
                             if _e108 {
-                                let _e697 = abs(_e695);
-                                let _e700 = u32((_e697 * (1f / 4294967300f)));
-                                let _e703 = (_e697 - (f32(_e700) * 4294967300f));
-                                let _e704 = u32(_e703);
-                                if ((_e703 - f32(_e704)) >= 0.5f) {
-                                    phi_833_ = (_e704 + 1u);
+                                let _e720 = abs(_e718);
+                                let _e723 = u32((_e720 * (1f / 4294967300f)));
+                                let _e726 = (_e720 - (f32(_e723) * 4294967300f));
+                                let _e727 = u32(_e726);
+                                if ((_e726 - f32(_e727)) >= 0.5f) {
+                                    phi_859_ = (_e727 + 1u);
                                 } else {
-                                    phi_833_ = _e704;
+                                    phi_859_ = _e727;
                                 }
-                                let _e710 = phi_833_;
-                                if (_e695 < 0f) {
-                                    let _e714 = (~(_e710) + 1u);
-                                    if (_e714 == 0u) {
-                                        phi_848_ = (~(_e700) + 1u);
+                                let _e733 = phi_859_;
+                                if (_e718 < 0f) {
+                                    let _e737 = (~(_e733) + 1u);
+                                    if (_e737 == 0u) {
+                                        phi_874_ = (~(_e723) + 1u);
                                     } else {
-                                        phi_848_ = ~(_e700);
+                                        phi_874_ = ~(_e723);
                                     }
-                                    let _e720 = phi_848_;
-                                    phi_850_ = array<u32, 2>(_e714, _e720);
+                                    let _e743 = phi_874_;
+                                    phi_876_ = array<u32, 2>(_e737, _e743);
                                 } else {
-                                    phi_850_ = array<u32, 2>(_e710, _e700);
+                                    phi_876_ = array<u32, 2>(_e733, _e723);
                                 }
-                                let _e723 = phi_850_;
-                                let _e726 = (2u * (_e337 + _e374));
-                                let _e729 = atomicAdd((&global_10.member[_e726]), _e723[0]);
-                                let _e733 = (_e723[1] + select(0u, 1u, ((_e729 + _e723[0]) < _e723[0])));
-                                if (_e733 == 0u) {
+                                let _e746 = phi_876_;
+                                let _e749 = (2u * (_e337 + _e397));
+                                let _e752 = atomicAdd((&global_10.member[_e749]), _e746[0]);
+                                let _e756 = (_e746[1] + select(0u, 1u, ((_e752 + _e746[0]) < _e746[0])));
+                                if (_e756 == 0u) {
                                 } else {
-                                    let _e738 = atomicAdd((&global_10.member[(_e726 + 1u)]), _e733);
+                                    let _e761 = atomicAdd((&global_10.member[(_e749 + 1u)]), _e756);
                                 }
                             }
-                            local_7 = (_e374 + 1u);
-                            local_8 = (_e376 + _e63);
+                            local_7 = (_e397 + 1u);
+                            local_8 = (_e399 + _e63);
                             continue;
                         } else {
                             break;
                         }
                         continuing {
-                            let _e759 = local_7;
-                            phi_462_ = _e759;
-                            let _e762 = local_8;
-                            phi_465_ = _e762;
+                            let _e782 = local_7;
+                            phi_488_ = _e782;
+                            let _e785 = local_8;
+                            phi_491_ = _e785;
                         }
                     }
                 }

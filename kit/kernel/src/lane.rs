@@ -9,6 +9,8 @@ use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
 
+#[cfg(target_arch = "spirv")]
+use crate::atomic::AtomicBuffer;
 use crate::atomic::{self, SumWord};
 use crate::fixed;
 use crate::half::normal_half_value;
@@ -109,6 +111,8 @@ pub trait Lane:
     fn take_fixed(sum: Write<u32>, first: u32) -> Self;
     /// In lanes where the mask holds, sets the flag of the block of `block` elements that contains the element `at`.
     fn flag(mask: Self::Mask, flags: Write<u32>, at: Self::Index, block: u32);
+    /// Whether the flag of such a block is known to be set. A CPU does not look: it sets one as fast.
+    fn is_flagged(flags: Write<u32>, at: Self::Index, block: u32) -> bool;
 }
 
 /// One `u32` for each of several invocations.
@@ -294,6 +298,11 @@ impl Lane for f32 {
         if mask {
             atomic::raise(flags, at / block, 1);
         }
+    }
+
+    #[inline(always)]
+    fn is_flagged(flags: Write<u32>, at: u32, block: u32) -> bool {
+        flags.atomic_load(at / block) != 0
     }
 }
 

@@ -261,6 +261,11 @@ impl<const N: usize, const FUSED: bool> Lane for Wide<N, FUSED> {
         let at: [u32; N] = lanes!(|i| at.0[i] / block);
         atomic::flag_lanes(flags, mask.0.map(|lane| lane != 0), at);
     }
+
+    #[inline(always)]
+    fn is_flagged(_: Write<u32>, _: Self::Index, _: u32) -> bool {
+        false
+    }
 }
 
 impl<const N: usize, const FUSED: bool> Wide<N, FUSED> {

@@ -34,7 +34,7 @@ pub struct Poses {
     /// Whether frames were left out on purpose, so that there may be none to train on.
     pub(super) is_part: bool,
     /// Background of the photographs, once it is decided.
-    background: OnceLock<[f32; 3]>,
+    background: OnceLock<Background>,
 }
 
 /// A camera of a data set.
@@ -149,13 +149,12 @@ impl Poses {
     /// The same errors as [`Dataset::load`], for this photograph.
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
         let Some(shot) = self.listing.shots.get(index) else { return Ok(None) };
-        let background = Background::Color(self.background()?);
-        let options = DatasetOptions { background, ..self.options.clone() };
+        let options = DatasetOptions { background: self.background()?, ..self.options.clone() };
         shot.develop(&options, &Budget::beside(0)).map(|(frame, _)| Some(frame))
     }
 
     /// The background of the photographs. The first call may look at every photograph.
-    pub(super) fn background(&self) -> Result<[f32; 3]> {
+    pub(super) fn background(&self) -> Result<Background> {
         if let Some(background) = self.background.get() {
             return Ok(*background);
         }

@@ -342,7 +342,12 @@ impl Trainer {
         let TrainerState { shard, gradient, .. } = &self.state;
         let renderer = &self.renderer;
         let cameras = &drawn.cameras(&self.cameras)[..];
-        let scene = &shard.coarser(*factor, *ray_steps);
+        let mut scene = shard.coarser(*factor, *ray_steps);
+        if self.dataset.fill.is_some() {
+            // a gap would learn nothing where its color is that of the photographs
+            scene.set_background(self.dataset.background);
+        }
+        let scene = &scene;
         Ok(match &mut hooks.loss {
             Some(own) => {
                 let (loss, squared) = renderer

@@ -1,11 +1,12 @@
-//! The background of photographs with an alpha channel.
+//! The background of photographs with an alpha channel, and of scenes with gaps.
 
 use std::fs;
 
+use organza::Scene;
 use organza::data::Background;
 use organza::train::TrainConfig;
 
-use super::runs::{photographs, sandbox};
+use super::runs::{assert_same, bits, photographs, sandbox};
 
 #[test]
 fn blenders_photographs_with_alpha_are_in_front_of_white() {
@@ -39,5 +40,41 @@ fn blenders_photographs_with_alpha_are_in_front_of_white() {
         let outcome = sandbox.run(&format!("{train} --background {color} -o {color}")).assert_ok();
         assert!(!outcome.stderr.contains("the background is"), "{outcome:?}");
         assert_eq!(background(color), Background::Color(expected));
+    }
+}
+
+/// Gaps in the finished scene have the mean color of the photographs. Training does not see it, nor does a resumed run.
+#[test]
+fn gaps_are_filled_with_the_mean_of_whole_photographs() {
+    let sandbox = sandbox();
+    photographs(&sandbox);
+    let train = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu";
+    let options = "--set data.background=auto";
+    sandbox.run(&format!("{train} {options} --steps 6 -o whole")).assert_ok();
+    sandbox.run(&format!("{train} {options} --steps 3 -o auto")).assert_ok();
+    sandbox.run("train --resume auto --steps 6 --backend cpu").assert_ok();
+    sandbox.run(&format!("{train} --background black --steps 6 -o black")).assert_ok();
+    let load = |run: &str| Scene::load(sandbox.path(run).join("checkpoint.safetensors")).unwrap();
+    let background = |run: &str| load(run).config.background;
+    assert_same("over black", &bits(&sandbox, "whole"), &bits(&sandbox, "black"));
+    assert_eq!(background("black"), [0.0; 3]);
+
+    let folder = sandbox.path("data/images");
+    let mut files: Vec<_> =
+        fs::read_dir(folder).unwrap().map(|file| file.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "png"));
+    files.sort();
+    // the first and every second one are held out
+    let train = files.iter().skip(1).step_by(2).map(|path| image::open(path).unwrap().to_rgb8());
+    let pixels: Vec<_> =
+        train.flat_map(|image| image.pixels().copied().collect::<Vec<_>>()).collect();
+    let mean = [0, 1, 2].map(|channel| {
+        let sum: f64 = pixels.iter().map(|pixel| f64::from(pixel[channel])).sum();
+        sum / (255.0 * pixels.len() as f64)
+    });
+    assert_eq!(background("auto"), background("whole"));
+    for (found, expected) in background("whole").into_iter().zip(mean) {
+        // downscaled photographs are rounded again
+        assert!((found - expected).abs() < 2e-3, "{found}, {expected}");
     }
 }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use rand::RngExt;
+
 use super::checkpoint::Checkpoint;
 use super::coarse::{Batches, Drawn};
 use super::config::TrainConfig;
@@ -20,10 +22,14 @@ use crate::evaluate::{Evaluation, evaluate_measures};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::metrics;
+use organza_core::random;
 use organza_core::ranks::Ranks;
 use organza_core::scene::range_of;
 use organza_data::Dataset;
 use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer};
+
+/// Purpose of the random numbers of a step: the color behind the scene.
+const BEHIND: u64 = 7;
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -344,8 +350,9 @@ impl Trainer {
         let cameras = &drawn.cameras(&self.cameras)[..];
         let mut scene = shard.coarser(*factor, *ray_steps);
         if self.dataset.fill.is_some() {
-            // a gap would learn nothing where its color is that of the photographs
-            scene.set_background(self.dataset.background);
+            // over a color of its own in each step, no photograph's color is that of a gap
+            let mut random = random(self.config.run.seed, BEHIND, u64::from(self.step));
+            scene.set_background([(); 3].map(|()| random.random()));
         }
         let scene = &scene;
         Ok(match &mut hooks.loss {

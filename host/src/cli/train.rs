@@ -260,6 +260,8 @@ struct Ended {
     /// Score of the last evaluation.
     psnr: Option<f64>,
     ssim: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    psnr_fitted: Option<f64>,
 }
 
 impl Ended {
@@ -274,6 +276,7 @@ impl Ended {
             Event::Evaluated(evaluation) => {
                 self.psnr = evaluation.mean.psnr;
                 self.ssim = evaluation.mean.ssim;
+                self.psnr_fitted = evaluation.mean.psnr_fitted;
             }
             _ => {}
         }

@@ -337,6 +337,10 @@ impl TrainJob<'_> {
             team.tell(&config, placement)?;
         }
         let data = DataSet::open(config.data.clone(), placement, console)?;
+        // a run that has begun may go on
+        if !self.resume {
+            data.check_downscale()?;
+        }
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
         let made = Folder::make(self.folder)?;

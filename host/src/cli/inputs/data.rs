@@ -35,6 +35,9 @@ pub struct DataArgs {
     allow_outside: bool,
 }
 
+/// Fewest pixels on a side to which training may shrink photographs.
+const MIN_SIDE: u32 = 32;
+
 /// A subset of a data set's frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Split {
@@ -187,6 +190,25 @@ impl DataSet {
             None => self.motions = motions,
         }
         Ok(self)
+    }
+
+    /// Refuses a downscale that leaves too little of a photograph to train on.
+    pub fn check_downscale(&self) -> Result<()> {
+        let factor = self.settings.downscale;
+        let (Some(poses), true) = (&self.poses, factor > 1) else { return Ok(()) };
+        for Pose { camera: Camera { width, height, .. }, photograph, .. } in poses.cameras()? {
+            let side = width.min(height);
+            if side < MIN_SIDE {
+                let most = (u64::from(side) * u64::from(factor) / u64::from(MIN_SIDE)).max(1);
+                let reason = format!(
+                    "a downscale of {factor} leaves {width} x {height} pixels, and training needs {MIN_SIDE} a side; use \
+                     `--downscale {most}`"
+                );
+                let origin = photograph.unwrap_or_else(|| poses.path.clone());
+                return Err(Error::Invalid { origin, reason });
+            }
+        }
+        Ok(())
     }
 
     /// The cameras as training has them.

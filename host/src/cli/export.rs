@@ -78,7 +78,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let renderer = args.device.open(console)?;
     let (views, data) = load_views(args, &source, &scene, &renderer, console)?;
     let uploaded = renderer.upload(&scene)?;
-    let fit = Fit { steps: args.steps, side: args.side };
+    let fit = announced(Fit { steps: args.steps, side: args.side }, console);
     let distilled = {
         let progress = console.progress(u64::from(args.steps), "steps");
         progress.say("fitting");
@@ -125,7 +125,19 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-/// The views to compare, and the scene's photographs if there are any.
+/// Says what the fit will take.
+fn announced(fit: Fit, console: Console) -> Fit {
+    if fit.steps > 0 {
+        console.note(&format!(
+            "fitting the Gaussians to the scene's own images in {}, which takes minutes on a CPU; `--steps 0` only fits \
+             the colors, in seconds",
+            count(u64::from(fit.steps), "step")
+        ));
+    }
+    fit
+}
+
+/// The views to compare, and the held-out photographs if there are any.
 fn load_views(
     args: &Args,
     source: &SceneSource,

@@ -56,6 +56,8 @@ pub struct DataSet {
     poses: Option<Poses>,
     /// Motions of the built-in scene's cameras.
     motions: Vec<Option<[f64; 6]>>,
+    /// The frames of the built-in scene to render.
+    split: Split,
 }
 
 impl DataArgs {
@@ -159,7 +161,7 @@ impl DataSet {
             let side = data.built_in_side;
             console.detail(&format!("data set: {views} views of the built-in scene, side {side}"));
         }
-        Ok(Self { settings, poses, motions: Vec::new() })
+        Ok(Self { settings, poses, motions: Vec::new(), split: Split::All })
     }
 
     /// The data set with the cameras that the run has refined, if it has refined poses: those of its training frames.
@@ -246,13 +248,17 @@ impl DataSet {
         }
     }
 
-    /// The data set without unused photographs, which are not read.
+    /// The data set without unused photographs, which are not read. Ask for its cameras before.
     pub fn only(mut self, split: Split) -> Result<Self> {
         self.poses = match (self.poses, split) {
             (Some(poses), Split::HeldOut) => Some(poses.only(true)?),
             (Some(poses), Split::Train) => Some(poses.only(false)?),
             (poses, _) => poses,
         };
+        self.split = split;
+        let cameras = built_in_cameras(&self.settings);
+        let mut cameras = cameras.iter();
+        self.motions.retain(|_| cameras.next().is_some_and(|pose| split.takes(pose.held_out)));
         Ok(self)
     }
 
@@ -260,14 +266,14 @@ impl DataSet {
     pub fn read(mut self, renderer: &Renderer, console: Console) -> Result<Dataset> {
         let Some(poses) = self.poses.take() else {
             let data = &self.settings;
-            let bar = console.progress(u64::from(data.built_in_views), "views");
+            let bar = console.progress(0, "views");
             bar.say("rendering the built-in scene");
             let views = data.built_in_views;
             let side = data.built_in_side;
             let every = data.hold_out_every;
             let progress = &mut |done, all| bar.set_of(done, all);
-            let mut dataset =
-                built_in::dataset_with_progress(renderer, views, side, every, progress)?;
+            let takes = |is_held_out| self.split.takes(is_held_out);
+            let mut dataset = built_in::part(renderer, views, side, every, &takes, progress)?;
             self.move_built_in(dataset.frames.iter_mut().map(|frame| &mut frame.camera));
             return Ok(dataset);
         };

@@ -38,7 +38,7 @@ const COMMANDS: [&str; 19] = [
     "eval run --backend cpu",
     "eval scene.safetensors data --backend cpu --split all --downscale 4 --json",
     "edit run -o new --backend cpu --haze --least-contribution=1 --keep-largest",
-    "train data --config small.toml --backend cpu -o new --time-limit 1 --downscale 8",
+    "train data --config small.toml --backend cpu -o new --time-limit 1 --downscale 2",
     "train --resume run --backend cpu --time-limit 1",
 ];
 
@@ -118,7 +118,7 @@ fn template() -> Sandbox {
     let named = cameras.replacen('{', "{\"ply_file_path\": \"points.ply\",", 1);
     fs::write(sandbox.path("data/transforms.json"), named).unwrap();
     let words =
-        "train data --config small.toml --backend cpu --downscale 8 --hold-out-every 2 -o run";
+        "train data --config small.toml --backend cpu --downscale 2 --hold-out-every 2 -o run";
     sandbox.run(words).assert_ok();
     sandbox
 }

@@ -26,6 +26,8 @@ pub struct Run {
 pub struct Summary {
     /// Mean PSNR of the held-out views, in decibels.
     pub psnr: Option<f64>,
+    /// The same after each photograph's exposure is fitted, if the run learns exposures.
+    pub psnr_fitted: Option<f64>,
     /// Mean SSIM of the held-out views.
     pub ssim: Option<f64>,
     /// Number of steps at that time.
@@ -62,8 +64,9 @@ impl Run {
         let last = evaluation.or_else(|| last(|record| matches!(record, Record::Step { .. })));
         let mut summary = Summary::default();
         match last {
-            Some(Record::Evaluation { step, seconds, psnr, ssim, .. }) => {
+            Some(Record::Evaluation { step, seconds, psnr, ssim, psnr_fitted, .. }) => {
                 summary.psnr = *psnr;
+                summary.psnr_fitted = *psnr_fitted;
                 summary.ssim = *ssim;
                 summary.step = *step;
                 summary.seconds = *seconds;
@@ -120,15 +123,11 @@ impl Run {
         self.records.iter().filter_map(session).collect()
     }
 
-    /// Step, seconds, PSNR, SSIM and views of each evaluation.
+    /// All evaluations.
     pub(super) fn evaluations<'a>(&'a self) -> Vec<Evaluation<'a>> {
-        let evaluation = |record: &'a Record| match record {
-            Record::Evaluation { step, seconds, psnr, ssim, views } => {
-                let step = *step;
-                let seconds = *seconds;
-                let psnr = *psnr;
-                let ssim = *ssim;
-                Some(Evaluation { step, seconds, psnr, ssim, views })
+        let evaluation = |record: &'a Record| match *record {
+            Record::Evaluation { step, seconds, psnr, ssim, psnr_fitted, ref views } => {
+                Some(Evaluation { step, seconds, psnr, ssim, psnr_fitted, views })
             }
             _ => None,
         };
@@ -172,6 +171,7 @@ pub(super) struct Evaluation<'a> {
     pub seconds: f64,
     pub psnr: Option<f64>,
     pub ssim: Option<f64>,
+    pub psnr_fitted: Option<f64>,
     pub views: &'a [ViewScore],
 }
 

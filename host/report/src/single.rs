@@ -57,6 +57,9 @@ fn header(run: &Run) -> Markup {
     let mut add = |name: &'static str, value: String, unit: String| facts.push((name, value, unit));
     if summary.psnr.is_some() || summary.ssim.is_some() {
         add("Held-out PSNR", score(summary.psnr, 2), "dB".to_owned());
+        if summary.psnr_fitted.is_some() {
+            add("With exposures fitted", score(summary.psnr_fitted, 2), "dB".to_owned());
+        }
         add("Held-out SSIM", score(summary.ssim, 4), String::new());
     }
     if summary.step > 0 {
@@ -166,6 +169,9 @@ fn figure_of(view: &ViewScore, [photograph, rendered, error]: [Picture; 3]) -> M
             h3 {
                 span { (clean(name)) }
                 span.quiet { "PSNR " (score(view.score.psnr, 2)) " dB" }
+                @if let fitted @ Some(_) = view.score.psnr_fitted {
+                    span.quiet { (score(fitted, 2)) " dB with its exposure fitted" }
+                }
                 span.quiet { "SSIM " (score(view.score.ssim, 4)) }
             }
             div.pictures {
@@ -188,32 +194,35 @@ fn titles<const N: usize>(titles: [&str; N]) -> Vec<String> {
 /// All evaluations, and all views of the last one.
 fn scores(evaluations: &[Evaluation<'_>]) -> Markup {
     let Some(last) = evaluations.last() else { return Markup::default() };
-    let row = |one: &Evaluation<'_>| {
-        vec![grouped(one.step), duration(one.seconds), score(one.psnr, 2), score(one.ssim, 4)]
+    // a run that learns exposures also has scores with exposures fitted
+    let scores = if last.psnr_fitted.is_some() { 3 } else { 2 };
+    let heads = |first: &[&str]| {
+        let all = [first, &["PSNR, dB", "SSIM", "PSNR with exposures fitted, dB"]].concat();
+        all.into_iter().take(first.len() + scores).map(str::to_owned).collect::<Vec<_>>()
     };
-    let rows: Vec<_> = thinned(evaluations.to_vec(), MAX_ROWS).iter().map(row).collect();
-    // a run that learns exposures also has scores after a fit of the colors
-    let is_fitted = last.views.iter().any(|view| view.score.psnr_fitted.is_some());
-    let columns = if is_fitted { 4 } else { 3 };
-    let view = |view: &ViewScore| {
-        let of = &view.score;
-        let scores = [score(of.psnr, 2), score(of.ssim, 4), score(of.psnr_fitted, 2)];
-        let cells = [view.name.clone()].into_iter().chain(scores);
-        cells.take(columns).collect::<Vec<_>>()
+    let row = |mut cells: Vec<String>, psnr, ssim, fitted| {
+        cells.extend([score(psnr, 2), score(ssim, 4), score(fitted, 2)].into_iter().take(scores));
+        cells
+    };
+    let mean = |one: &Evaluation<'_>| {
+        let first = vec![grouped(one.step), duration(one.seconds)];
+        row(first, one.psnr, one.ssim, one.psnr_fitted)
+    };
+    let means: Vec<_> = thinned(evaluations.to_vec(), MAX_ROWS).iter().map(mean).collect();
+    let view = |ViewScore { name, score }: &ViewScore| {
+        row(vec![name.clone()], score.psnr, score.ssim, score.psnr_fitted)
     };
     let views: Vec<_> = last.views.iter().map(view).collect();
-    let mut heads = titles(["View", "PSNR, dB", "SSIM", "PSNR after a fit, dB"]);
-    heads.truncate(columns);
     section(
         "Scores",
         &html! {
-            details open[rows.len() <= 12] {
+            details open[means.len() <= 12] {
                 summary { "Mean of the held-out views at each evaluation" }
-                (table("scores", &titles(["Step", "Time", "PSNR, dB", "SSIM"]), 0, &rows))
+                (table("scores", &heads(&["Step", "Time"]), 0, &means))
             }
             details {
                 summary { "Each of the " (views.len()) " held-out views after step " (grouped(last.step)) }
-                (table("scores", &heads, 1, &views))
+                (table("scores", &heads(&["View"]), 1, &views))
             }
         },
     )

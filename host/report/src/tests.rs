@@ -56,7 +56,8 @@ fn evaluation(step: u64, names: &[&str]) -> Record {
     let views = names.iter().map(view).collect();
     let psnr = score.psnr;
     let ssim = score.ssim;
-    Record::Evaluation { step, seconds: 0.38 * step as f64, psnr, ssim, views }
+    let seconds = 0.38 * step as f64;
+    Record::Evaluation { step, seconds, psnr, ssim, psnr_fitted: None, views }
 }
 
 /// 1500 steps of 2000, three evaluations.
@@ -359,20 +360,24 @@ fn text_of_a_run_is_escaped() {
 }
 
 #[test]
-fn scores_after_a_fit_have_a_column_where_a_run_has_them() {
+fn scores_with_exposures_fitted_are_shown_where_a_run_has_them() {
     let folder = tempfile::tempdir().unwrap();
-    let title = "PSNR after a fit, dB";
+    let title = "PSNR with exposures fitted, dB";
     let mut records = records(&["a", "b"]);
     let page = elements(&single::html(&run(&folder.path().join("without"), "", &records)));
     assert!(!texts(&page, "th").contains(&title));
     for record in &mut records {
-        if let Record::Evaluation { views, .. } = record {
+        if let Record::Evaluation { views, psnr_fitted, .. } = record {
+            *psnr_fitted = Some(30.5);
             views.iter_mut().for_each(|view| view.score.psnr_fitted = Some(31.256));
         }
     }
     let page = elements(&single::html(&run(&folder.path().join("with"), "", &records)));
-    assert!(texts(&page, "th").contains(&title));
-    assert_eq!(texts(&page, "td").iter().filter(|text| **text == "31.26").count(), 2);
+    assert_eq!(texts(&page, "th").iter().filter(|text| **text == title).count(), 2);
+    let cells = |value| texts(&page, "td").iter().filter(|text| **text == value).count();
+    assert_eq!([cells("31.26"), cells("30.50")], [2, 2]);
+    assert!(texts(&page, "dt").contains(&"With exposures fitted"));
+    assert!(texts(&page, "span").contains(&"31.26 dB with its exposure fitted"));
 }
 
 #[test]

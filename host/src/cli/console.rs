@@ -92,7 +92,7 @@ impl Console {
 
     /// A bar over `len` steps.
     pub fn progress(self, len: u64, unit: &str) -> Progress {
-        let template = format!("{{msg}} [{{wide_bar}}] {{pos}}/{{len}} {unit}, {{left}} left");
+        let template = format!("{{msg}} [{{wide_bar}}] {{pos}}/{{len}} {unit}{{left}}");
         let mut progress = self.show(ProgressBar::new(len), &template);
         if self.level >= Level::Normal && !self.has_terminal() {
             let unit = unit.to_owned();
@@ -117,12 +117,8 @@ impl Console {
         if self.level < Level::Normal {
             return self.hidden();
         }
-        // Before the first step is done, the time per step is unknown.
         let left = |state: &ProgressState, text: &mut dyn fmt::Write| {
-            let _ = match state.pos() {
-                0 => text.write_str("?"),
-                _ => write!(text, "{:#}", HumanDuration(state.eta())),
-            };
+            let _ = text.write_str(&left(state.pos(), state.len(), state.eta()));
         };
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style.progress_chars("=> ").with_key("left", left));
@@ -181,12 +177,12 @@ impl Progress {
         let Some(log) = &self.log else { return };
         if log.is_due(log.begin.elapsed()) {
             let done = self.bar.position();
+            let left = left(done, self.bar.length(), self.bar.eta());
             let all = grouped(self.bar.length().unwrap_or(done));
             let done = grouped(done);
-            let left = HumanDuration(self.bar.eta());
             let what = self.bar.message();
             let unit = &log.unit;
-            write(&format!("{what}: {done} of {all} {unit}, {left:#} left\n"));
+            write(&format!("{what}: {done} of {all} {unit}{left}\n"));
         }
     }
 
@@ -202,6 +198,12 @@ impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
+}
+
+/// The remaining time, as the end of a line. The estimate is zero until the time per step is known: then nothing.
+fn left(done: u64, all: Option<u64>, estimate: Duration) -> String {
+    let is_unknown = estimate.is_zero() && all.is_none_or(|all| done < all);
+    if is_unknown { String::new() } else { format!(", {:#} left", HumanDuration(estimate)) }
 }
 
 /// Prints `kind: text` on stderr, in one line.
@@ -313,6 +315,13 @@ mod tests {
         assert_eq!(due[..3], [10, 20, 30]);
         assert_eq!(due[due.len() - 1] - due[due.len() - 2], 60);
         assert!((130..160).contains(&due.len()), "{} lines in two hours", due.len());
+    }
+
+    #[test]
+    fn no_time_is_left_before_it_is_known() {
+        let left = |done, seconds| left(done, Some(38), Duration::from_secs(seconds));
+        assert_eq!([left(0, 0), left(1, 0)], ["", ""]);
+        assert_eq!([left(2, 2400), left(38, 0)], [", 40m left", ", 0s left"]);
     }
 
     #[test]

@@ -96,6 +96,9 @@ impl DeviceArgs {
         let start = Instant::now();
         let device = console.during("opening the device", || organza::open_device(options))?;
         console.note(device.choice());
+        if device.backend() == "gpu" && device.is_cpu_like() {
+            console.note("this GPU is software; `--backend cpu` is faster on this machine");
+        }
         console.detail(&format!("opened the device in {:.2} s", start.elapsed().as_secs_f64()));
         Ok(Renderer::new(device))
     }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use organza::camera::Orbit;
-use organza::data::{Dataset, Frame};
+use organza::data::{Dataset, Pose};
 use organza::error::format_bytes;
 use organza::splats::{self, Distilled, Fit, Format, Splat, SplatComparison, Views};
 use organza::{Renderer, Result, Scene};
@@ -78,7 +78,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let renderer = args.device.open(console)?;
     let (views, data) = load_views(args, &source, &scene, &renderer, console)?;
     let uploaded = renderer.upload(&scene)?;
-    let fit = Fit { steps: args.steps, side: args.side };
+    let fit = announced(Fit { steps: args.steps, side: args.side }, console);
     let distilled = {
         let progress = console.progress(u64::from(args.steps), "steps");
         progress.say("fitting");
@@ -125,7 +125,19 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-/// The views to compare, and the scene's photographs if there are any.
+/// Says what the fit will take.
+fn announced(fit: Fit, console: Console) -> Fit {
+    if fit.steps > 0 {
+        console.note(&format!(
+            "fitting the Gaussians to the scene's own images in {}, which takes minutes on a CPU; `--steps 0` only fits \
+             the colors, in seconds",
+            count(u64::from(fit.steps), "step")
+        ));
+    }
+    fit
+}
+
+/// The views to compare, and the held-out photographs if there are any.
 fn load_views(
     args: &Args,
     source: &SceneSource,
@@ -149,17 +161,20 @@ fn load_views(
     }
     let settings = args.data.settings(source, named, USAGE)?;
     let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
-    let data = data.read(renderer, console)?;
-    let all = |frames: &mut dyn Iterator<Item = &Frame>| Views {
-        fitted: frames.map(|frame| frame.camera.clone()).collect(),
-        judges: Vec::new(),
+    let (judges, fitted): (Vec<_>, _) = data.cameras()?.into_iter().partition(|pose| pose.held_out);
+    let cameras = |poses: Vec<Pose>| poses.into_iter().map(|pose| pose.camera).collect::<Vec<_>>();
+    let [fitted, judges] = [fitted, judges].map(cameras);
+    let has_held_out = !judges.is_empty();
+    let (fitted, judges) = match args.data.split(Split::All) {
+        Split::All if fitted.is_empty() => (judges, fitted),
+        Split::All => (fitted, judges),
+        Split::Train => (fitted, Vec::new()),
+        Split::HeldOut => (judges, Vec::new()),
     };
-    let views = match args.data.split(Split::All) {
-        Split::All => Views::from_data_set(&data),
-        Split::Train => all(&mut data.train_frames()),
-        Split::HeldOut => all(&mut data.held_out_frames()),
-    };
-    Ok((views, Some(data)))
+    // no photograph is needed but those that the file is compared with
+    let data = data.only(Split::HeldOut)?;
+    let data = has_held_out.then(|| data.read(renderer, console)).transpose()?;
+    Ok((Views { fitted, judges }, data))
 }
 
 /// Reports how close the file's images are to the scene's, and what rounding in the file costs.

@@ -118,16 +118,16 @@ impl TrainingProgress {
     }
 
     fn evaluated(&self, evaluation: &Evaluation) {
-        let mut text = format!(
-            "step {}: {}: PSNR {} dB, SSIM {}",
+        let fitted = evaluation.mean.psnr_fitted.map_or_else(String::new, |psnr| {
+            format!(", {psnr:.2} dB after each photograph's exposure is fitted")
+        });
+        let text = format!(
+            "step {}: {}: PSNR {} dB{fitted}, SSIM {}",
             grouped(self.step.into()),
             count(evaluation.views.len() as u64, "held-out view"),
             shown(evaluation.mean.psnr, 2),
             shown(evaluation.mean.ssim, 4),
         );
-        if evaluation.mean.psnr_fitted.is_some() {
-            text += &format!(", PSNR after a fit {} dB", shown(evaluation.mean.psnr_fitted, 2));
-        }
         self.bar.note(self.console, &text);
     }
 

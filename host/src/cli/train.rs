@@ -260,6 +260,8 @@ struct Ended {
     /// Score of the last evaluation.
     psnr: Option<f64>,
     ssim: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    psnr_fitted: Option<f64>,
 }
 
 impl Ended {
@@ -274,6 +276,7 @@ impl Ended {
             Event::Evaluated(evaluation) => {
                 self.psnr = evaluation.mean.psnr;
                 self.ssim = evaluation.mean.ssim;
+                self.psnr_fitted = evaluation.mean.psnr_fitted;
             }
             _ => {}
         }
@@ -334,6 +337,10 @@ impl TrainJob<'_> {
             team.tell(&config, placement)?;
         }
         let data = DataSet::open(config.data.clone(), placement, console)?;
+        // a run that has begun may go on
+        if !self.resume {
+            data.check_downscale()?;
+        }
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
         let made = Folder::make(self.folder)?;

@@ -17,32 +17,37 @@ pub fn dataset(
     side: u32,
     hold_out_every: usize,
 ) -> Result<Dataset> {
-    dataset_with_progress(renderer, views, side, hold_out_every, &mut |_, _| {})
+    part(renderer, views, side, hold_out_every, &|_| true, &mut |_, _| {})
 }
 
-/// Like [`dataset`], but calls `progress` with the number of finished views and of all views.
+/// Like [`dataset`], but with only those views that `takes` takes: it is told whether a view is held out. `progress` is
+/// called with the number of finished views and of all.
 ///
 /// # Errors
 /// The same errors as [`dataset`].
-pub fn dataset_with_progress(
+pub fn part(
     renderer: &Renderer,
     views: u32,
     side: u32,
     hold_out_every: usize,
+    takes: &dyn Fn(bool) -> bool,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<Dataset> {
     let pixels = u64::from(views) * u64::from(side) * u64::from(side);
     memory::check(3 * pixels, "the views of the built-in scene")?;
     let scene = renderer.upload(&demo::scene())?;
-    let cameras = demo::turntable(views as usize, side);
-    let mut frames = Vec::with_capacity(cameras.len());
-    for (index, camera) in cameras.iter().enumerate() {
-        progress(index, cameras.len());
+    let mut poses = cameras(views, side, hold_out_every);
+    poses.retain(|pose| takes(pose.held_out));
+    let mut frames = Vec::with_capacity(poses.len());
+    for (index, Pose { camera, .. }) in poses.iter().enumerate() {
+        progress(index, poses.len());
         let image = Photograph::from(&renderer.render_view(&scene, camera)?);
-        frames.push(Frame { name: name(index), camera: camera.clone(), image });
+        let name = camera.file_path.clone().unwrap_or_default();
+        frames.push(Frame { name, camera: Camera { file_path: None, ..camera.clone() }, image });
     }
-    progress(cameras.len(), cameras.len());
+    progress(poses.len(), poses.len());
     let mut dataset = Dataset::from_frames(frames, hold_out_every);
+    (dataset.held_out, dataset.train) = (0..poses.len()).partition(|&at| poses[at].held_out);
     dataset.background = demo::BACKGROUND;
     Ok(dataset)
 }

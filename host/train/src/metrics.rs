@@ -12,7 +12,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::binding::Change;
-use crate::evaluate::{Evaluation, ViewScore};
+use crate::evaluate::{Evaluation, Score, ViewScore};
 use organza_core::error::{Error, Result};
 use organza_core::input::read_file;
 use organza_core::write_inside;
@@ -71,6 +71,9 @@ pub enum Record {
         psnr: Option<f64>,
         /// The mean SSIM over the views.
         ssim: Option<f64>,
+        /// The mean of [`Score::psnr_fitted`](crate::evaluate::Score::psnr_fitted), if the run learns exposures.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        psnr_fitted: Option<f64>,
         /// Scores of each view.
         views: Vec<ViewScore>,
     },
@@ -140,9 +143,9 @@ impl Record {
     /// The record of an evaluation after `step` steps and `seconds` of training.
     #[must_use]
     pub fn evaluation(step: u64, seconds: f64, evaluation: &Evaluation) -> Self {
-        let mean = evaluation.mean;
+        let Score { psnr, ssim, psnr_fitted, .. } = evaluation.mean;
         let views = evaluation.views.clone();
-        Self::Evaluation { step, seconds, psnr: mean.psnr, ssim: mean.ssim, views }
+        Self::Evaluation { step, seconds, psnr, ssim, psnr_fitted, views }
     }
 
     /// Number of optimizer steps so far.

@@ -25,7 +25,7 @@ fn blenders_photographs_with_alpha_are_in_front_of_white() {
         image.save(&path).unwrap();
     }
     let train =
-        "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu --steps 5";
+        "train data --config tiny.toml --downscale 2 --hold-out-every 2 --backend cpu --steps 5";
     let background = |run: &str| {
         TrainConfig::load(sandbox.path(run).join("config.toml")).expect("settings").data.background
     };

@@ -73,7 +73,9 @@ fn a_gpu_repeats_the_bits() {
     let sandbox = sandbox();
     let [first, second] = ["first", "second"].map(|run| {
         let words = "train views --config tiny.toml --backend gpu --steps 14 -o";
-        sandbox.run(&format!("{words} {run}")).assert_ok();
+        let said = sandbox.run(&format!("{words} {run}")).assert_ok().stderr;
+        let notes = said.matches("`--backend cpu` is faster").count();
+        assert_eq!(notes, usize::from(said.contains("llvmpipe")), "{said}");
         bits(&sandbox, run)
     });
     assert!(first["gaussians.opacity"].1.len() > 200, "the scene has grown");

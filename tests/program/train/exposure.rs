@@ -5,6 +5,7 @@ use std::sync::Arc;
 use organza::data::Photograph;
 use organza::train::Trainer;
 use organza::train::config::Rate;
+use organza::train::metrics::Record;
 use organza::{Dataset, Renderer};
 use organza_tests::devices;
 
@@ -80,7 +81,15 @@ fn a_resumed_run_has_the_bits_of_one_that_never_stopped() {
     let settings = "--set exposure.learn=on";
     sandbox.run(&format!("{TINY} whole {settings}")).assert_ok();
     stopped(&sandbox, "cut", "whole", 13);
-    sandbox.run("train --resume cut --backend cpu").assert_ok();
+    let resumed = sandbox.run("train --resume cut --backend cpu --json").assert_ok();
+    // the console's line, the log and the result name the same score
+    let ended: serde_json::Value = serde_json::from_str(&resumed.stdout).expect("JSON");
+    let fitted = ended["psnr_fitted"].as_f64().expect("a score");
+    let line = format!(" dB, {fitted:.2} dB after each photograph's exposure is fitted, SSIM ");
+    assert!(resumed.stderr.contains(&line), "{}", resumed.stderr);
+    assert!(records(&sandbox.path("cut")).iter().any(|record| {
+        matches!(record, Record::Evaluation { psnr_fitted, .. } if *psnr_fitted == Some(fitted))
+    }));
     let expected = bits(&sandbox, "whole");
     assert!(expected["train.exposure"].1.iter().any(|&bits| bits << 1 != 0));
     assert_same("resumed", &bits(&sandbox, "cut"), &expected);

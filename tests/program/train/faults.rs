@@ -17,7 +17,7 @@ use crate::sandbox::{Outcome, Sandbox, program};
 const CALLS: &str = "write,fsync,rename,renameat,renameat2,unlink,ftruncate,openat";
 /// One call in this many is tested, unless the environment asks for all.
 const SAMPLE: usize = 8;
-const RUN: &str = "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu --threads 1 --steps 6 -o run";
+const RUN: &str = "train data --config tiny.toml --downscale 2 --hold-out-every 2 --backend cpu --threads 1 --steps 6 -o run";
 const RESUME: &str = "train --resume run --backend cpu --threads 1";
 
 /// The name of a system call, and its number among calls of that name, from 1.

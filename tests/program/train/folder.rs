@@ -17,7 +17,7 @@ const RESUME: &str = "train --resume run --backend cpu";
 fn stopped(sandbox: &Sandbox) {
     photographs(sandbox);
     let words =
-        "train data --config tiny.toml --downscale 4 --hold-out-every 2 --backend cpu -o run";
+        "train data --config tiny.toml --downscale 2 --hold-out-every 2 --backend cpu -o run";
     sandbox.run(words).assert_ok();
     edit_checkpoint(sandbox, |metadata, _| {
         metadata.insert("train".to_owned(), json!(r#"{"step": 10, "seconds": 1.0}"#));
@@ -53,7 +53,7 @@ fn settings_that_are_not_the_checkpoints_are_refused_by_name() {
     for (from, to, name) in [
         ("seed = 0", "seed = 1", "`run.seed` is 1"),
         ("tile_size = 16", "tile_size = 8", "`run.tile_size` is 8"),
-        ("downscale = 4", "downscale = 2", "`data.downscale` is 2"),
+        ("downscale = 2", "downscale = 1", "`data.downscale` is 1"),
         ("ssim_weight = 0.2", "ssim_weight = 0.25", "`loss.ssim_weight` is 0.25"),
     ] {
         edit_config(&sandbox, |config| config.replacen(from, to, 1));

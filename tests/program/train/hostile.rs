@@ -129,7 +129,7 @@ fn profiles_that_grow_are_passed_over() {
         let profile = chunk(b"iCCP", &[b"a\0\0", zeros(400 << 20).as_slice()].concat());
         fs::write(path, [header, &profile, rest].concat()).unwrap();
     }
-    let script = format!("ulimit -v 600000; \"$ORGANZA\" {TRAIN} --downscale 8 --hold-out-every 0");
+    let script = format!("ulimit -v 600000; \"$ORGANZA\" {TRAIN} --downscale 2 --hold-out-every 0");
     sandbox.shell(&script).assert_ok();
 }
 
@@ -144,14 +144,14 @@ fn many_missing_photographs_are_one_line() {
         json!({"file_path": format!("images/lost-{number}.png"), "transform_matrix": pose})
     }));
     fs::write(&path, serde_json::to_vec(&file).unwrap()).unwrap();
-    let outcome = sandbox.run(&format!("{TRAIN} --downscale 8 --hold-out-every 0")).assert_ok();
+    let outcome = sandbox.run(&format!("{TRAIN} --downscale 2 --hold-out-every 0")).assert_ok();
     let facts = "missing, so left out: 20,000 photographs, the first is ";
     assert!(outcome.stderr.contains(facts) && outcome.stderr.len() < 2000, "{outcome:?}");
 }
 
 #[test]
 fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
-    let allow = format!("{TRAIN} --downscale 8 --hold-out-every 0 --allow-outside");
+    let allow = format!("{TRAIN} --downscale 2 --hold-out-every 0 --allow-outside");
     let facts = ["outside of", "--allow-outside"];
     for link in [false, true] {
         let sandbox = data();

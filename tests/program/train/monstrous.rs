@@ -78,6 +78,13 @@ fn monstrous_options_are_refused_at_once() {
             "train data -o new --backend cpu --downscale 4294967295",
             ["4294967295", "leaves nothing"],
         ),
+        (
+            "train data -o new --backend cpu --downscale 4",
+            [
+                "0000.png",
+                "leaves 24 x 20 pixels, and training needs 32 a side; use `--downscale 2`",
+            ],
+        ),
         ("train -o new --backend cpu --steps 99999999999", ["99999999999", "--steps"]),
         ("demo -o new --backend cpu --views 65535", ["65535", "--views"]),
         ("eval scene.safetensors data --backend cpu --downscale 1025", ["1025", "--downscale"]),

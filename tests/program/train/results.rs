@@ -108,8 +108,8 @@ fn one_small_photograph_is_enough() {
     json["frames"].as_array_mut().unwrap().truncate(1);
     fs::write(frames, json.to_string()).unwrap();
     let words = "train data --config tiny.toml --backend cpu --steps 5 -o run";
-    // 96 x 80 pixels become 6 x 5
-    sandbox.run(&format!("{words} --hold-out-every 0 --downscale 16 --tile-size 64")).assert_ok();
+    // 96 x 80 pixels become 48 x 40
+    sandbox.run(&format!("{words} --hold-out-every 0 --downscale 2 --tile-size 64")).assert_ok();
     let losses: Vec<_> = records(&sandbox.path("run"))
         .into_iter()
         .filter_map(|record| match record {

@@ -35,6 +35,9 @@ pub struct DataArgs {
     allow_outside: bool,
 }
 
+/// Fewest pixels on a side to which training may shrink photographs.
+const MIN_SIDE: u32 = 32;
+
 /// A subset of a data set's frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Split {
@@ -53,6 +56,8 @@ pub struct DataSet {
     poses: Option<Poses>,
     /// Motions of the built-in scene's cameras.
     motions: Vec<Option<[f64; 6]>>,
+    /// The frames of the built-in scene to render.
+    split: Split,
 }
 
 impl DataArgs {
@@ -156,7 +161,7 @@ impl DataSet {
             let side = data.built_in_side;
             console.detail(&format!("data set: {views} views of the built-in scene, side {side}"));
         }
-        Ok(Self { settings, poses, motions: Vec::new() })
+        Ok(Self { settings, poses, motions: Vec::new(), split: Split::All })
     }
 
     /// The data set with the cameras that the run has refined, if it has refined poses: those of its training frames.
@@ -187,6 +192,25 @@ impl DataSet {
             None => self.motions = motions,
         }
         Ok(self)
+    }
+
+    /// Refuses a downscale that leaves too little of a photograph to train on.
+    pub fn check_downscale(&self) -> Result<()> {
+        let factor = self.settings.downscale;
+        let (Some(poses), true) = (&self.poses, factor > 1) else { return Ok(()) };
+        for Pose { camera: Camera { width, height, .. }, photograph, .. } in poses.cameras()? {
+            let side = width.min(height);
+            if side < MIN_SIDE {
+                let most = (u64::from(side) * u64::from(factor) / u64::from(MIN_SIDE)).max(1);
+                let reason = format!(
+                    "a downscale of {factor} leaves {width} x {height} pixels, and training needs {MIN_SIDE} a side; use \
+                     `--downscale {most}`"
+                );
+                let origin = photograph.unwrap_or_else(|| poses.path.clone());
+                return Err(Error::Invalid { origin, reason });
+            }
+        }
+        Ok(())
     }
 
     /// The cameras as training has them.
@@ -224,13 +248,17 @@ impl DataSet {
         }
     }
 
-    /// The data set without unused photographs, which are not read.
+    /// The data set without unused photographs, which are not read. Ask for its cameras before.
     pub fn only(mut self, split: Split) -> Result<Self> {
         self.poses = match (self.poses, split) {
             (Some(poses), Split::HeldOut) => Some(poses.only(true)?),
             (Some(poses), Split::Train) => Some(poses.only(false)?),
             (poses, _) => poses,
         };
+        self.split = split;
+        let cameras = built_in_cameras(&self.settings);
+        let mut cameras = cameras.iter();
+        self.motions.retain(|_| cameras.next().is_some_and(|pose| split.takes(pose.held_out)));
         Ok(self)
     }
 
@@ -238,14 +266,14 @@ impl DataSet {
     pub fn read(mut self, renderer: &Renderer, console: Console) -> Result<Dataset> {
         let Some(poses) = self.poses.take() else {
             let data = &self.settings;
-            let bar = console.progress(u64::from(data.built_in_views), "views");
+            let bar = console.progress(0, "views");
             bar.say("rendering the built-in scene");
             let views = data.built_in_views;
             let side = data.built_in_side;
             let every = data.hold_out_every;
             let progress = &mut |done, all| bar.set_of(done, all);
-            let mut dataset =
-                built_in::dataset_with_progress(renderer, views, side, every, progress)?;
+            let takes = |is_held_out| self.split.takes(is_held_out);
+            let mut dataset = built_in::part(renderer, views, side, every, &takes, progress)?;
             self.move_built_in(dataset.frames.iter_mut().map(|frame| &mut frame.camera));
             return Ok(dataset);
         };

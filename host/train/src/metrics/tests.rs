@@ -1,7 +1,6 @@
 use std::fs;
 
 use super::*;
-use crate::evaluate::Score;
 use organza_core::error::chain;
 
 fn step(step: u64) -> Record {

@@ -87,10 +87,11 @@ pub struct Dataset {
     pub train: Vec<usize>,
     /// Indices of the held-out frames, ascending.
     pub held_out: Vec<usize>,
-    /// The color behind the photographs, over which training compares: red, green and blue, 0 to 1.
+    /// The color behind the photographs: red, green and blue, 0 to 1.
     pub background: [f64; 3],
     /// The color behind the scene that training makes, if it is another one: the mean of the photographs to train on, where
-    /// [`Background::Auto`] finds that each fills its frame. A gap in the scene then looks like what is around it.
+    /// [`Background::Auto`] finds that each fills its frame. A gap in the scene then looks like what is around it. Training has a random
+    /// color behind the scene in each step.
     pub fill: Option<[f64; 3]>,
     /// Points from which training may start; empty if the data set has none.
     pub points: Vec<Point>,

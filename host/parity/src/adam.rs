@@ -4,7 +4,7 @@ use muslin_check::prelude::*;
 use organza_shaders::adam::{AdamInputs, AdamParams};
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
-use super::exact::adam::Step;
+use super::exact::adam::step;
 
 case!(pub Adam(AdamInputs));
 
@@ -35,19 +35,8 @@ impl Adam {
         })
     }
 
-    fn step(&self) -> Step {
-        let params = self.params;
-        Step {
-            rate: params.rate.into(),
-            decay: [params.decay1, params.decay2].map(f64::from),
-            correction2: params.correction2.into(),
-            epsilon: params.epsilon.into(),
-            kept: params.kept.into(),
-        }
-    }
-
     /// Whether the kernel moves a value.
-    pub fn is_touched(&self, index: usize) -> bool {
+    fn is_touched(&self, index: usize) -> bool {
         let block = index / VALUES_PER_FLAG as usize * self.params.sparse as usize;
         index < self.value.len() && self.touched[block] != 0
     }
@@ -94,10 +83,9 @@ impl Parity for Adam {
             return Some(if is_own { 0.0 } else { before });
         }
         let before = [&self.first_moment, &self.second_moment, &self.value];
-        let before = before.map(|values| values.get(index).copied().map(f64::from));
-        let before = [before[0]?, before[1]?, before[2]?];
-        let gradient = f64::from(self.gradient[index + first]);
-        let after = self.step().take(gradient, before);
+        let gradient = f64::from(*self.gradient.get(index + first)?);
+        let before = before.map(|values| f64::from(values[index]));
+        let after = step(&self.params, gradient, before);
         let [m, v, value] = if self.is_touched(index) { after } else { before };
         Some(match output {
             "first_moment" => m,

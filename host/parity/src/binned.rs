@@ -9,10 +9,19 @@ fn unit(row: usize) -> f64 {
     2_f64.powi(16 * row as i32 - 150)
 }
 
+/// An integer of two words.
+pub fn integer([low, high]: [u32; 2]) -> i64 {
+    (u64::from(high) << 32 | u64::from(low)) as i64
+}
+
+/// The inverse of [`integer`].
+pub fn words(integer: i64) -> [u32; 2] {
+    [integer as u32, (integer >> 32) as u32]
+}
+
 /// The numbers in the words of sums `[17, values, 2]`.
 pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
-    let integer = |w: &[u32]| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64;
-    let rows: Vec<_> = words.chunks_exact(2).map(integer).collect();
+    let rows: Vec<_> = words.as_chunks().0.iter().copied().map(integer).collect();
     let sum = |value: usize| {
         (0..ROWS as usize - 1).map(|row| rows[row * values + value] as f64 * unit(row)).sum()
     };
@@ -21,24 +30,20 @@ pub fn read_sums(words: &[u32], values: usize) -> Vec<f64> {
 
 /// An output, with the sums' values in place of their words.
 pub fn with_sums(output: Output, values: usize) -> Output {
-    match output.name {
-        "sum" => {
-            let values = Values::Float(read_sums(output.words(), values));
-            Output { name: output.name, values }
-        }
-        _ => output,
+    if output.name != "sum" {
+        return output;
     }
+    Output { values: Values::Float(read_sums(output.words(), values)), ..output }
 }
 
 /// Sums of one number each, `[17, values, 2]`.
 pub fn write_sums(values: &[f32]) -> Vec<u32> {
-    let mut words = vec![[0; 2]; ROWS as usize * values.len()];
+    let mut sums = vec![[0; 2]; ROWS as usize * values.len()];
     for (index, &value) in values.iter().enumerate().filter(|(_, value)| value.is_normal()) {
         let row = (value.to_bits() >> 23 & 0xff) as usize / 16;
-        let integer = (f64::from(value) / unit(row)) as i64;
-        words[row * values.len() + index] = [integer as u32, (integer >> 32) as u32];
+        sums[row * values.len() + index] = words((f64::from(value) / unit(row)) as i64);
     }
-    words.into_flattened()
+    sums.into_flattened()
 }
 
 case!(pub BinnedGradient(BinnedGradientInputs));
@@ -54,9 +59,8 @@ impl Parity for BinnedGradient {
             let mut sum = write_sums(&fill.values(random, len, [-1.0, 1.0], 1e30));
             if fill != Fill::Huge {
                 // rows that many numbers were added to, and that cancel each other
-                for words in sum.chunks_exact_mut(2).take(9 * len) {
-                    let integer = (u64::from(random.below(u32::MAX)) << 20) as i64 - (1 << 51);
-                    words.copy_from_slice(&[integer as u32, (integer >> 32) as u32]);
+                for sum in sum.as_chunks_mut().0.iter_mut().take(9 * len) {
+                    *sum = words((u64::from(random.below(u32::MAX)) << 20) as i64 - (1 << 51));
                 }
             }
             Self(BinnedGradientInputs {

@@ -1,22 +1,17 @@
 //! The case of `pair_channels`.
 
 use muslin_check::prelude::*;
-use organza_shaders::camera::Camera;
-use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
+use organza_shaders::channels::{PairChannelsInputs, PairChannelsParams};
 
 use super::exact::channels::{depth, normal};
-use super::exact::project::View;
+use super::exact::project::{Gaussian, View};
 use super::project::Project;
 
-/// Inputs of `pair_channels`.
+/// The Gaussians and the cameras in f64 come from the scene.
 #[derive(Clone)]
 pub struct PairChannels {
-    /// The Gaussians and the cameras.
-    pub scene: Project,
-    /// `camera * gaussians + gaussian`
-    pub pair: Vec<u32>,
-    /// `[pairs]`
-    pub transmittance: Vec<f32>,
+    scene: Project,
+    inputs: PairChannelsInputs,
 }
 
 impl PairChannels {
@@ -25,17 +20,25 @@ impl PairChannels {
         let flushed = |length: f32| if length.is_subnormal() { 0.0 } else { length };
         scene.log_scale.iter_mut().for_each(|length| *length = flushed(*length));
         let mut random = Random::new(7);
-        let slots = scene.cameras.len() as u32 * scene.gaussians;
-        let pair: Vec<_> = (0..slots).filter(|_| random.below(3) > 0).collect();
-        let transmittance = random.values(pair.len(), 0.0, 1.0);
-        Self { scene, pair, transmittance }
+        let pair = scene.some_slots(&mut random);
+        let inputs = PairChannelsInputs {
+            params: PairChannelsParams { pairs: pair.len() as u32, gaussians: scene.gaussians },
+            camera: scene.packed_cameras(),
+            position: scene.position.clone(),
+            rotation: scene.rotation.clone(),
+            log_scale: scene.log_scale.clone(),
+            transmittance: random.values(pair.len(), 0.0, 1.0),
+            measure: unwritten(3 * pair.len()),
+            normals: unwritten(3 * pair.len()),
+            pair,
+        };
+        Self { scene, inputs }
     }
 
     /// The camera and the Gaussian of a pair.
-    fn camera_and_gaussian(&self, pair: usize) -> (View, usize) {
-        let slot = self.pair[pair] as usize;
-        let gaussians = self.scene.gaussians as usize;
-        (View::from_camera(&self.scene.cameras[slot / gaussians]), slot % gaussians)
+    fn view_and_gaussian(&self, pair: usize) -> (View, Gaussian<f64>) {
+        let (view, gaussian) = self.scene.slot(self.inputs.pair[pair]);
+        (view, self.scene.gaussian(gaussian))
     }
 }
 
@@ -46,30 +49,17 @@ impl Parity for PairChannels {
         no normal that is across the ray to within 1e-5, where rounding decides its side";
 
     fn sets() -> Vec<(String, Self)> {
-        let sets = Project::everywhere().into_iter();
-        sets.map(|(name, scene)| (name, Self::new(scene))).collect()
+        Project::everywhere().into_iter().map(|(name, scene)| (name, Self::new(scene))).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let packed: Vec<_> = self.scene.cameras.iter().flat_map(Camera::pack).collect();
-        let pairs = self.pair.len();
-        let kernel = PairChannelsKernel {
-            params: PairChannelsParams { pairs: pairs as u32, gaussians: self.scene.gaussians },
-            pair: &self.pair,
-            camera: &packed,
-            position: &self.scene.position,
-            rotation: &self.scene.rotation,
-            log_scale: &self.scene.log_scale,
-            transmittance: &self.transmittance,
-            measure: &unwritten(3 * pairs),
-            normals: &unwritten(3 * pairs),
-        };
-        let mut outputs = runner.run(&kernel, pairs as u32, 1)?;
+        let pairs = self.inputs.pair.len();
+        let mut outputs = runner.run(&self.inputs.kernel(), pairs as u32, 1)?;
         // a normal across the ray has two sides
         let mut found = outputs[1].floats().to_vec();
         for pair in 0..pairs {
-            let (view, gaussian) = self.camera_and_gaussian(pair);
-            if normal(&view, &self.scene.gaussian(gaussian)).1 < 1e-5 {
+            let (view, gaussian) = self.view_and_gaussian(pair);
+            if normal(&view, &gaussian).1 < 1e-5 {
                 found[3 * pair..][..3].fill(0.0);
             }
         }
@@ -79,29 +69,27 @@ impl Parity for PairChannels {
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
         let of = |pair: usize| {
-            let (view, gaussian) = self.camera_and_gaussian(pair);
-            let gaussian = self.scene.gaussian(gaussian);
+            let (view, gaussian) = self.view_and_gaussian(pair);
             if output == "measure" {
-                let transmittance = f64::from(self.transmittance[pair]);
+                let transmittance = f64::from(self.inputs.transmittance[pair]);
                 return [depth(&view, &gaussian), transmittance, 0.0];
             }
             let (normal, cosine) = normal(&view, &gaussian);
             if cosine < 1e-5 { [0.0; 3] } else { normal }
         };
-        (0..self.pair.len()).flat_map(of).map(Some).collect()
+        (0..self.inputs.pair.len()).flat_map(of).map(Some).collect()
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let pair = index / 3;
         if cpu.name == "measure" && !index.is_multiple_of(3) {
             return Bound::EXACT;
         }
         if cpu.name == "normals" {
             return Bound::relative_to(1.0);
         }
-        let (view, gaussian) = self.camera_and_gaussian(pair);
+        let (view, gaussian) = self.view_and_gaussian(index / 3);
         let terms = (0..3).map(|i| {
-            let size = self.scene.center(gaussian)[i].abs() + view.eye[i].abs();
+            let size = gaussian.position[i].abs() + view.eye[i].abs();
             size * view.axes[2][i].abs()
         });
         Bound::relative_to(terms.sum())

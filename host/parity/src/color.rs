@@ -1,15 +1,16 @@
 //! Cases of `color_inputs` and `color_head`.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::color::{
-    ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
+    ColorHeadKernel, ColorHeadParams, ColorInputsInputs, ColorInputsParams,
 };
+use organza_shaders::dense::DenseParams;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::dense::Layer;
+use super::dense::Dense;
 use super::exact::numeric::sigmoid;
 use super::exact::spherical_harmonics::{direction, harmonics};
 use super::exact::unit_cube::{contract, unit};
@@ -39,29 +40,12 @@ pub fn joined(output: &mut Output, stride: usize) -> Vec<f64> {
     rest
 }
 
-/// Inputs of `color_inputs`.
+/// The cameras and the box are those of the inputs.
 #[derive(Clone)]
 pub struct ColorInputs {
-    /// Pairs of the chunk; two others lie before them.
-    pub pairs: u32,
-    /// `camera * gaussians + gaussian`
-    pub pair: Vec<u32>,
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// The cameras.
-    pub cameras: Vec<Camera>,
-    /// The scene's box.
-    pub aabb: [[f64; 3]; 2],
-    /// Whether what lies outside is contracted.
-    pub is_contracted: bool,
-    /// `[gaussians, 3]`
-    pub position: Vec<f32>,
-    /// `[gaussians, 3]`
-    pub material: Vec<f32>,
-    /// Degree of the harmonics.
-    pub degree: u32,
-    /// Distance of two rows.
-    pub stride: u32,
+    cameras: Vec<Camera>,
+    aabb: [[f64; 3]; 2],
+    inputs: ColorInputsInputs,
 }
 
 impl ColorInputs {
@@ -71,34 +55,61 @@ impl ColorInputs {
         let slots = gaussians * cameras.len() as u32;
         let low = aabb[0].iter().fold(f64::MAX, |a, &b| a.min(b)) as f32;
         let high = aabb[1].iter().fold(f64::MIN, |a, &b| a.max(b)) as f32;
-        Self {
-            pairs,
+        let stride = pairs + 3;
+        let sh_rows = (degree + 1).pow(2);
+        let inputs = ColorInputsInputs {
+            params: ColorInputsParams {
+                pairs,
+                first_pair: FIRST_PAIR,
+                stride,
+                gaussians,
+                sh_degree: degree,
+                material: 3,
+                // a row between them belongs to the grid
+                material_row: sh_rows + 1,
+                contracted: 0,
+            },
             // the last pair there is, and any
             pair: (0..pairs + FIRST_PAIR)
                 .map(|i| if i % 7 == 6 { slots - 1 } else { random.below(slots) })
                 .collect(),
-            gaussians,
-            cameras,
-            aabb,
-            is_contracted: false,
+            camera: cameras.iter().flat_map(Camera::pack).collect(),
+            scene_box: SceneBox::new(aabb, false).pack().to_vec(),
             position: fill.values(random, 3 * gaussians as usize, [low - 0.2, high + 0.2], 1e30),
             material: fill.values(random, 3 * gaussians as usize, [-1.0, 1.0], 3e38),
-            degree,
-            stride: pairs + 3,
-        }
+            point: unwritten((POINT_ROWS * stride) as usize),
+            input: unwritten(((sh_rows + 4) * stride) as usize),
+        };
+        Self { cameras, aabb, inputs }
     }
 
-    /// Camera and Gaussian of a column.
-    pub fn camera_and_gaussian(&self, column: usize) -> (&Camera, Vec3, usize) {
-        let slot = self.pair[FIRST_PAIR as usize + column] as usize;
-        let gaussian = slot % self.gaussians as usize;
-        let center = Vec3::from_slice(&self.position[3 * gaussian..]);
-        (&self.cameras[slot / self.gaussians as usize], center, gaussian)
+    /// The same with contracted space, and Gaussians up to 1e6 boxes away.
+    fn contracted(mut self) -> Self {
+        self.inputs.params.contracted = 1;
+        self.inputs.scene_box = SceneBox::new(self.aabb, true).pack().to_vec();
+        let far = [1.0, 1.0, 1.0, 3.0, 1e2, 1e6].into_iter().cycle();
+        self.inputs.position.chunks_mut(3).zip(far).for_each(|(position, far)| {
+            position.iter_mut().for_each(|x| *x *= far);
+        });
+        self
+    }
+
+    /// Camera and Gaussian of a column: their places, and its number.
+    fn ends(&self, column: usize) -> ([DVec3; 2], usize) {
+        let slot = self.inputs.pair[FIRST_PAIR as usize + column];
+        let gaussian = (slot % self.inputs.params.gaussians) as usize;
+        let center = Vec3::from_slice(&self.inputs.position[3 * gaussian..]);
+        let eye = self.cameras[(slot / self.inputs.params.gaussians) as usize].eye;
+        ([eye, center].map(|place| place.as_dvec3()), gaussian)
     }
 
     /// Values of the harmonics.
-    pub fn sh_rows(&self) -> usize {
-        (self.degree as usize + 1).pow(2)
+    fn sh_rows(&self) -> usize {
+        (self.inputs.params.sh_degree as usize + 1).pow(2)
+    }
+
+    fn is_contracted(&self) -> bool {
+        self.inputs.params.contracted == 1
     }
 }
 
@@ -118,56 +129,30 @@ impl Parity for ColorInputs {
             }
         }
         for (index, aabb) in BOXES.into_iter().enumerate() {
-            let mut set = Self::new(ITEMS, Fill::Random, 1, aabb, &mut Random::new(10));
-            set.is_contracted = true;
-            // up to 1e6 boxes away
-            let far = [1.0, 1.0, 1.0, 3.0, 1e2, 1e6].into_iter().cycle();
-            set.position.chunks_mut(3).zip(far).for_each(|(position, far)| {
-                position.iter_mut().for_each(|x| *x *= far);
-            });
-            sets.push((format!("contracted, box {index}"), set));
+            let set = Self::new(ITEMS, Fill::Random, 1, aabb, &mut Random::new(10));
+            sets.push((format!("contracted, box {index}"), set.contracted()));
         }
         let mut set = Self::new(ITEMS, Fill::Random, 7, BOXES[0], &mut Random::new(9));
         // the camera within a Gaussian has no direction
-        set.position[..3].copy_from_slice(&set.cameras[0].eye.to_array());
-        set.pair.fill(0);
+        set.inputs.position[..3].copy_from_slice(&set.cameras[0].eye.to_array());
+        set.inputs.pair.fill(0);
         sets.push(("Gaussian at the camera".into(), set));
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let stride = self.stride as usize;
-        let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let kernel = ColorInputsKernel {
-            params: ColorInputsParams {
-                pairs: self.pairs,
-                first_pair: FIRST_PAIR,
-                stride: self.stride,
-                gaussians: self.gaussians,
-                sh_degree: self.degree,
-                material: 3,
-                // a row between them belongs to the grid
-                material_row: self.sh_rows() as u32 + 1,
-                contracted: u32::from(self.is_contracted),
-            },
-            pair: &self.pair,
-            camera: &cameras,
-            scene_box: &SceneBox::new(self.aabb, self.is_contracted).pack().to_vec(),
-            position: &self.position,
-            material: &self.material,
-            point: &unwritten(POINT_ROWS as usize * stride),
-            input: &unwritten((self.sh_rows() + 4) * stride),
-        };
-        let mut outputs = runner.run(&kernel, self.pairs, 1)?;
-        joined(&mut outputs[0], stride);
+        let ColorInputsParams { pairs, stride, .. } = self.inputs.params;
+        let mut outputs = runner.run(&self.inputs.kernel(), pairs, 1)?;
+        joined(&mut outputs[0], stride as usize);
         Ok(outputs)
     }
 
     fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
-        let row = index / self.stride as usize;
-        let column = index % self.stride as usize;
+        let ColorInputsParams { pairs, stride, .. } = self.inputs.params;
+        let row = index / stride as usize;
+        let column = index % stride as usize;
         let is_of_grid = cpu.name == "input" && row == self.sh_rows();
-        if column >= self.pairs as usize || is_of_grid {
+        if column >= pairs as usize || is_of_grid {
             return Bound::EXACT;
         }
         if cpu.name == "input" {
@@ -178,51 +163,48 @@ impl Parity for ColorInputs {
             return Bound::relative_to(if is_sh { harmonic } else { 0.0 });
         }
         let x = cpu.floats()[index].abs();
-        let (_, center, _) = self.camera_and_gaussian(column);
-        if self.is_contracted {
+        let ([_, center], _) = self.ends(column);
+        let world = |axis: usize| center[axis].abs() + self.aabb[0][axis].abs();
+        let extent = |axis: usize| self.aabb[1][axis] - self.aabb[0][axis];
+        if self.is_contracted() {
             // of the farthest axis, which decides how near all come
-            let apart = |axis: usize| {
-                let world = f64::from(center[axis].abs()) + self.aabb[0][axis].abs();
-                world / (self.aabb[1][axis] - self.aabb[0][axis])
-            };
+            let apart = |axis: usize| world(axis) / extent(axis);
             return Bound::relative_to(match rounding {
                 Rounding::AsWritten => 0.5,
                 Rounding::Regrouped => 0.5 + (0..3).map(apart).fold(0.0, f64::max),
             });
         }
-        let extent = (self.aabb[1][row] - self.aabb[0][row]) / 0.9;
-        let world = f64::from(center[row].abs()) + self.aabb[0][row].abs();
-        let scale = match rounding {
+        Bound::relative_to(match rounding {
             Rounding::AsWritten if x < 2.0 => 1e-3,
             Rounding::AsWritten => x,
-            Rounding::Regrouped => 0.5 * (1.0 + x + world / extent),
-        };
-        Bound::relative_to(scale)
+            Rounding::Regrouped => 0.5 * (1.0 + x + world(row) / (extent(row) / 0.9)),
+        })
     }
 
     /// A Gaussian at the camera has no direction, nor has one so far away that the squared distance overflows an f32.
     /// Then only band 0 is known.
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        let stride = self.stride as usize;
+        let ColorInputsParams { pairs, stride, sh_degree, .. } = self.inputs.params;
+        let stride = stride as usize;
         let mut exact = vec![None; len];
-        for column in 0..self.pairs as usize {
-            let (camera, center, gaussian) = self.camera_and_gaussian(column);
-            let eye = camera.eye.as_dvec3();
-            let has_direction = (1e-15..1e18).contains(&center.as_dvec3().distance(eye));
-            let eye = eye.to_array();
-            let center = center.as_dvec3().to_array();
+        for column in 0..pairs as usize {
+            let ([eye, center], gaussian) = self.ends(column);
+            let has_direction = (1e-15..1e18).contains(&center.distance(eye));
+            let [eye, center] = [eye, center].map(|place| place.to_array());
             let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
             match output {
                 "point" => {
-                    let point = unit(center, self.aabb, self.is_contracted);
-                    let point = if self.is_contracted { contract(point) } else { point };
+                    let point = unit(center, self.aabb, self.is_contracted());
+                    let point = if self.is_contracted() { contract(point) } else { point };
                     point.into_iter().enumerate().for_each(|(row, x)| give(row, x));
                 }
                 "input" => {
-                    let degree = if has_direction { self.degree } else { 0 };
+                    let degree = if has_direction { sh_degree } else { 0 };
                     let harmonics = harmonics(degree, direction(eye, center));
                     harmonics.into_iter().enumerate().for_each(|(row, y)| give(row, y));
-                    for (row, &value) in self.material[3 * gaussian..][..3].iter().enumerate() {
+                    for (row, &value) in
+                        self.inputs.material[3 * gaussian..][..3].iter().enumerate()
+                    {
                         give(self.sh_rows() + 1 + row, f64::from(value));
                     }
                 }
@@ -233,12 +215,9 @@ impl Parity for ColorInputs {
     }
 }
 
-/// Inputs of `color_head`.
-#[derive(Clone, Debug)]
-pub struct ColorHead {
-    /// The last layer: one column.
-    pub layer: Layer,
-}
+/// The last layer has one column.
+#[derive(Clone)]
+pub struct ColorHead(Dense);
 
 impl Parity for ColorHead {
     const KERNEL: &'static str = "color_head";
@@ -247,40 +226,29 @@ impl Parity for ColorHead {
         much relatively, and by exp's 3 + 2 abs(x) ulp";
 
     fn sets() -> Vec<(String, Self)> {
-        let mut sets =
-            inputs::sets(|n, fill, random| Self { layer: Layer::new(n, 16, 1, fill, random) });
+        let mut sets = inputs::sets(|n, fill, random| Self(Dense::new(n, 16, 1, fill, random)));
         for size in [0.01, 10.0, 50.0, 1e4] {
-            sets.push((format!("logits of {size}"), Self { layer: layer_of_size(size) }));
+            sets.push((format!("logits of {size}"), Self(layer_of_size(size))));
         }
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let layer = &self.layer;
-        let params = layer.params();
+        let DenseParams { samples, stride, inputs, weight, bias, .. } = self.0.params;
+        let first_pair = FIRST_PAIR;
         let kernel = ColorHeadKernel {
-            params: ColorHeadParams {
-                samples: layer.samples,
-                first_pair: FIRST_PAIR,
-                stride: layer.stride,
-                inputs: layer.inputs,
-                weight: params.weight,
-                bias: params.bias,
-            },
-            parameters: &layer.parameters,
-            input: &layer.input,
-            color: &unwritten(3 * (FIRST_PAIR + layer.samples) as usize),
+            params: ColorHeadParams { samples, first_pair, stride, inputs, weight, bias },
+            parameters: &self.0.parameters,
+            input: &self.0.input,
+            color: &unwritten(3 * (FIRST_PAIR + samples) as usize),
         };
-        runner.run(&kernel, layer.samples, 1)
+        runner.run(&kernel, samples, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let Some(at) = index.checked_sub(3 * FIRST_PAIR as usize) else {
-            return Bound::EXACT;
-        };
-        let sample = (at / 3) as u32;
-        let channel = (at % 3) as u32;
-        let Bound { scale: terms, floor } = self.layer.bound(sample, channel);
+        let at = (index as u32).checked_sub(3 * FIRST_PAIR);
+        let Some(at) = at else { return Bound::EXACT };
+        let Bound { scale: terms, floor } = self.0.sum_bound(at / 3, at % 3);
         let color = cpu.floats()[index];
         // where the logit itself is lost, so is the color
         let is_lost = terms * Self::TOLERANCE > 0.1;
@@ -290,18 +258,17 @@ impl Parity for ColorHead {
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let at = index.checked_sub(3 * FIRST_PAIR as usize)? as u32;
-        Some(sigmoid(self.layer.exact(at / 3, at % 3)))
+        Some(sigmoid(self.0.sum(at / 3, at % 3)))
     }
 }
 
 /// A head whose logits are about as large as `size`, of both signs, and none of which cancels.
-pub fn layer_of_size(size: f32) -> Layer {
-    let mut layer = Layer::new(ITEMS, 16, 1, Fill::Random, &mut Random::new(5));
-    for row in &mut layer.parameters {
-        *row = row.abs() * size / 8.0;
-    }
+pub fn layer_of_size(size: f32) -> Dense {
+    let mut layer = Dense::new(ITEMS, 16, 1, Fill::Random, &mut Random::new(5));
+    layer.parameters.iter_mut().for_each(|row| *row = row.abs() * size / 8.0);
+    let stride = layer.params.stride;
     for (at, value) in layer.input.iter_mut().enumerate() {
-        let is_negative = (at as u32 % layer.stride).is_multiple_of(2);
+        let is_negative = (at as u32 % stride).is_multiple_of(2);
         *value = if is_negative { -value.abs() } else { value.abs() };
     }
     layer

@@ -1,42 +1,37 @@
 //! The case of `composite`.
 
-use glam::Vec4;
+use glam::{DVec4, Vec4};
 use muslin_check::prelude::*;
-use organza_shaders::composite::{CompositeKernel, CompositeParams};
+use organza_shaders::composite::{CompositeInputs, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::project::FALLOFF_CUTOFF;
 use organza_shaders::tile::Tile;
 
 use super::exact::composite::{Splat, falloff};
+use super::scan::prefix;
 use super::tile::pack;
 
 /// Sides around the workgroup's.
 pub(super) const SIDES: [u32; 5] = [1, 7, 8, 9, 17];
 
-/// Three tiles: at the origin, over the border, and far away.
-pub(super) fn tiles() -> Vec<Tile> {
-    let tile = |origin, output| Tile { camera: 0, origin, output };
-    vec![tile([0, 0], 1), tile([-9, 5], 2), tile([4000, -30], 0)]
+/// A random set of each side, and one of each other filling.
+pub(super) fn sets<T>(
+    sides: impl IntoIterator<Item = u32>,
+    filled: u32,
+    new: impl Fn(u32, Fill) -> T,
+) -> Vec<(String, T)> {
+    let sized = sides.into_iter().map(|side| (side, Fill::Random));
+    let all = sized.chain(Fill::ADVERSARIAL.map(|fill| (filled, fill)));
+    all.map(|(side, fill)| (format!("{}, side {side}", fill.name()), new(side, fill))).collect()
 }
 
-/// Inputs of `composite`.
-#[derive(Clone, Debug)]
-pub struct Composite {
-    /// S
-    pub side: u32,
-    /// Members that earlier passes have summed up.
-    pub skip: u32,
-    /// The tiles.
-    pub tiles: Vec<Tile>,
-    /// `[tiles + 1]`
-    pub tile_first: Vec<u32>,
-    /// Indices of splats.
-    pub member: Vec<u32>,
-    /// `[splats, 3]`
-    pub splat: Vec<[Vec4; 3]>,
-    /// `[tiles, S, S]`: what earlier passes have left.
-    pub sum: Vec<Vec4>,
+/// Three tiles: at the origin, over the border, and far away.
+pub(super) fn tiles() -> [Tile; 3] {
+    let tile = |origin, output| Tile { camera: 0, origin, output };
+    [tile([0, 0], 1), tile([-9, 5], 2), tile([4000, -30], 0)]
 }
+
+case!(pub Composite(CompositeInputs));
 
 impl Composite {
     pub(super) fn new(side: u32, members: &[u32], fill: Fill, seed: u64) -> Self {
@@ -46,7 +41,7 @@ impl Composite {
         let far = 20_f32.max(side as f32 + 3.0);
         let mean = fill.values(&mut random, 2 * splats, [-12.0, far], 1e30);
         let conic = fill.values(&mut random, 2 * splats, [0.003, 0.4], 1e30);
-        let splat = (0..splats).map(|index| {
+        let splat = (0..splats).flat_map(|index| {
             let tile = &tiles[index % tiles.len()];
             let x = mean[2 * index];
             let y = mean[2 * index + 1];
@@ -63,14 +58,31 @@ impl Composite {
                 Vec4::from_slice(&random.values(4, 0.0, 1.0)),
             ]
         });
-        let splat: Vec<_> = splat.collect();
-        let mut tile_first = vec![0];
-        members.iter().for_each(|count| tile_first.push(tile_first[tile_first.len() - 1] + count));
+        let splat = splat.collect();
+        let tile_first = prefix(members.iter().copied());
         let all = tile_first[members.len()];
         let member = (0..all).map(|_| random.below(splats as u32)).collect();
-        let pixels = tiles.len() * (side * side) as usize;
-        let sum = (0..pixels).map(|_| Vec4::from_slice(&random.values(4, 0.0, 0.5))).collect();
-        Self { side, skip: 0, tiles, tile_first, member, splat, sum }
+        let area = (side * side) as usize;
+        let pixels = (0..tiles.len() * area).map(|_| random.values(4, 0.0, 0.5));
+        let pixels: Vec<_> = pixels.map(|values| Vec4::from_slice(&values)).collect();
+        Self(CompositeInputs {
+            params: CompositeParams { side, skip: 0 },
+            tile: pack(&tiles),
+            tile_first,
+            member,
+            // everywhere
+            cells: vec![u32::MAX; all as usize],
+            splat,
+            sum: planes(&pixels, area),
+        })
+    }
+
+    /// Three tiles; if they are not random, of the next seed.
+    pub(super) fn filled(side: u32, fill: Fill, seed: u64) -> Self {
+        match fill {
+            Fill::Random => Self::new(side, &[40, 0, 90], fill, seed),
+            _ => Self::new(side, &[1, 60, 60], fill, seed + 1),
+        }
     }
 
     /// A tile with more members than a pass takes: faint ones, and then bright ones.
@@ -81,28 +93,31 @@ impl Composite {
             let center = Vec4::new(0.5, 0.5, weight, width);
             [center, Vec4::new(0.1, 0.0, 0.1, height), Vec4::splat(0.7)]
         });
-        set.splat[..2].copy_from_slice(&[faint, bright]);
+        set.splat[..6].copy_from_slice([faint, bright].as_flattened());
         let (first, rest) = set.member.split_at_mut(MAX_MEMBERS as usize);
         first.fill(0);
         rest.fill(1);
         set
     }
 
-    /// The members of a tile that this pass sums up.
-    pub fn members(&self, tile: usize) -> &[u32] {
-        let end = self.tile_first[tile + 1].min(self.tile_first[tile] + self.skip + MAX_MEMBERS);
-        &self.member[(self.tile_first[tile] + self.skip).min(end) as usize..end as usize]
+    /// The splats of a tile that this pass sums up.
+    fn splats(&self, tile: usize) -> impl Iterator<Item = &[Vec4; 3]> {
+        let end = self.tile_first[tile + 1];
+        let first = self.tile_first[tile] + self.params.skip;
+        let end = end.min(first + MAX_MEMBERS);
+        let members = &self.member[first.min(end) as usize..end as usize];
+        members.iter().map(|&member| &self.splat.as_chunks().0[member as usize])
     }
+}
 
-    /// Tile, and the pixel's center in the image.
-    pub fn pixel(&self, index: usize) -> (usize, [f64; 2]) {
-        let side = self.side as usize;
-        let tile = index / (side * side);
-        let [x, y] = self.tiles[tile].origin.map(f64::from);
-        let row = index / side % side;
-        let column = index % side;
-        (tile, [x + column as f64 + 0.5, y + row as f64 + 0.5])
-    }
+/// Tile of a pixel, and its center in the image.
+pub(super) fn place(side: u32, pixel: usize) -> (usize, [f64; 2]) {
+    let side = side as usize;
+    let tile = pixel / (side * side);
+    let [x, y] = tiles()[tile].origin.map(f64::from);
+    let row = pixel / side % side;
+    let column = pixel % side;
+    (tile, [x + column as f64 + 0.5, y + row as f64 + 0.5])
 }
 
 /// Half the size of the box around `q <= cutoff`, with `project`'s margin; all of f32 where the conic has no inverse.
@@ -122,6 +137,12 @@ pub(super) fn planes(sum: &[Vec4], area: usize) -> Vec<f32> {
     };
     let tiles = sum.chunks(area);
     tiles.flat_map(|tile| (0..4).flat_map(move |channel| plane(tile, channel))).collect()
+}
+
+/// A pixel of [`planes`].
+pub(super) fn pixel(planes: &[f32], area: usize, pixel: usize) -> DVec4 {
+    let first = pixel / area * 4 * area + pixel % area;
+    DVec4::from_array([0, 1, 2, 3].map(|plane| f64::from(planes[first + plane * area])))
 }
 
 /// The inverse of [`planes`].
@@ -144,54 +165,34 @@ impl Parity for Composite {
         sizes, and at the cutoff a member within that may come out on either side (1/255)";
 
     fn sets() -> Vec<(String, Self)> {
-        let mut sets: Vec<_> = SIDES
-            .iter()
-            .map(|&side| {
-                (format!("random, side {side}"), Self::new(side, &[40, 0, 90], Fill::Random, 1))
-            })
-            .collect();
-        for fill in Fill::ADVERSARIAL {
-            let set = Self::new(9, &[1, 60, 60], fill, 2);
-            sets.push((format!("{}, side 9", fill.name()), set));
-        }
+        let mut sets = sets(SIDES, 9, |side, fill| Self::filled(side, fill, 1));
         sets.push(("no members".into(), Self::new(8, &[0], Fill::Random, 3)));
         sets.push(("one member".into(), Self::new(8, &[1], Fill::Random, 3)));
         sets.push(("crowded".into(), Self::crowded()));
-        let skip = 20;
-        sets.push((
-            "second pass".into(),
-            Self { skip, ..Self::new(8, &[25, 20], Fill::Random, 5) },
-        ));
+        let mut second = Self::new(8, &[25, 20], Fill::Random, 5);
+        second.params.skip = 20;
+        sets.push(("second pass".into(), second));
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let area = (self.side * self.side) as usize;
-        let kernel = CompositeKernel {
-            params: CompositeParams { side: self.side, skip: self.skip },
-            tile: &pack(&self.tiles),
-            tile_first: &self.tile_first,
-            member: &self.member,
-            // everywhere
-            cells: &vec![u32::MAX; self.member.len()],
-            splat: &self.splat.as_flattened().to_vec(),
-            sum: &planes(&self.sum, area),
-        };
-        Ok(pixels(runner.run_over(&kernel, [self.side, self.side, self.tiles.len() as u32])?, area))
+        let side = self.params.side;
+        let outputs = runner.run_over(&self.kernel(), [side, side, self.tile.len() as u32 / 4])?;
+        Ok(pixels(outputs, (side * side) as usize))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let pixel = |(at, before): (usize, &Vec4)| {
-            let (tile, place) = self.pixel(at);
-            let mut sum = before.as_dvec4().to_array();
-            for &member in self.members(tile) {
-                let term = Splat::from_vectors(&self.splat[member as usize]).term(place);
+        let side = self.params.side;
+        let of = |at: usize| {
+            let (tile, place) = place(side, at);
+            let mut sum = pixel(&self.sum, (side * side) as usize, at).to_array();
+            for splat in self.splats(tile) {
+                let term = Splat::from_vectors(splat).term(place);
                 sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
             }
             sum
         };
-        let exact = self.sum.iter().enumerate().flat_map(pixel).map(Some);
-        exact.collect()
+        (0..self.sum.len() / 4).flat_map(of).map(Some).collect()
     }
 
     /// A pixel of thousands of members adds up their roundings, and so do drivers that regroup.
@@ -200,22 +201,23 @@ impl Parity for Composite {
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
-        let at = index / 4;
         let channel = index % 4;
-        let (tile, pixel) = self.pixel(at);
-        let members = self.members(tile);
-        let mut scale = f64::from(self.sum[at][channel].abs());
-        let mut floor = f64::from(TINY) * (1.0 + members.len() as f64);
-        for &member in members {
-            let [placed, conic, color] = self.splat[member as usize].map(|v| v.as_dvec4());
-            let dx = pixel[0] - placed.x;
-            let dy = pixel[1] - placed.y;
+        let side = self.params.side;
+        let (tile, place) = place(side, index / 4);
+        let splats: Vec<_> = self.splats(tile).collect();
+        let members = splats.len() as f64;
+        let mut scale = pixel(&self.sum, (side * side) as usize, index / 4)[channel].abs();
+        let mut floor = f64::from(TINY) * (1.0 + members);
+        for splat in splats {
+            let [placed, conic, color] = splat.map(|v| v.as_dvec4());
+            let dx = place[0] - placed.x;
+            let dy = place[1] - placed.y;
             let terms = [conic.x * dx * dx, 2.0 * conic.y * dx * dy, conic.z * dy * dy];
             // the difference itself is rounded too: to 1e-7 of the pixel's and the center's size
             let d = |d: f64, x: f64| 1.0 + 0.2 * x.abs() / d.abs().max(1e-3);
             let slack = 1e-6
                 * terms.iter().map(|t| t.abs()).sum::<f64>()
-                * d(dx, pixel[0]).max(d(dy, pixel[1]));
+                * d(dx, place[0]).max(d(dy, place[1]));
             // a conic may be flushed, and what it is multiplied with is large where it is
             let [xx, xy, yy] = [conic.x, conic.y, conic.z].map(|c| c.abs().min(TINY.into()));
             let slack = slack + xx * dx * dx + 2.0 * xy * (dx * dy).abs() + yy * dy * dy;
@@ -231,7 +233,7 @@ impl Parity for Composite {
         }
         let roundings = match rounding {
             Rounding::AsWritten => 1.0,
-            Rounding::Regrouped => 1.0 + 0.03 * members.len() as f64,
+            Rounding::Regrouped => 1.0 + 0.03 * members,
         };
         Bound { scale: scale * roundings, floor }
     }

@@ -8,61 +8,18 @@ case!(pub CoreFunctions(CoreFunctionsInputs));
 
 /// Integers at which functions change.
 const INTEGERS: [u32; 25] = [
-    0,
-    1,
-    2,
-    3,
-    7,
-    31,
-    32,
-    33,
-    127,
-    128,
-    255,
-    256,
-    0x7c00,
-    0x7fff,
-    0xffff,
-    0x1_0000,
-    0x7fff_ffff,
-    0x8000_0000,
-    0x8000_0001,
-    0xffff_8000,
-    0xffff_ff80,
-    0xffff_fffe,
-    0xffff_ffff,
-    123_456_789,
-    3_000_000_000,
+    0, 1, 2, 3, 7, 31, 32, 33, 127, 128, 255, 256, 0x7c00, 0x7fff, 0xffff, 0x1_0000, 0x7fffffff,
+    0x80000000, 0x80000001, !0x7fff, !0x7f, !1, !0, 123456789, 3000000000,
 ];
 
 /// Floats at which functions change. What is no number is not here: through naga, devices do not see it.
 const FLOATS: [f32; 25] = [
-    0.0,
-    -0.0,
-    0.3,
-    -0.3,
-    0.5,
-    -0.5,
-    0.499_999_97,
-    -0.499_999_97,
-    1.5,
-    2.5,
-    -2.5,
-    7.0,
-    -8.0,
-    100.25,
-    8_388_607.5,
-    -8_388_607.5,
-    8_388_608.0,
-    2_147_483_648.0,
-    3e9,
-    -3e9,
-    1e20,
-    HUGE,
-    -HUGE,
-    f32::INFINITY,
-    f32::NEG_INFINITY,
+    0.0, -0.0, 0.3, -0.3, 0.5, -0.5, HALF, -HALF, 1.5, 2.5, -2.5, 7.0, -8.0, 100.25, 8388607.5,
+    -8388607.5, 8388608.0, TWO_31, 3e9, -3e9, 1e20, HUGE, -HUGE, ENDLESS, -ENDLESS,
 ];
+const HALF: f32 = 0.499_999_97;
+const TWO_31: f32 = 2_147_483_648.0;
+const ENDLESS: f32 = f32::INFINITY;
 
 impl Parity for CoreFunctions {
     const KERNEL: &'static str = "core_functions";

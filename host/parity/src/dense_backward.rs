@@ -3,22 +3,23 @@
 use std::ops::Range;
 
 use muslin_check::prelude::*;
+use organza_shaders::dense::DenseParams;
 use organza_shaders::dense_backward::{
-    DenseBackwardKernel, DenseBackwardParams, DenseWeightBackwardKernel, DenseWeightBackwardParams,
+    DenseBackwardInputs, DenseBackwardParams, DenseWeightBackwardInputs, DenseWeightBackwardParams,
     INPUTS_PER_INVOCATION, weight_invocations,
 };
 
 use super::binned::{with_sums, write_sums};
-use super::dense::Layer;
+use super::dense::Dense;
 use super::exact::dense::{affine, relu};
 use super::exact::numeric::{Dual, gradient};
 
 /// How far a sum of products may be off: a rounding for each, of the terms' sizes, and the most that denormals can add.
-fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
+fn sum_of_products(terms: impl IntoIterator<Item = [f64; 2]>) -> Bound {
     let mut count = 0.0;
     let mut scale = 0.0;
     let mut reach = 1.0;
-    for (a, b) in terms {
+    for [a, b] in terms {
         count += 1.0;
         scale += (a * b).abs();
         reach += a.abs() + b.abs() + 1.0;
@@ -26,35 +27,44 @@ fn sum_of_products(terms: impl Iterator<Item = (f64, f64)>) -> Bound {
     Bound { scale: scale * (1.0 + count), floor: reach * f64::from(TINY) }
 }
 
-/// Inputs of `dense_backward`.
-#[derive(Clone, Debug)]
+/// The layer's input has rows up to the last whose gradient is wanted: those behind its own are zeros.
+#[derive(Clone)]
 pub struct DenseBackward {
-    /// The layer; its input has the rows up to `end`, those behind its last zeros.
-    pub layer: Layer,
-    /// `[4 columns, stride]`
-    pub gradient: Vec<f32>,
-    /// The first input whose gradient is wanted.
-    pub first: u32,
-    /// The last one, and one.
-    pub end: u32,
-    /// Whether the inputs are a hidden layer's outputs.
-    pub rectified: bool,
+    layer: Dense,
+    inputs: DenseBackwardInputs,
 }
 
 impl DenseBackward {
-    fn new(mut layer: Layer, rectified: bool, fill: Fill, random: &mut Random) -> Self {
-        let len = (4 * layer.columns * layer.stride) as usize;
-        let gradient = fill.values(random, len, [-1.0, 1.0], 1e15);
-        let (first, end) = match rectified {
-            true => (0, layer.inputs.next_multiple_of(16)),
-            false => (layer.inputs / 3, layer.inputs),
+    /// If the inputs are a hidden layer's outputs, their gradient is wanted from the first one on.
+    fn new(mut layer: Dense, rectified: bool, fill: Fill, random: &mut Random) -> Self {
+        let DenseParams { samples, stride, inputs, columns, weight, .. } = layer.params;
+        let (first_input, end_input) = match rectified {
+            true => (0, inputs.next_multiple_of(16)),
+            false => (inputs / 3, inputs),
         };
-        layer.input.resize((end * layer.stride) as usize, 0.0);
-        Self { layer, gradient, first, end, rectified }
+        layer.input.resize((end_input * stride) as usize, 0.0);
+        let rectified = rectified.into();
+        let inputs = DenseBackwardInputs {
+            params: DenseBackwardParams {
+                samples,
+                stride,
+                inputs,
+                columns,
+                weight,
+                first_input,
+                end_input,
+                rectified,
+            },
+            parameters: layer.parameters.clone(),
+            input: layer.input.clone(),
+            output_gradient: fill.values(random, layer.output.len(), [-1.0, 1.0], 1e15),
+            input_gradient: unwritten((end_input * stride) as usize),
+        };
+        Self { layer, inputs }
     }
 
     fn output_gradient(&self, output: u32, sample: u32) -> f64 {
-        f64::from(self.gradient[(output * self.layer.stride + sample) as usize])
+        self.layer.at(&self.inputs.output_gradient, output, sample)
     }
 }
 
@@ -66,14 +76,14 @@ impl Parity for DenseBackward {
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
-            let layer = Layer::new(n, 19, 8, fill, random);
+            let layer = Dense::new(n, 19, 8, fill, random);
             Self::new(layer, true, fill, random)
         });
         for (inputs, columns, rectified) in
             [(1, 1, false), (3, 4, true), (8, 16, true), (40, 4, false), (64, 1, true)]
         {
             let mut random = Random::new(7);
-            let layer = Layer::new(65, inputs, columns, Fill::Random, &mut random);
+            let layer = Dense::new(65, inputs, columns, Fill::Random, &mut random);
             let set = Self::new(layer, rectified, Fill::Random, &mut random);
             sets.push((format!("random, {inputs} inputs, {columns} columns"), set));
         }
@@ -81,37 +91,24 @@ impl Parity for DenseBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let layer = &self.layer;
-        let kernel = DenseBackwardKernel {
-            params: DenseBackwardParams {
-                samples: layer.samples,
-                stride: layer.stride,
-                inputs: layer.inputs,
-                columns: layer.columns,
-                weight: layer.params().weight,
-                first_input: self.first,
-                end_input: self.end,
-                rectified: u32::from(self.rectified),
-            },
-            parameters: &layer.parameters,
-            input: &layer.input,
-            output_gradient: &self.gradient,
-            input_gradient: &unwritten((self.end * layer.stride) as usize),
-        };
-        runner.run(&kernel, layer.samples, (self.end - self.first).div_ceil(INPUTS_PER_INVOCATION))
+        let DenseBackwardParams { samples, first_input, end_input, .. } = self.inputs.params;
+        let invocations = (end_input - first_input).div_ceil(INPUTS_PER_INVOCATION);
+        runner.run(&self.inputs.kernel(), samples, invocations)
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let layer = &self.layer;
-        let row = index as u32 / layer.stride;
-        let sample = index as u32 % layer.stride;
-        let is_written = row >= self.first && row < layer.inputs && sample < layer.samples;
+        let row = index as u32 / layer.params.stride;
+        let sample = index as u32 % layer.params.stride;
+        let is_written = row >= self.inputs.params.first_input
+            && row < layer.params.inputs
+            && sample < layer.params.samples;
         if !is_written {
             return Bound::EXACT;
         }
-        let outputs = 0..4 * layer.columns;
+        let outputs = 0..4 * layer.params.columns;
         let bound = sum_of_products(
-            outputs.map(|output| (layer.weight(row, output), self.output_gradient(output, sample))),
+            outputs.map(|output| [layer.weight(row, output), self.output_gradient(output, sample)]),
         );
         let input = layer.value(row, sample);
         let is_denormal = input > 0.0 && input < f64::from(TINY);
@@ -122,16 +119,17 @@ impl Parity for DenseBackward {
         let layer = &self.layer;
         // the other inputs only add a constant
         let loss = |input: u32, sample: u32, [x]: [Dual; 1]| {
-            let x = if self.rectified { relu(x) } else { x };
-            (0..4 * layer.columns).fold(Dual::from(0.0), |loss, output| {
+            let x = if self.inputs.params.rectified == 1 { relu(x) } else { x };
+            (0..4 * layer.params.columns).fold(Dual::from(0.0), |loss, output| {
                 let y = affine(&[layer.weight(input, output).into()], Dual::from(0.0), &[x]);
                 loss + Dual::from(self.output_gradient(output, sample)) * y
             })
         };
         let (row, sample) = layer.place(index)?;
-        let is_written = row >= self.first && row < self.end;
+        let is_written =
+            row >= self.inputs.params.first_input && row < self.inputs.params.end_input;
         is_written.then(|| {
-            if row >= layer.inputs {
+            if row >= layer.params.inputs {
                 return 0.0;
             }
             // ReLU made an activation of 0 from 0 or less, where its slope is 0
@@ -141,60 +139,62 @@ impl Parity for DenseBackward {
     }
 }
 
-/// Inputs of `dense_weight_backward`.
-#[derive(Clone, Debug)]
-pub struct DenseWeightBackward {
-    /// The layer: its parameters are not read.
-    pub layer: Layer,
-    /// `[4 columns, stride]`
-    pub gradient: Vec<f32>,
-    /// Where the samples of each camera begin, and where the last ones end.
-    pub first: Vec<u32>,
-    /// Samples of a slice.
-    pub slice: u32,
-    /// Whether samples are those of rays.
-    pub of_rays: bool,
-    /// The chunk's first sample.
-    pub first_sample: u32,
-    /// `[2, 4 parameters]`: the carry of the chunk before, and that of the one before it.
-    pub carry: Vec<f32>,
-    /// Which half of `carry` the chunk before has written.
-    pub turn: u32,
-    /// `[4 parameters]`: what other chunks have added.
-    pub before: Vec<f32>,
-}
-
 /// Words of a camera's mask.
 const WORDS: u32 = 2;
 
+/// The layer's parameters are not read.
+#[derive(Clone)]
+pub struct DenseWeightBackward {
+    layer: Dense,
+    /// Where the samples of each camera begin, and where the last ones end.
+    first: Vec<u32>,
+    /// `[4 parameters]`: what other chunks have added.
+    before: Vec<f32>,
+    inputs: DenseWeightBackwardInputs,
+}
+
 impl DenseWeightBackward {
-    /// A layer whose rows begin at multiples of four.
-    fn layer(samples: u32, inputs: u32, columns: u32, fill: Fill, random: &mut Random) -> Layer {
-        let stride = (samples + 5).next_multiple_of(4);
-        Layer::with_stride(samples, stride, inputs, columns, fill, random)
-    }
-
-    fn new(layer: Layer, slice: u32, fill: Fill, random: &mut Random) -> Self {
-        let first = vec![0, layer.samples];
-        Self::from_cameras(layer, first, slice, 0, fill, random)
-    }
-
-    fn from_cameras(
-        layer: Layer,
+    fn new(
+        layer: Dense,
         first: Vec<u32>,
-        slice: u32,
-        first_sample: u32,
+        [slice, first_sample]: [u32; 2],
         fill: Fill,
         random: &mut Random,
     ) -> Self {
-        let len = (4 * layer.columns * layer.stride) as usize;
-        let gradient = fill.values(random, len, [-1.0, 1.0], 1e15);
-        let parameters = 4 * layer.parameters.len();
-        let carry = fill.values(random, 2 * parameters, [-1.0, 1.0], 1e15);
-        let before = fill.values(random, parameters, [-1.0, 1.0], 1e15);
+        let output_gradient = fill.values(random, layer.output.len(), [-1.0, 1.0], 1e15);
+        let parameters = layer.parameters.len();
+        let carry = fill.values(random, 2 * 4 * parameters, [-1.0, 1.0], 1e15);
+        let before = fill.values(random, 4 * parameters, [-1.0, 1.0], 1e15);
         let turn = random.below(2);
-        let of_rays = random.below(2) == 1;
-        Self { layer, gradient, first, slice, of_rays, first_sample, carry, turn, before }
+        let of_rays = random.below(2);
+        // the pairs of a camera are its rays, of one sample each, or there is one pair for each camera
+        let pair = |camera: u32| if of_rays == 1 { camera } else { first[camera as usize] };
+        let cameras = first.len() as u32 - 1;
+        let DenseParams { samples, stride, inputs, columns, weight, bias } = layer.params;
+        let inputs = DenseWeightBackwardInputs {
+            params: DenseWeightBackwardParams {
+                samples,
+                first_sample,
+                stride,
+                inputs,
+                columns,
+                weight,
+                bias,
+                cameras,
+                words: WORDS,
+                of_rays,
+                slice,
+                parameters: parameters as u32,
+                turn,
+            },
+            first_pair: (0..=WORDS * cameras).map(|word| pair(word / WORDS)).collect(),
+            first_sample: if of_rays == 1 { first.clone() } else { vec![0] },
+            input: layer.input.clone(),
+            output_gradient,
+            carry,
+            sum: write_sums(&before),
+        };
+        Self { layer, first, before, inputs }
     }
 
     /// Every slice's samples.
@@ -202,14 +202,15 @@ impl DenseWeightBackward {
         let of_camera = |range: &[u32]| {
             let [begin, end] = [range[0], range[1]];
             (begin..end)
-                .step_by(self.slice as usize)
-                .map(move |first| first..end.min(first + self.slice))
+                .step_by(self.inputs.params.slice as usize)
+                .map(move |first| first..end.min(first + self.inputs.params.slice))
         };
         self.first.windows(2).flat_map(of_camera).collect()
     }
 
     fn chunk(&self) -> Range<u32> {
-        self.first_sample..self.first_sample + self.layer.samples
+        let first = self.inputs.params.first_sample;
+        first..first + self.layer.params.samples
     }
 
     /// The slices that end in the chunk, or the one that goes on behind it.
@@ -224,21 +225,24 @@ impl DenseWeightBackward {
     /// Input and output of a parameter, by the number of its value. A bias has the number of inputs as its input.
     fn place(&self, value: usize) -> Option<(u32, u32)> {
         let layer = &self.layer;
-        let place = (value as u32 / 4).checked_sub(layer.params().weight)?;
-        Some((place / layer.columns, 4 * (place % layer.columns) + value as u32 % 4))
+        let place = (value as u32 / 4).checked_sub(layer.params.weight)?;
+        Some((place / layer.params.columns, 4 * (place % layer.params.columns) + value as u32 % 4))
     }
 
-    /// The terms of a parameter's sum over a slice: the samples in the chunk, and the sum that the chunk before has left.
-    fn terms(&self, slice: &Range<u32>, value: usize) -> (Range<u32>, f64) {
+    /// The factors of a parameter's sum over a slice: those of its samples in the chunk, and what the chunk before has left.
+    fn terms(&self, slice: &Range<u32>, value: usize) -> Vec<[f64; 2]> {
+        let Some((input, row)) = self.place(value) else { return Vec::new() };
         let chunk = self.chunk();
         let samples = slice.start.max(chunk.start)..slice.end.min(chunk.end);
-        let from = self.turn as usize * self.before.len() + value;
-        let before = if slice.start < chunk.start { self.carry[from] } else { 0.0 };
-        (samples.start - chunk.start..samples.end - chunk.start, f64::from(before))
-    }
-
-    fn output_gradient(&self, output: u32, sample: u32) -> f64 {
-        f64::from(self.gradient[(output * self.layer.stride + sample) as usize])
+        let term = |sample: u32| {
+            let sample = sample - chunk.start;
+            let is_bias = input == self.layer.params.inputs;
+            let x = if is_bias { 1.0 } else { self.layer.value(input, sample) };
+            [x, self.layer.at(&self.inputs.output_gradient, row, sample)]
+        };
+        let from = self.inputs.params.turn as usize * self.before.len() + value;
+        let before = if slice.start < chunk.start { self.inputs.carry[from] } else { 0.0 };
+        samples.map(term).chain([[f64::from(before), 1.0]]).collect()
     }
 
     /// The slices that are added to a value of an output, the parameter's value, and what was there before.
@@ -250,11 +254,11 @@ impl DenseWeightBackward {
             let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
             return Some((self.in_chunk(true).collect(), index, before));
         }
-        let before = f64::from(*self.carry.get(index)?);
+        let before = f64::from(*self.inputs.carry.get(index)?);
         let half = index / values;
         let value = index % values;
         let continues: Vec<_> = self.in_chunk(false).collect();
-        let is_written = half != self.turn as usize && !continues.is_empty();
+        let is_written = half != self.inputs.params.turn as usize && !continues.is_empty();
         let is_parameter = self.place(value).is_some();
         let before = if is_written && is_parameter { 0.0 } else { before };
         Some((if is_written { continues } else { Vec::new() }, value, before))
@@ -269,8 +273,8 @@ impl Parity for DenseWeightBackward {
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
-            let layer = Self::layer(n, 6, 2, fill, random);
-            Self::new(layer, 100, fill, random)
+            let layer = Dense::new(n, 6, 2, fill, random);
+            Self::new(layer, vec![0, n], [100, 0], fill, random)
         });
         // the last two have more than one tile
         for (inputs, columns, slice) in [
@@ -283,17 +287,16 @@ impl Parity for DenseWeightBackward {
             (67, 17, 100),
         ] {
             let mut random = Random::new(11);
-            let layer = Self::layer(300, inputs, columns, Fill::Random, &mut random);
-            let set = Self::new(layer, slice, Fill::Random, &mut random);
-            sets.push((
-                format!("random, {inputs} inputs, {columns} columns, slices of {slice}"),
-                set,
-            ));
+            let layer = Dense::new(300, inputs, columns, Fill::Random, &mut random);
+            let set = Self::new(layer, vec![0, 300], [slice, 0], Fill::Random, &mut random);
+            let name = format!("random, {inputs} inputs, {columns} columns, slices of {slice}");
+            sets.push((name, set));
         }
         let mut random = Random::new(17);
-        let layer = Self::layer(37, 6, 2, Fill::Random, &mut random);
-        let mut padded = Self::new(layer, 16, Fill::Random, &mut random);
-        padded.gradient[5 * padded.layer.stride as usize..].fill(0.0);
+        let layer = Dense::new(37, 6, 2, Fill::Random, &mut random);
+        let mut padded = Self::new(layer, vec![0, 37], [16, 0], Fill::Random, &mut random);
+        let padding = 5 * padded.inputs.params.stride as usize;
+        padded.inputs.output_gradient[padding..].fill(0.0);
         sets.push(("three of eight outputs are padding".into(), padded));
         // the chunk begins in a slice, and ends in another one; a camera in it is empty
         for (name, fill, inputs, columns) in [
@@ -301,11 +304,11 @@ impl Parity for DenseWeightBackward {
             ("mixed", Fill::Mixed, 6, 2),
             ("several tiles", Fill::Random, 66, 9),
         ] {
-            for (first_sample, slice) in [(70, 33), (70, 4096), (50, 1), (0, 7)] {
+            for [first_sample, slice] in [[70, 33], [70, 4096], [50, 1], [0, 7]] {
                 let first = vec![0, 50, 131, 131, 131, 200, 420];
                 let mut random = Random::new(19);
-                let layer = Self::layer(300, inputs, columns, fill, &mut random);
-                let set = Self::from_cameras(layer, first, slice, first_sample, fill, &mut random);
+                let layer = Dense::new(300, inputs, columns, fill, &mut random);
+                let set = Self::new(layer, first, [slice, first_sample], fill, &mut random);
                 sets.push((format!("{name}, slices of {slice}, from {first_sample} on"), set));
             }
         }
@@ -313,89 +316,32 @@ impl Parity for DenseWeightBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let layer = &self.layer;
-        let values = self.before.len();
-        let places = layer.params();
-        // the pairs of a camera are its rays, of one sample each, or there is one pair for each camera
-        let pair = |camera: u32| if self.of_rays { camera } else { self.first[camera as usize] };
-        let cameras = self.first.len() as u32 - 1;
-        let first_pair: Vec<_> = (0..=WORDS * cameras).map(|word| pair(word / WORDS)).collect();
-        let first_sample = if self.of_rays { self.first.clone() } else { vec![0] };
-        let kernel = DenseWeightBackwardKernel {
-            params: DenseWeightBackwardParams {
-                samples: layer.samples,
-                first_sample: self.first_sample,
-                stride: layer.stride,
-                inputs: layer.inputs,
-                columns: layer.columns,
-                weight: places.weight,
-                bias: places.bias,
-                cameras,
-                words: WORDS,
-                of_rays: u32::from(self.of_rays),
-                slice: self.slice,
-                parameters: layer.parameters.len() as u32,
-                turn: self.turn,
-            },
-            first_pair: &first_pair,
-            first_sample: &first_sample,
-            input: &layer.input,
-            output_gradient: &self.gradient,
-            carry: &self.carry,
-            sum: &write_sums(&self.before),
-        };
-        let invocations = weight_invocations(layer.inputs, layer.columns);
+        let DenseWeightBackwardParams { samples, inputs, columns, slice, .. } = self.inputs.params;
         // and behind the last window
-        let windows = layer.samples.div_ceil(self.slice) + 1;
-        let outputs = runner.run(&kernel, invocations, windows)?;
-        Ok(outputs.into_iter().map(|output| with_sums(output, values)).collect())
+        let windows = samples.div_ceil(slice) + 1;
+        let invocations = weight_invocations(inputs, columns);
+        let outputs = runner.run(&self.inputs.kernel(), invocations, windows)?;
+        Ok(outputs.into_iter().map(|output| with_sums(output, self.before.len())).collect())
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
-        let layer = &self.layer;
         let Some((slices, value, _)) = self.slices_added(output.name, index) else {
             return Bound::EXACT;
         };
-        let Some((input, row)) = self.place(value) else { return Bound::EXACT };
-        let mut scale = 0.0;
-        let mut floor = 0.0;
-        for slice in slices {
-            let (samples, before) = self.terms(&slice, value);
-            let terms = samples.map(|sample| {
-                let is_bias = input == layer.inputs;
-                let x = if is_bias { 1.0 } else { layer.value(input, sample) };
-                (x, self.output_gradient(row, sample))
-            });
-            let bound = sum_of_products(terms.chain([(before, 1.0)]));
-            scale += bound.scale;
-            floor += bound.floor;
+        if self.place(value).is_none() {
+            return Bound::EXACT;
         }
-        Bound { scale, floor }
+        let bounds = slices.iter().map(|slice| sum_of_products(self.terms(slice, value)));
+        bounds.fold(Bound::EXACT, |sum, bound| Bound {
+            scale: sum.scale + bound.scale,
+            floor: sum.floor + bound.floor,
+        })
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        let layer = &self.layer;
-        // the other parameters only add a constant
-        let affine_of = |input: u32, sample: u32, parameter: Dual| match input == layer.inputs {
-            true => affine(&[], parameter, &[]),
-            false => affine(&[parameter], Dual::from(0.0), &[layer.value(input, sample).into()]),
-        };
-        let exact = |index| {
-            let (slices, value, before) = self.slices_added(output, index)?;
-            let Some((input, row)) = self.place(value) else { return Some(before) };
-            let sum_of = |slice: &Range<u32>| {
-                let (samples, carried) = self.terms(slice, value);
-                // the layer is linear: any value of the parameter gives the same slope
-                let [slope] = gradient([0.0], |[parameter]| {
-                    samples.clone().fold(Dual::from(0.0), |loss, sample| {
-                        let g = Dual::from(self.output_gradient(row, sample));
-                        loss + g * affine_of(input, sample, parameter)
-                    })
-                });
-                carried + slope
-            };
-            Some(before + slices.iter().map(sum_of).sum::<f64>())
-        };
-        (0..len).map(exact).collect()
+    /// A parameter's slope is the sum of what it is multiplied with.
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+        let (slices, value, before) = self.slices_added(output, index)?;
+        let sum = |slice| self.terms(slice, value).iter().map(|[a, b]| a * b).sum::<f64>();
+        Some(before + slices.iter().map(sum).sum::<f64>())
     }
 }

@@ -2,44 +2,44 @@
 
 use glam::Vec4;
 use muslin_check::prelude::*;
-use organza_shaders::camera::Camera;
 use organza_shaders::distortion::{
-    DistortionBackwardKernel, DistortionParams, LEAST_DISTANCE, PairInverseDistanceKernel,
+    DistortionBackwardInputs, DistortionParams, LEAST_DISTANCE, PairInverseDistanceInputs,
     PairInverseDistanceParams,
 };
-use organza_shaders::tile::Tile;
 
-use super::composite::{SIDES, pixels, planes, tiles};
+use super::composite::{SIDES, pixel, pixels, planes, tiles};
 use super::exact::numeric::{Dual, Number, gradient};
 use super::exact::project::View;
 use super::project::Project;
 use super::tile::pack;
 
-/// Inputs of `pair_inverse_distance`.
+/// The Gaussians and the cameras in f64 come from the scene.
 #[derive(Clone)]
 pub struct PairInverseDistance {
-    /// The Gaussians and the cameras.
-    pub scene: Project,
-    /// `camera * gaussians + gaussian`
-    pub pair: Vec<u32>,
+    scene: Project,
+    inputs: PairInverseDistanceInputs,
 }
 
 impl PairInverseDistance {
     fn new(mut scene: Project) -> Self {
         // squares of distances are finite
         scene.position.iter_mut().for_each(|place| *place = place.clamp(-1e15, 1e15));
-        let mut random = Random::new(9);
-        let slots = scene.cameras.len() as u32 * scene.gaussians;
-        let pair = (0..slots).filter(|_| random.below(3) > 0).collect();
-        Self { scene, pair }
+        let pair = scene.some_slots(&mut Random::new(9));
+        let pairs = pair.len() as u32;
+        let inputs = PairInverseDistanceInputs {
+            params: PairInverseDistanceParams { pairs, gaussians: scene.gaussians },
+            camera: scene.packed_cameras(),
+            position: scene.position.clone(),
+            power: unwritten(3 * pair.len()),
+            pair,
+        };
+        Self { scene, inputs }
     }
 
     /// The distance of a pair, and the sizes of the places that it is the difference of.
     fn distance(&self, pair: usize) -> [f64; 2] {
-        let slot = self.pair[pair] as usize;
-        let gaussians = self.scene.gaussians as usize;
-        let eye = View::from_camera(&self.scene.cameras[slot / gaussians]).eye;
-        let center = self.scene.center(slot % gaussians);
+        let (View { eye, .. }, gaussian) = self.scene.slot(self.inputs.pair[pair]);
+        let center = self.scene.center(gaussian);
         let offset = [0, 1, 2].map(|i| center[i] - eye[i]);
         let sizes = (0..3).map(|i| center[i].abs() + eye[i].abs());
         let distance = offset.into_iter().fold(0.0_f64, f64::hypot);
@@ -54,24 +54,11 @@ impl Parity for PairInverseDistance {
         "roundings of two places and of their difference, a square root and a division of 3 ulp";
 
     fn sets() -> Vec<(String, Self)> {
-        let sets = Project::everywhere().into_iter();
-        sets.map(|(name, scene)| (name, Self::new(scene))).collect()
+        Project::everywhere().into_iter().map(|(name, scene)| (name, Self::new(scene))).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let packed: Vec<_> = self.scene.cameras.iter().flat_map(Camera::pack).collect();
-        let pairs = self.pair.len();
-        let kernel = PairInverseDistanceKernel {
-            params: PairInverseDistanceParams {
-                pairs: pairs as u32,
-                gaussians: self.scene.gaussians,
-            },
-            pair: &self.pair,
-            camera: &packed,
-            position: &self.scene.position,
-            power: &unwritten(3 * pairs),
-        };
-        runner.run(&kernel, pairs as u32, 1)
+        runner.run(&self.inputs.kernel(), self.inputs.params.pairs, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
@@ -79,7 +66,7 @@ impl Parity for PairInverseDistance {
             let u = 1.0 / self.distance(pair)[0];
             [u, u * u, 0.0]
         };
-        (0..self.pair.len()).flat_map(of).map(Some).collect()
+        (0..self.inputs.pair.len()).flat_map(of).map(Some).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
@@ -93,27 +80,15 @@ impl Parity for PairInverseDistance {
     }
 }
 
-/// Inputs of `distortion_backward`.
-#[derive(Clone, Debug)]
-pub struct DistortionBackward {
-    /// S
-    pub side: u32,
-    /// Weight of a pixel.
-    pub scale: f32,
-    /// The tiles.
-    pub tiles: Vec<Tile>,
-    /// `[tiles, S, S]`: M_1, M_2, 0 and S.
-    pub sum: Vec<Vec4>,
-    /// `[K, S, S]`, in the batch's order.
-    pub valid: Vec<f32>,
-}
+case!(pub DistortionBackward(DistortionBackwardInputs));
 
 impl DistortionBackward {
     /// Weights and mean inverse distances from ranges; every seventh pixel has no weight.
     fn new(side: u32, weights: [f32; 2], means: [f32; 2]) -> Self {
         let mut random = Random::new(u64::from(side));
         let tiles = tiles();
-        let pixels = tiles.len() * (side * side) as usize;
+        let area = (side * side) as usize;
+        let pixels = tiles.len() * area;
         let [weight, mean] =
             [weights, means].map(|[least, most]| random.values(pixels, least, most));
         // S M_2 / M_1^2 is at least 1
@@ -125,19 +100,25 @@ impl DistortionBackward {
                 Vec4::new(first, first * mean[i] * spread[i], 0.0, weight[i])
             }
         });
-        let valid = (0..pixels).map(|_| f32::from(random.below(3) > 0)).collect();
-        Self { side, scale: 0.01, tiles, sum: sum.collect(), valid }
+        let sum: Vec<_> = sum.collect();
+        Self(DistortionBackwardInputs {
+            params: DistortionParams { side, scale: 0.01 },
+            tile: pack(&tiles),
+            sum: planes(&sum, area),
+            valid: (0..pixels).map(|_| f32::from(random.below(3) > 0)).collect(),
+            sum_gradient: unwritten(4 * pixels),
+        })
     }
 
     fn area(&self) -> usize {
-        (self.side * self.side) as usize
+        (self.params.side * self.params.side) as usize
     }
 
     /// The factor of a pixel's distortion.
     fn factor(&self, pixel: usize) -> f64 {
         let area = self.area();
-        let output = self.tiles[pixel / area].output as usize;
-        f64::from(self.scale) * f64::from(self.valid[output * area + pixel % area])
+        let output = tiles()[pixel / area].output as usize;
+        f64::from(self.params.scale) * f64::from(self.valid[output * area + pixel % area])
     }
 }
 
@@ -161,26 +142,18 @@ impl Parity for DistortionBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let kernel = DistortionBackwardKernel {
-            params: DistortionParams { side: self.side, scale: self.scale },
-            tile: &pack(&self.tiles),
-            sum: &planes(&self.sum, self.area()),
-            valid: &self.valid,
-            sum_gradient: &unwritten(4 * self.sum.len()),
-        };
-        Ok(pixels(
-            runner.run_over(&kernel, [self.side, self.side, self.tiles.len() as u32])?,
-            self.area(),
-        ))
+        let DistortionParams { side, .. } = self.params;
+        let outputs = runner.run_over(&self.kernel(), [side, side, tiles().len() as u32])?;
+        Ok(pixels(outputs, self.area()))
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let of = |(pixel, sum): (usize, &Vec4)| {
-            let sum = sum.as_dvec4();
+        let of = |at: usize| {
+            let sum = pixel(&self.sum, self.area(), at);
             if sum.w <= 0.0 {
                 return [0.0; 4];
             }
-            let factor = Dual::from(self.factor(pixel));
+            let factor = Dual::from(self.factor(at));
             let [by_m1, by_m2, by_weight] = gradient([sum.x, sum.y, sum.w], |[m1, m2, weight]| {
                 let one = Dual::from(1.0);
                 let share = if weight.value() > 1.0 { one } else { weight };
@@ -188,13 +161,12 @@ impl Parity for DistortionBackward {
             });
             [by_m1, by_m2, 0.0, by_weight]
         };
-        self.sum.iter().enumerate().flat_map(of).map(Some).collect()
+        (0..self.sum.len() / 4).flat_map(of).map(Some).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let pixel = index / 4;
         let plane = index % 4;
-        let sum = self.sum[pixel].as_dvec4();
+        let sum = pixel(&self.sum, self.area(), index / 4);
         if sum.w <= 0.0 || plane == 2 {
             return Bound::EXACT;
         }
@@ -208,6 +180,6 @@ impl Parity for DistortionBackward {
         };
         // a product may be flushed, and what it is multiplied with is large where it is
         let floor = f64::from(TINY) * (1.0 + 1.0 / (mean * mean)) * (1.0 + spread);
-        Bound { scale: self.factor(pixel) * size, floor }
+        Bound { scale: self.factor(index / 4) * size, floor }
     }
 }

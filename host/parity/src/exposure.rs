@@ -5,8 +5,9 @@ use organza_shaders::exposure::{ExposeBackwardInputs, ExposeInputs, ExposurePara
 
 use super::loss::{TILES, sets};
 
-/// Gain and offset of a plane.
-fn gain_and_offset(exposure: &[f32], plane: usize) -> [f64; 2] {
+/// Gain and offset of a value's plane.
+fn gain_and_offset(exposure: &[f32], index: usize, side: u32) -> [f64; 2] {
+    let plane = index / (side * side) as usize;
     [0, 1].map(|part| f64::from(exposure[2 * plane + part]))
 }
 
@@ -24,8 +25,10 @@ impl Expose {
         })
     }
 
-    fn area(&self) -> usize {
-        (self.params.side * self.params.side) as usize
+    /// x, and its plane's gain and offset.
+    fn at(&self, index: usize) -> [f64; 3] {
+        let [gain, offset] = gain_and_offset(&self.exposure, index, self.params.side);
+        [self.image[index].into(), gain, offset]
     }
 }
 
@@ -43,15 +46,12 @@ impl Parity for Expose {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let x = self.image[index];
-        let [gain, offset] = gain_and_offset(&self.exposure, index / self.area());
-        let scale = (gain * f64::from(x)).abs() + offset.abs();
-        Bound { scale, floor: f64::from(TINY) * (1.0 + gain.abs() + f64::from(x.abs())) }
+        let [x, gain, offset] = self.at(index).map(f64::abs);
+        Bound { scale: gain * x + offset, floor: f64::from(TINY) * (1.0 + gain + x) }
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let x = f64::from(self.image[index]);
-        let [gain, offset] = gain_and_offset(&self.exposure, index / self.area());
+        let [x, gain, offset] = self.at(index);
         Some(gain * x + offset)
     }
 }
@@ -64,10 +64,6 @@ impl ExposeBackward {
         let gradient = fill.values(random, image.len(), [-1.0, 1.0], 1e18);
         let row_sum = unwritten(2 * (3 * TILES * side) as usize);
         Self(ExposeBackwardInputs { params, image, exposure, gradient, row_sum })
-    }
-
-    fn area(&self) -> usize {
-        (self.params.side * self.params.side) as usize
     }
 
     /// The pixels of a row: x and dL/dx'.
@@ -96,7 +92,7 @@ impl Parity for ExposeBackward {
         let tiny = f64::from(TINY);
         if output.name == "gradient" {
             let slope = self.gradient[index];
-            let [gain, _] = gain_and_offset(&self.exposure, index / self.area());
+            let [gain, _] = gain_and_offset(&self.exposure, index, self.params.side);
             let slope = f64::from(slope.abs());
             return Bound { scale: gain.abs() * slope, floor: tiny * (1.0 + gain.abs() + slope) };
         }
@@ -116,7 +112,7 @@ impl Parity for ExposeBackward {
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         if output == "gradient" {
             let slope = f64::from(self.gradient[index]);
-            return Some(slope * gain_and_offset(&self.exposure, index / self.area())[0]);
+            return Some(slope * gain_and_offset(&self.exposure, index, self.params.side)[0]);
         }
         let by = |[x, slope]: [f64; 2]| if index.is_multiple_of(2) { slope * x } else { slope };
         Some(self.row(index / 2)?.map(by).sum::<f64>())

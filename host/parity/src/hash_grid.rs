@@ -1,7 +1,7 @@
 //! The case of `hash_grid`.
 
 use muslin_check::prelude::*;
-use organza_shaders::hash_grid::{GridLevel, HashGridKernel, HashGridParams, POINT_ROWS};
+use organza_shaders::hash_grid::{HashGridKernel, HashGridParams, POINT_ROWS};
 use organza_shaders::unit_cube::Split;
 
 use super::exact::hash_grid::encode;
@@ -15,16 +15,13 @@ const CHUNK: usize = 128;
 const STRIDE: usize = CHUNK + 7;
 
 /// Inputs of `hash_grid`.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct HashGrid {
-    /// The grid.
-    pub grid: GridConfig,
-    /// Points.
-    pub points: Vec<[Split; 3]>,
-    /// `[entries, features]`
-    pub table: Vec<f32>,
+    pub(super) grid: GridConfig,
+    points: Vec<[Split; 3]>,
+    pub(super) table: Vec<f32>,
     /// Whether the points' positions in all levels have so few bits that no order of operations rounds them.
-    pub is_unrounded: bool,
+    is_unrounded: bool,
 }
 
 /// A grid with dense and hashed levels.
@@ -36,6 +33,12 @@ pub(super) fn grid() -> GridConfig {
 pub(super) fn unrounded_point(bits: i32, random: &mut Random) -> [Split; 3] {
     let unit = 2_f32.powi(-bits);
     [0; 3].map(|_| Split::new(random.below((1 << bits) + 1) as f32 * unit, 0.0))
+}
+
+/// Points of coordinates and what they are rounded by.
+pub(super) fn points_of(coordinates: impl Iterator<Item = (f32, f32)>) -> Vec<[Split; 3]> {
+    let splits: Vec<_> = coordinates.map(|(x, rest)| Split::new(x, rest)).collect();
+    splits.as_chunks().0.to_vec()
 }
 
 /// Points in f64.
@@ -97,11 +100,10 @@ impl HashGrid {
     fn new(grid: GridConfig, count: u32, points: Fill, table: Fill, random: &mut Random) -> Self {
         let x = points.values(random, 3 * count as usize, [-0.2, 1.2], 1e30);
         let rest = Fill::Random.values(random, x.len(), [0.0, 6e-8], 0.0);
-        let splits: Vec<_> = x.iter().zip(&rest).map(|(&x, &rest)| Split::new(x, rest)).collect();
-        let (points, _) = splits.as_chunks::<3>();
+        let points = points_of(x.into_iter().zip(rest));
         let entries = grid.entries() * grid.features as usize;
         let table = table.values(random, entries, [-1.0, 1.0], 1e30);
-        Self { grid, points: points.to_vec(), table, is_unrounded: false }
+        Self { grid, points, table, is_unrounded: false }
     }
 
     /// Points at multiples of 1/16 of a cell, in levels whose scales have few bits.
@@ -180,13 +182,8 @@ impl HashGrid {
         positions(&self.points)
     }
 
-    /// The levels as the kernel reads them.
-    pub fn levels(&self) -> Vec<GridLevel> {
-        self.grid.levels_for_kernels()
-    }
-
     /// The place of an element of the output: level, feature and point; none where nothing is written.
-    pub fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
+    fn place(&self, index: usize) -> Option<(usize, usize, usize)> {
         let chunk_row = index / STRIDE;
         let column = index % STRIDE;
         let rows = rows(&self.grid);
@@ -218,7 +215,7 @@ impl Parity for HashGrid {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let levels = self.levels();
+        let levels = self.grid.levels_for_kernels();
         let kernel = HashGridKernel {
             params: self.params(),
             levels: &levels,
@@ -230,10 +227,8 @@ impl Parity for HashGrid {
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
-        let Some((level, feature, point)) = self.place(index) else {
-            return Bound::EXACT;
-        };
-        let level = self.levels()[level];
+        let Some((level, feature, point)) = self.place(index) else { return Bound::EXACT };
+        let level = self.grid.levels_for_kernels()[level];
         let entries = level.entries(level.cell::<f32>(self.points[point]).corner);
         let value = |entry: u32| {
             let at = entry * self.grid.features + feature as u32;

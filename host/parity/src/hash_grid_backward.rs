@@ -1,5 +1,7 @@
 //! The cases of `hash_grid_backward` and `hash_grid_gradient`.
 
+use std::cell::OnceCell;
+
 use muslin_check::prelude::*;
 use organza_shaders::hash_grid::Corners;
 use organza_shaders::hash_grid_backward::{
@@ -7,68 +9,49 @@ use organza_shaders::hash_grid_backward::{
 };
 use organza_shaders::unit_cube::Split;
 
+use super::binned::{integer, words};
 use super::exact::hash_grid::levels;
 use super::exact::hash_grid_scale::unit;
-use super::hash_grid::{exact_point, features, grid, params, positions, unrounded_point};
+use super::hash_grid::{
+    exact_point, features, grid, params, points_of, positions, unrounded_point,
+};
 use organza_core::scene::GridConfig;
 
 /// Inputs of `hash_grid_backward`.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct HashGridBackward {
-    /// The grid.
-    pub grid: GridConfig,
-    /// Points.
-    pub points: Vec<[Split; 3]>,
+    grid: GridConfig,
+    points: Vec<[Split; 3]>,
     /// `[rows, points]`
-    pub gradient: Vec<f32>,
+    gradient: Vec<f32>,
     /// The fixed point's unit, a power of two, as a multiple of which gradients are below 2^50.
-    pub scale: f32,
+    scale: f32,
     /// The largest gradient that is added.
-    pub limit: f32,
+    limit: f32,
     /// Whether every device computes the same terms, all of them multiples of the unit.
-    pub is_unrounded: bool,
-    /// For each value: the sizes of what is added to it, times the unit.
-    sizes: Vec<f64>,
+    is_unrounded: bool,
+    sizes: OnceCell<Vec<f64>>,
 }
 
 /// The smallest normal f32: a GPU may flush smaller ones.
 const SMALLEST: f64 = 1.175_494_350_822_287_5e-38;
 
 impl HashGridBackward {
-    fn new(
-        grid: GridConfig,
-        count: u32,
-        points: Fill,
-        gradient: Fill,
-        random: &mut Random,
-    ) -> Self {
+    fn new(grid: GridConfig, count: u32, fills: [Fill; 2], random: &mut Random) -> Self {
+        let [points, gradient] = fills;
         let x = points.values(random, 3 * count as usize, [-0.2, 1.2], 1e30);
-        let splits: Vec<_> = x.iter().map(|&x| Split::new(x, 0.0)).collect();
-        let (points, _) = splits.as_chunks::<3>();
+        let points = points_of(x.into_iter().map(|x| (x, 0.0)));
         let rows = grid.width() * count as usize;
         let gradient = gradient.values(random, rows, [-1.0, 1.0], 1e30);
         let largest = gradient.iter().fold(TINY, |a, b| a.max(b.abs()));
         let scale = 2_f32.powi((50 - largest.log2().ceil() as i32).min(126));
-        Self::with_points(grid, points.to_vec(), gradient, scale)
+        let (limit, sizes) = (f32::MAX, OnceCell::new());
+        Self { grid, points, gradient, scale, limit, is_unrounded: false, sizes }
     }
 
-    fn with_points(
-        grid: GridConfig,
-        points: Vec<[Split; 3]>,
-        gradient: Vec<f32>,
-        scale: f32,
-    ) -> Self {
-        let mut set = Self {
-            grid,
-            points,
-            gradient,
-            scale,
-            limit: f32::MAX,
-            is_unrounded: false,
-            sizes: Vec::new(),
-        };
-        set.sizes = set.sizes();
-        set
+    fn unrounded_set(grid: GridConfig, points: Vec<[Split; 3]>, gradient: Vec<f32>) -> Self {
+        let (limit, scale, sizes) = (f32::MAX, 2_f32.powi(40), OnceCell::new());
+        Self { grid, points, gradient, scale, limit, is_unrounded: true, sizes }
     }
 
     /// A grid of scale 4 in both levels, which are dense with 2^9 entries and hashed with 2^6.
@@ -95,17 +78,16 @@ impl HashGridBackward {
                 let grid = Self::grid_of_whole_scale(log2_table);
                 let points = (0..count).map(|_| unrounded_point(7, &mut random)).collect();
                 let gradient = gradients(grid.width() * count, &mut random);
-                let set = Self::with_points(grid, points, gradient, 2_f32.powi(40));
+                let set = Self::unrounded_set(grid, points, gradient);
                 (format!("unrounded, {count} points, 2^{log2_table}"), set)
             })
             .collect();
         let grid = Self::grid_of_whole_scale(9);
         let points = vec![unrounded_point(7, &mut random); 777];
         let gradient = (0..grid.width() * 777).map(|at| (at / 777) as f32 + 0.25).collect();
-        let set = Self::with_points(grid, points, gradient, 2_f32.powi(40));
+        let set = Self::unrounded_set(grid, points, gradient);
         sets.push(("777 points at one place".into(), set));
         sets.extend(Self::largest());
-        sets.iter_mut().for_each(|(_, set)| set.is_unrounded = true);
         sets
     }
 
@@ -118,8 +100,8 @@ impl HashGridBackward {
             // on a grid point, as the scale is 3
             let points = vec![[Split::new(0.5, 0.0); 3]; SAMPLES as usize];
             let gradient = vec![sign * limit; SAMPLES as usize];
-            let set =
-                Self { limit, ..Self::with_points(grid, points, gradient, 2_f32.powi(exponent)) };
+            let scale = 2_f32.powi(exponent);
+            let set = Self { limit, scale, ..Self::unrounded_set(grid, points, gradient) };
             (format!("{SAMPLES} of {:e}", sign * limit), set)
         };
         let bounds = [1e-31, 3.7, 3e37];
@@ -130,10 +112,9 @@ impl HashGridBackward {
     fn beyond() -> Vec<(String, Self)> {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1.01, -1.01];
         let of = |bad: f32| {
-            let mut set = Self::new(grid(), 100, Fill::Random, Fill::Random, &mut Random::new(20));
+            let mut set = Self::new(grid(), 100, [Fill::Random; 2], &mut Random::new(20));
             set.limit = 1.0;
             set.gradient[130] = bad;
-            set.sizes = set.sizes();
             (format!("a gradient of {bad}"), set)
         };
         bad.map(of).into()
@@ -178,7 +159,7 @@ impl HashGridBackward {
         (sums, touched)
     }
 
-    /// See the field.
+    /// For each value: the sizes of what is added to it, times the unit.
     fn sizes(&self) -> Vec<f64> {
         let features = self.grid.features as usize;
         let mut sizes = vec![0.0; self.values()];
@@ -209,15 +190,14 @@ impl Parity for HashGridBackward {
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets =
-            inputs::sets(|n, fill, random| Self::new(grid(), n, fill, Fill::Random, random));
+            inputs::sets(|n, fill, random| Self::new(grid(), n, [fill, Fill::Random], random));
         for fill in Fill::ADVERSARIAL {
-            let set = Self::new(grid(), ITEMS, Fill::Random, fill, &mut Random::new(13));
+            let set = Self::new(grid(), ITEMS, [Fill::Random, fill], &mut Random::new(13));
             sets.push((format!("gradients of {}", fill.name()), set));
         }
         for features in [1, 4, 8] {
             let grid = GridConfig { features, ..grid() };
-            let mut random = Random::new(14);
-            let set = Self::new(grid, ITEMS, Fill::Random, Fill::Random, &mut random);
+            let set = Self::new(grid, ITEMS, [Fill::Random; 2], &mut Random::new(14));
             sets.push((format!("{features} features"), set));
         }
         sets.extend(Self::unrounded());
@@ -240,8 +220,7 @@ impl Parity for HashGridBackward {
             status: &vec![0],
         };
         let mut outputs = runner.run(&kernel, count as u32, levels.len() as u32)?;
-        let words = outputs[0].words().chunks_exact(2);
-        let integers = words.map(|w| (u64::from(w[1]) << 32 | u64::from(w[0])) as i64);
+        let integers = outputs[0].words().as_chunks().0.iter().copied().map(integer);
         outputs[0].values = Values::Float(integers.map(|integer| integer as f64).collect());
         Ok(outputs)
     }
@@ -250,7 +229,7 @@ impl Parity for HashGridBackward {
         if self.is_unrounded {
             return Bound::EXACT;
         }
-        let size = self.sizes[index];
+        let size = self.sizes.get_or_init(|| self.sizes())[index];
         let regrouped = match rounding {
             Rounding::AsWritten => 1.0,
             // a position is good to 6e-8 of the resolution
@@ -279,7 +258,7 @@ case!(pub HashGridGradient(HashGridGradientInputs));
 impl HashGridGradient {
     /// The sum of a value.
     fn integer(&self, value: usize) -> i64 {
-        (u64::from(self.sum[2 * value + 1]) << 32 | u64::from(self.sum[2 * value])) as i64
+        integer([self.sum[2 * value], self.sum[2 * value + 1]])
     }
 }
 
@@ -291,11 +270,8 @@ impl Parity for HashGridGradient {
 
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| {
-            let integer = |value: f32| match fill {
-                Fill::Huge | Fill::Mixed => (f64::from(value) * 2_f64.powi(62)) as i64,
-                _ => (f64::from(value) * 2_f64.powi(40)) as i64,
-            };
-            let words = |sum: i64| [sum as u32, (sum >> 32) as u32];
+            let is_large = matches!(fill, Fill::Huge | Fill::Mixed);
+            let one = 2_f64.powi(if is_large { 62 } else { 40 });
             let sum = fill.values(random, count as usize, [-1.0, 1.0], 1.0);
             let gradient = fill.values(random, count as usize, [-1.0, 1.0], 1e30);
             let blocks = count.div_ceil(VALUES_PER_FLAG) as usize;
@@ -307,7 +283,7 @@ impl Parity for HashGridGradient {
                 params: HashGridGradientParams { values: count },
                 scale: vec![scale, 1.0 / scale, 0.0],
                 touched,
-                sum: sum.into_iter().flat_map(|value| words(integer(value))).collect(),
+                sum: sum.into_iter().flat_map(|x| words((f64::from(x) * one) as i64)).collect(),
                 gradient,
             })
         })

@@ -8,11 +8,10 @@ use super::hash_grid::HashGrid;
 use organza_core::halves::pack_halves;
 
 /// Inputs of `hash_grid_half`.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct HashGridHalf {
     /// The same with a table of numbers: those that the halves stand for.
-    pub full: HashGrid,
-    /// `[entries, ceil(features / 2)]`
+    full: HashGrid,
     table: Vec<u32>,
 }
 
@@ -41,7 +40,7 @@ impl Parity for HashGridHalf {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let levels = self.full.levels();
+        let levels = self.full.grid.levels_for_kernels();
         let kernel = HashGridHalfKernel {
             params: self.full.params(),
             levels: &levels,

@@ -12,8 +12,7 @@ use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, u
 
 /// Four numbers at a time.
 fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> {
-    let values = fill.values(random, 4 * len, [-1.0, 1.0], huge);
-    values.as_chunks::<4>().0.iter().map(|&values| Vec4::from_array(values)).collect()
+    fill.values(random, 4 * len, [-1.0, 1.0], huge).chunks(4).map(Vec4::from_slice).collect()
 }
 
 /// The first `count` bounds as numbers; NaN counts as infinite.

@@ -26,11 +26,10 @@ impl Parity for ByteHistogram {
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+        let byte = |half: &u16| usize::from(half / 256);
         let count = match index.checked_sub(BYTES) {
             None => self.bytes.iter().filter(|byte| usize::from(**byte) == index).count(),
-            Some(high) => {
-                self.halves.iter().filter(|half| usize::from(**half) / 256 == high).count()
-            }
+            Some(high) => self.halves.iter().map(byte).filter(|byte| *byte == high).count(),
         };
         Some(count as f64)
     }
@@ -132,27 +131,13 @@ fn shown(x: f64) -> f64 {
 
 /// Numbers of all kinds. No pair of one of these and a [`LATER`] has a sum, a product or a quotient that is a denormal.
 const NUMBERS: [f32; 18] = [
-    0.0,
-    -0.0,
-    0.4,
-    -0.6,
-    0.3,
-    1.0,
-    1.5,
-    -3.0,
-    49.0,
-    12345.678,
-    -7.5e6,
-    16_777_217.0,
-    1e8,
-    1e30,
-    3e38,
-    -3e38,
-    f32::INFINITY,
-    f32::NAN,
+    0.0, -0.0, 0.4, -0.6, 0.3, 1.0, 1.5, -3.0, 49.0, 12345.678, -7.5e6, TWO_24, 1e8, 1e30, 3e38,
+    -3e38, ENDLESS, NONE,
 ];
-const LATER: [f32; 12] =
-    [0.0, -0.0, 0.4, 1.0, -1.0, 3.0, 49.0, -0.7, 16_777_216.0, 1e8, f32::NEG_INFINITY, f32::NAN];
+const LATER: [f32; 12] = [0.0, -0.0, 0.4, 1.0, -1.0, 3.0, 49.0, -0.7, TWO_24, 1e8, -ENDLESS, NONE];
+const TWO_24: f32 = 16_777_216.0;
+const ENDLESS: f32 = f32::INFINITY;
+const NONE: f32 = f32::NAN;
 
 /// All pairs of [`NUMBERS`] and [`LATER`].
 fn pairs() -> [Vec<f32>; 2] {
@@ -164,9 +149,6 @@ fn pairs() -> [Vec<f32>; 2] {
 case!(pub AsWritten(AsWrittenInputs));
 
 impl AsWritten {
-    /// Whether a row has a division, of which a GPU may be off by 2.5 ulp.
-    const DIVIDES: [usize; 5] = [4, 10, 12, 18, 19];
-
     /// Whether a row divides by a number above 2^126, of which Vulkan says nothing: an NVIDIA H200 gives 0.
     fn is_unknown(&self, row: usize, at: usize) -> bool {
         let divisor = match row {
@@ -238,18 +220,16 @@ impl Parity for AsWritten {
     }
 
     fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {
-        let divides = Self::DIVIDES.contains(&(index / self.x.len()));
-        match rounding {
-            Rounding::Regrouped => Bound { scale: 0.0, floor: 1e41 },
-            Rounding::AsWritten if self.is_unknown(index / self.x.len(), index % self.x.len()) => {
+        let [row, at] = [index / self.x.len(), index % self.x.len()];
+        match row {
+            _ if rounding == Rounding::Regrouped || self.is_unknown(row, at) => {
                 Bound { scale: 0.0, floor: 1e41 }
             }
             // the sign of zero
-            Rounding::AsWritten if [13, 14].contains(&(index / self.x.len())) => {
-                Bound { scale: 0.0, floor: 1e-50 }
-            }
-            Rounding::AsWritten if divides => Bound::relative_to(output.floats()[index].abs()),
-            Rounding::AsWritten => Bound::EXACT,
+            13 | 14 => Bound { scale: 0.0, floor: 1e-50 },
+            // divisions, of which a GPU may be off by 2.5 ulp
+            4 | 10 | 12 | 18 | 19 => Bound::relative_to(output.floats()[index].abs()),
+            _ => Bound::EXACT,
         }
     }
 }
@@ -271,12 +251,12 @@ impl Parity for Compared {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let mut outputs = runner.run(&self.kernel(), self.params.count, 1)?;
         let flags = 17 * self.x.len();
-        let values =
-            outputs[0].words().iter().enumerate().map(|(index, word)| match index < flags {
-                true => f64::from(*word),
-                false => shown(f64::from(f32::from_bits(*word)) + 0.0),
-            });
-        outputs[0].values = Values::Float(values.collect());
+        let value = |(index, &word)| match index < flags {
+            true => f64::from(word),
+            false => shown(f64::from(f32::from_bits(word)) + 0.0),
+        };
+        let values = outputs[0].words().iter().enumerate().map(value).collect();
+        outputs[0].values = Values::Float(values);
         Ok(outputs)
     }
 
@@ -302,11 +282,7 @@ impl Parity for Compared {
             11 | 13 => !x_is_nan,
             12 | 14..=16 => x_is_nan,
             _ => {
-                let takes_x = match row {
-                    17 => y.is_nan() || is(&[Greater]),
-                    18 => y.is_nan() || is(&[Less]),
-                    _ => y.is_nan() || is(&[Less]),
-                };
+                let takes_x = y.is_nan() || is(if row == 17 { &[Greater] } else { &[Less] });
                 return Some(shown(if takes_x { x } else { y } + 0.0));
             }
         };
@@ -325,22 +301,15 @@ impl Parity for Signed {
 
     fn sets() -> Vec<(String, Self)> {
         let numbers = [0, 1, -1, 2, 7, -8, 767, -768, 1_000_003, i32::MAX, i32::MIN, i32::MIN + 5];
-        let mut inputs = SignedInputs {
-            params: LanguageParams { count: 0 },
-            x: vec![],
-            y: vec![],
-            z: vec![],
-            output: vec![],
+        let x: Vec<_> = numbers.into_iter().flat_map(|x| [x; 12]).collect();
+        let z = numbers.repeat(12);
+        let inputs = SignedInputs {
+            params: LanguageParams { count: x.len() as u32 },
+            y: z.iter().map(|&z| if z == 0 { 3 } else { z }).collect(),
+            output: unwritten(SIGNED_ROWS * x.len()),
+            x,
+            z,
         };
-        for x in numbers {
-            for z in numbers {
-                inputs.x.push(x);
-                inputs.y.push(if z == 0 { 3 } else { z });
-                inputs.z.push(z);
-            }
-        }
-        inputs.params.count = inputs.x.len() as u32;
-        inputs.output = unwritten(SIGNED_ROWS * inputs.x.len());
         vec![("pairs".into(), Self(inputs))]
     }
 
@@ -356,16 +325,14 @@ impl Parity for Signed {
         let checked = |sum: i64| i32::try_from(sum).unwrap_or(NO_ROOM);
         let no_room = |sum: i64| i32::from(i32::try_from(sum).is_err());
         let remainder = |by: i64| whole((x as f64 / by as f64).trunc() * by as f64) as i32;
+        let quarter = (x as f64 / 4.0).floor();
         let value = match row {
             0 => remainder(y),
             1 => whole((x as f64 / y.abs() as f64).floor() * y.abs() as f64) as i32,
             2 => remainder(3),
             3 => remainder(-4),
             4 => remainder(768),
-            5 => {
-                let quarter = (x as f64 / 4.0).floor();
-                (quarter - (quarter / 5.0).trunc() * 5.0) as i32
-            }
+            5 => (quarter - (quarter / 5.0).trunc() * 5.0) as i32,
             6 => checked(x + z),
             7 => checked(x - z),
             8 | 9 => x as i32,

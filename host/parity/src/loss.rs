@@ -1,6 +1,6 @@
 //! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
 
-use glam::Vec4;
+use glam::{DVec4, Vec4};
 use muslin_check::prelude::*;
 use organza_shaders::loss::{
     LossGradientInputs, LossGradientParams, LossParams, LossRowsInputs, LossTermsInputs,
@@ -33,19 +33,10 @@ fn mask(side: u32, random: &mut Random) -> Vec<bool> {
     (0..TILES * area).map(|at| at < area || at < 2 * area && random.below(3) > 0).collect()
 }
 
-/// The outputs of `loss_terms`: inputs of the other kernels.
-#[derive(Clone, Debug)]
+/// The outputs of `loss_terms`, `[tiles, S, S]`: d and the mask, and s.
 pub struct Terms {
-    /// `[tiles, S, S]`: d and the mask.
     pub difference: Vec<Vec4>,
-    /// `[tiles, S, S]`: s.
     pub sum: Vec<Vec4>,
-}
-
-/// d and s of a pixel's channel; `None` for masked pixels.
-fn pixel_slopes(d: &[Vec4], s: &[Vec4], pixel: usize, channel: usize) -> Option<[f64; 2]> {
-    let is_valid = d[pixel].w > 0.0;
-    is_valid.then(|| [d, s].map(|values| f64::from(values[pixel][channel])))
 }
 
 impl Terms {
@@ -91,6 +82,15 @@ impl LossTerms {
             valid,
         })
     }
+
+    /// The colors of a value; `None` for masked pixels, and for the mask itself.
+    fn colors(&self, index: usize) -> Option<[f64; 2]> {
+        let area = (self.params.side * self.params.side) as usize;
+        let [pixel, channel] = [index / 4, index % 4];
+        let at = (pixel / area * 3 + channel) * area + pixel % area;
+        (self.valid[pixel] > 0.0 && channel < 3)
+            .then(|| [&self.image, &self.target].map(|image| f64::from(image[at])))
+    }
 }
 
 impl Parity for LossTerms {
@@ -107,31 +107,18 @@ impl Parity for LossTerms {
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
-        let at = index / 4;
-        let channel = index % 4;
-        let is_valid = self.valid[at] > 0.0;
-        if !is_valid || channel == 3 {
-            return Bound::EXACT;
-        }
-        let area = (self.params.side * self.params.side) as usize;
-        let place = (at / area * 3 + channel) * area + at % area;
-        let size = f64::from(self.image[place].abs()) + f64::from(self.target[place].abs());
+        let Some([x, y]) = self.colors(index) else { return Bound::EXACT };
         let half = if output.name == "sum" { 1.0 } else { 0.0 };
-        Bound { scale: size + half, floor: 4.0 * f64::from(TINY) }
+        Bound { scale: x.abs() + y.abs() + half, floor: 4.0 * f64::from(TINY) }
     }
 
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
-        let area = (self.params.side * self.params.side) as usize;
-        let pixel = index / 4;
-        let channel = index % 4;
-        let is_valid = self.valid[pixel] > 0.0;
         let is_difference = output == "difference";
-        if !is_valid || channel == 3 {
-            return Some(f64::from(u8::from(is_valid && is_difference)));
-        }
-        let at = (pixel / area * 3 + channel) * area + pixel % area;
-        let [x, y] = [&self.image, &self.target].map(|image| f64::from(image[at]));
-        Some(if is_difference { x - y } else { x + y - 1.0 })
+        Some(match self.colors(index) {
+            Some([x, y]) if is_difference => x - y,
+            Some([x, y]) => x + y - 1.0,
+            None => f64::from(u8::from(self.valid[index / 4] > 0.0 && is_difference)),
+        })
     }
 }
 
@@ -153,6 +140,13 @@ impl LossRows {
             row_sum: unwritten((TILES * side) as usize),
         })
     }
+
+    /// The pixels of a row: d and the mask, and 1 - SSIM.
+    fn row(&self, row: usize) -> impl Iterator<Item = (DVec4, f64)> {
+        let side = self.params.side as usize;
+        (row * side..(row + 1) * side)
+            .map(|at| (self.difference[at].as_dvec4(), self.dissimilarity[at].into()))
+    }
 }
 
 impl Parity for LossRows {
@@ -172,34 +166,22 @@ impl Parity for LossRows {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let row = index / 4;
         let part = index % 4;
-        let side = self.params.side as usize;
-        let sizes = (row * side..(row + 1) * side).map(|at| {
-            let d = self.difference[at].as_dvec4().truncate().abs();
-            match part {
-                0 => d.element_sum(),
-                1 => f64::from(self.dissimilarity[at].abs()),
-                2 => d.length_squared(),
-                _ => 0.0,
-            }
+        let sizes = self.row(index / 4).map(|(d, dissimilarity)| {
+            let d = d.truncate().abs();
+            [d.element_sum(), dissimilarity.abs(), d.length_squared(), 0.0][part]
         });
-        let roundings = (side + 3) as f64;
+        let roundings = f64::from(self.params.side + 3);
         // what is flushed: three values of each pixel
         let floor = if part == 3 { 0.0 } else { 3.0 * roundings * f64::from(TINY) };
         Bound { scale: roundings * sizes.sum::<f64>(), floor }
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.params.side as usize;
-        let row = index / 4;
-        let part = index % 4;
-        let pixels = row * side..(row + 1) * side;
-        let of = |at: usize| {
-            let d = self.difference[at].as_dvec4();
-            sums(d.truncate().to_array(), f64::from(self.dissimilarity[at]), d.w)[part]
+        let of = |(d, dissimilarity): (DVec4, f64)| {
+            sums(d.truncate().to_array(), dissimilarity, d.w)[index % 4]
         };
-        Some(pixels.map(of).sum::<f64>())
+        Some(self.row(index / 4).map(of).sum::<f64>())
     }
 }
 
@@ -220,6 +202,28 @@ impl LossGradient {
             row_slopes,
         })
     }
+
+    /// d and s of a value's pixel, the three slopes of each pixel of its column, and its row; `None` for masked pixels.
+    fn terms(&self, index: usize) -> Option<([f64; 2], Vec<[f64; 3]>, usize)> {
+        let side = self.params.side as usize;
+        let area = side * side;
+        let [tile, channel, at] = [index / 3 / area, index / area % 3, index % area];
+        let pixel = tile * area + at;
+        let of = |row: usize| {
+            let vector = (tile * area + row * side + at % side) * SLOPES as usize;
+            [0, 1, 2].map(|part| f64::from(self.row_slopes[vector + part][channel]))
+        };
+        (self.difference[pixel].w > 0.0).then(|| {
+            let values = [&self.difference, &self.sum];
+            let ds = values.map(|values| f64::from(values[pixel][channel]));
+            (ds, (0..side).map(of).collect(), at / side)
+        })
+    }
+
+    /// The factors of both terms of the loss.
+    fn scales(&self) -> [f64; 2] {
+        [self.params.absolute_scale, self.params.ssim_scale].map(f64::from)
+    }
 }
 
 impl Parity for LossGradient {
@@ -237,50 +241,19 @@ impl Parity for LossGradient {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let side = self.params.side as usize;
-        let area = side * side;
-        let tile = index / 3 / area;
-        let channel = index / area % 3;
-        let at = index % area;
-        let pixel = tile * area + at;
-        if self.difference[pixel].w == 0.0 {
-            return Bound::EXACT;
-        }
-        let slope = |part: usize| {
-            let value = |row: usize| {
-                let at = (tile * area + row * side + at % side) * SLOPES as usize + part;
-                f64::from(self.row_slopes[at][channel].abs())
-            };
-            tap_sum(at / side, side, value)
-        };
-        let [d, s] =
-            [&self.difference, &self.sum].map(|values| f64::from(values[pixel][channel].abs()));
-        let LossGradientParams { absolute_scale, ssim_scale, .. } = self.params;
-        let [absolute, ssim] = [absolute_scale, ssim_scale].map(f64::from);
+        let Some(([d, s], slopes, row)) = self.terms(index) else { return Bound::EXACT };
+        let [d, s] = [d.abs(), s.abs()];
+        let slope = |part: usize| tap_sum(row, slopes.len(), |tap| slopes[tap][part].abs());
+        let [absolute, ssim] = self.scales();
         let floor = (d + s + 30.0) * f64::from(TINY);
         Bound { scale: ssim * (slope(0) + d * slope(1) + s * slope(2)) + absolute, floor }
     }
 
     /// A pixel adds w (1, d, s) to the windows around it, and the slopes belong to those sums.
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.params.side as usize;
-        let area = side * side;
-        let tile = index / 3 / area;
-        let channel = index / area % 3;
-        let at = index % area;
-        let pixel = tile * area + at;
-        let Some([d, s]) = pixel_slopes(&self.difference, &self.sum, pixel, channel) else {
-            return Some(0.0);
-        };
-        let row = at / side;
-        let column = at % side;
-        let slope = |part: usize| {
-            let vector = |tap: usize| SLOPES as usize * (tile * area + tap * side + column);
-            let value = |tap| f64::from(self.row_slopes[vector(tap) + part][channel]);
-            weighted_sum(row, (0..side).map(value))
-        };
-        let LossGradientParams { absolute_scale, ssim_scale, .. } = self.params;
-        let [absolute, ssim] = [absolute_scale, ssim_scale].map(f64::from);
+        let Some(([d, s], slopes, row)) = self.terms(index) else { return Some(0.0) };
+        let slope = |part: usize| weighted_sum(row, slopes.iter().map(|slopes| slopes[part]));
+        let [absolute, ssim] = self.scales();
         Some(absolute * sign(d) + ssim * (slope(0) + d * slope(1) + s * slope(2)))
     }
 }

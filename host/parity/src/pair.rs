@@ -7,56 +7,32 @@ use organza_shaders::pair::{
 };
 
 use super::exact::{bits, listed};
+use super::scan::prefix;
 
-/// How masks are filled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bits {
-    /// Half of them.
-    Random,
-    /// No bit.
-    None,
-    /// Every bit.
-    All,
-    /// The last bit of each word.
-    Last,
-}
+/// How a word of a mask is filled.
+pub type Bits = fn(&mut Random) -> u32;
 
-impl Bits {
-    /// All ways.
-    pub const ALL: [Self; 4] = [Self::Random, Self::None, Self::All, Self::Last];
+/// Half of a word's bits, none, all, and the last one.
+const BITS: [(&str, Bits); 4] =
+    [("Random", Random::bits), ("None", |_| 0), ("All", |_| u32::MAX), ("Last", |_| 1 << 31)];
 
-    /// `len` words.
-    pub fn words(self, random: &mut Random, len: u32) -> Vec<u32> {
-        let word = |random: &mut Random| match self {
-            Self::Random => random.bits(),
-            Self::None => 0,
-            Self::All => u32::MAX,
-            Self::Last => 1 << 31,
-        };
-        (0..len).map(|_| word(random)).collect()
-    }
+/// Words of a mask.
+pub fn mask(len: u32, bits: Bits, random: &mut Random) -> Vec<u32> {
+    (0..len).map(|_| bits(random)).collect()
 }
 
 /// Sets of all sizes and fillings.
 pub fn mask_sets<T>(make: impl Fn(u32, Bits, &mut Random) -> T) -> Vec<(String, T)> {
-    let pairs = SIZES.into_iter().flat_map(|words| Bits::ALL.map(|bits| (words, bits)));
-    pairs
-        .map(|(words, bits)| {
-            let mut random = Random::new(u64::from(words));
-            (format!("{bits:?} bits, {words} words"), make(words, bits, &mut random))
-        })
-        .collect()
+    let set = |words: u32, (name, bits): (&str, Bits)| {
+        let set = make(words, bits, &mut Random::new(words.into()));
+        (format!("{name} bits, {words} words"), set)
+    };
+    SIZES.into_iter().flat_map(|words| BITS.map(|bits| set(words, bits))).collect()
 }
 
 /// The exclusive sums of the bits' numbers, and the total.
 pub fn scanned(masks: &[u32]) -> Vec<u32> {
-    let mut sum = 0;
-    let mut prefix = vec![0];
-    prefix.extend(masks.iter().map(|mask| {
-        sum += mask.count_ones();
-        sum
-    }));
-    prefix
+    prefix(masks.iter().map(|mask| mask.count_ones()))
 }
 
 case!(pub PairMask(PairMaskInputs));
@@ -71,7 +47,7 @@ impl Parity for PairMask {
             Self(PairMaskInputs {
                 params: PairMaskParams { words },
                 first_tile: vec![0, 0, 1, 5],
-                tile_mask: bits.words(random, 5 * words),
+                tile_mask: mask(5 * words, bits, random),
                 mask: unwritten(len),
                 count: unwritten(len),
             })
@@ -103,12 +79,12 @@ impl Parity for PairFill {
 
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
-            let mask = bits.words(random, 2 * words);
+            let mask = mask(2 * words, bits, random);
             let first_pair = scanned(&mask);
             Self(PairFillInputs {
                 params: PairFillParams { words, gaussians: words * 32 },
                 mask,
-                pair: unwritten(*first_pair.last().unwrap_or(&0) as usize),
+                pair: unwritten(first_pair[first_pair.len() - 1] as usize),
                 first_pair,
             })
         })
@@ -151,15 +127,16 @@ impl Parity for PairSum {
 
     fn sets() -> Vec<(String, Self)> {
         let set = |words: u32, bits: Bits, width: u32, fill: Fill, random: &mut Random| {
-            let mask = bits.words(random, 3 * words);
-            let pairs = mask.iter().map(|mask| mask.count_ones()).sum::<u32>();
+            let mask = mask(3 * words, bits, random);
+            let first_pair = scanned(&mask);
+            let pairs = first_pair[mask.len()];
             // the last word is not full
             let gaussians = (words * 32).saturating_sub(5);
             let mut values =
                 |len: u32| fill.values(random, (len * width) as usize, [-1.0, 1.0], 1e30);
             Self(PairSumInputs {
                 params: PairSumParams { words, first_camera: 0, cameras: 3, gaussians, width },
-                first_pair: scanned(&mask),
+                first_pair,
                 mask,
                 pair_vector: values(pairs),
                 vector: values(gaussians),
@@ -168,7 +145,7 @@ impl Parity for PairSum {
         let mut sets =
             mask_sets(|words, bits, random| set(words.min(129), bits, 2, Fill::Random, random));
         for fill in Fill::ADVERSARIAL {
-            let set = set(5, Bits::Random, 7, fill, &mut Random::new(16));
+            let set = set(5, Random::bits, 7, fill, &mut Random::new(16));
             sets.push((fill.name().into(), set));
         }
         sets
@@ -189,8 +166,7 @@ impl Parity for PairSum {
             let sums = exact.get_mut(gaussian * width..).unwrap_or_default();
             sums.iter_mut().zip(vector).for_each(|(sum, &value)| *sum += f64::from(value));
         }
-        let exact = exact.into_iter().map(Some);
-        exact.collect()
+        exact.into_iter().map(Some).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

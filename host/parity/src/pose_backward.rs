@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use muslin_check::prelude::*;
-use organza_shaders::camera::Camera;
 use organza_shaders::pose_backward::{BLOCK, PoseBackwardKernel, PoseBackwardParams, VALUES};
+use organza_shaders::project_backward::ProjectBackwardParams;
 
 use super::binned::{read_sums, write_sums};
 use super::exact::numeric::{Dual, Number, gradient};
@@ -16,7 +16,7 @@ const POSE: usize = VALUES as usize;
 
 /// Inputs of `pose_backward`: those of `project_backward`.
 #[derive(Clone)]
-pub struct PoseBackward(pub(super) ProjectBackward);
+pub struct PoseBackward(ProjectBackward);
 
 /// A pair's camera, Gaussian and number.
 type Pair = [usize; 3];
@@ -34,12 +34,12 @@ impl PoseBackward {
     }
 
     /// Each camera's place: backwards, with one between two.
-    pub(super) fn places(&self) -> Vec<u32> {
+    fn places(&self) -> Vec<u32> {
         (0..self.0.forward.cameras.len() as u32).rev().map(|camera| 2 * camera).collect()
     }
 
     /// The sums that other parts have added to the poses of all places.
-    pub(super) fn before(&self) -> Vec<f32> {
+    fn before(&self) -> Vec<f32> {
         let values = POSE * 2 * self.0.forward.cameras.len();
         (0..values).map(|value| value as f32 / 8.0 - 1.0).collect()
     }
@@ -47,7 +47,7 @@ impl PoseBackward {
     /// The derivatives of a pair's part of the loss; `None` where rounding decides about its projection.
     fn derivatives(&self, [camera, gaussian, pair]: Pair) -> Option<[f64; POSE]> {
         let set = &self.0.forward;
-        let pair = &self.0.pair_gradient[pair];
+        let pair = self.0.pair_gradient(pair);
         if !matches!(set.fate(camera, gaussian), Some(Fate::Projected(_))) {
             return None;
         }
@@ -67,7 +67,7 @@ impl PoseBackward {
     /// The sizes of the terms that a pair adds to the rotation, and to the shift.
     fn sizes(&self, [camera, gaussian, pair]: Pair) -> [f64; 2] {
         let set = &self.0;
-        let [position, _, shape, _] = set.sizes(camera, gaussian, &set.pair_gradient[pair]);
+        let [position, _, shape, _] = set.sizes(camera, gaussian, set.pair_gradient(pair));
         let view = View::from_camera(&set.forward.cameras[camera]);
         let t = DVec3::from(view.place(set.forward.center(gaussian).to_array())).length();
         [t * position + 2.0 * shape, position]
@@ -120,44 +120,41 @@ impl Parity for PoseBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let set = &self.0;
-        let forward = &self.0.forward;
-        let packed: Vec<_> = forward.cameras.iter().flat_map(Camera::pack).collect();
+        let set = &self.0.inputs;
+        let ProjectBackwardParams { gaussians, words, blur, .. } = set.params;
         let mut first_pair = set.first_pair.clone();
-        first_pair.push(set.pair_gradient.len() as u32);
-        let gaussians = forward.gaussians as usize;
+        first_pair.push(set.pair_gradient.len() as u32 / 3);
         let mut pairs: Vec<_> = self.pairs().into_iter().flatten().collect();
         pairs.sort_by_key(|&[.., pair]| pair);
-        let slot = |[camera, gaussian, _]: &Pair| (camera * gaussians + gaussian) as u32;
+        let slot = |[camera, gaussian, _]: &Pair| (camera * gaussians as usize + gaussian) as u32;
         let slots: Vec<_> = pairs.iter().map(slot).collect();
-        let pair_gradient = set.pair_gradient.as_flattened().to_vec();
         let mut sum = write_sums(&self.before());
-        let words = forward.gaussians.div_ceil(32);
-        let blocks = forward.gaussians.div_ceil(BLOCK);
+        let values = self.before().len() as u32;
+        let blocks = gaussians.div_ceil(BLOCK);
         for (camera, place) in (0..).zip(self.places()) {
             let kernel = PoseBackwardKernel {
                 params: PoseBackwardParams {
-                    gaussians: forward.gaussians,
+                    gaussians,
                     words,
                     camera,
                     place,
                     blocks,
-                    values: self.before().len() as u32,
-                    blur: forward.blur,
+                    values,
+                    blur,
                 },
-                camera: &packed,
-                position: &forward.position,
-                rotation: &forward.rotation,
-                log_scale: &forward.log_scale,
+                camera: &set.camera,
+                position: &set.position,
+                rotation: &set.rotation,
+                log_scale: &set.log_scale,
                 first_pair: &first_pair,
                 pair: &slots,
-                pair_gradient: &pair_gradient,
+                pair_gradient: &set.pair_gradient,
                 sum: &sum,
             };
             let outputs = runner.run(&kernel, blocks, 1)?;
             sum = outputs[0].words().to_vec();
         }
-        let values = read_sums(&sum, self.before().len());
+        let values = read_sums(&sum, values as usize);
         Ok(vec![Output { name: "sum", values: Values::Float(values) }])
     }
 

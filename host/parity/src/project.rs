@@ -30,33 +30,22 @@ pub fn cameras(random: &mut Random) -> Vec<Camera> {
 /// Inputs of `project`.
 #[derive(Clone)]
 pub struct Project {
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// In square pixels.
-    pub blur: f32,
+    pub(super) gaussians: u32,
+    pub(super) blur: f32,
     /// The cameras.
     pub cameras: Vec<Camera>,
     /// The part of their images that is needed.
-    pub window: [f32; WINDOW],
-    /// `[gaussians, 3]`
-    pub position: Vec<f32>,
-    /// `[gaussians, 4]`
-    pub rotation: Vec<f32>,
-    /// `[gaussians, 3]`
-    pub log_scale: Vec<f32>,
+    window: [f32; WINDOW],
+    pub(super) position: Vec<f32>,
+    pub(super) rotation: Vec<f32>,
+    pub(super) log_scale: Vec<f32>,
 }
 
 impl Project {
-    fn new(
-        gaussians: u32,
-        fill: Fill,
-        blur: f32,
-        log_scale: [f32; 2],
-        random: &mut Random,
-    ) -> Self {
-        let len = gaussians as usize;
+    fn new(n: u32, fill: Fill, blur: f32, log_scale: [f32; 2], random: &mut Random) -> Self {
+        let len = n as usize;
         let mut set = Self {
-            gaussians,
+            gaussians: n,
             blur,
             cameras: cameras(random),
             window: EVERYWHERE,
@@ -69,9 +58,8 @@ impl Project {
                 // the one length that a rotation may not have
                 set.rotation[4 * gaussian..][..4].copy_from_slice(&random.values(4, 0.1, 1.0));
             }
-            while (0..set.cameras.len())
-                .any(|camera| set.sensitivity(camera, gaussian).is_undecided)
-            {
+            let cameras = 0..set.cameras.len();
+            while cameras.clone().any(|at| set.sensitivity(at, gaussian).is_undecided) {
                 set.position[3 * gaussian..][..3].copy_from_slice(&random.values(3, -2.0, 2.0));
                 set.log_scale[3 * gaussian..][..3].copy_from_slice(&random.values(3, -5.0, 0.0));
             }
@@ -114,6 +102,23 @@ impl Project {
             *depth = [NEAR_PLANE.next_down(), NEAR_PLANE, NEAR_PLANE.next_up()][index % 3];
         }
         set
+    }
+
+    /// Cameras as they lie in a buffer.
+    pub(super) fn packed_cameras(&self) -> Vec<f32> {
+        self.cameras.iter().flat_map(Camera::pack).collect()
+    }
+
+    /// Two of three pairs of a camera and a Gaussian, as `camera * gaussians + gaussian`.
+    pub(super) fn some_slots(&self, random: &mut Random) -> Vec<u32> {
+        let slots = 0..self.cameras.len() as u32 * self.gaussians;
+        slots.filter(|_| random.below(3) > 0).collect()
+    }
+
+    /// The camera and the Gaussian of `camera * gaussians + gaussian`.
+    pub(super) fn slot(&self, slot: u32) -> (View, usize) {
+        let camera = &self.cameras[(slot / self.gaussians) as usize];
+        (View::from_camera(camera), (slot % self.gaussians) as usize)
     }
 
     /// A Gaussian's position.
@@ -203,12 +208,11 @@ impl Parity for Project {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let packed: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
         let windows = self.window.repeat(self.cameras.len());
         let slots = self.cameras.len() * self.gaussians as usize;
         let kernel = ProjectKernel {
             params: ProjectParams { gaussians: self.gaussians, blur: self.blur },
-            camera: &packed,
+            camera: &self.packed_cameras(),
             window: &windows,
             position: &self.position,
             rotation: &self.rotation,
@@ -217,28 +221,23 @@ impl Parity for Project {
             degenerate: &vec![0],
         };
         let mut outputs = runner.run(&kernel, self.gaussians, self.cameras.len() as u32)?;
-        let projection: Vec<_> = outputs.remove(0).floats().iter().map(|&x| x as f32).collect();
-        let (projection, _) = projection.as_chunks::<4>();
-        let projection: Vec<_> = projection.iter().copied().map(Vec4::from_array).collect();
-        let class = |p: &[Vec4; 2]| match p[0].z {
+        let projection = outputs.remove(0);
+        let places = projection.floats().as_chunks::<8>().0;
+        let places = places.iter().map(|place| place.map(|x| x as f32));
+        let class = |p: [f32; 8]| match p[2] {
             BEHIND => 1,
             DEGENERATE => 2,
             ELSEWHERE => 3,
             radius if radius >= 0.0 => 0,
             _ => 4,
         };
-        let places = projection.as_chunks::<2>().0;
-        // a negative one is a class
-        let radius = places.iter().map(|p| p[0].z.max(0.0));
-        let mean2d = places.iter().flat_map(|p| [p[0].x, p[0].y]);
-        let conic = places.iter().flat_map(|p| [p[1].x, p[1].y, p[1].z]);
-        let extent = places.iter().flat_map(|p| [p[0].w, p[1].w]);
         outputs.extend([
-            Output::exact("class", places.iter().map(class).collect()),
-            Output::float("mean2d", mean2d),
-            Output::float("radius", radius),
-            Output::float("conic", conic),
-            Output::float("extent", extent),
+            Output::exact("class", places.clone().map(class).collect()),
+            Output::float("mean2d", places.clone().flat_map(|p| [p[0], p[1]])),
+            // a negative one is a class
+            Output::float("radius", places.clone().map(|p| p[2].max(0.0))),
+            Output::float("conic", places.clone().flat_map(|p| [p[4], p[5], p[6]])),
+            Output::float("extent", places.flat_map(|p| [p[3], p[7]])),
         ]);
         Ok(outputs)
     }
@@ -247,33 +246,27 @@ impl Parity for Project {
         let gaussians = self.gaussians as usize;
         let slots = (0..self.cameras.len() * gaussians)
             .map(|slot| self.fate(slot / gaussians, slot % gaussians));
-        let of = |fate: &Option<Fate>| match (output, fate) {
-            (_, None) => vec![None; width(output)],
-            ("class", Some(Fate::Behind)) => vec![Some(1.0)],
-            ("class", Some(Fate::Degenerate)) => vec![Some(2.0)],
-            ("class", Some(Fate::Elsewhere)) => vec![Some(3.0)],
-            (_, Some(Fate::Behind | Fate::Degenerate | Fate::Elsewhere)) => {
-                vec![Some(0.0); width(output)]
-            }
-            (_, Some(Fate::Projected(found))) => {
-                let values = match output {
-                    "class" => vec![0.0],
-                    "mean2d" => found.mean.to_vec(),
-                    "radius" => vec![found.radius()],
-                    "conic" => found.conic().to_vec(),
-                    _ => found.extent().to_vec(),
-                };
-                values.into_iter().map(Some).collect()
-            }
-        };
-        match output {
-            "degenerate" => {
-                let told: Option<Vec<_>> = slots.collect();
-                let is_culled = |fate: &&Fate| matches!(fate, Fate::Degenerate);
-                vec![told.map(|fates| fates.iter().filter(is_culled).count() as f64)]
-            }
-            _ => slots.flat_map(|fate| of(&fate)).collect(),
+        if output == "degenerate" {
+            let told: Option<Vec<_>> = slots.collect();
+            let is_culled = |fate: &&Fate| matches!(fate, Fate::Degenerate);
+            return vec![told.map(|fates| fates.iter().filter(is_culled).count() as f64)];
         }
+        let of = |fate: Fate| match (output, fate) {
+            ("class", Fate::Projected(_)) => vec![0.0],
+            ("class", Fate::Behind) => vec![1.0],
+            ("class", Fate::Degenerate) => vec![2.0],
+            ("class", Fate::Elsewhere) => vec![3.0],
+            ("mean2d", Fate::Projected(found)) => found.mean.to_vec(),
+            ("radius", Fate::Projected(found)) => vec![found.radius()],
+            ("conic", Fate::Projected(found)) => found.conic().to_vec(),
+            (_, Fate::Projected(found)) => found.extent().to_vec(),
+            _ => vec![0.0; width(output)],
+        };
+        let given = |fate: Option<Fate>| match fate {
+            Some(fate) => of(fate).into_iter().map(Some).collect(),
+            None => vec![None; width(output)],
+        };
+        slots.flat_map(given).collect()
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -291,7 +284,6 @@ impl Parity for Project {
 }
 
 /// The projection of a Gaussian in a camera.
-#[derive(Clone, Copy, Debug)]
 pub(super) enum Fate {
     /// It lies behind the near plane.
     Behind,
@@ -313,7 +305,7 @@ fn width(output: &str) -> usize {
 }
 
 /// How much roundings show in a projection, from f64.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Default)]
 pub(super) struct Sensitivity {
     /// Whether rounding decides if the Gaussian is visible.
     is_undecided: bool,

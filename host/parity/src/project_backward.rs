@@ -2,9 +2,8 @@
 
 use glam::{DVec3, Vec3, Vec4};
 use muslin_check::prelude::*;
-use organza_shaders::camera::Camera;
 use organza_shaders::project::project_gaussian;
-use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardKernel, ProjectBackwardParams};
+use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardInputs, ProjectBackwardParams};
 
 use super::exact::numeric::{Dual, gradient};
 use super::exact::project::{Gaussian, View, project};
@@ -15,16 +14,9 @@ use super::project::{Fate, Project};
 pub struct ProjectBackward {
     /// Those of `project`.
     pub forward: Project,
-    /// `[cameras, words]`
-    pub pair_mask: Vec<u32>,
-    /// `[cameras, words]`: bits before each word.
-    pub first_pair: Vec<u32>,
-    /// `[pairs, 3]`
-    pub pair_gradient: Vec<[Vec4; 3]>,
     /// `[cameras, gaussians]`
-    pub radius: Vec<f32>,
-    /// `[11 gaussians]`: what other parts have left.
-    pub gradient: Vec<f32>,
+    pub(super) radius: Vec<f32>,
+    pub(super) inputs: ProjectBackwardInputs,
 }
 
 /// Sizes of the terms that a pair adds to position, rotation, log_scale and opacity.
@@ -43,27 +35,37 @@ impl ProjectBackward {
             project_gaussian(view, forward.blur, center, rotation, log_axes).radius
         });
         let radius: Vec<_> = radius.collect();
-        let mut set = Self {
+        let words = count.div_ceil(32);
+        let inputs = ProjectBackwardInputs {
+            params: ProjectBackwardParams {
+                gaussians: forward.gaussians,
+                words: words as u32,
+                first_camera: 0,
+                cameras: forward.cameras.len() as u32,
+                blur: forward.blur,
+                bits: ALL_BITS,
+            },
+            camera: forward.packed_cameras(),
+            position: forward.position.clone(),
+            rotation: forward.rotation.clone(),
+            log_scale: forward.log_scale.clone(),
             pair_mask: Vec::new(),
             first_pair: Vec::new(),
             pair_gradient: Vec::new(),
-            radius,
             gradient: random.values(11 * count, -1.0, 1.0),
-            forward,
         };
-        for camera in 0..set.forward.cameras.len() {
-            for word in 0..count.div_ceil(32) {
-                let needed = |bit: &usize| {
-                    let gaussian = 32 * word + bit;
-                    random.below(4) > 0 && gaussian < count && set.is_usable(camera, gaussian)
-                };
-                let bits: u32 = (0..32).filter(needed).map(|bit| 1 << bit).sum();
-                set.first_pair.push(set.pair_gradient.len() as u32);
-                set.pair_mask.push(bits);
-                for _ in 0..bits.count_ones() {
-                    let [a, b] = [0, 1].map(|_| Vec4::from_slice(&random.values(4, -1.0, 1.0)));
-                    set.pair_gradient.push([a, b, Vec4::ONE]);
-                }
+        let mut set = Self { forward, radius, inputs };
+        for at in 0..set.forward.cameras.len() * words {
+            let needed = |bit: &usize| {
+                let gaussian = at % words * 32 + bit;
+                random.below(4) > 0 && gaussian < count && set.is_usable(at / words, gaussian)
+            };
+            let bits: u32 = (0..32).filter(needed).map(|bit| 1 << bit).sum();
+            set.inputs.first_pair.push(set.inputs.pair_gradient.len() as u32 / 3);
+            set.inputs.pair_mask.push(bits);
+            for _ in 0..bits.count_ones() {
+                let [a, b] = [0, 1].map(|_| Vec4::from_slice(&random.values(4, -1.0, 1.0)));
+                set.inputs.pair_gradient.extend([a, b, Vec4::ONE]);
             }
         }
         set
@@ -85,22 +87,26 @@ impl ProjectBackward {
 
     /// The pair of a camera and a Gaussian.
     pub(super) fn pair(&self, camera: usize, gaussian: usize) -> Option<usize> {
-        let words = (self.forward.gaussians as usize).div_ceil(32);
-        let word = camera * words + gaussian / 32;
-        let bits = self.pair_mask[word];
+        let word = camera * self.inputs.params.words as usize + gaussian / 32;
+        let bits = self.inputs.pair_mask[word];
         let bit = gaussian % 32;
         let below = (bits & ((1 << bit) - 1)).count_ones();
-        (bits >> bit & 1 == 1).then_some((self.first_pair[word] + below) as usize)
+        (bits >> bit & 1 == 1).then_some((self.inputs.first_pair[word] + below) as usize)
+    }
+
+    /// The gradients of a pair: of its center and opacity, its conic and its color.
+    pub(super) fn pair_gradient(&self, pair: usize) -> &[Vec4; 3] {
+        &self.inputs.pair_gradient.as_chunks().0[pair]
     }
 
     /// Where the centers of all pairs lie in their images, in pixels.
     pub fn pairs_in_image(&self) -> Vec<[f64; 2]> {
-        let set = &self.forward;
-        let count = self.forward.gaussians as usize;
-        let slots = (0..set.cameras.len() * count).map(|slot| (slot / count, slot % count));
-        let pairs = slots.filter(|&(camera, gaussian)| self.pair(camera, gaussian).is_some());
+        let gaussians = 0..self.forward.gaussians as usize;
+        let pairs = gaussians.flat_map(|gaussian| {
+            self.pairs(gaussian).map(move |(camera, _)| self.forward.fate(camera, gaussian))
+        });
         pairs
-            .filter_map(|(camera, gaussian)| match set.fate(camera, gaussian) {
+            .filter_map(|fate| match fate {
                 Some(Fate::Projected(found)) => Some(found.mean),
                 _ => None,
             })
@@ -170,7 +176,7 @@ impl ProjectBackward {
     pub(super) fn pairs(&self, gaussian: usize) -> impl Iterator<Item = (usize, &[Vec4; 3])> {
         let cameras = 0..self.forward.cameras.len();
         cameras.filter_map(move |camera| {
-            Some((camera, &self.pair_gradient[self.pair(camera, gaussian)?]))
+            Some((camera, self.pair_gradient(self.pair(camera, gaussian)?)))
         })
     }
 
@@ -196,32 +202,12 @@ impl Parity for ProjectBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let set = &self.forward;
-        let packed: Vec<_> = set.cameras.iter().flat_map(Camera::pack).collect();
-        let kernel = ProjectBackwardKernel {
-            params: ProjectBackwardParams {
-                gaussians: set.gaussians,
-                words: set.gaussians.div_ceil(32),
-                first_camera: 0,
-                cameras: set.cameras.len() as u32,
-                blur: set.blur,
-                bits: ALL_BITS,
-            },
-            camera: &packed,
-            position: &set.position,
-            rotation: &set.rotation,
-            log_scale: &set.log_scale,
-            pair_mask: &self.pair_mask,
-            first_pair: &self.first_pair,
-            pair_gradient: &self.pair_gradient.as_flattened().to_vec(),
-            gradient: &self.gradient,
-        };
-        runner.run(&kernel, set.gaussians, 1)
+        runner.run(&self.inputs.kernel(), self.forward.gaussians, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
         let count = self.forward.gaussians as usize;
-        let before = |index: usize| f64::from(self.gradient[index]);
+        let before = |index: usize| f64::from(self.inputs.gradient[index]);
         let derivatives: Vec<_> = (0..count).map(|g| self.derivatives(g)).collect();
         let part = |first: usize, width: usize| {
             let derivatives = &derivatives;
@@ -239,7 +225,7 @@ impl Parity for ProjectBackward {
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
         let count = self.forward.gaussians as usize;
-        let before = self.gradient[index];
+        let before = self.inputs.gradient[index];
         let (gaussian, part) = match index / count {
             0..3 => (index / 3, 0),
             3..7 => ((index - 3 * count) / 4, 1),

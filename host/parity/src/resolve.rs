@@ -1,12 +1,12 @@
 //! Cases of `resolve` and `resolve_backward`.
 
-use glam::{DVec4, Vec4};
+use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::resolve::{DIVIDE_ABOVE, ResolveBackwardInputs, ResolveInputs, ResolveParams};
 
-use super::composite::{SIDES, pixels, planes, tiles};
+use super::composite::{SIDES, pixel, pixels, planes, sets, tiles};
 use super::exact::numeric::{Dual, gradient};
-use super::exact::resolve::pixel;
+use super::exact::resolve;
 use super::tile::pack;
 
 case!(pub Resolve(ResolveInputs));
@@ -38,6 +38,17 @@ impl Resolve {
     }
 }
 
+impl Resolve {
+    /// C, S and the background of a value of Y `[K, 3, S, S]`, in which each tile has its own place.
+    fn at(&self, index: usize) -> Option<[f64; 3]> {
+        let area = area(&self.params);
+        let channel = index / area % 3;
+        let tile = tiles().iter().position(|tile| tile.output as usize == index / (3 * area))?;
+        let sum = pixel(&self.sum, area, tile * area + index % area);
+        Some([sum[channel], sum.w, background(&self.params)[channel]])
+    }
+}
+
 /// Pixels of a tile.
 fn area(params: &ResolveParams) -> usize {
     (params.side * params.side) as usize
@@ -48,12 +59,6 @@ fn background(params: &ResolveParams) -> [f64; 3] {
     [params.background_r, params.background_g, params.background_b].map(f64::from)
 }
 
-/// C and S of a pixel.
-fn weighted_sum(planes: &[f32], area: usize, pixel: usize) -> DVec4 {
-    let first = pixel / area * 4 * area + pixel % area;
-    DVec4::from_array([0, 1, 2, 3].map(|plane| f64::from(planes[first + plane * area])))
-}
-
 impl Parity for Resolve {
     const KERNEL: &'static str = "resolve";
     const TOLERANCE: f64 = 5e-7;
@@ -61,15 +66,7 @@ impl Parity for Resolve {
         "a division of 3 ulp and three roundings; the branches agree at S = 1";
 
     fn sets() -> Vec<(String, Self)> {
-        let mut sets: Vec<_> = SIDES
-            .iter()
-            .map(|&side| {
-                (format!("random, side {side}"), Self::new(side, Fill::Random, [0.0, 3.0]))
-            })
-            .collect();
-        for fill in Fill::ADVERSARIAL {
-            sets.push((format!("{}, side 9", fill.name()), Self::new(9, fill, [0.0, 3.0])));
-        }
+        let mut sets = sets(SIDES, 9, |side, fill| Self::new(side, fill, [0.0, 3.0]));
         let edge = [1.0 - 3.0 * f32::EPSILON, 1.0 + 3.0 * f32::EPSILON];
         sets.push(("weights about 1".into(), Self::new(17, Fill::Random, edge)));
         sets
@@ -80,32 +77,14 @@ impl Parity for Resolve {
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let area = area(&self.params);
-        // Y [K, 3, S, S], each tile at its own place of the batch
-        let place = index / (3 * area);
-        let channel = index / area % 3;
-        let at = index % area;
-        let tile = tiles().iter().position(|tile| tile.output as usize == place)?;
-        let sum = weighted_sum(&self.sum, area, tile * area + at);
-        Some(pixel(sum[channel], sum.w, background(&self.params)[channel]))
+        let [color, weight, background] = self.at(index)?;
+        Some(resolve::pixel(color, weight, background))
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let area = area(&self.params);
-        let output = index / 3 / area;
-        let channel = index / area % 3;
-        let at = index % area;
-        let Some(tile) = tiles().iter().position(|tile| tile.output as usize == output) else {
-            return Bound::EXACT;
-        };
-        let sum = weighted_sum(&self.sum, area, tile * area + at);
-        let color = sum[channel].abs();
-        let background = background(&self.params)[channel];
-        if sum.w > 1.0 {
-            Bound::relative_to(color / sum.w)
-        } else {
-            Bound::relative_to(color + background)
-        }
+        let Some([color, weight, background]) = self.at(index) else { return Bound::EXACT };
+        let color = color.abs();
+        Bound::relative_to(if weight > 1.0 { color / weight } else { color + background })
     }
 }
 
@@ -142,13 +121,13 @@ impl Parity for ResolveBackward {
         let tiles = tiles();
         let of = |index: usize| {
             let first = 3 * tiles[index / area].output as usize * area + index % area;
-            let sum = weighted_sum(&self.sum, area, index);
+            let sum = pixel(&self.sum, area, index);
             gradient(sum.to_array(), |[r, g, b, weight]| {
                 let channels = [r, g, b].into_iter().enumerate();
                 channels.fold(Dual::from(0.0), |loss, (channel, color)| {
                     let slope = f64::from(self.image_gradient[first + channel * area]);
                     let background = background(&self.params)[channel];
-                    loss + pixel(color, weight, background) * Dual::from(slope)
+                    loss + resolve::pixel(color, weight, background) * Dual::from(slope)
                 })
             })
         };
@@ -159,7 +138,7 @@ impl Parity for ResolveBackward {
         let at = index / 4;
         let channel = index % 4;
         let area = area(&self.params);
-        let sum = weighted_sum(&self.sum, area, at);
+        let sum = pixel(&self.sum, area, at);
         let output = tiles()[at / area].output as usize;
         let gradient = |channel: usize| {
             let at = (3 * output + channel) * area + at % area;

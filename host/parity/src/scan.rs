@@ -5,6 +5,13 @@ use organza_shaders::scan::{BLOCK, ScanAddInputs, ScanBlockInputs, ScanParams};
 
 use super::exact::listed;
 
+/// The exclusive sums of numbers, and their total.
+pub fn prefix(numbers: impl IntoIterator<Item = u32>) -> Vec<u32> {
+    let mut sums = vec![0];
+    numbers.into_iter().for_each(|number| sums.push(sums[sums.len() - 1] + number));
+    sums
+}
+
 /// Sizes around the workgroup and around the block.
 fn sizes() -> impl Iterator<Item = u32> {
     SIZES

@@ -4,11 +4,11 @@ use glam::{DVec3, Vec3};
 use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::limits::MAX_SAMPLES;
-use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams};
+use organza_shaders::segment::{SEGMENT_VECTORS, SegmentInputs, SegmentParams};
 use organza_shaders::unit_cube::SceneBox;
 
 use super::color::BOXES;
-use super::exact::segment as exact;
+use super::exact::segment::{self as exact, ContractedRay};
 use super::exact::unit_cube::unit;
 use super::project;
 
@@ -18,23 +18,12 @@ const AWAY: f64 = 2e-5;
 /// Rays up to this size have places and points of two parts.
 const NEAR: f64 = 8.0;
 
-/// Inputs of `segment`.
+/// The cameras and the box are those of the inputs.
 #[derive(Clone)]
 pub struct Segment {
-    /// `camera * gaussians + gaussian`
-    pub pair: Vec<u32>,
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// sigma
-    pub step: f32,
-    /// The cameras.
-    pub cameras: Vec<Camera>,
-    /// The scene's box.
-    pub aabb: [[f64; 3]; 2],
-    /// Whether what lies outside is contracted.
-    pub is_contracted: bool,
-    /// `[gaussians, 3]`
-    pub position: Vec<f32>,
+    cameras: Vec<Camera>,
+    aabb: [[f64; 3]; 2],
+    inputs: SegmentInputs,
 }
 
 /// A ray in the unit cube's space, and where it lies in the cube, in f64.
@@ -88,16 +77,11 @@ impl Ray {
 }
 
 impl Segment {
-    fn new(pairs: u32, fill: Fill, step: f32, aabb: [[f64; 3]; 2], random: &mut Random) -> Self {
-        Self::with(pairs, fill, step, aabb, false, random)
-    }
-
-    fn with(
+    fn new(
         pairs: u32,
         fill: Fill,
         step: f32,
-        aabb: [[f64; 3]; 2],
-        is_contracted: bool,
+        (aabb, is_contracted): ([[f64; 3]; 2], bool),
         random: &mut Random,
     ) -> Self {
         let gaussians = 60;
@@ -114,34 +98,60 @@ impl Segment {
             let margin = if is_contracted { far } else { 0.3 } * (high - low);
             fill.values(random, 1, [low - margin, high + margin], 1e30)[0]
         });
-        let position = position.collect();
-        let mut set =
-            Self { pair: Vec::new(), gaussians, step, cameras, aabb, is_contracted, position };
-        let slots = gaussians * set.cameras.len() as u32;
-        let decided: Vec<u32> = (0..slots).filter(|&slot| !set.is_undecided(slot)).collect();
-        set.pair = match decided.len() as u32 {
-            0 => Vec::new(),
-            len => (0..pairs).map(|_| decided[random.below(len) as usize]).collect(),
+        let inputs = SegmentInputs {
+            params: SegmentParams { pairs: 0, gaussians, step, contracted: is_contracted.into() },
+            pair: Vec::new(),
+            camera: cameras.iter().flat_map(Camera::pack).collect(),
+            scene_box: SceneBox::new(aabb, is_contracted).pack().to_vec(),
+            position: position.collect(),
+            segment: Vec::new(),
+            count: Vec::new(),
         };
+        let mut set = Self { cameras, aabb, inputs };
+        let slots = 0..gaussians * set.cameras.len() as u32;
+        let decided: Vec<u32> = slots.filter(|&slot| !set.is_undecided(slot)).collect();
+        let pairs = if decided.is_empty() { 0 } else { pairs };
+        let some = |_| decided[random.below(decided.len() as u32) as usize];
+        set.inputs.params.pairs = pairs;
+        set.inputs.pair = (0..pairs).map(some).collect();
+        set.inputs.segment = unwritten((SEGMENT_VECTORS * pairs) as usize);
+        set.inputs.count = unwritten(pairs as usize);
         set
+    }
+
+    fn is_contracted(&self) -> bool {
+        self.inputs.params.contracted == 1
+    }
+
+    fn step(&self) -> f64 {
+        self.inputs.params.step.into()
+    }
+
+    /// The place of a pair's Gaussian.
+    fn position(&self, slot: u32) -> DVec3 {
+        let gaussian = (slot % self.inputs.params.gaussians) as usize;
+        Vec3::from_slice(&self.inputs.position[3 * gaussian..]).as_dvec3()
     }
 
     /// A pair's Gaussian and camera in the unit cube's space.
     fn ends(&self, slot: u32) -> [[f64; 3]; 2] {
-        let position = &self.position[3 * (slot % self.gaussians) as usize..];
-        let eye = self.cameras[(slot / self.gaussians) as usize].eye;
-        [Vec3::from_slice(position), eye]
-            .map(|point| unit(point.as_dvec3().to_array(), self.aabb, self.is_contracted))
+        let eye = self.cameras[(slot / self.inputs.params.gaussians) as usize].eye.as_dvec3();
+        [self.position(slot), eye]
+            .map(|point| unit(point.to_array(), self.aabb, self.is_contracted()))
+    }
+
+    fn contracted_ray(&self, slot: u32) -> ContractedRay {
+        let [p, eye] = self.ends(slot);
+        exact::contracted_ray(p, eye, self.step())
     }
 
     /// Whether rounding decides on the steps of a pair.
     fn is_undecided(&self, slot: u32) -> bool {
-        let step = f64::from(self.step);
-        if !self.is_contracted {
+        let step = self.step();
+        if !self.is_contracted() {
             return self.ray(slot).is_undecided(step);
         }
-        let [p, eye] = self.ends(slot);
-        let steps = exact::contracted_ray(p, eye, step).length / step;
+        let steps = self.contracted_ray(slot).length / step;
         let slack = AWAY * self.contracted_size(slot) / step + AWAY * steps;
         let is_capped = steps - slack > f64::from(MAX_SAMPLES);
         !is_capped && (slack > 0.3 || (steps - steps.round()).abs() <= slack)
@@ -156,10 +166,10 @@ impl Segment {
 
     /// The error of a coordinate in the box by drivers that regroup: 6e-8 of its size in world space.
     fn world(&self, slot: u32) -> f64 {
-        let position = &self.position[3 * (slot % self.gaussians) as usize..][..3];
+        let position = self.position(slot).abs();
         let world = (0..3).map(|axis| {
             let extent = self.aabb[1][axis] - self.aabb[0][axis];
-            (f64::from(position[axis].abs()) + self.aabb[0][axis].abs()) / extent
+            (position[axis] + self.aabb[0][axis].abs()) / extent
         });
         world.fold(0.0, f64::max)
     }
@@ -189,49 +199,33 @@ impl Parity for Segment {
         a contracted ray is one f32 of its ends' sizes, and known the less the shorter it is";
 
     fn sets() -> Vec<(String, Self)> {
-        let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.013, BOXES[0], random));
+        let first = (BOXES[0], false);
+        let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.013, first, random));
+        let new =
+            |step, space, seed| Self::new(ITEMS, Fill::Random, step, space, &mut Random::new(seed));
         for (index, aabb) in BOXES.into_iter().enumerate() {
             for step in [1.7, 0.1, 0.004] {
-                let set = Self::new(ITEMS, Fill::Random, step, aabb, &mut Random::new(31));
-                sets.push((format!("step {step}, box {index}"), set));
+                sets.push((format!("step {step}, box {index}"), new(step, (aabb, false), 31)));
             }
         }
         for (index, aabb) in BOXES.into_iter().enumerate() {
             for step in [0.3, 0.03] {
-                let random = &mut Random::new(34);
-                let set = Self::with(ITEMS, Fill::Random, step, aabb, true, random);
-                sets.push((format!("contracted, step {step}, box {index}"), set));
+                let name = format!("contracted, step {step}, box {index}");
+                sets.push((name, new(step, (aabb, true), 34)));
             }
         }
         // steps are capped
-        let set = Self::new(ITEMS, Fill::Random, 1e-6, BOXES[0], &mut Random::new(32));
-        sets.push(("step 1e-6".into(), set));
-        let mut set = Self::new(ITEMS, Fill::Random, 0.1, BOXES[0], &mut Random::new(33));
-        set.position[..3].copy_from_slice(&set.cameras[0].eye.to_array());
-        set.pair.fill(0);
+        sets.push(("step 1e-6".into(), new(1e-6, first, 32)));
+        let mut set = new(0.1, first, 33);
+        set.inputs.position[..3].copy_from_slice(&set.cameras[0].eye.to_array());
+        set.inputs.pair.fill(0);
         sets.push(("Gaussian at the camera".into(), set));
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pairs = self.pair.len() as u32;
-        let cameras: Vec<_> = self.cameras.iter().flat_map(Camera::pack).collect();
-        let kernel = SegmentKernel {
-            params: SegmentParams {
-                pairs,
-                gaussians: self.gaussians,
-                step: self.step,
-                contracted: u32::from(self.is_contracted),
-            },
-            pair: &self.pair,
-            camera: &cameras,
-            scene_box: &SceneBox::new(self.aabb, self.is_contracted).pack().to_vec(),
-            position: &self.position,
-            segment: &unwritten((SEGMENT_VECTORS * pairs) as usize),
-            count: &unwritten(pairs as usize),
-        };
-        let mut outputs = runner.run(&kernel, pairs, 1)?;
-        if !self.is_contracted {
+        let mut outputs = runner.run(&self.inputs.kernel(), self.inputs.params.pairs, 1)?;
+        if !self.is_contracted() {
             outputs[0].values = Values::Float(joined(outputs[0].floats()));
         }
         Ok(outputs)
@@ -239,9 +233,8 @@ impl Parity for Segment {
 
     fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
         let of = |&slot: &u32| {
-            let [p, eye] = self.ends(slot);
-            if self.is_contracted {
-                let ray = exact::contracted_ray(p, eye, f64::from(self.step));
+            if self.is_contracted() {
+                let ray = self.contracted_ray(slot);
                 if output == "count" {
                     return vec![Some(ray.count)];
                 }
@@ -250,25 +243,23 @@ impl Parity for Segment {
                 let values = values.chain([ray.radius, begin, end - begin]).chain([0.0; 6]);
                 return values.map(Some).collect();
             }
-            let found = exact::segment(p, eye, f64::from(self.step));
+            let [p, eye] = self.ends(slot);
+            let found = exact::segment(p, eye, self.step());
             if output == "count" {
                 return vec![Some(found.count)];
             }
             let values = found.start.into_iter().chain([found.factor]).chain(found.way);
             values.chain([0.0]).map(Some).collect()
         };
-        let exact = self.pair.iter().flat_map(of);
-        exact.collect()
+        self.inputs.pair.iter().flat_map(of).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
-        let values = if self.is_contracted { 16 } else { 8 };
-        let slot = self.pair[index / values];
-        if self.is_contracted {
+        let values = if self.is_contracted() { 16 } else { 8 };
+        let slot = self.inputs.pair[index / values];
+        if self.is_contracted() {
             let scale = self.contracted_size(slot) + self.world(slot);
-            let [p, eye] = self.ends(slot);
-            let ray = exact::contracted_ray(p, eye, f64::from(self.step));
-            let steps = f64::from(self.step) * ray.count.max(1.0);
+            let steps = self.step() * self.contracted_ray(slot).count.max(1.0);
             return Bound::relative_to(if index % 16 == 3 { scale / steps } else { scale });
         }
         let ray = self.ray(slot);
@@ -277,8 +268,8 @@ impl Parity for Segment {
         Bound::relative_to(match rounding {
             // s_factor is L / K / sigma
             _ if index % 8 == 3 => {
-                let steps = (ray.length() / f64::from(self.step)).ceil().max(1.0);
-                scale / (f64::from(self.step) * steps.min(f64::from(MAX_SAMPLES)))
+                let steps = (ray.length() / self.step()).ceil().max(1.0);
+                scale / (self.step() * steps.min(f64::from(MAX_SAMPLES)))
             }
             Rounding::AsWritten if size < NEAR => 4e-3 * size,
             _ => scale,

@@ -11,6 +11,7 @@ use organza_shaders::splat::{
 use super::exact::bits;
 use super::exact::composite::{compensation, weight};
 use super::exact::numeric::{Dual, gradient};
+use super::pair::scanned;
 
 case!(pub Splat(SplatInputs));
 
@@ -24,16 +25,14 @@ impl Splat {
             pair: (0..pairs)
                 .map(|i| if i % 5 == 4 { slots - 1 } else { random.below(slots) })
                 .collect(),
-            projection: numbers.as_chunks::<4>().0.iter().copied().map(Vec4::from_array).collect(),
+            projection: numbers.chunks(4).map(Vec4::from_slice).collect(),
             opacity: fill.values(random, gaussians as usize, [-12.0, 12.0], 3e38),
             transmittance: random.values(pairs as usize, 0.0, 1.0),
             color: random.values(3 * pairs as usize, 0.0, 1.0),
             splat: unwritten((VECTORS * pairs) as usize),
         })
     }
-}
 
-impl Splat {
     /// Of covariances from thin to large, whose weights make up for the blur.
     fn compensated() -> Self {
         let mut set = Self::new(inputs::ITEMS, Fill::Random, &mut Random::new(6));
@@ -99,8 +98,7 @@ impl Parity for Splat {
             let geometry = [placed.x, placed.y, weight, placed.w];
             [geometry, conic.to_array(), [r, g, b, 0.0]].concat()
         };
-        let exact = self.pair.iter().enumerate().flat_map(of).map(Some);
-        exact.collect()
+        self.pair.iter().enumerate().flat_map(of).map(Some).collect()
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
@@ -134,17 +132,11 @@ impl SplatBackward {
             })
             .collect();
         // no bits behind the last Gaussian
-        for last in
-            tile_mask.iter_mut().skip(words.max(1) as usize - 1).step_by(words.max(1) as usize)
-        {
-            *last &= u32::MAX >> (32 * words - gaussians);
+        for row in tile_mask.chunks_exact_mut(words.max(1) as usize) {
+            row[words as usize - 1] &= u32::MAX >> (32 * words - gaussians);
         }
-        let mut members = 0;
-        let first_member = tile_mask.iter().map(|bits| {
-            members += bits.count_ones();
-            members - bits.count_ones()
-        });
-        let first_member = first_member.collect();
+        let mut first_member = scanned(&tile_mask);
+        let members = first_member.pop().unwrap_or_default();
         let mut set = Self(SplatBackwardInputs {
             params: SplatBackwardParams { pairs: 0, gaussians, words },
             pair: Vec::new(),
@@ -230,8 +222,7 @@ impl Parity for SplatBackward {
                 gradient([logit, transmittance], |[x, t]| by_weight * weight(x, t));
             exact
         };
-        let exact = self.pair.iter().enumerate().flat_map(of).map(Some);
-        exact.collect()
+        self.pair.iter().enumerate().flat_map(of).map(Some).collect()
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {

@@ -22,7 +22,38 @@ fn moment([d, s]: [&[Vec4]; 2], pixel: usize, part: usize, channel: usize) -> f6
     [d, s, d * d, s * s][part]
 }
 
+/// A place in a row of terms that a window weights.
+struct Taps {
+    at: usize,
+    terms: Vec<f64>,
+}
+
+impl Taps {
+    fn sum(self) -> Option<f64> {
+        Some(weighted_sum(self.at, self.terms.into_iter()))
+    }
+
+    fn bound(&self) -> Bound {
+        let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
+        let size = |tap: usize| self.terms[tap].abs();
+        Bound { scale: tap_sum(self.at, self.terms.len(), size), floor }
+    }
+}
+
 case!(pub SsimRows(SsimRowsInputs));
+
+impl SsimRows {
+    /// What a value is the sum of.
+    fn taps(&self, index: usize) -> Taps {
+        let side = self.params.side as usize;
+        let [tile, row, column] = place(index / 16, side);
+        let term = |tap| {
+            let values: [&[Vec4]; 2] = [&self.difference, &self.sum];
+            moment(values, tile + row * side + tap, index / 4 % 4, index % 4)
+        };
+        Taps { at: column, terms: (0..side).map(term).collect() }
+    }
+}
 
 impl Parity for SsimRows {
     const KERNEL: &'static str = "ssim_rows";
@@ -47,27 +78,11 @@ impl Parity for SsimRows {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let pixel = index / 16;
-        let part = index / 4 % 4;
-        let channel = index % 4;
-        let side = self.params.side as usize;
-        let [tile, row, column] = place(pixel, side);
-        let size = |tap| {
-            moment([&self.difference, &self.sum], tile + row * side + tap, part, channel).abs()
-        };
-        let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
-        Bound { scale: tap_sum(column, side, size), floor }
+        self.taps(index).bound()
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.params.side as usize;
-        let pixel = index / 16;
-        let part = index / 4 % 4;
-        let channel = index % 4;
-        let [tile, row, column] = place(pixel, side);
-        let value =
-            |tap| moment([&self.difference, &self.sum], tile + row * side + tap, part, channel);
-        Some(weighted_sum(column, (0..side).map(value)))
+        self.taps(index).sum()
     }
 }
 
@@ -97,6 +112,15 @@ impl SsimColumns {
             difference,
             moments,
         })
+    }
+
+    /// The pixel of a value, its channel, and the slope that it is; no slope of 1 - SSIM itself, and none of either where all are 0.
+    fn place(&self, output: &str, index: usize) -> Option<(usize, usize, Option<usize>)> {
+        let is_slope = output == "slopes";
+        let pixel = if is_slope { index / 4 / SLOPES as usize } else { index };
+        let channel = index % 4;
+        let is_valid = self.difference[pixel].w > 0.0 && !(is_slope && channel == 3);
+        is_valid.then(|| (pixel, channel, is_slope.then_some(index / 4 % SLOPES as usize)))
     }
 
     /// A window's sums of d, s, d^2, s^2 and the mask in f64, and of their terms' sizes.
@@ -173,17 +197,13 @@ impl Parity for SsimColumns {
     }
 
     fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
-        let values = if output.name == "slopes" { 4 * SLOPES as usize } else { 1 };
-        let pixel = index / values;
-        let channel = index % 4;
-        let is_valid = self.difference[pixel].w > 0.0;
-        if !is_valid || values > 1 && channel == 3 {
+        let Some((pixel, channel, slope)) = self.place(output.name, index) else {
             return Bound::EXACT;
-        }
+        };
         let of = |channel| conditioned(self.window_sums(pixel, channel));
-        let scale = match values {
-            1 => [0, 1, 2].map(|channel| of(channel)[0]).iter().sum(),
-            _ => of(channel)[1 + index / 4 % SLOPES as usize],
+        let scale = match slope {
+            None => [0, 1, 2].map(|channel| of(channel)[0]).iter().sum(),
+            Some(slope) => of(channel)[1 + slope],
         };
         // 2 / Q W of a mean that is flushed
         Bound { scale, floor: 1e6 * f64::from(TINY) }
@@ -191,20 +211,13 @@ impl Parity for SsimColumns {
 
     /// A pixel of a window adds w (1, d, s, d^2, s^2) to its sums, and x enters d and s alike.
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
-        let values = if output == "slopes" { 4 * SLOPES as usize } else { 1 };
-        let pixel = index / values;
-        let channel = index % 4;
-        let is_valid = self.difference[pixel].w > 0.0;
-        if !is_valid || values > 1 && channel == 3 {
-            return Some(0.0);
-        }
-        if values == 1 {
-            let of = |channel| dissimilarity(self.window_sums(pixel, channel)[0]);
-            return Some([0, 1, 2].map(of).iter().sum());
-        }
-        let [by_d, by_s, by_dd, by_ss, _] =
-            gradient(self.window_sums(pixel, channel)[0], dissimilarity::<Dual>);
-        Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][index / 4 % SLOPES as usize])
+        let Some((pixel, channel, slope)) = self.place(output, index) else { return Some(0.0) };
+        let sums = |channel| self.window_sums(pixel, channel)[0];
+        let Some(slope) = slope else {
+            return Some([0, 1, 2].map(|channel| dissimilarity(sums(channel))).iter().sum());
+        };
+        let [by_d, by_s, by_dd, by_ss, _] = gradient(sums(channel), dissimilarity::<Dual>);
+        Some([by_d + by_s, 2.0 * by_dd, 2.0 * by_ss][slope])
     }
 }
 
@@ -220,6 +233,16 @@ impl SsimRowsBackward {
             slopes: numbers.chunks_exact(4).map(Vec4::from_slice).collect(),
             row_slopes: unwritten(vectors),
         })
+    }
+
+    /// What a value is the sum of.
+    fn taps(&self, index: usize) -> Taps {
+        let side = self.params.side as usize;
+        let parts = SLOPES as usize;
+        let [tile, row, column] = place(index / 4 / parts, side);
+        let vector = |tap: usize| (tile + row * side + tap) * parts + index / 4 % parts;
+        let term = |tap| f64::from(self.slopes[vector(tap)][index % 4]);
+        Taps { at: column, terms: (0..side).map(term).collect() }
     }
 }
 
@@ -237,30 +260,11 @@ impl Parity for SsimRowsBackward {
     }
 
     fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let vector = index / 4;
-        let channel = index % 4;
-        let side = self.params.side as usize;
-        let pixel = vector / SLOPES as usize;
-        let part = vector % SLOPES as usize;
-        let [tile, row, column] = place(pixel, side);
-        let size = |tap: usize| {
-            let at = (tile + row * side + tap) * SLOPES as usize + part;
-            f64::from(self.slopes[at][channel].abs())
-        };
-        let floor = 2.0 * f64::from(WINDOW) * f64::from(TINY);
-        Bound { scale: tap_sum(column, side, size), floor }
+        self.taps(index).bound()
     }
 
     /// The transpose of a symmetric window is the window itself.
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let side = self.params.side as usize;
-        let vector = index / 4;
-        let channel = index % 4;
-        let pixel = vector / SLOPES as usize;
-        let part = vector % SLOPES as usize;
-        let [tile, row, column] = place(pixel, side);
-        let at = |tap: usize| (tile + row * side + tap) * SLOPES as usize + part;
-        let value = |tap| f64::from(self.slopes[at(tap)][channel]);
-        Some(weighted_sum(column, (0..side).map(value)))
+        self.taps(index).sum()
     }
 }

@@ -2,28 +2,38 @@
 
 use glam::Vec4;
 use muslin_check::prelude::*;
-use organza_shaders::statistics::{StatisticsKernel, StatisticsParams};
+use organza_shaders::project_backward::ProjectBackwardParams;
+use organza_shaders::statistics::{StatisticsInputs, StatisticsParams};
 
 use super::project_backward::ProjectBackward;
 
-/// Inputs of `statistics`.
+/// The pairs are those of `project_backward`.
 #[derive(Clone)]
 pub struct Statistics {
-    /// The pairs, those of `project_backward`.
-    pub pairs: ProjectBackward,
-    /// `[gaussians]`: what other parts have left.
-    pub statistics: Vec<Vec4>,
+    pairs: ProjectBackward,
+    inputs: StatisticsInputs,
 }
 
 impl Statistics {
     fn new(pairs: ProjectBackward) -> Self {
-        let numbers = Random::new(10).values(4 * pairs.forward.gaussians as usize, 0.0, 5.0);
-        Self { pairs, statistics: numbers.chunks(4).map(Vec4::from_slice).collect() }
+        let ProjectBackwardParams { gaussians, words, first_camera, cameras, .. } =
+            pairs.inputs.params;
+        let before = Random::new(10).values(4 * gaussians as usize, 0.0, 5.0);
+        let radii = pairs.radius.iter();
+        let inputs = StatisticsInputs {
+            params: StatisticsParams { gaussians, words, first_camera, cameras },
+            projection: radii.flat_map(|&r| [Vec4::ONE.with_z(r), Vec4::ONE]).collect(),
+            pair_mask: pairs.inputs.pair_mask.clone(),
+            first_pair: pairs.inputs.first_pair.clone(),
+            pair_gradient: pairs.inputs.pair_gradient.clone(),
+            statistics: before.chunks(4).map(Vec4::from_slice).collect(),
+        };
+        Self { pairs, inputs }
     }
 
     /// A Gaussian's statistics: how far the centers are pulled, the cameras that have a pair, the largest radius.
     fn exact_of(&self, gaussian: usize) -> [f64; 4] {
-        let mut after = self.statistics[gaussian].as_dvec4().to_array();
+        let mut after = self.inputs.statistics[gaussian].as_dvec4().to_array();
         for (camera, [center, ..]) in self.pairs.pairs(gaussian) {
             let count = self.pairs.forward.gaussians as usize;
             let radius = self.pairs.radius[camera * count + gaussian];
@@ -42,32 +52,15 @@ impl Parity for Statistics {
         "a length's roundings and a square root of 3 ulp; a rounding for each camera";
 
     fn sets() -> Vec<(String, Self)> {
-        let sets = ProjectBackward::sets().into_iter();
-        sets.map(|(name, pairs)| (name, Self::new(pairs))).collect()
+        ProjectBackward::sets().into_iter().map(|(name, set)| (name, Self::new(set))).collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let set = &self.pairs.forward;
-        let radii = self.pairs.radius.iter();
-        let projection = radii.flat_map(|&radius| [Vec4::ONE.with_z(radius), Vec4::ONE]);
-        let kernel = StatisticsKernel {
-            params: StatisticsParams {
-                gaussians: set.gaussians,
-                words: set.gaussians.div_ceil(32),
-                first_camera: 0,
-                cameras: set.cameras.len() as u32,
-            },
-            projection: &projection.collect::<Vec<_>>(),
-            pair_mask: &self.pairs.pair_mask,
-            first_pair: &self.pairs.first_pair,
-            pair_gradient: &self.pairs.pair_gradient.as_flattened().to_vec(),
-            statistics: &self.statistics,
-        };
-        runner.run(&kernel, set.gaussians, 1)
+        runner.run(&self.inputs.kernel(), self.inputs.params.gaussians, 1)
     }
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let gaussians = 0..self.statistics.len();
+        let gaussians = 0..self.inputs.statistics.len();
         gaussians.flat_map(|gaussian| self.exact_of(gaussian)).map(Some).collect()
     }
 

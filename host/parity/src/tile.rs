@@ -10,7 +10,7 @@ use organza_shaders::tile::{
 
 use super::exact::tile::reaches;
 use super::exact::{bits, listed};
-use super::pair::{mask_sets, scanned};
+use super::pair::{mask, mask_sets, scanned};
 
 /// Tiles as they lie in a buffer.
 pub fn pack(tiles: &[Tile]) -> Vec<i32> {
@@ -18,9 +18,9 @@ pub fn pack(tiles: &[Tile]) -> Vec<i32> {
 }
 
 /// Tiles of two cameras: within the image, over its corner, far outside.
-fn tiles() -> Vec<Tile> {
+fn tiles() -> [Tile; 4] {
     let tile = |camera, origin, output| Tile { camera, origin, output };
-    vec![
+    [
         tile(0, [0, 0], 2),
         tile(0, [-17, 30], 0),
         tile(0, [1 << 20, -(1 << 20)], 1),
@@ -127,8 +127,7 @@ impl Parity for TileMask {
         };
         let tiles = tiles();
         let words = 0..self.params.words;
-        let exact = tiles.iter().flat_map(|tile| words.clone().map(move |at| word(tile, at)));
-        exact.collect()
+        tiles.iter().flat_map(|tile| words.clone().map(move |at| word(tile, at))).collect()
     }
 }
 
@@ -140,7 +139,7 @@ impl Parity for TileFill {
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
             let tiles = tiles();
-            let tile_mask = bits.words(random, tiles.len() as u32 * words);
+            let tile_mask = mask(tiles.len() as u32 * words, bits, random);
             let mut pair_mask = vec![0; 2 * words as usize];
             for (tile, masks) in tiles.iter().zip(tile_mask.chunks(words.max(1) as usize)) {
                 let first = (tile.camera * words) as usize;
@@ -151,7 +150,7 @@ impl Parity for TileFill {
                 params: TileFillParams { words },
                 tile: pack(&tiles),
                 tile_mask,
-                member: unwritten(*first_member.last().unwrap_or(&0) as usize),
+                member: unwritten(first_member[first_member.len() - 1] as usize),
                 first_member,
                 first_pair: scanned(&pair_mask),
                 pair_mask,

@@ -1,24 +1,25 @@
 //! The case of `tile_cells`.
 
 use muslin_check::prelude::*;
+use organza_shaders::composite::CompositeInputs;
 use organza_shaders::tile_cells::{TileCellsInputs, TileCellsParams};
 
-use super::composite::{Composite, SIDES, tiles};
-use super::tile::pack;
+use super::composite::{Composite, SIDES, sets, tiles};
 
 case!(pub TileCells(TileCellsInputs));
 
 impl TileCells {
-    fn new(side: u32, members: &[u32], fill: Fill, seed: u64) -> Self {
-        let Composite { tiles, tile_first, member, splat, .. } =
-            Composite::new(side, members, fill, seed);
+    fn new(Composite(forward): Composite) -> Self {
+        let side = forward.params.side;
+        let CompositeInputs { tile, tile_first, member, splat, .. } = forward;
+        let tiles = tile_first.len() as u32 - 1;
         let members = member.len();
         Self(TileCellsInputs {
-            params: TileCellsParams { members: members as u32, tiles: tiles.len() as u32, side },
-            tile: pack(&tiles),
+            params: TileCellsParams { members: members as u32, tiles, side },
+            tile,
             tile_first,
             member,
-            splat: splat.as_flattened().to_vec(),
+            splat,
             cells: unwritten(members),
         })
     }
@@ -30,14 +31,9 @@ impl Parity for TileCells {
     const WHY: &'static str = "bits; of what is compared, each has one rounding";
 
     fn sets() -> Vec<(String, Self)> {
-        let random =
-            |side| (format!("random, side {side}"), Self::new(side, &[40, 0, 90], Fill::Random, 1));
-        let mut sets: Vec<_> = SIDES.into_iter().chain([64, 65, 200]).map(random).collect();
-        for fill in Fill::ADVERSARIAL {
-            let set = Self::new(33, &[1, 60, 60], fill, 2);
-            sets.push((format!("{}, side 33", fill.name()), set));
-        }
-        sets.push(("no members".into(), Self::new(8, &[0], Fill::Random, 3)));
+        let sides = SIDES.into_iter().chain([64, 65, 200]);
+        let mut sets = sets(sides, 33, |side, fill| Self::new(Composite::filled(side, fill, 1)));
+        sets.push(("no members".into(), Self::new(Composite::new(8, &[0], Fill::Random, 3))));
         sets
     }
 
@@ -76,7 +72,6 @@ impl Parity for TileCells {
             }
             Some(f64::from(bits))
         };
-        let exact = self.member.iter().enumerate().map(cells);
-        exact.collect()
+        self.member.iter().enumerate().map(cells).collect()
     }
 }

@@ -2,24 +2,26 @@
 
 use glam::{DVec3, Vec4};
 use muslin_check::prelude::*;
+use organza_shaders::dense::DenseParams;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::segment::SEGMENT_VECTORS;
 use organza_shaders::transmittance::{
     SegmentProductInputs, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
-    TransmittanceInputsKernel, TransmittanceInputsParams,
+    TransmittanceInputsInputs, TransmittanceInputsParams,
 };
 use organza_shaders::unit_cube::Split;
 
 use super::color::{joined, layer_of_size};
-use super::dense::Layer;
+use super::dense::Dense;
 use super::exact::segment::{ContractedRay, contracted_ray};
 use super::exact::transmittance::{log_rho, midpoint, transmittance};
+use super::scan::prefix;
 
 /// Samples before the chunk.
-const FIRST_SAMPLE: u32 = 3;
+pub(super) const FIRST_SAMPLE: u32 = 3;
 
-/// Counts of the samples of pairs that have about `samples` in all: most have some, some have none.
-pub(super) fn counts(samples: u32, random: &mut Random) -> Vec<u32> {
+/// The first samples of pairs that have about `samples` in all: most have some, some have none.
+pub(super) fn some_pairs(samples: u32, random: &mut Random) -> Vec<u32> {
     let mut counts = vec![0];
     let mut left = samples;
     while left > 0 {
@@ -28,44 +30,31 @@ pub(super) fn counts(samples: u32, random: &mut Random) -> Vec<u32> {
         left -= count;
     }
     counts.extend([0, 0]);
-    counts
+    prefix(counts)
 }
 
-/// Where each pair's samples begin, and their number.
-pub(super) fn prefix(counts: &[u32]) -> Vec<u32> {
-    let mut sum = 0;
-    let sums = counts.iter().map(|count| {
-        sum += count;
-        sum
-    });
-    [0].into_iter().chain(sums).collect()
+/// First samples of pairs of which some have many, by name.
+pub(super) fn long_pairs() -> [(&'static str, Vec<u32>); 4] {
+    [
+        ("one pair has all", prefix([16_384])),
+        ("the last has all", prefix([0, 0, 0, 0, 5000])),
+        ("the first has all", prefix([5000, 0, 0, 0, 0])),
+        ("each has one", prefix([1; 700])),
+    ]
 }
 
-/// Inputs of `transmittance_inputs`.
-#[derive(Clone, Debug)]
-pub struct TransmittanceInputs {
-    /// Samples of the chunk; three others lie before them.
-    pub samples: u32,
-    /// Distance of two rows.
-    pub stride: u32,
-    /// Gaussians of the scene.
-    pub gaussians: u32,
-    /// `camera * gaussians + gaussian`
-    pub pair: Vec<u32>,
-    /// `[pairs + 1]`
-    pub first_sample: Vec<u32>,
-    /// `[pairs, 4]`
-    pub segment: Vec<Vec4>,
-    /// Whether these are contracted rays.
-    pub is_contracted: bool,
-    /// `[gaussians, 2]`
-    pub extra: Vec<f32>,
+/// The pair of a sample of the chunk.
+pub(super) fn owner(first_sample: &[u32], sample: usize) -> usize {
+    first_sample.partition_point(|&first| first <= FIRST_SAMPLE + sample as u32) - 1
 }
+
+case!(pub TransmittanceInputs(TransmittanceInputsInputs));
 
 impl TransmittanceInputs {
-    fn new(samples: u32, counts: &[u32], fill: Fill, random: &mut Random) -> Self {
+    /// Samples of a chunk; three others lie before them.
+    fn new(samples: u32, first_sample: Vec<u32>, fill: Fill, random: &mut Random) -> Self {
         let gaussians = 29;
-        let pairs = counts.len();
+        let pairs = first_sample.len() - 1;
         // within the cube: no sample lies outside
         let start = fill.values(random, 4 * pairs, [0.0, 1.0], 1.0);
         let w = fill.values(random, 3 * pairs, [-1.0, 1.0], 1.0);
@@ -83,21 +72,30 @@ impl TransmittanceInputs {
             coarse.into_iter().chain(fine)
         });
         let segment = vectors.collect();
-        Self {
-            samples,
-            stride: samples + 5,
-            gaussians,
-            segment,
-            is_contracted: false,
+        let stride = samples + 5;
+        Self(TransmittanceInputsInputs {
+            params: TransmittanceInputsParams {
+                samples,
+                first_sample: FIRST_SAMPLE,
+                stride,
+                pairs: pairs as u32,
+                gaussians,
+                extra: 2,
+                extra_row: 1,
+                contracted: 0,
+            },
             pair: (0..pairs).map(|_| random.below(3 * gaussians)).collect(),
-            first_sample: prefix(counts),
+            first_sample,
+            segment,
             extra: fill.values(random, 2 * gaussians as usize, [-1.0, 1.0], 3e38),
-        }
+            point: unwritten(((POINT_ROWS + 1) * stride) as usize),
+            input: unwritten(4 * stride as usize),
+        })
     }
 
     /// The same samples on contracted rays, whose ends are up to 300 cubes away.
     fn contracted(mut self, random: &mut Random) -> Self {
-        self.is_contracted = true;
+        self.params.contracted = 1;
         for (pair, vectors) in self.segment.chunks_mut(SEGMENT_VECTORS as usize).enumerate() {
             let far = [1.0, 1.0, 3.0, 300.0][pair % 4];
             let mut end = |far: f32| [0; 3].map(|_| f64::from(random.between(-far, far)));
@@ -117,7 +115,7 @@ impl TransmittanceInputs {
     /// The midpoint of a pair's step.
     fn midpoint(&self, pair: usize, k: u32, count: u32) -> [f64; 3] {
         let vector = |part: usize| self.segment[4 * pair + part].as_dvec4();
-        if !self.is_contracted {
+        if self.params.contracted == 0 {
             let s = vector(0) + vector(2);
             let w = vector(1) + vector(3);
             return midpoint(s.truncate().to_array(), w.truncate().to_array(), k, count);
@@ -134,13 +132,6 @@ impl TransmittanceInputs {
         };
         ray.midpoint(k, count)
     }
-
-    /// The pair of a column of the output, and the sample's place in it.
-    pub fn owner(&self, column: usize) -> (usize, u32) {
-        let sample = FIRST_SAMPLE + column as u32;
-        let after = self.first_sample.partition_point(|&first| first <= sample);
-        (after - 1, sample - self.first_sample[after - 1])
-    }
 }
 
 impl Parity for TransmittanceInputs {
@@ -151,72 +142,49 @@ impl Parity for TransmittanceInputs {
 
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
-            let counts = counts(n + FIRST_SAMPLE, random);
-            Self::new(n, &counts, fill, random)
+            let pairs = some_pairs(n + FIRST_SAMPLE, random);
+            Self::new(n, pairs, fill, random)
         });
         let mut random = Random::new(21);
         for samples in [3 * inputs::ITEMS, 5] {
-            let counts = counts(samples + FIRST_SAMPLE, &mut random);
-            let set = Self::new(samples, &counts, Fill::Random, &mut random);
+            let pairs = some_pairs(samples + FIRST_SAMPLE, &mut random);
+            let set = Self::new(samples, pairs, Fill::Random, &mut random);
             sets.push((format!("{samples} samples, contracted"), set.contracted(&mut random)));
         }
-        for (name, counts) in [
-            ("one pair has all", vec![16_384]),
-            ("the last has all", vec![0, 0, 0, 0, 5000]),
-            ("the first has all", vec![5000, 0, 0, 0, 0]),
-            ("each has one", vec![1; 700]),
-        ] {
-            let samples = counts.iter().sum::<u32>() - FIRST_SAMPLE;
-            let set = Self::new(samples, &counts, Fill::Random, &mut random);
-            sets.push((name.to_owned(), set));
+        for (name, pairs) in long_pairs() {
+            let samples = pairs[pairs.len() - 1] - FIRST_SAMPLE;
+            sets.push((name.into(), Self::new(samples, pairs, Fill::Random, &mut random)));
         }
         sets
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let stride = self.stride as usize;
-        let kernel = TransmittanceInputsKernel {
-            params: TransmittanceInputsParams {
-                samples: self.samples,
-                first_sample: FIRST_SAMPLE,
-                stride: self.stride,
-                pairs: self.pair.len() as u32,
-                gaussians: self.gaussians,
-                extra: 2,
-                extra_row: 1,
-                contracted: u32::from(self.is_contracted),
-            },
-            pair: &self.pair,
-            first_sample: &self.first_sample,
-            segment: &self.segment,
-            extra: &self.extra,
-            point: &unwritten((POINT_ROWS as usize + 1) * stride),
-            input: &unwritten(4 * stride),
-        };
-        let mut outputs = runner.run(&kernel, self.samples, 1)?;
+        let stride = self.params.stride as usize;
+        let mut outputs = runner.run(&self.kernel(), self.params.samples, 1)?;
         let factor = Values::Float(joined(&mut outputs[0], stride));
         outputs.push(Output { name: "s_factor", values: factor });
         Ok(outputs)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let row = index / self.stride as usize;
-        let column = index % self.stride as usize;
+        let row = index / self.params.stride as usize;
+        let column = index % self.params.stride as usize;
         // the rows before and after the extra vector belong to others
         let is_written = cpu.name != "input" || (1..3).contains(&row);
-        if column >= self.samples as usize || !is_written {
+        if column >= self.params.samples as usize || !is_written {
             return Bound::EXACT;
         }
         // all but the points are copies; contracted ones are known as one f32 knows them
-        let point = if self.is_contracted { 1e3 } else { 1.0 };
+        let point = if self.params.contracted == 1 { 1e3 } else { 1.0 };
         Bound::relative_to(if cpu.name == "point" { point } else { 0.0 })
     }
 
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        let stride = self.stride as usize;
+        let stride = self.params.stride as usize;
         let mut exact = vec![None; len];
-        for column in 0..self.samples as usize {
-            let (pair, k) = self.owner(column);
+        for column in 0..self.params.samples as usize {
+            let pair = owner(&self.first_sample, column);
+            let k = FIRST_SAMPLE + column as u32 - self.first_sample[pair];
             let count = self.first_sample[pair + 1] - self.first_sample[pair];
             let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
             match output {
@@ -226,7 +194,7 @@ impl Parity for TransmittanceInputs {
                 }
                 "s_factor" => give(0, f64::from(self.segment[4 * pair].w)),
                 _ => {
-                    let gaussian = (self.pair[pair] % self.gaussians) as usize;
+                    let gaussian = (self.pair[pair] % self.params.gaussians) as usize;
                     for (row, &value) in self.extra[2 * gaussian..][..2].iter().enumerate() {
                         give(1 + row, f64::from(value));
                     }
@@ -238,22 +206,15 @@ impl Parity for TransmittanceInputs {
 }
 
 /// The scalar network's last layer.
-pub(super) fn head_params(layer: &Layer) -> TransmittanceHeadParams {
-    let params = layer.params();
-    TransmittanceHeadParams {
-        samples: layer.samples,
-        first_sample: FIRST_SAMPLE,
-        stride: layer.stride,
-        inputs: layer.inputs,
-        weight: params.weight,
-        bias: params.bias,
-    }
+pub(super) fn head_params(layer: &Dense) -> TransmittanceHeadParams {
+    let DenseParams { samples, stride, inputs, weight, bias, .. } = layer.params;
+    TransmittanceHeadParams { samples, first_sample: FIRST_SAMPLE, stride, inputs, weight, bias }
 }
 
 /// The layers whose logits are of all sizes, and samples of every kind.
-pub(super) fn head_sets<S>(new: impl Fn(Layer, Fill, &mut Random) -> S) -> Vec<(String, S)> {
+pub(super) fn head_sets<S>(new: impl Fn(Dense, Fill, &mut Random) -> S) -> Vec<(String, S)> {
     let mut sets =
-        inputs::sets(|n, fill, random| new(Layer::new(n, 16, 1, fill, random), fill, random));
+        inputs::sets(|n, fill, random| new(Dense::new(n, 16, 1, fill, random), fill, random));
     for size in [0.01, 10.0, 50.0, 1e4] {
         let set = new(layer_of_size(size), Fill::Random, &mut Random::new(6));
         sets.push((format!("logits of {size}"), set));
@@ -262,24 +223,22 @@ pub(super) fn head_sets<S>(new: impl Fn(Layer, Fill, &mut Random) -> S) -> Vec<(
 }
 
 /// Points `[7, stride]` of which the heads read the factors alone.
-pub(super) fn points(layer: &Layer, factor: &[f32]) -> Vec<f32> {
-    let mut point = vec![f32::NAN; (POINT_ROWS * layer.stride) as usize];
+pub(super) fn points(layer: &Dense, factor: &[f32]) -> Vec<f32> {
+    let mut point = vec![f32::NAN; (POINT_ROWS * layer.params.stride) as usize];
     point.extend(factor);
     point
 }
 
-/// Inputs of `transmittance_head`.
-#[derive(Clone, Debug)]
+/// The last layer has one column.
+#[derive(Clone)]
 pub struct TransmittanceHead {
-    /// The last layer: one column.
-    pub layer: Layer,
-    /// `[stride]`
-    pub factor: Vec<f32>,
+    layer: Dense,
+    factor: Vec<f32>,
 }
 
 impl TransmittanceHead {
-    fn new(layer: Layer, fill: Fill, random: &mut Random) -> Self {
-        let factor = fill.values(random, layer.stride as usize, [0.0, 1.0], 1.0);
+    fn new(layer: Dense, fill: Fill, random: &mut Random) -> Self {
+        let factor = fill.values(random, layer.params.stride as usize, [0.0, 1.0], 1.0);
         Self { factor: factor.into_iter().map(f32::abs).collect(), layer }
     }
 }
@@ -301,15 +260,15 @@ impl Parity for TransmittanceHead {
             parameters: &layer.parameters,
             point: &points(layer, &self.factor),
             input: &layer.input,
-            log_rho: &unwritten((FIRST_SAMPLE + layer.samples) as usize),
+            log_rho: &unwritten((FIRST_SAMPLE + layer.params.samples) as usize),
         };
-        runner.run(&kernel, layer.samples, 1)
+        runner.run(&kernel, layer.params.samples, 1)
     }
 
     fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
         let sample = index.checked_sub(FIRST_SAMPLE as usize);
         let Some(sample) = sample else { return Bound::EXACT };
-        let Bound { scale: terms, floor } = self.layer.bound(sample as u32, 0);
+        let Bound { scale: terms, floor } = self.layer.sum_bound(sample as u32, 0);
         let log_rho = cpu.floats()[index].abs();
         let factor = f64::from(self.factor[sample]);
         // the slope of log sigmoid is at most 1, and at most its own size where that is small
@@ -323,7 +282,7 @@ impl Parity for TransmittanceHead {
 
     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
         let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
-        let a = self.layer.exact(sample as u32, 0);
+        let a = self.layer.sum(sample as u32, 0);
         Some(log_rho(a, f64::from(self.factor[sample])))
     }
 }
@@ -332,7 +291,7 @@ case!(pub SegmentProduct(SegmentProductInputs));
 
 impl SegmentProduct {
     /// The samples of a pair.
-    pub fn samples_of_pair(&self, pair: usize) -> &[f32] {
+    fn samples_of_pair(&self, pair: usize) -> &[f32] {
         &self.log_rho[self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize]
     }
 }
@@ -353,9 +312,8 @@ impl Parity for SegmentProduct {
             })
         };
         let mut sets = inputs::sets(|pairs, fill, random| {
-            let counts: Vec<_> = (0..pairs).map(|_| random.below(9).saturating_sub(2)).collect();
-            let first_sample = prefix(&counts);
-            let samples = counts.iter().sum::<u32>() as usize;
+            let first_sample = prefix((0..pairs).map(|_| random.below(9).saturating_sub(2)));
+            let samples = first_sample[pairs as usize] as usize;
             let log_rho = fill.values(random, samples, [0.0, 3.0], 1e30);
             let log_rho = log_rho.into_iter().map(|x| -x.abs()).collect();
             set(1.0, first_sample, log_rho)

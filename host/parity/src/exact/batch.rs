@@ -17,19 +17,6 @@ pub struct Batch {
     pub valid: Vec<f32>,
 }
 
-/// The results of the device.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct TileSums {
-    /// The sum of `|x - y|`.
-    pub absolute: f64,
-    /// The sum of `1 - SSIM`.
-    pub dissimilarity: f64,
-    /// The sum of `(x - y)^2`.
-    pub squared: f64,
-    /// The number of valid pixels.
-    pub valid: f64,
-}
-
 impl Batch {
     /// K
     pub fn tiles(&self) -> usize {
@@ -62,17 +49,15 @@ impl Batch {
         }
     }
 
-    /// The sums of a tile over its valid pixels and three channels.
-    pub fn sums(&self, tile: usize) -> TileSums {
-        let mut sums = TileSums::default();
+    /// The sums of a tile over its valid pixels and three channels: |x - y|, 1 - SSIM, (x - y)^2, and the number of pixels.
+    pub fn sums(&self, tile: usize) -> [f64; 4] {
+        let mut sums = [0.0; 4];
         for channel in 0..3 {
             let plane = self.plane(tile, channel);
             for at in (0..self.side * self.side).filter(|&at| plane.valid[at]) {
                 let d = plane.x[at] - plane.y[at];
-                sums.absolute += d.abs();
-                sums.squared += d * d;
-                sums.dissimilarity += 1.0 - plane.similarity(at);
-                sums.valid += 1.0 / 3.0;
+                let terms = [d.abs(), 1.0 - plane.similarity(at), d * d, 1.0 / 3.0];
+                sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
             }
         }
         sums

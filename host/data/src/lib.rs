@@ -36,6 +36,7 @@ use rayon::prelude::*;
 use access::{Access, invalid};
 pub use background::{Alpha, Background};
 use budget::Budget;
+pub use colmap::SparseModel;
 use develop::Shot;
 pub use develop::mean;
 use find::Found;

@@ -43,6 +43,16 @@ pub fn between_lines(so_far: f64, shortest: f64) -> f64 {
     (0.1 * so_far).clamp(shortest, 60.0)
 }
 
+/// `, 3m left`, by the mean time of a step; nothing before the first step is done. indicatif looks at the last 15 seconds, and takes minutes
+/// for weeks where a step is longer.
+fn left(elapsed: Duration, done: u64, all: u64) -> String {
+    if done == 0 {
+        return String::new();
+    }
+    let left = elapsed.mul_f64(all.saturating_sub(done) as f64 / done as f64);
+    format!(", {:#} left", HumanDuration(left))
+}
+
 impl Log {
     /// Whether there is a line now, at this time from `begin`.
     fn is_due(&self, now: Duration) -> bool {
@@ -118,7 +128,8 @@ impl Console {
             return self.hidden();
         }
         let left = |state: &ProgressState, text: &mut dyn fmt::Write| {
-            let _ = text.write_str(&left(state.pos(), state.len(), state.eta()));
+            let all = state.len().unwrap_or(0);
+            let _ = text.write_str(&left(state.elapsed(), state.pos(), all));
         };
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style.progress_chars("=> ").with_key("left", left));
@@ -177,7 +188,7 @@ impl Progress {
         let Some(log) = &self.log else { return };
         if log.is_due(log.begin.elapsed()) {
             let done = self.bar.position();
-            let left = left(done, self.bar.length(), self.bar.eta());
+            let left = left(log.begin.elapsed(), done, self.bar.length().unwrap_or(done));
             let all = grouped(self.bar.length().unwrap_or(done));
             let done = grouped(done);
             let what = self.bar.message();
@@ -198,12 +209,6 @@ impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
-}
-
-/// The remaining time, as the end of a line. The estimate is zero until the time per step is known: then nothing.
-fn left(done: u64, all: Option<u64>, estimate: Duration) -> String {
-    let is_unknown = estimate.is_zero() && all.is_none_or(|all| done < all);
-    if is_unknown { String::new() } else { format!(", {:#} left", HumanDuration(estimate)) }
 }
 
 /// Prints `kind: text` on stderr, in one line.
@@ -318,10 +323,10 @@ mod tests {
     }
 
     #[test]
-    fn no_time_is_left_before_it_is_known() {
-        let left = |done, seconds| left(done, Some(38), Duration::from_secs(seconds));
-        assert_eq!([left(0, 0), left(1, 0)], ["", ""]);
-        assert_eq!([left(2, 2400), left(38, 0)], [", 40m left", ", 0s left"]);
+    fn the_time_left_is_that_of_the_mean_step() {
+        let minute = Duration::from_secs(60);
+        assert_eq!(left(minute, 0, 9), "");
+        assert_eq!([left(minute, 1, 9), left(minute, 9, 9)], [", 8m left", ", 0s left"]);
     }
 
     #[test]

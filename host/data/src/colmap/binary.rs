@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
 
 use super::model::Lenses;
-use super::{Cameras, Image, Points, add};
+use super::{Cameras, Image, Points, Support, add};
 use crate::{Point, invalid};
 use organza_core::error::{Error, Result};
 
@@ -58,10 +58,9 @@ pub(super) fn points(source: impl Read + Seek, length: u64, path: &Path) -> Resu
         let id = records.u64()?;
         let position = [records.f64()?, records.f64()?, records.f64()?];
         let color = Some(records.take::<3>()?);
-        let _error = records.f64()?;
-        let track = records.u64()?;
-        records.skip(track, TRACK_ENTRY)?;
-        points.push((id, Point { position, color }));
+        let support = Support { error: records.f64()?, images: records.u64()? };
+        records.skip(support.images, TRACK_ENTRY)?;
+        points.push((id, Point { position, color }, support));
     }
     records.finish()?;
     Ok(points)

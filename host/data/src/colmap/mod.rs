@@ -2,6 +2,7 @@
 
 mod binary;
 mod model;
+mod sparse;
 mod text;
 
 use std::collections::HashMap;
@@ -16,6 +17,7 @@ use model::{Image, Intrinsics};
 use organza_core::camera::Camera;
 use organza_core::error::Result;
 use organza_core::input::open_regular;
+pub use sparse::SparseModel;
 
 /// Folders in a data set that may hold a model, or several in numbered folders, by priority.
 pub(super) const FOLDERS: [&str; 6] =
@@ -26,8 +28,17 @@ const POINTS_PLY: &str = "points3D.ply";
 type Cameras = HashMap<u32, Intrinsics>;
 /// Cameras and their lenses.
 type Lensed = Vec<(Camera, Lens)>;
-/// Points by their ids.
-type Points = Vec<(u64, Point)>;
+/// Points with their ids, and what holds them.
+type Points = Vec<(u64, Point, Support)>;
+
+/// What holds a point.
+#[derive(Clone, Copy)]
+struct Support {
+    /// Mean distance in pixels between where images see the point and where they should; negative if unknown.
+    error: f64,
+    /// Number of images that see it.
+    images: u64,
+}
 
 /// Adds a camera. A repeated id is an error, because one of the cameras would be lost.
 fn add(cameras: &mut Cameras, id: u32, camera: Intrinsics, path: &Path) -> Result<()> {
@@ -73,26 +84,29 @@ impl Model {
         }
     }
 
+    /// The points of `points3D`. A model without them still has cameras, and training can start from other points.
+    fn supported_points(&self) -> Result<Points> {
+        let path = &self.file("points3D");
+        if !path.exists() {
+            return Ok(Points::new());
+        }
+        let (file, length) = open_regular(path)?;
+        match self.is_binary {
+            true => binary::points(file, length, path),
+            false => text::points(file, path),
+        }
+    }
+
     /// The points of `points3D`, or else those of a PLY file beside it.
     fn points(&self) -> Result<(Vec<Point>, PathBuf)> {
         let path = self.file("points3D");
-        // A model without points still has cameras, and training can start from other points.
-        let mut points = match path.exists() {
-            true => {
-                let (file, length) = open_regular(&path)?;
-                match self.is_binary {
-                    true => binary::points(file, length, &path)?,
-                    false => text::points(file, &path)?,
-                }
-            }
-            false => Points::new(),
-        };
+        let mut points = self.supported_points()?;
         let beside = self.folder.join(POINTS_PLY);
         if points.is_empty() && beside.exists() {
             return Ok((ply::read(&beside)?, beside));
         }
-        points.sort_by_key(|(id, _)| *id);
-        Ok((points.into_iter().map(|(_, point)| point).collect(), path))
+        points.sort_by_key(|(id, ..)| *id);
+        Ok((points.into_iter().map(|(_, point, _)| point).collect(), path))
     }
 
     /// What to say if there are several models.
@@ -110,26 +124,30 @@ impl Model {
     }
 }
 
-/// The model of a data set. COLMAP numbers the parts of a scene that it could not join: the largest is used.
+/// The model of a data set.
 pub(super) fn find(folder: &Path) -> Option<Model> {
     FOLDERS.iter().find_map(|name| {
         let root = folder.join(name);
         // a number in the data set's own folder may be anything
-        let mut models = if name.is_empty() { Vec::new() } else { numbered(&root) };
-        models.push(root);
-        let mut models: Vec<_> = models.into_iter().filter_map(Model::within).collect();
-        if models.len() < 2 {
-            return models.pop();
-        }
-        let mut sized: Vec<_> =
-            models.into_iter().map(|model| (model.photographs(), model)).collect();
-        // The sort is stable: of equals, the first number is used.
-        sized.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
-        let mut sized = sized.into_iter();
-        let (_, largest) = sized.next()?;
-        let others = sized.map(|(count, model)| (model.folder, count)).collect();
-        Some(Model { others, ..largest })
+        let mut folders = if name.is_empty() { Vec::new() } else { numbered(&root) };
+        folders.push(root);
+        largest(folders)
     })
+}
+
+/// The largest model of some folders. COLMAP numbers the parts of a scene that it could not join.
+fn largest(folders: Vec<PathBuf>) -> Option<Model> {
+    let mut models: Vec<_> = folders.into_iter().filter_map(Model::within).collect();
+    if models.len() < 2 {
+        return models.pop();
+    }
+    let mut sized: Vec<_> = models.into_iter().map(|model| (model.photographs(), model)).collect();
+    // The sort is stable: of equals, the first number is used.
+    sized.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    let mut sized = sized.into_iter();
+    let (_, largest) = sized.next()?;
+    let others = sized.map(|(count, model)| (model.folder, count)).collect();
+    Some(Model { others, ..largest })
 }
 
 /// The folders in a folder that have numbers as names, in their order.

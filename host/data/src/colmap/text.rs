@@ -5,7 +5,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use super::model::{Intrinsics, Lenses};
-use super::{Cameras, Image, Points, add};
+use super::{Cameras, Image, Points, Support, add};
 use crate::{Point, invalid};
 use organza_core::error::{Error, Result};
 
@@ -78,12 +78,15 @@ fn is_pose(line: &str) -> bool {
     !is_triples && image(line).is_ok()
 }
 
-fn point(mut line: &str) -> Result<(u64, Point), String> {
+fn point(mut line: &str) -> Result<(u64, Point, Support), String> {
     let id = value(&mut line, "POINT3D_ID")?;
     let mut next = |name| value(&mut line, name);
     let position = [next("X")?, next("Y")?, next("Z")?];
     let color = [value(&mut line, "R")?, value(&mut line, "G")?, value(&mut line, "B")?];
-    Ok((id, Point { position, color: Some(color) }))
+    // Files that people write by hand may end here.
+    let error = word(&mut line).parse().unwrap_or(-1.0);
+    let images = line.split_whitespace().count() as u64 / 2;
+    Ok((id, Point { position, color: Some(color) }, Support { error, images }))
 }
 
 /// Removes the next word from a line.

@@ -347,3 +347,20 @@ fn assert_unused(folder: &Path, facts: &[&str]) {
     let [note] = &dataset.notes[..] else { panic!("{:?}", dataset.notes) };
     facts.iter().for_each(|fact| assert!(note.contains(fact), "{fact}: {note}"));
 }
+
+/// Both points are 0.75 pixels off. One and two images see them; in text, two each.
+#[test]
+fn the_largest_model_says_what_holds_its_points() {
+    for (binary, mean_track) in [(true, 1.5), (false, 2.0)] {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(SparseModel::largest(folder.path()).unwrap().is_none());
+        let small = Model { images: sample().images[..1].to_vec(), ..sample() };
+        write_model(&folder.path().join("0"), &small, binary);
+        write_model(&folder.path().join("1"), &sample(), binary);
+        let model = SparseModel::largest(folder.path()).unwrap().unwrap();
+        assert_eq!(model.folder, folder.path().join("1"));
+        let names: Vec<_> = model.cameras.iter().filter_map(|c| c.file_path.as_deref()).collect();
+        assert_eq!(names, ["a.png", "b c.png", "sub/c.png"]);
+        assert_eq!((model.points, model.mean_track, model.mean_error), (2, mean_track, 0.75));
+    }
+}

@@ -1,4 +1,4 @@
-//! The color behind a scene, and behind photographs with an alpha channel.
+//! The background of photographs with an alpha channel.
 
 use std::fmt;
 use std::str::FromStr;
@@ -21,8 +21,7 @@ pub enum Alpha {
 #[serde(try_from = "Written", into = "Written")]
 pub enum Background {
     /// White for a Blender data set whose photographs have an alpha channel, as in the tables of NeRF and its
-    /// successors. Black for all others; where each photograph fills its frame, the finished scene has another one: see
-    /// [`Dataset::fill`](crate::Dataset::fill).
+    /// successors. Black for all others.
     #[default]
     Auto,
     /// Red, green and blue as sRGB values, 0 to 1.

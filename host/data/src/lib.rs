@@ -88,12 +88,8 @@ pub struct Dataset {
     pub train: Vec<usize>,
     /// Indices of the held-out frames, ascending.
     pub held_out: Vec<usize>,
-    /// The color behind the photographs: red, green and blue, 0 to 1.
+    /// The color behind the scene: red, green and blue, 0 to 1.
     pub background: [f64; 3],
-    /// The color behind the scene that training makes, if it is another one: the mean of the photographs to train on, where
-    /// [`Background::Auto`] finds that each fills its frame. A gap in the scene then looks like what is around it. Training has a random
-    /// color behind the scene in each step.
-    pub fill: Option<[f64; 3]>,
     /// Points from which training may start; empty if the data set has none.
     pub points: Vec<Point>,
     /// The file of these points.
@@ -271,7 +267,7 @@ impl Dataset {
         let Poses { fingerprint, listing, options, is_part, .. } = poses;
         let mut notes = poses.notes;
         let Listing { points, points_file, shots, prepared, .. } = listing;
-        let options = DatasetOptions { background, ..options };
+        let options = DatasetOptions { background: Background::Color(background), ..options };
         let count = shots.len();
         let bytes = bytes_of(&shots);
         // checked before hours of reading
@@ -304,18 +300,13 @@ impl Dataset {
         let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
         let fingerprint = fingerprint.with_photographs(&digests);
         notes.extend(repeated(&shots, &digests));
-        let fill = match background {
-            Background::Color(_) => None,
-            Background::Auto => mean_color(train.iter().map(|&index| &frames[index].image)),
-        };
-        let background = background.color().map(f64::from);
+        let background = background.map(f64::from);
         let poses = shots.iter().map(|shot| shot.pose).collect();
         Ok(Self {
             frames,
             train,
             held_out,
             background,
-            fill,
             points,
             points_file,
             missing,
@@ -375,7 +366,6 @@ impl Dataset {
             train,
             held_out,
             background: [0.0; 3],
-            fill: None,
             points: Vec::new(),
             points_file: None,
             missing: Vec::new(),
@@ -541,35 +531,17 @@ fn pixels(shot: &Shot) -> u64 {
     side(shot.camera.width) * side(shot.camera.height)
 }
 
-/// The mean color of photographs' valid pixels, if there are any.
-fn mean_color<'a>(photographs: impl Iterator<Item = &'a Photograph>) -> Option<[f64; 3]> {
-    let mut sum = [0_u64; 3];
-    let mut count = 0_u64;
-    for photograph in photographs {
-        let valid = photograph.valid();
-        for (index, color) in photograph.pixels().iter().enumerate() {
-            if valid.is_none_or(|valid| valid[index]) {
-                count += 1;
-                (0..3).for_each(|channel| sum[channel] += u64::from(color[channel]));
-            }
-        }
-    }
-    (count > 0).then(|| sum.map(|sum| sum as f64 / (255 * count) as f64))
-}
-
 impl DatasetOptions {
-    /// The background of the photographs: still [`Background::Auto`] if each of them fills its frame.
-    fn decide_background(&self, listing: &Listing) -> Result<Background> {
-        if self.background != Background::Auto {
-            return Ok(self.background);
-        }
-        let is_white = self.alpha == Alpha::Background && listing.kind == DatasetKind::Blender;
-        for shot in &listing.shots {
+    /// The background color of the photographs.
+    fn decide_background(&self, listing: &Listing) -> Result<[f32; 3]> {
+        let may_be_white = self.background == Background::Auto
+            && self.alpha == Alpha::Background
+            && listing.kind == DatasetKind::Blender;
+        for shot in listing.shots.iter().take_while(|_| may_be_white) {
             if decode::has_alpha(&shot.path)? {
-                return Ok(Background::Color(if is_white { [1.0; 3] } else { [0.0; 3] }));
+                return Ok([1.0; 3]);
             }
         }
-        let is_masked = listing.shots.iter().any(|shot| shot.mask.is_some());
-        Ok(if is_masked { Background::Color([0.0; 3]) } else { Background::Auto })
+        Ok(self.background.color())
     }
 }

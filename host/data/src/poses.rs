@@ -34,7 +34,7 @@ pub struct Poses {
     /// Whether frames were left out on purpose, so that there may be none to train on.
     pub(super) is_part: bool,
     /// Background of the photographs, once it is decided.
-    background: OnceLock<Background>,
+    background: OnceLock<[f32; 3]>,
 }
 
 /// A camera of a data set.
@@ -149,12 +149,13 @@ impl Poses {
     /// The same errors as [`Dataset::load`], for this photograph.
     pub fn photograph(&self, index: usize) -> Result<Option<Frame>> {
         let Some(shot) = self.listing.shots.get(index) else { return Ok(None) };
-        let options = DatasetOptions { background: self.background()?, ..self.options.clone() };
+        let background = Background::Color(self.background()?);
+        let options = DatasetOptions { background, ..self.options.clone() };
         shot.develop(&options, &Budget::beside(0)).map(|(frame, _)| Some(frame))
     }
 
     /// The background of the photographs. The first call may look at every photograph.
-    pub(super) fn background(&self) -> Result<Background> {
+    pub(super) fn background(&self) -> Result<[f32; 3]> {
         if let Some(background) = self.background.get() {
             return Ok(*background);
         }

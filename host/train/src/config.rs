@@ -94,7 +94,7 @@ impl TrainConfig {
     /// Sets the values that depend on the data set, so that the run's file records them: the background that
     /// photographs are over, and whether exposures are learned.
     pub fn resolve(&mut self, dataset: &Dataset) {
-        if self.data.path.is_some() && dataset.fill.is_none() {
+        if self.data.path.is_some() {
             self.data.background = Background::Color(dataset.background.map(|value| value as f32));
         }
         self.exposure.learn = self.exposure.learn.decide(dataset).into();

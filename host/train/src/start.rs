@@ -46,7 +46,7 @@ pub(super) fn first_scene_with(
 ) -> Result<Scene> {
     requirements::check(config, dataset)?;
     let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
-    let background = dataset.fill.unwrap_or(dataset.background);
+    let background = dataset.background;
     let mut scene = match &config.start.path {
         Some(path) => start_from(path, config, dataset, &cameras)?,
         None => {
@@ -124,7 +124,7 @@ pub fn start_from(
         );
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
-    from_splats(&splats, config, dataset.fill.unwrap_or(dataset.background), cameras)
+    from_splats(&splats, config, dataset.background, cameras)
 }
 
 /// [`start_from`], with Gaussians already read from a file.

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use rand::RngExt;
-
 use super::checkpoint::Checkpoint;
 use super::coarse::{Batches, Drawn};
 use super::config::TrainConfig;
@@ -22,14 +20,10 @@ use crate::evaluate::{Evaluation, evaluate_measures};
 use organza_core::camera::Camera;
 use organza_core::error::{Error, Result};
 use organza_core::metrics;
-use organza_core::random;
 use organza_core::ranks::Ranks;
 use organza_core::scene::range_of;
 use organza_data::Dataset;
 use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer};
-
-/// Purpose of the random numbers of a step: the color behind the scene.
-const BEHIND: u64 = 7;
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -348,13 +342,7 @@ impl Trainer {
         let TrainerState { shard, gradient, .. } = &self.state;
         let renderer = &self.renderer;
         let cameras = &drawn.cameras(&self.cameras)[..];
-        let mut scene = shard.coarser(*factor, *ray_steps);
-        if self.dataset.fill.is_some() {
-            // over a color of its own in each step, no photograph's color is that of a gap
-            let mut random = random(self.config.run.seed, BEHIND, u64::from(self.step));
-            scene.set_background([(); 3].map(|()| random.random()));
-        }
-        let scene = &scene;
+        let scene = &shard.coarser(*factor, *ray_steps);
         Ok(match &mut hooks.loss {
             Some(own) => {
                 let (loss, squared) = renderer

@@ -67,18 +67,16 @@ fn alpha_lets_the_background_through() {
 
 /// Published tables of Blender's scenes use a white background.
 #[test]
-fn auto_is_white_behind_blenders_alpha_and_fills_gaps_behind_whole_photographs() {
+fn alpha_is_in_front_of_white_unless_told_otherwise() {
     let folder = folder();
     let dataset = load(folder.path()).unwrap();
-    assert_eq!((dataset.background, dataset.fill), ([1.0; 3], None));
+    assert_eq!(dataset.background, [1.0; 3]);
     assert_eq!(dataset.frames[2].image.pixels()[0], [255; 3]);
-    // without alpha, gaps are filled with the mean of the photographs to train on
-    for (name, red) in [("train/r_0.png", 51), ("train/r_1.png", 153), ("test/r_0.png", 255)] {
-        let photograph = image::RgbImage::from_pixel(8, 6, image::Rgb([red, 0, 255]));
-        photograph.save(folder.path().join(name)).unwrap();
+    // without alpha there is nothing to composite
+    for name in ["train/r_0.png", "train/r_1.png", "test/r_0.png"] {
+        image::RgbImage::new(8, 6).save(folder.path().join(name)).unwrap();
     }
-    let dataset = load(folder.path()).unwrap();
-    assert_eq!((dataset.background, dataset.fill), ([0.0; 3], Some([0.4, 0.0, 1.0])));
+    assert_eq!(load(folder.path()).unwrap().background, [0.0; 3]);
     // nerfstudio's data sets have no such tables
     let folder = self::folder();
     write_json(&folder.path().join("transforms.json"), &blender(&["./train/r_0"]));

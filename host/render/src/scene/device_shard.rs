@@ -100,12 +100,6 @@ impl DeviceShard {
         Self { fields: of(&self.fields), blocks, block: self.block }
     }
 
-    /// Eq. 13 has another background.
-    pub fn set_background(&mut self, background: [f64; 3]) {
-        let scenes = self.blocks.iter_mut().chain([&mut self.fields]);
-        scenes.for_each(|scene| scene.config.background = background);
-    }
-
     /// Eq. 13 divides no sum.
     pub fn never_divide(&mut self) {
         let scenes = self.blocks.iter_mut().chain([&mut self.fields]);

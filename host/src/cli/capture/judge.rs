@@ -171,10 +171,8 @@ impl Judgment {
 fn other_focal(cameras: &[Camera]) -> Vec<&Camera> {
     let focal = |camera: &Camera| camera.fl_x / f64::from(camera.width.max(camera.height));
     let middle = median(cameras.iter().map(focal).collect());
-    let differs = |camera: &&Camera| {
-        let ratio = focal(camera) / middle;
-        ratio > FOCAL || ratio < 1.0 / FOCAL
-    };
+    let usual = middle / FOCAL..=middle * FOCAL;
+    let differs = |camera: &&Camera| !usual.contains(&focal(camera));
     cameras.iter().filter(differs).collect()
 }
 

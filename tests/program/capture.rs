@@ -1,5 +1,6 @@
 //! `organza capture`: with ffmpeg and COLMAP, on a film of the still life that `organza demo --photographs` takes.
 
+use std::fmt::Write as _;
 use std::fs;
 use std::process::{Command, Stdio};
 
@@ -9,7 +10,7 @@ use organza::data::{DatasetOptions, Poses};
 use organza::still_life::StillLife;
 use serde_json::Value;
 
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Outcome, Sandbox};
 
 /// Frames of the film.
 const FRAMES: usize = 60;
@@ -36,7 +37,7 @@ fn the_poses_of_a_film_are_found() {
     sandbox
         .shell("ffmpeg -v error -i walk/images/%05d.jpg -crf 12 -pix_fmt yuv420p film.mp4")
         .assert_ok();
-    let capture = format!("capture film.mp4 -o data --frames {TAKEN} --exhaustive");
+    let capture = format!("capture film.mp4 -o data --frames {TAKEN} --matcher exhaustive");
     let outcome = sandbox.run(&capture).assert_ok();
     assert!(outcome.stderr.contains("taking the 30 sharpest of 60 frames"), "{outcome:?}");
     assert!(outcome.stderr.contains("30 of 30 images have a pose"), "{outcome:?}");
@@ -154,4 +155,212 @@ fn bad_inputs_are_refused() {
     fs::create_dir(sandbox.path("photos")).unwrap();
     fs::write(sandbox.path("photos/1.jpg"), "").unwrap();
     sandbox.assert_refuses("train photos -o run", &["organza capture"]);
+}
+
+/// Stands in for COLMAP. Its mapper finds the models of the folder `found-1`, then those of `found-2`.
+const COLMAP: &str = r#"#!/bin/sh
+case "$1 $2" in help* | *-h*) exit ;; esac
+echo "$@" >> calls.txt
+step=$1
+while [ $# -gt 1 ]; do
+    case $1 in
+        --image_path) images=$2 ;;
+        --input_path) input=$2 ;;
+        --output_path) output=$2 ;;
+    esac
+    shift
+done
+case $step in
+    feature_extractor) [ ! -e broken ] || exit 1 ;;
+    mapper) cp -r found-$(grep -c ^mapper calls.txt)/* "$output" ;;
+    image_undistorter) cp -r "$images" "$output/images" && cp -r "$input" "$output/sparse" ;;
+esac
+"#;
+
+/// Stands in for ffmpeg, for a video of 60 frames.
+const FFMPEG: &str = r#"#!/bin/sh
+for last; do :; done
+case $last in
+    -h) ;;
+    -) head -c $((60 * 960 * 540)) /dev/zero ;;
+    *) for frame in $(seq 60); do cp photos/00.png "$(printf "$last" $frame)"; done ;;
+esac
+"#;
+
+/// An image with a pose, as COLMAP finds it.
+struct Found {
+    name: String,
+    eye: DVec3,
+    focal: f64,
+}
+
+/// A walk around something in steps of 30 degrees.
+fn walk(names: impl Iterator<Item = String>) -> Vec<Found> {
+    let found = |(step, name): (usize, String)| {
+        let (y, x) = (30.0 * step as f64).to_radians().sin_cos();
+        Found { name, eye: DVec3::new(4.0 * x, 4.0 * y, 1.0), focal: 500.0 }
+    };
+    names.enumerate().map(found).collect()
+}
+
+fn photos(count: usize) -> impl Iterator<Item = String> {
+    (0..count).map(|photo| format!("{photo:02}.png"))
+}
+
+/// Writes a model of 400 points, each with an error, in pixels, and in a number of images.
+fn write_model(sandbox: &Sandbox, folder: &str, found: &[Found], error: f64, track: usize) {
+    let folder = sandbox.path(folder);
+    fs::create_dir_all(&folder).unwrap();
+    let [mut cameras, mut images, mut points] = [const { String::new() }; 3];
+    for (id, Found { name, eye, focal }) in found.iter().enumerate() {
+        writeln!(cameras, "{id} SIMPLE_RADIAL 640 480 {focal} 320 240 0.01").unwrap();
+        writeln!(images, "{id} 1 0 0 0 {} {} {} {id} {name}\n", -eye.x, -eye.y, -eye.z).unwrap();
+    }
+    for id in 0..400 {
+        writeln!(points, "{id} 0 0 0.5 9 9 9 {error}{}", " 1 0".repeat(track)).unwrap();
+    }
+    for (name, text) in [("cameras", cameras), ("images", images), ("points3D", points)] {
+        fs::write(folder.join(name).with_extension("txt"), text).unwrap();
+    }
+}
+
+/// A sandbox with the programs above, and with 12 photographs.
+fn with_programs() -> Sandbox {
+    let sandbox = Sandbox::new("tiny");
+    for folder in ["bin", "photos"] {
+        fs::create_dir(sandbox.path(folder)).unwrap();
+    }
+    fs::write(sandbox.path("bin/colmap"), COLMAP).unwrap();
+    fs::write(sandbox.path("bin/ffmpeg"), FFMPEG).unwrap();
+    sandbox.shell("chmod +x bin/*").assert_ok();
+    for name in photos(12) {
+        image::RgbImage::new(8, 6).save(sandbox.path("photos").join(name)).unwrap();
+    }
+    sandbox
+}
+
+fn capture(sandbox: &Sandbox, words: &str) -> Outcome {
+    sandbox.shell(&format!("PATH=\"$PWD/bin:$PATH\" \"$ORGANZA\" capture {words}"))
+}
+
+/// Asserts that stderr has these words, and not those.
+#[track_caller]
+fn assert_says(outcome: &Outcome, words: &[&str], not: &[&str]) {
+    let said = &outcome.stderr;
+    words.iter().for_each(|words| assert!(said.contains(words), "no `{words}`: {said}"));
+    not.iter().for_each(|words| assert!(!said.contains(words), "`{words}`: {said}"));
+}
+
+#[test]
+fn sound_poses_lead_to_training() {
+    let sandbox = with_programs();
+    // COLMAP's first model is a part that it could not join to the other one.
+    write_model(&sandbox, "found-1/0", &walk(photos(3)), 0.7, 6);
+    write_model(&sandbox, "found-1/1", &walk(photos(12)), 0.7, 6);
+    let words = [
+        "12 of 12 images have a pose",
+        "400 points: 6.0 images see each in the mean, 0.70 pixels off; an image shows 200",
+        "the poses are sound",
+        "next: organza train data -o data-run",
+    ];
+    let outcome = capture(&sandbox, "photos -o data").assert_ok();
+    assert_says(&outcome, &words, &["warning", "mend"]);
+    let again = capture(&sandbox, "photos -o data").assert_ok();
+    assert_says(&again, &words, &["warning"]);
+    let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
+    for call in ["camera_model SIMPLE_RADIAL", "exhaustive_matcher", "models/1"] {
+        assert!(calls.contains(call), "no `{call}`: {calls}");
+    }
+    assert!(!sandbox.path("data/.organza-capture").exists());
+}
+
+#[test]
+fn each_fault_of_poses_has_words() {
+    let sandbox = with_programs();
+    let mut found = walk(photos(12));
+    found.remove(11);
+    found[2].focal = 700.0;
+    found[6].eye *= 9.0;
+    write_model(&sandbox, "found-1/0", &found, 1.8, 2);
+    let outcome = capture(&sandbox, "photos -o data --camera-model RADIAL").assert_ok();
+    let words = [
+        "no pose: 11.png. Add images",
+        "an image shows only 73 points, expected 100 or more",
+        "only 2.0 images see a point, expected 2.5 or more",
+        "points are 1.8 pixels off, expected 1.5 or fewer",
+        "another focal length than most: 02.png. Use one lens",
+        "the camera jumps at 06.png, 07.png. If it did not",
+        "these poses are not worth training",
+        "next: mend the capture",
+    ];
+    // All pairs were compared.
+    assert_says(&outcome, &words, &["organza train", "--matcher"]);
+    let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
+    assert!(calls.contains("camera_model RADIAL"), "{calls}");
+}
+
+#[test]
+fn too_few_poses_are_not_worth_training() {
+    for (posed, is_trainable) in [(8, true), (7, false)] {
+        let sandbox = with_programs();
+        write_model(&sandbox, "found-1/0", &walk(photos(posed)), 0.7, 6);
+        let outcome = capture(&sandbox, "photos -o data").assert_ok();
+        let words = ["this can be trained, but", "next: organza train data -o data-run"];
+        match is_trainable {
+            true => assert_says(&outcome, &words, &["next: mend"]),
+            false => assert_says(
+                &outcome,
+                &["no pose: 07.png, 08.png, 09.png, 10.png, 11.png.", "next: mend"],
+                &words,
+            ),
+        }
+    }
+}
+
+#[test]
+fn neighbors_alone_are_not_the_last_word() {
+    let sandbox = with_programs();
+    fs::write(sandbox.path("film.mp4"), "a film").unwrap();
+    let frames = |count: usize| walk((0..count).map(|frame| format!("frame-{frame:06}.png")));
+    write_model(&sandbox, "found-1/0", &frames(40), 0.7, 20);
+    write_model(&sandbox, "found-2/0", &frames(60), 0.7, 20);
+    let outcome = capture(&sandbox, "film.mp4 -o data").assert_ok();
+    let words = [
+        "only 40 of 60 images have a pose, so each is now",
+        "60 of 60 images have a pose",
+        "sound",
+    ];
+    assert_says(&outcome, &words, &["warning"]);
+    let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
+    let matchers: Vec<_> = calls.lines().filter(|call| call.contains("_matcher ")).collect();
+    assert!(matchers.len() == 2 && matchers[0].starts_with("sequential"), "{calls}");
+    assert!(calls.contains("camera_model OPENCV"), "{calls}");
+
+    // Who chooses a matcher has chosen.
+    fs::remove_file(sandbox.path("calls.txt")).unwrap();
+    let outcome = capture(&sandbox, "film.mp4 -o other --matcher sequential").assert_ok();
+    let words =
+        ["40 of 60", "no pose: frame-000040.png, ", " and 15 more", "`--matcher exhaustive`"];
+    assert_says(&outcome, &words, &["is now"]);
+}
+
+#[test]
+fn an_unfinished_capture_continues_and_takes_no_others() {
+    let sandbox = with_programs();
+    write_model(&sandbox, "found-1/0", &walk(photos(12)), 0.7, 6);
+    fs::write(sandbox.path("broken"), "").unwrap();
+    capture(&sandbox, "photos -o data").assert_refused(&["colmap failed"]);
+    sandbox.shell("cp -r photos others").assert_ok();
+    let before = sandbox.files();
+    for words in ["others -o data", "photos -o data --side 640"] {
+        capture(&sandbox, words).assert_refused(&[
+            "data holds an unfinished capture of other images or options",
+            "the command that began it",
+            "remove data/.organza-capture",
+        ]);
+    }
+    assert!(before == sandbox.files());
+    fs::remove_file(sandbox.path("broken")).unwrap();
+    let outcome = capture(&sandbox, "photos -o data").assert_ok();
+    assert_says(&outcome, &["12 of 12"], &[]);
 }

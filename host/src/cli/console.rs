@@ -43,6 +43,20 @@ pub fn between_lines(so_far: f64, shortest: f64) -> f64 {
     (0.1 * so_far).clamp(shortest, 60.0)
 }
 
+/// Steps in a second below which indicatif, which looks at the last 15 seconds, takes minutes for weeks.
+const SLOW: f64 = 0.1;
+
+/// The time left, by the mean time of a step. Before the first step is done, that is unknown.
+fn left(elapsed: Duration, done: u64, all: u64) -> String {
+    match done {
+        0 => "?".to_owned(),
+        _ => {
+            let left = elapsed.mul_f64(all.saturating_sub(done) as f64 / done as f64);
+            format!("{:#}", HumanDuration(left))
+        }
+    }
+}
+
 impl Log {
     /// Whether there is a line now, at this time from `begin`.
     fn is_due(&self, now: Duration) -> bool {
@@ -117,11 +131,12 @@ impl Console {
         if self.level < Level::Normal {
             return self.hidden();
         }
-        // Before the first step is done, the time per step is unknown.
         let left = |state: &ProgressState, text: &mut dyn fmt::Write| {
-            let _ = match state.pos() {
-                0 => text.write_str("?"),
-                _ => write!(text, "{:#}", HumanDuration(state.eta())),
+            let is_slow = state.pos() == 0 || state.per_sec() < SLOW;
+            let all = state.len().unwrap_or(0);
+            let _ = match is_slow {
+                true => text.write_str(&left(state.elapsed(), state.pos(), all)),
+                false => write!(text, "{:#}", HumanDuration(state.eta())),
             };
         };
         if let Ok(style) = ProgressStyle::with_template(template) {
@@ -181,12 +196,12 @@ impl Progress {
         let Some(log) = &self.log else { return };
         if log.is_due(log.begin.elapsed()) {
             let done = self.bar.position();
-            let all = grouped(self.bar.length().unwrap_or(done));
-            let done = grouped(done);
-            let left = HumanDuration(self.bar.eta());
+            let all = self.bar.length().unwrap_or(done);
+            let left = left(log.begin.elapsed(), done, all);
+            let [done, all] = [done, all].map(grouped);
             let what = self.bar.message();
             let unit = &log.unit;
-            write(&format!("{what}: {done} of {all} {unit}, {left:#} left\n"));
+            write(&format!("{what}: {done} of {all} {unit}, {left} left\n"));
         }
     }
 
@@ -313,6 +328,13 @@ mod tests {
         assert_eq!(due[..3], [10, 20, 30]);
         assert_eq!(due[due.len() - 1] - due[due.len() - 2], 60);
         assert!((130..160).contains(&due.len()), "{} lines in two hours", due.len());
+    }
+
+    #[test]
+    fn the_time_left_is_that_of_the_mean_step() {
+        let minute = Duration::from_secs(60);
+        assert_eq!(left(minute, 0, 9), "?");
+        assert_eq!([left(minute, 1, 9), left(minute, 9, 9)], ["8m", "0s"]);
     }
 
     #[test]

@@ -1,52 +1,100 @@
 //! The poses of images: COLMAP's features, matches, model and undistorted images.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
+use organza::data::SparseModel;
 use organza::{Error, Result};
 
 use super::frames::IMAGES;
+use super::judge::Judgment;
 use super::programs::command;
-use super::{CaptureJob, is_photograph};
+use super::{CaptureJob, Matcher};
 use crate::cli::refuse;
 
 /// Folder of the undistorted images and their cameras, in the work.
 pub const UNDISTORTED: &str = "undistorted";
 const DATABASE: &str = "database.db";
-/// Folder of COLMAP's models, in the work.
-const MODELS: &str = "models";
+/// Folders of COLMAP's models, in the work: the first ones, and those of all pairs of images.
+const MODELS: [&str; 2] = ["models", "models-of-all"];
 /// Folders without content: they say that a step on the database is done.
 const FEATURES: &str = "features";
-const MATCHES: &str = "matches";
+const MATCHES: [&str; 2] = ["matches", "matches-of-all"];
+/// Up to this many images are few: they hold few parameters of a lens, and frames of a video are so far apart that all
+/// pairs cost only twice what neighbors cost.
+const FEW: usize = 50;
+/// Up to this many images, all pairs are compared in an hour or so: photographs, which may be in any order, and frames
+/// whose poses are missing after a comparison with neighbors.
+const SOME: usize = 200;
+/// With fewer poses than this part of the images, all pairs are compared after all.
+const ENOUGH: f64 = 0.8;
+/// Neighbors on each side that an image is compared with. COLMAP adds those at distances of 2, 4, 8 and so on.
+const OVERLAP: &str = "15";
+/// Most features of an image without CUDA. The time of a comparison grows as their square: of COLMAP's own 8,192, two
+/// cores compare 100 pairs a minute.
+const FEATURES_ON_CPU: &str = "4096";
+/// Images on a side of a block of pairs. COLMAP says something after each block, and its own 50 make it silent for minutes.
+const BLOCK: &str = "10";
 
 /// COLMAP, as it is installed.
 pub struct Colmap<'a> {
     job: &'a CaptureJob<'a>,
     /// Whether images come one after another.
     is_video: bool,
+    /// Number of images.
+    images: usize,
     /// Whether it was built with CUDA. Without it, features on a GPU need a display.
     has_cuda: bool,
 }
 
 impl<'a> Colmap<'a> {
-    pub fn new(job: &'a CaptureJob<'a>, is_video: bool) -> Result<Self> {
+    pub fn new(job: &'a CaptureJob<'a>, is_video: bool, images: usize) -> Result<Self> {
         let help = output(command("colmap").arg("help"))?;
-        Ok(Self { job, is_video, has_cuda: help.contains("with CUDA") })
+        Ok(Self { job, is_video, images, has_cuda: help.contains("with CUDA") })
     }
 
-    /// Finds the poses of all images, and undistorts these. Returns the number of images with a pose.
-    pub fn run(&self, images: usize) -> Result<usize> {
+    /// Finds the poses of all images, undistorts these, and judges the poses.
+    pub fn run(&self, images: &[String]) -> Result<Judgment> {
         let job = self.job;
-        job.step(FEATURES, |_| self.extract(images))?;
-        job.step(MATCHES, |_| self.compare(images))?;
-        job.step(MODELS, |folder| self.map(images, folder))?;
-        let model = self.largest_model()?;
-        job.step(UNDISTORTED, |folder| self.undistort(&model, folder))?;
-        let undistorted = job.path(UNDISTORTED).join("images");
-        let entries =
-            fs::read_dir(&undistorted).map_err(|source| Error::read(&undistorted, source))?;
-        Ok(entries.flatten().filter(|entry| is_photograph(&entry.path())).count())
+        job.step(FEATURES, |_| self.extract())?;
+        let mut matcher = job.args.matcher.unwrap_or_else(|| self.matcher());
+        let mut model = self.model(0, matcher)?;
+        let posed = model.as_ref().map_or(0, |model| model.cameras.len());
+        let is_choice = job.args.matcher.is_none() && matcher == Matcher::Sequential;
+        if is_choice && self.images <= SOME && (posed as f64) < ENOUGH * self.images as f64 {
+            let images = self.images;
+            job.console.note(&format!(
+                "only {posed} of {images} images have a pose, so each is now compared with all others"
+            ));
+            matcher = Matcher::Exhaustive;
+            let other = self.model(1, matcher)?;
+            model = model.into_iter().chain(other).max_by_key(|model| model.cameras.len());
+        }
+        let Some(model) = model else {
+            return refuse(format!(
+                "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
+                 neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
+                job.path("log.txt").display()
+            ));
+        };
+        job.step(UNDISTORTED, |folder| self.undistort(&model.folder, folder))?;
+        Ok(Judgment::new(images, &model, matcher == Matcher::Exhaustive))
+    }
+
+    /// The matcher that suits the images.
+    fn matcher(&self) -> Matcher {
+        match self.images <= if self.is_video { FEW } else { SOME } {
+            true => Matcher::Exhaustive,
+            false => Matcher::Sequential,
+        }
+    }
+
+    /// The largest model of an attempt.
+    fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<SparseModel>> {
+        self.job.step(MATCHES[attempt], |_| self.compare(matcher))?;
+        self.job.step(MODELS[attempt], |folder| self.map(folder))?;
+        SparseModel::largest(&self.job.path(MODELS[attempt]))
     }
 
     /// A command of COLMAP on the database.
@@ -66,17 +114,23 @@ impl<'a> Colmap<'a> {
         Ok(())
     }
 
-    fn extract(&self, images: usize) -> Result<()> {
+    fn extract(&self) -> Result<()> {
         let mut colmap = self.on_database("feature_extractor");
         colmap.arg("--image_path").arg(self.job.path(IMAGES));
         // A camera keeps its lens, and photographs of one size are of one camera.
         let is_single = self.is_video || self.have_one_size()?;
         colmap.args(["--ImageReader.single_camera", if is_single { "1" } else { "0" }]);
-        colmap.args(["--ImageReader.camera_model", "OPENCV"]);
+        let is_simple = self.images <= FEW || !is_single;
+        let model = if is_simple { "SIMPLE_RADIAL" } else { "OPENCV" };
+        let model = self.job.args.camera_model.as_deref().unwrap_or(model);
+        colmap.args(["--ImageReader.camera_model", model]);
         let side = self.job.args.side.to_string();
         colmap.args(["--SiftExtraction.max_image_size", &side]);
+        if !self.has_cuda {
+            colmap.args(["--SiftExtraction.max_num_features", FEATURES_ON_CPU]);
+        }
         self.choose_cuda(&mut colmap, ["FeatureExtraction.use_gpu", "SiftExtraction.use_gpu"])?;
-        let progress = self.job.console.progress(images as u64, "images");
+        let progress = self.job.console.progress(self.images as u64, "images");
         progress.say("looking for features");
         self.job.programs.run(colmap, |line| {
             if let Some(done) = number_after(line, "Processed file [") {
@@ -85,39 +139,34 @@ impl<'a> Colmap<'a> {
         })
     }
 
-    fn compare(&self, images: usize) -> Result<()> {
-        let is_sequential = self.is_video && !self.job.args.exhaustive;
-        let name = if is_sequential { "sequential_matcher" } else { "exhaustive_matcher" };
+    fn compare(&self, matcher: Matcher) -> Result<()> {
+        let (name, unit, option) = match matcher {
+            Matcher::Sequential => {
+                ("sequential_matcher", "images", ["--SequentialMatching.overlap", OVERLAP])
+            }
+            Matcher::Exhaustive => (
+                "exhaustive_matcher",
+                "blocks of pairs",
+                ["--ExhaustiveMatching.block_size", BLOCK],
+            ),
+        };
         let mut colmap = self.on_database(name);
+        colmap.args(option);
         self.choose_cuda(&mut colmap, ["FeatureMatching.use_gpu", "SiftMatching.use_gpu"])?;
-        let unit = if is_sequential { "images" } else { "blocks of images" };
-        let progress = self.job.console.progress(images as u64, unit);
+        let progress = self.job.console.progress(self.images as u64, unit);
         progress.say("comparing images");
-        if !is_sequential {
-            // COLMAP may say nothing until it has compared all
-            self.job.console.note("comparing each image with all others: this takes minutes");
-        }
         self.job.programs.run(colmap, |line| {
-            // Blocks of pairs, or images.
-            let part = ["Matching block [", "Matching image [", "Processing block ["];
-            let Some((begin, done)) =
-                part.iter().find_map(|begin| Some((begin, number_after(line, begin)?)))
-            else {
-                return;
-            };
-            let rest = &line[line.find(*begin).unwrap_or(0)..];
-            // a single block says nothing about its end
-            if let Some(all) = number_after(rest, "/").filter(|&all| all > 1) {
-                progress.set_of(done.saturating_sub(1), all);
+            if let Some([done, all]) = compared(line) {
+                progress.set_of(done, all);
             }
         })
     }
 
-    fn map(&self, images: usize, folder: &Path) -> Result<()> {
+    fn map(&self, folder: &Path) -> Result<()> {
         let mut colmap = self.on_database("mapper");
         colmap.arg("--image_path").arg(self.job.path(IMAGES));
         colmap.arg("--output_path").arg(folder);
-        let progress = self.job.console.progress(images as u64, "images");
+        let progress = self.job.console.progress(self.images as u64, "images");
         progress.say("finding poses");
         let result = self.job.programs.run(colmap, |line| {
             if let Some(place) = line.find("Registering image #") {
@@ -129,25 +178,8 @@ impl<'a> Colmap<'a> {
         });
         self.job.programs.check()?;
         // COLMAP also fails where it finds nothing.
-        if models(folder).is_empty() {
-            return refuse(format!(
-                "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
-                 neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
-                self.job.path("log.txt").display()
-            ));
-        }
-        result
-    }
-
-    /// The model with the most images: their number is close to the size of the file that has their features.
-    fn largest_model(&self) -> Result<PathBuf> {
-        let size =
-            |model: &PathBuf| fs::metadata(model.join("images.bin")).map_or(0, |found| found.len());
-        let models = models(&self.job.path(MODELS));
-        match models.into_iter().max_by_key(size) {
-            Some(model) => Ok(model),
-            None => refuse("COLMAP has written no model"),
-        }
+        let finds_nothing = SparseModel::largest(folder)?.is_none();
+        if finds_nothing { Ok(()) } else { result }
     }
 
     fn undistort(&self, model: &Path, folder: &Path) -> Result<()> {
@@ -178,12 +210,6 @@ impl<'a> Colmap<'a> {
     }
 }
 
-/// The models that COLMAP has written to a folder.
-fn models(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    entries.map(|entry| entry.path()).filter(|path| path.join("images.bin").exists()).collect()
-}
-
 /// All that a command prints.
 fn output(command: &mut Command) -> Result<String> {
     match command.output() {
@@ -200,4 +226,37 @@ fn number_after(line: &str, begin: &str) -> Option<usize> {
     let rest = &line[line.find(begin)? + begin.len()..];
     let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
     rest[..end].parse().ok()
+}
+
+/// How much a matcher has compared, and of how much: `Matching block [2/7, 3/7]` comes after nine blocks of 49, and
+/// `Matching image [5/150] in 0.3s` after five images: COLMAP 3 ends a line when it is done.
+fn compared(line: &str) -> Option<[usize; 2]> {
+    let begin =
+        ["Matching block [", "Matching image [", "Processing block [", "Processing image ["];
+    let place = begin.iter().find_map(|begin| Some(line.find(begin)? + begin.len()))?;
+    let (inside, end) = line[place..].split_once(']')?;
+    let counted = inside.split(", ").try_fold([0, 1], |[done, all], part| {
+        let (number, length) = part.split_once('/')?;
+        let [number, length]: [usize; 2] = [number.parse().ok()?, length.parse().ok()?];
+        Some([done * length + number.checked_sub(1)?, all * length])
+    });
+    counted.map(|[done, all]| [done + usize::from(end.starts_with(" in ")), all])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn progress_is_read_from_each_version_of_colmap() {
+        assert_eq!(compared("Matching block [1/2, 2/2] in 29.268s"), Some([2, 4]));
+        assert_eq!(
+            compared("I20260101 pairing.cc:169] Processing block [2/7, 3/7]"),
+            Some([9, 49])
+        );
+        assert_eq!(compared("Matching image [5/150] in 0.3s"), Some([5, 150]));
+        assert_eq!(compared("Matching image [x/150]"), None);
+        assert_eq!(compared("Matching block [0/7, 3/7]"), None);
+        assert_eq!(compared("Elapsed time: 3 [minutes]"), None);
+    }
 }

@@ -18,15 +18,18 @@ pub const IMAGES: &str = "images";
 const PROBE: [usize; 2] = [960, 540];
 
 impl CaptureJob<'_> {
-    /// Collects the images, and returns their number.
-    pub fn images(&self, source: &Source<'_>) -> Result<usize> {
+    /// Collects the images, and returns their names, sorted.
+    pub fn images(&self, source: &Source<'_>) -> Result<Vec<String>> {
         self.step(IMAGES, |folder| match source {
             Source::Video(video) => self.frames(video, folder),
             Source::Photographs(files) => copy(files, folder),
         })?;
         let images = self.path(IMAGES);
         let entries = fs::read_dir(&images).map_err(|source| Error::read(&images, source))?;
-        Ok(entries.count())
+        let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        Ok(names)
     }
 
     /// Writes the sharpest frame of each of N equal parts of a video.

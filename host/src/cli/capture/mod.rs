@@ -2,6 +2,7 @@
 
 mod colmap;
 mod frames;
+mod judge;
 mod programs;
 
 use std::fs::{self, Metadata};
@@ -21,6 +22,7 @@ use super::refuse;
 use super::signals::Signals;
 use super::summary::count;
 use colmap::Colmap;
+use judge::Judgment;
 use programs::Programs;
 
 const EXAMPLES: &str = "\
@@ -34,7 +36,8 @@ light and the zoom as they are.
 
 ffmpeg takes the sharpest frames of a video. COLMAP finds out where the camera stood, which takes minutes for 100 images \
 and hours for a thousand. Both programs must be installed. After Ctrl-C, the same command continues, and repeats no \
-finished step. In the end, FOLDER has images without lens distortion and their cameras, ready for `organza train`.";
+finished step. In the end, FOLDER has images without lens distortion and their cameras. organza says whether they can be \
+trained, and what to do if not.";
 
 /// Make a data set from a video or from photographs: sharp frames by ffmpeg, poses by COLMAP
 #[derive(Debug, clap::Args)]
@@ -54,10 +57,23 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = 1920)]
     #[arg(value_parser = clap::value_parser!(u32).range(64..=16_384))]
     side: u32,
-    /// Compare each frame of a video with all others, not only with those before it. This takes longer, and helps where
-    /// the camera came back to a place
+    /// The images that each image is compared with. By default, few images are compared with all others, and many with
+    /// their neighbors. If poses are then missing, up to 200 are compared with all others after all
     #[arg(long)]
-    exhaustive: bool,
+    matcher: Option<Matcher>,
+    /// COLMAP's model of the lens. By default, SIMPLE_RADIAL for up to 50 images or images of several sizes, else OPENCV
+    #[arg(long, value_name = "MODEL")]
+    #[arg(value_parser = ["SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV"])]
+    camera_model: Option<String>,
+}
+
+/// The images that an image is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Matcher {
+    /// Its neighbors, in the order of the video or of names
+    Sequential,
+    /// All others: this takes longer, and helps where the camera came back to a place
+    Exhaustive,
 }
 
 /// The file that says that a data set is whole.
@@ -72,10 +88,9 @@ const KEY: &str = "key";
 struct Done {
     /// SHA-256 of the inputs' names, sizes and times, and of the options.
     key: String,
-    /// Number of images.
-    images: usize,
-    /// Number of images that have a pose.
-    posed: usize,
+    /// What COLMAP found.
+    #[serde(flatten)]
+    judgment: Judgment,
 }
 
 /// The source of the images.
@@ -110,7 +125,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let key = key(&source, args)?;
     if let Some(done) = done(&folder, &key)? {
         console.note(&format!("{} is there from an earlier call", args.output.display()));
-        return finish(args, &done, console);
+        finish(args, &done, console);
+        return Ok(());
     }
     let work = begin(&folder, &key)?;
     let signals = Signals::listen()?;
@@ -121,10 +137,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         // Without images there is nothing to keep. A file that stays does no harm.
         let _ = fs::remove_dir_all(&job.work);
     })?;
-    let posed = Colmap::new(&job, is_video)?.run(images)?;
-    let done = Done { key, images, posed };
+    let judgment = Colmap::new(&job, is_video, images.len())?.run(&images)?;
+    let done = Done { key, judgment };
     job.publish(&folder, &done)?;
-    finish(args, &done, console)
+    finish(args, &done, console);
+    Ok(())
 }
 
 impl<'a> Source<'a> {
@@ -203,7 +220,10 @@ fn key(source: &Source<'_>, args: &Args) -> Result<String> {
         let found = fs::metadata(file).map_err(|source| Error::read(file, source))?;
         hash.update(format!("{file:?} {} {}\n", found.len(), changed(&found)));
     }
-    hash.update(format!("{} {} {}", args.frames, args.side, args.exhaustive));
+    hash.update(format!(
+        "{} {} {:?} {:?}",
+        args.frames, args.side, args.matcher, args.camera_model
+    ));
     Ok(hex(hash))
 }
 
@@ -227,7 +247,7 @@ fn done(folder: &Folder, key: &str) -> Result<Option<Done>> {
     }
 }
 
-/// The folder of unfinished steps. Steps of other inputs are removed from it.
+/// The folder of unfinished steps. Those of other inputs are an error: they may have taken hours.
 fn begin(folder: &Folder, key: &str) -> Result<PathBuf> {
     let work = folder.join(WORK);
     let found = fs::symlink_metadata(&work);
@@ -235,8 +255,17 @@ fn begin(folder: &Folder, key: &str) -> Result<PathBuf> {
     if found.is_ok() && !is_ours {
         return refuse(format!("{} is not a folder; remove it", work.display()));
     }
-    if is_ours && fs::read_to_string(work.join(KEY)).is_ok_and(|found| found == key) {
-        return Ok(work);
+    match fs::read_to_string(work.join(KEY)) {
+        Ok(found) if found == key => return Ok(work),
+        Ok(_) => {
+            return refuse(format!(
+                "{} holds an unfinished capture of other images or options. Continue it with the command that began it, choose \
+                 another folder, or remove {}",
+                folder.path().display(),
+                work.display()
+            ));
+        }
+        Err(_) => {}
     }
     for name in ["images", "sparse"] {
         if folder.join(name).exists() {
@@ -296,17 +325,8 @@ impl CaptureJob<'_> {
     }
 }
 
-fn finish(args: &Args, done: &Done, console: Console) -> Result<()> {
+fn finish(args: &Args, done: &Done, console: Console) {
     // without a slash at the end
     let output = args.output.components().as_path().display();
-    let Done { images, posed, .. } = done;
-    if 2 * posed < *images {
-        console.warn(&format!(
-            "COLMAP found the poses of only {posed} of {images} images, so the scene will show only a part. Add images \
-             of what lies between. For a video, `--exhaustive` may also help"
-        ));
-    }
-    console.note(&format!("wrote {output}: {posed} of {images} images have a pose"));
-    console.note(&format!("next: organza train {output} -o {output}-run"));
-    Ok(())
+    done.judgment.print(&output.to_string(), console);
 }

@@ -341,7 +341,7 @@ pub fn few_of_row<L: Lane, const WHOLE: bool>(
     [kept(x, 0), kept(y, 1), kept(z, 2), kept(w, 3)]
 }
 
-/// [`add_scaled`] of a few samples, one after another.
+/// `sum + x g` of a few samples, one after another.
 #[inline(always)]
 pub fn add_few<L: Lane>(
     sum: LaneVec4<L>,

@@ -125,7 +125,7 @@ fn parts_are_given_up_where_memory_ends() {
         let slopes = slopes(recording.tiles().data.len());
         let expected = bits(&recording.backward(&slopes).expect("a gradient"));
         let mut survived = 0;
-        for number in [20, 130, 300] {
+        for number in [20, 60, 90, 130, 300] {
             device.refuse_one(number);
             let found = record(&renderer, &scene);
             let was_refused = !device.refuse_one(0);

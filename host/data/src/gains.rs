@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use rayon::prelude::*;
 
 use super::{Dataset, Frame, Point};
+use organza_core::camera::median;
 
 /// Levels that are neither black nor saturated.
 const SEEN: RangeInclusive<u8> = 8..=247;
@@ -62,10 +63,6 @@ fn log_gains(frame: &Frame, points: &[Point]) -> Option<[f64; 3]> {
 
 /// The median of each channel; `None` for too few values.
 fn medians(ratios: &[[f64; 3]]) -> Option<[f64; 3]> {
-    let median = |channel: usize| {
-        let mut values: Vec<_> = ratios.iter().map(|ratio| ratio[channel]).collect();
-        let middle = values.len() / 2;
-        *values.select_nth_unstable_by(middle, f64::total_cmp).1
-    };
-    (ratios.len() >= LEAST).then(|| [0, 1, 2].map(median))
+    let of_channel = |channel: usize| median(ratios.iter().map(|ratio| ratio[channel]));
+    (ratios.len() >= LEAST).then(|| [0, 1, 2].map(of_channel))
 }

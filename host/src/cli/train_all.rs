@@ -91,7 +91,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         console.note(&format!("{name}: {}", folder.display()));
         let begin = Instant::now();
         let planned = if resume { None } else { args.settings.planned() };
-        let (time_limit, view) = (None, None);
+        let time_limit = None;
+        let view = None;
         let job =
             TrainJob { config, folder: &folder, resume, planned, time_limit, view, team: None };
         if job.run(&args.device, console, &signals, &mut |_| ())? == Outcome::Stopped {

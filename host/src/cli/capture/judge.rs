@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use muslin::glam::DVec3;
-use organza::Camera;
+use organza::camera::{Camera, median};
 use organza::data::SparseModel;
 use serde::{Deserialize, Serialize};
 
@@ -170,7 +170,7 @@ impl Judgment {
 /// Cameras whose focal length is far from the median.
 fn other_focal(cameras: &[Camera]) -> Vec<&Camera> {
     let focal = |camera: &Camera| camera.fl_x / f64::from(camera.width.max(camera.height));
-    let middle = median(cameras.iter().map(focal).collect());
+    let middle = median(cameras.iter().map(focal));
     let usual = middle / FOCAL..=middle * FOCAL;
     let differs = |camera: &&Camera| !usual.contains(&focal(camera));
     cameras.iter().filter(differs).collect()
@@ -185,17 +185,10 @@ fn jumps(images: &[String], cameras: &HashMap<String, &Camera>) -> Vec<String> {
     });
     let steps: Vec<_> = steps.collect();
     let eyes: Vec<_> = images.iter().filter_map(eye).collect();
-    let middle =
-        DVec3::from([0, 1, 2].map(|axis| median(eyes.iter().map(|eye| eye[axis]).collect())));
-    let spread = median(eyes.iter().map(|eye| eye.distance(middle)).collect());
-    let least = (JUMP * median(steps.iter().map(|step| step.0).collect())).max(FAR * spread);
+    let middle = DVec3::from([0, 1, 2].map(|axis| median(eyes.iter().map(|eye| eye[axis]))));
+    let spread = median(eyes.iter().map(|eye| eye.distance(middle)));
+    let least = (JUMP * median(steps.iter().map(|step| step.0))).max(FAR * spread);
     steps.into_iter().filter(|step| step.0 > least).map(|step| step.1.clone()).collect()
-}
-
-/// The middle of some numbers; 0 of none.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// The first names, and how many more there are.

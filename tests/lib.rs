@@ -8,5 +8,3 @@ pub mod compare;
 pub mod devices;
 #[path = "support/spirv.rs"]
 pub mod spirv;
-
-pub use muslin_check::skip;

@@ -1,13 +1,12 @@
 //! The machine code that a GPU's compiler makes of the kernels: docs/correctness.md.
 
-use std::env;
-use std::fs;
 use std::path::Path;
 use std::process::Command;
+use std::{env, fs};
 
 use insta::{Settings, assert_snapshot};
 use muslin_isa::{Error, FAMILIES, Report, answer, compile};
-use organza_tests::skip::skip;
+use organza_tests::devices::skip;
 
 /// With this variable, it is a failure if RADV is missing or has another version.
 const REQUIRED: &str = "ORGANZA_REQUIRE_ISA";

@@ -1,18 +1,16 @@
 //! Checks that kernels follow the rules of docs/kernels.md, and that the traps described there still exist.
 
 use std::cell::Cell;
-use std::fs;
 use std::panic::{self, UnwindSafe};
 use std::path::Path;
 use std::sync::Once;
-use std::thread;
+use std::{fs, thread};
 
 use muslin::kernel::CpuRun;
 use muslin::{EntryPoint, KernelInfo, kernels as declared};
 use organza::MODULES;
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
-use organza_tests::devices;
-use organza_tests::skip::skip;
+use organza_tests::devices::{self, skip};
 use organza_tests::spirv::instructions;
 use wgpu::naga;
 

@@ -1,6 +1,6 @@
 //! The devices that tests run on: those of [`muslin_check`], with organza's kernels.
 
-pub use muslin_check::devices::{checked, checked_variants, cpu, cpus, thorough, with};
+pub use muslin_check::devices::{checked, checked_variants, cpu, cpus, skip, thorough, with};
 use organza::{Device, MODULES};
 
 /// [`muslin_check::devices::all`] with organza's kernels.

@@ -1,9 +1,8 @@
 //! The files for the repository: one module per entry point, and their manifest.
 
 use std::collections::BTreeMap;
-use std::fmt;
-use std::fs;
 use std::path::Path;
+use std::{fmt, fs};
 
 use anyhow::{Context, Result, bail};
 use muslin_manifest::{FILE_NAME, Manifest};

@@ -130,7 +130,7 @@ mod tests {
     /// Copies one value, after which naga takes the module.
     fn assert_copied(mut module: Module) {
         copy(&mut module).unwrap();
-        crate::naga_check::check(&bytes(&module)).unwrap();
+        crate::validate::check(&bytes(&module)).unwrap();
         let count = |op| module.all_inst_iter().filter(|i| i.class.opcode == op).count();
         assert_eq!(count(Op::CopyObject), 1);
         // a second run finds nothing to copy
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn naga_takes_an_argument_that_comes_out_of_a_loop() {
         let module = counted_in_a_loop(false);
-        let refused = crate::naga_check::check(&bytes(&module)).unwrap_err().to_string();
+        let refused = crate::validate::check(&bytes(&module)).unwrap_err().to_string();
         assert!(refused.contains("NotInScope"), "naga takes it now: this pass can go: {refused}");
         assert_copied(module);
     }
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn naga_panics_on_a_value_that_comes_out_of_a_loop() {
         let module = counted_in_a_loop(true);
-        let check = || crate::naga_check::check(&bytes(&module));
+        let check = || crate::validate::check(&bytes(&module));
         assert!(std::panic::catch_unwind(check).is_err(), "naga takes it now");
         assert_copied(module);
     }

@@ -2,11 +2,10 @@
 //!
 //! Only the crate of kernels is compiled for it, and the tests: this program stands in for the compiler of the workspace's crates.
 
-use std::env;
 use std::ffi::OsString;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
+use std::{env, fs};
 
 use anyhow::{Context, Result, ensure};
 

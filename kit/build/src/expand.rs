@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, HashMap};
 use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
-use crate::writer::{Writer, rewrite};
+use crate::module::{Writer, rewrite};
 
 /// Bits of a number without its sign.
 const SIZE: u32 = 0x7fff_ffff;

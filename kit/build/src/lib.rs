@@ -5,26 +5,21 @@
 
 mod artifacts;
 mod atomic_arguments;
-mod compile;
 mod compiler;
 mod contraction;
 mod coverage;
 mod declarations;
 mod expand;
-mod isa;
 mod loops;
 mod lower;
 mod memory_model;
 mod module;
-mod naga_check;
 mod not_numbers;
 mod rules;
 mod shared_bools;
 mod small_integers;
-mod snapshots;
 mod tool;
 mod validate;
-mod writer;
 
 use std::borrow::Cow;
 use std::fs;
@@ -37,10 +32,9 @@ use clap::{Args, Parser};
 use muslin_manifest::List;
 
 pub use artifacts::Artifacts;
-pub use compile::{build, compile};
-pub use compiler::{Compiler, isolate};
-pub use isa::{IsaOptions, isa};
+pub use compiler::{Compiler, build, compile, isolate};
 pub use lower::lower;
+pub use tool::{IsaOptions, isa};
 
 /// A workspace with a crate of kernels.
 #[derive(Clone, Debug)]
@@ -113,7 +107,7 @@ enum Task {
     /// Count how often each line of the kernels runs in the tests on the CPU
     Coverage(More),
     /// Show expected, actual and difference of each picture that is not as accepted
-    Snapshots(snapshots::Options),
+    Snapshots(tool::SnapshotOptions),
 }
 
 /// Options of what a tool runs.
@@ -156,7 +150,7 @@ pub fn main(project: &Project, kernels: &str) -> ExitCode {
         Task::Parity(options) => tool::run(project, project.parity, &options.more),
         Task::Bench(options) => tool::run(project, project.bench, &options.more),
         Task::Coverage(options) => coverage::run(project, &options.more),
-        Task::Snapshots(options) => snapshots::run(project, &options),
+        Task::Snapshots(options) => tool::show_snapshots(project, &options),
     })
 }
 

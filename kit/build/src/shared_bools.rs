@@ -6,7 +6,7 @@ use rspirv::dr::{Builder, Module, Operand};
 use rspirv::spirv::{Op, StorageClass};
 
 use crate::declarations::merge_types;
-use crate::writer::rewrite;
+use crate::module::rewrite;
 
 /// Widens single values and arrays. A value is 1 or 0.
 pub fn widen(module: &mut Module) {

@@ -1,9 +1,12 @@
-//! Checks the modules against the SPIR-V specification, with `spirv-val`.
+//! Checks modules: against the SPIR-V specification, with `spirv-val`, and as naga reads them. Translates them to WGSL.
 
-use std::io::Write;
+use std::io::Write as _;
 use std::process::{Command, Stdio};
 
 use anyhow::{Context, Result, bail};
+use naga::Module;
+use naga::front::spv;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
 
 use crate::artifacts::Artifacts;
 
@@ -39,4 +42,55 @@ fn validate(spirv: &[u8]) -> Result<Result<(), String>> {
     }
     let message = [output.stdout, output.stderr].concat();
     Ok(Err(String::from_utf8_lossy(&message).trim().to_owned()))
+}
+
+/// What a kernel can need, and an adapter may have.
+const OFFERED: Capabilities = Capabilities::SHADER_FLOAT16
+    .union(Capabilities::SUBGROUP)
+    .union(Capabilities::SHADER_INT64)
+    .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
+
+fn read(spirv: &[u8]) -> Result<Module> {
+    match spv::parse_u8_slice(spirv, &spv::Options::default()) {
+        Ok(module) => Ok(module),
+        Err(error) => bail!("naga cannot read the module: {error}"),
+    }
+}
+
+/// Fails with the reason if naga refuses the module.
+pub fn check(spirv: &[u8]) -> Result<()> {
+    match Validator::new(ValidationFlags::all(), OFFERED).validate(&read(spirv)?) {
+        Ok(_) => Ok(()),
+        Err(error) => bail!("naga refuses the module: {:?}", error.into_inner()),
+    }
+}
+
+/// Translates a module to WGSL; `None` if it needs 16-bit floats.
+#[cfg(feature = "wgsl")]
+pub fn to_wgsl(spirv: &[u8]) -> Result<Option<String>> {
+    use naga::back::wgsl::{WriterFlags, write_string};
+
+    // The largest f32 as naga writes it. In decimal it is rounded up, so browsers refuse it
+    // (https://github.com/gfx-rs/wgpu/issues/10106).
+    const LARGEST: &str = "340282350000000000000000000000000000000f";
+    const LARGEST_IN_HEX: &str = "0x1.fffffep+127f";
+    let module = read(spirv)?;
+    let validate = |offered| {
+        Validator::new(ValidationFlags::all(), offered).validate(&module).map_err(Box::new)
+    };
+    // browsers want to be told of subgroups, and naga does not tell them
+    let (info, head) = match (validate(Capabilities::empty()), validate(Capabilities::SUBGROUP)) {
+        (Ok(info), _) => (info, ""),
+        (_, Ok(info)) => (info, "enable subgroups;\n\n"),
+        _ if validate(OFFERED).is_ok() => return Ok(None),
+        (Err(error), _) => bail!("the module is not for browsers: {:?}", error.into_inner()),
+    };
+    let text = write_string(&module, &info, WriterFlags::empty())?;
+    Ok(Some(head.to_owned() + &text.replace(LARGEST, LARGEST_IN_HEX)))
+}
+
+/// Always fails, because the program was built without the feature `wgsl`.
+#[cfg(not(feature = "wgsl"))]
+pub fn to_wgsl(_: &[u8]) -> Result<Option<String>> {
+    bail!("this xtask was built without the feature `wgsl` of muslin-build")
 }

@@ -6,10 +6,8 @@ use std::fmt;
 use muslin_device::{Device, InstructionSet, Modules, STALE};
 use muslin_kernel::{KernelInfo, kernels};
 
-use super::case::Case;
-use super::parity::Rounding;
-use super::report::{Report, Row};
-use super::{debugger, devices, measure::Measure};
+use super::{devices, measure::Measure, report};
+use crate::{Case, Report, Rounding, Row};
 
 /// Checks each kernel with its case on every device of this machine: the CPU with each instruction set and with denormals
 /// [flushed](devices::flushing), the CPUs that [check](devices::checked) for mistakes, and the GPU, passed through and through naga,
@@ -25,7 +23,7 @@ use super::{debugger, devices, measure::Measure};
 /// [`devices::gpus`] panics.
 #[track_caller]
 pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
-    if debugger::answer(cases) {
+    if report::answer(cases) {
         return;
     }
     let cpu = devices::cpu(None);
@@ -152,7 +150,7 @@ fn add_failure(
     if let Some(failure) = add(failures, kernel, name, measure.describe(beside, case.why))
         && is_first
     {
-        failure.command = debugger::command(case, &measure.share);
+        failure.command = report::command(case, &measure.share);
     }
 }
 

@@ -1,6 +1,9 @@
-//! The devices that tests run on.
+//! The devices that tests run on, and a note for tests that did not run.
 
-use crate::skip::skip;
+use std::collections::BTreeSet;
+use std::io::Write;
+use std::sync::Mutex;
+
 use muslin_device::{Device, DeviceOptions, Error, InstructionSet, Modules, SpirvPath};
 
 /// The ways in which SPIR-V reaches a GPU, by name.
@@ -127,4 +130,20 @@ pub fn flushing() -> Device {
 pub fn cpus() -> Vec<(&'static str, Device)> {
     let sets = InstructionSet::ALL.into_iter().filter(|set| set.is_available());
     sets.map(|set| (set.as_str(), with(set))).collect()
+}
+
+static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+
+/// Reports, once, that something is not tested, and why.
+///
+/// The message bypasses the test harness, which hides the output of tests that pass.
+///
+/// # Panics
+/// If standard error is closed.
+pub fn skip(what: &str, reason: &str) {
+    let line = format!("skipped {what}: {reason}");
+    let mut said = SAID.lock().expect("no test panics there");
+    if said.insert(line.clone()) {
+        writeln!(std::io::stderr(), "{line}").expect("standard error is open");
+    }
 }

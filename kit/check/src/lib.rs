@@ -70,18 +70,12 @@
 mod assert;
 pub mod bench;
 pub mod case;
-mod debugger;
 pub mod devices;
-mod exact;
-mod given;
 pub mod inputs;
 pub mod measure;
-pub mod parity;
-mod peaks;
 pub mod prelude;
 pub mod report;
 pub mod runner;
-pub mod skip;
 #[cfg(feature = "snapshots")]
 pub mod snapshot;
 
@@ -90,7 +84,7 @@ pub use case::{Case, missing};
 // the result type of cases
 pub use muslin_device::Result;
 
+pub use case::{Parity, Rounding};
 pub use measure::{Bound, Measure, Output, Values, Worst};
-pub use parity::{Parity, Rounding};
 pub use report::{Report, Row};
 pub use runner::{Canary, KernelRunner, unwritten};

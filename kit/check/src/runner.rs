@@ -1,13 +1,13 @@
-//! Runs one kernel on one device.
+//! Runs one kernel on one device, with given contents of its bindings.
 
 use bytemuck::Pod;
 use glam::Vec4;
 use muslin_kernel::given::Given;
-use muslin_kernel::kernel::{Access, BindingInfo, Dispatch};
+use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, Storage};
 
-use super::given::{self, Uploaded};
-use super::measure::Output;
-use muslin_device::{Buffer, Device, Error, Result};
+use super::measure::{Output, Values};
+use muslin_device::{Buffer, Device, Error, Host, Result};
+use muslin_kernel::KernelInfo;
 
 /// Number of elements after every output that no kernel may touch.
 const TAIL: usize = 8;
@@ -143,7 +143,7 @@ impl<'d> KernelRunner<'d> {
         let info = kernel.info();
         let uniform = kernel.uniform();
         assert_eq!(info.name, self.kernel, "the parity case of `{}` runs another", self.kernel);
-        let given = given::contents(kernel);
+        let given = contents(kernel);
         let buffers = given.iter().map(|(binding, bytes)| self.upload_given(binding, bytes));
         let buffers = buffers.collect::<Result<Vec<_>>>()?;
         dispatch(&Uploaded { info, uniform, buffers: &buffers })?;
@@ -156,7 +156,7 @@ impl<'d> KernelRunner<'d> {
             return self.device.upload(binding.name, bytes);
         }
         let mut words: Vec<u32> = bytemuck::pod_collect_to_vec(bytes);
-        let canaries = given::canaries(binding);
+        let canaries = canaries(binding);
         let canary = canaries[usize::from(self.has_other_canaries)];
         let is_unwritten = words.iter().all(|word| *word == canaries[0]);
         let len = words.len() + tail(binding);
@@ -172,10 +172,10 @@ impl<'d> KernelRunner<'d> {
     }
 
     fn output_given(&self, binding: &BindingInfo, buffer: &Buffer<u8>) -> Result<Output> {
-        let canaries = given::canaries(binding);
+        let canaries = canaries(binding);
         let canary = canaries[usize::from(self.has_other_canaries)];
         let words = self.read_words(&buffer.view(), tail(binding), canary, canaries[0])?;
-        Ok(given::output(binding, words))
+        Ok(output(binding, words))
     }
 }
 
@@ -223,4 +223,64 @@ impl Canary for Vec4 {
 #[must_use]
 pub fn unwritten<T: Canary>(len: usize) -> Vec<T> {
     vec![T::CANARY; len]
+}
+
+/// The contents of a kernel's storage buffers.
+fn contents<'a>(kernel: &impl Dispatch<'a, Given>) -> Vec<(&'static BindingInfo, &'a [u8])> {
+    let mut given = Vec::new();
+    kernel.bind(&mut |bytes| given.push(bytes));
+    let bindings = kernel.info().bindings.iter();
+    bindings.filter(|binding| binding.access != Access::Uniform).zip(given).collect()
+}
+
+/// The type of a binding's elements, without its path.
+fn element(binding: &BindingInfo) -> &str {
+    binding.element.rsplit(':').next().unwrap_or_default().trim()
+}
+
+/// Whether a binding has numbers that may differ by rounding.
+fn is_float(binding: &BindingInfo) -> bool {
+    ["f32", "Vec2", "Vec4"].contains(&element(binding))
+}
+
+/// A word that no kernel computes, and another one.
+fn canaries(binding: &BindingInfo) -> [u32; 2] {
+    match is_float(binding) {
+        true => [f32::CANARY.to_bits(), f32::OTHER_CANARY.to_bits()],
+        false => [u32::CANARY, u32::OTHER_CANARY],
+    }
+}
+
+/// The outputs of a kernel, by the names of their bindings.
+fn output(binding: &BindingInfo, words: Vec<u32>) -> Output {
+    let float = |word| f64::from(f32::from_bits(word));
+    let values = match element(binding) {
+        _ if is_float(binding) => Values::Float(words.into_iter().map(float).collect()),
+        "i32" | "IVec2" | "IVec4" => {
+            Values::Signed(words.into_iter().map(u32::cast_signed).collect())
+        }
+        _ => Values::Exact(words),
+    };
+    Output { name: binding.name, values }
+}
+
+/// A kernel with buffers of a device.
+struct Uploaded<'a> {
+    pub info: &'static KernelInfo,
+    pub uniform: &'a [u8],
+    pub buffers: &'a [Buffer<u8>],
+}
+
+impl<'a> Dispatch<'a, Host> for Uploaded<'a> {
+    fn info(&self) -> &'static KernelInfo {
+        self.info
+    }
+
+    fn uniform(&self) -> &[u8] {
+        self.uniform
+    }
+
+    fn bind(&self, visit: &mut dyn FnMut(<Host as Storage>::Binding<'a>)) {
+        self.buffers.iter().for_each(|buffer| visit(Host::bind(buffer)));
+    }
 }

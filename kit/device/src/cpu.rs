@@ -11,9 +11,8 @@ use muslin_kernel::kernel::{EntryPoint, InstructionSet};
 use rayon::prelude::*;
 
 use crate::cpu_memory::{CpuMemory, MemoryPool};
-use crate::error::{Error, Result};
-use crate::options::DeviceOptions;
-use crate::{memory, supervise};
+use crate::{DeviceOptions, Error, Result};
+use crate::{memory, watchdog};
 
 thread_local! {
     /// Number of threads that work independently, including this one; 0 if a dispatch uses all threads.
@@ -86,7 +85,7 @@ impl Cpu {
                 format!("no subgroup has {subgroup_size} lanes: its size is one of {sizes:?}");
             return Err(Error::Argument { reason });
         }
-        supervise::install();
+        watchdog::install();
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or(0))
             .thread_name(|index| format!("muslin-{index}"))

@@ -12,11 +12,10 @@ use rayon::prelude::*;
 
 use crate::buffer::RawBuffer;
 use crate::cpu::Cpu;
-use crate::cpu_bindings::{Monitor, bind, monitors};
 use crate::error::{Error, Result};
-use crate::flushing::Flushing;
-use crate::job::{KernelJob, RunMode, Workgroups};
-use crate::{supervise, thorough, watchdog};
+use crate::job::{KernelJob, Monitor, RunMode, Workgroups, bind, monitors};
+use crate::thorough::Flushing;
+use crate::{thorough, watchdog};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
 const AT_ONCE: u64 = 8;
@@ -121,7 +120,7 @@ impl Launch<'_> {
 
     fn run_some(&self, mut indices: impl Iterator<Item = u64>) -> Result<(), String> {
         let _flushing = self.mode.is_flushing.then(Flushing::enable);
-        supervise::supervise(|| indices.try_for_each(|index| self.run(index)))
+        watchdog::supervise(|| indices.try_for_each(|index| self.run(index)))
     }
 }
 

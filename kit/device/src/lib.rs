@@ -70,33 +70,25 @@
 extern crate muslin_kernel as muslin;
 
 mod buffer;
-mod count;
 mod cpu;
-mod cpu_bindings;
 mod cpu_dispatch;
 mod cpu_memory;
 mod device;
 mod error;
-mod flushing;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
 mod job;
 pub mod memory;
 mod modules;
-mod open;
 mod options;
 mod plan;
 mod races;
-mod supervise;
 mod thorough;
-mod timings;
 mod transfer;
 mod watchdog;
-mod written;
 
-pub use buffer::{Buffer, Host, TAIL_ALIGNMENT};
-pub use count::Count;
-pub use device::Device;
+pub use buffer::{Buffer, Count, Host, TAIL_ALIGNMENT};
+pub use device::{Device, KernelTime};
 pub use error::{Error, Result, format_bytes};
 pub use gpu::adapters;
 #[doc(hidden)]
@@ -106,4 +98,3 @@ pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{DevicePlan, Part, PlannedBuffer, PlannedCount, Step};
-pub use timings::KernelTime;

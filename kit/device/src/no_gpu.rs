@@ -5,12 +5,8 @@ use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
 
-use crate::buffer::GpuBuffer;
-use crate::buffer::RawBuffer;
-use crate::count::Count;
-use crate::error::{Error, Result};
-use crate::modules::Modules;
-use crate::options::{AdapterInfo, DeviceOptions};
+use crate::buffer::{Count, GpuBuffer, RawBuffer};
+use crate::{AdapterInfo, DeviceOptions, Error, Modules, Result};
 
 /// Every GPU that the system offers: none, because the feature `gpu` is off.
 #[must_use]

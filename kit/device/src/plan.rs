@@ -5,8 +5,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use muslin_kernel::KernelInfo;
 
-use crate::buffer::{Memory, RawBuffer};
-use crate::count::Count;
+use crate::buffer::{Count, Memory, RawBuffer};
 use crate::error::{Error, Result};
 
 /// Largest buffer that every browser with WebGPU can bind, in bytes: `maxStorageBufferBindingSize`.

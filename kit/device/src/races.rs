@@ -12,8 +12,8 @@ use muslin_kernel::memory::{AccessMonitor, Touch};
 use muslin_kernel::running::{self, unlinear};
 use muslin_kernel::{BindingInfo, KernelInfo};
 
+use crate::cpu_memory::Written;
 use crate::job::Workgroups;
-use crate::written::Written;
 
 /// Monitors a binding that is only read: parts of the buffer may be unwritten.
 pub struct Reads<'a> {

@@ -1,11 +1,16 @@
-//! Ends a workgroup that does not end by itself.
+//! Ends a workgroup that does not end by itself, and turns a kernel's panic into an error with its place and its invocation.
 //!
 //! Loops of kernels are counted, but those of helpers only if the helper says so. The watchdog needs no help: it interrupts the thread with
 //! a signal, and leaves the workgroup's stack. Where that is not possible, it ends the program.
 
+use std::any::Any;
+use std::cell::Cell;
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Arc, Mutex, MutexGuard, Once, PoisonError, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
+
+use muslin_kernel::running;
 
 /// How often the watchdog looks.
 const PERIOD: Duration = Duration::from_millis(100);
@@ -255,4 +260,49 @@ mod imp {
     pub fn run(_: Duration, workgroup: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
         workgroup()
     }
+}
+
+thread_local! {
+    /// The place of the thread's last panic.
+    static LOCATION: Cell<Option<String>> = const { Cell::new(None) };
+}
+
+/// Suppresses the output of kernels' panics, which are returned as errors. With `RUST_BACKTRACE` they are still
+/// printed.
+pub fn install() {
+    static INSTALLED: Once = Once::new();
+    INSTALLED.call_once(|| {
+        let wants_backtrace = std::env::var_os("RUST_BACKTRACE").is_some_and(|value| value != "0");
+        let previous = panic::take_hook();
+        panic::set_hook(Box::new(move |panic| {
+            if running::current().is_none() || wants_backtrace {
+                previous(panic);
+            }
+            LOCATION.set(panic.location().map(ToString::to_string));
+        }));
+    });
+}
+
+/// Runs workgroups, each of which calls [`running::begin`].
+pub fn supervise(workgroups: impl FnOnce() -> Result<(), String>) -> Result<(), String> {
+    let result = panic::catch_unwind(AssertUnwindSafe(workgroups));
+    let result = result.unwrap_or_else(|payload| Err(describe(payload.as_ref())));
+    running::begin(None);
+    result
+}
+
+fn describe(payload: &(dyn Any + Send)) -> String {
+    let mut text = payload
+        .downcast_ref::<String>()
+        .map(String::as_str)
+        .or_else(|| payload.downcast_ref::<&str>().copied())
+        .unwrap_or("it panicked")
+        .to_owned();
+    if let Some(location) = LOCATION.take() {
+        text += &format!(", at {location}");
+    }
+    if let Some(place) = running::current() {
+        text += &format!(", in {place}");
+    }
+    text
 }

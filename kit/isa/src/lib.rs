@@ -3,18 +3,15 @@
 //! RADV, Mesa's driver for AMD GPUs, reads the environment variable `RADV_FORCE_FAMILY` when it is loaded. So each family gets a process
 //! of its own: [`compile`] starts it, and [`answer`] is what it does.
 
-mod assembly;
 mod driver;
-mod table;
 
-use std::env;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fmt, fs};
 
 use serde::{Deserialize, Serialize};
 
-pub use assembly::Loop;
+pub use driver::Loop;
 
 /// Families of AMD GPUs to look at: one of the generation before RDNA with its subgroups of 64, and RDNA2.
 pub const FAMILIES: [&str; 2] = ["polaris10", "navi21"];
@@ -116,4 +113,59 @@ pub fn answer(folder: &Path) -> bool {
     let text = serde_json::to_vec(&report).expect("a report is plain data");
     fs::write(PathBuf::from(file), text).expect("the folder of the answer is there");
     true
+}
+
+/// One line for each kernel. A line depends on nothing but its kernel.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{}, {}; of the largest innermost loop on the right",
+            self.family, self.driver
+        )?;
+        writeln!(
+            f,
+            "{:28} {:>9} {:>6} {:>7} {:>6} {:>9} {:>12} {:>4} | {:>12} {:>5} {:>4} {:>4} {:>5} {:>12}",
+            "kernel",
+            "registers",
+            "spills",
+            "scratch",
+            "shared",
+            "subgroups",
+            "instructions",
+            "imul",
+            "instructions",
+            "moves",
+            "fma",
+            "imul",
+            "loads",
+            "scalar loads"
+        )?;
+        self.kernels.iter().try_for_each(|kernel| kernel.write(f))
+    }
+}
+
+impl Kernel {
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, registers, spills, scratch, shared, subgroups, instructions, .. } = self;
+        write!(
+            f,
+            "{name:28} {registers:>9} {spills:>6} {scratch:>7} {shared:>6} {subgroups:>9} \
+             {instructions:>12} {:>4} |",
+            self.integer_multiplies
+        )?;
+        if let Some(hot) = self.loops.first() {
+            write!(
+                f,
+                " {:>12} {:>5} {:>4} {:>4} {:>5} {:>12}",
+                hot.instructions,
+                hot.moves,
+                hot.multiply_adds,
+                hot.integer_multiplies,
+                hot.loads,
+                hot.scalar_loads
+            )?;
+        }
+        writeln!(f)
+    }
 }

@@ -52,7 +52,7 @@ pub fn integers<const N: usize>(mut x: [f32; N]) -> [i64; N] {
     /// The number before 1/2: with 1/2 itself the sum of both would be 1.
     const ALMOST_HALF: f32 = 0.499_999_97;
     if cfg!(debug_assertions) && N == 1 {
-        crate::casts::check_number(x[0]);
+        crate::fused::check_number(x[0]);
     }
     // with sixteen lanes there is an instruction for it
     if N == 8

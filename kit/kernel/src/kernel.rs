@@ -7,12 +7,11 @@ use core::slice;
 use bytemuck::{NoUninit, Pod};
 use glam::UVec3;
 
-pub use crate::casts::{check_cast, check_usize};
-pub use crate::fused::{fused, is_far, regrouped};
+pub use crate::fused::{check_cast, check_usize, fused, is_far, regrouped};
 use crate::invocation::Invocation;
 use crate::memory::{AccessMonitor, Packed, Read, Shared, Write};
-pub use crate::path::Scope;
 pub use crate::running::{PanicContext, allow_iterations, enter, iterate};
+pub use crate::stop::Scope;
 use crate::work::{Shape, Work, WorkOf};
 
 /// The way in which a kernel uses a binding.

@@ -19,9 +19,7 @@ use crate::memory::{Read, Write};
 use crate::memory::{ReadBuffer, WriteBuffer};
 
 #[cfg(not(target_arch = "spirv"))]
-pub use crate::wide::Wide;
-#[cfg(not(target_arch = "spirv"))]
-pub use crate::wide_index::{WideIndex, WideMask};
+pub use crate::wide::{Wide, WideIndex, WideMask};
 
 /// Largest number of lanes in a [`Lane`]: workgroups are multiples of it.
 pub const MAX_WIDTH: u32 = 16;

@@ -51,8 +51,6 @@ extern crate self as muslin;
 
 pub mod atomic;
 pub mod binned;
-#[cfg(not(target_arch = "spirv"))]
-mod casts;
 pub mod count;
 #[doc(hidden)]
 pub mod each;
@@ -62,7 +60,6 @@ mod fused;
 #[cfg(not(target_arch = "spirv"))]
 pub mod given;
 pub mod half;
-mod integers;
 pub mod invocation;
 #[cfg(not(target_arch = "spirv"))]
 pub mod kernel;
@@ -70,8 +67,6 @@ pub mod lane;
 pub mod lane_vec4;
 pub mod math;
 pub mod memory;
-#[cfg(not(target_arch = "spirv"))]
-mod path;
 pub mod peak;
 #[cfg(not(target_arch = "spirv"))]
 mod phase;
@@ -88,8 +83,6 @@ pub mod subgroup;
 mod wide_macros;
 #[cfg(not(target_arch = "spirv"))]
 mod wide;
-#[cfg(not(target_arch = "spirv"))]
-mod wide_index;
 #[cfg(not(target_arch = "spirv"))]
 mod wide_samples;
 #[cfg(all(not(target_arch = "spirv"), target_arch = "x86_64"))]

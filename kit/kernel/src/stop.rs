@@ -1,9 +1,11 @@
-//! Where the invocations of a workgroup wait for each other.
+//! Where the invocations of a workgroup wait for each other, and the path on which each came there.
 
 extern crate std;
 
+use core::cell::RefCell;
+use core::mem::{self, ManuallyDrop};
 use core::panic::Location;
-use core::ptr;
+use core::{fmt, ptr};
 use std::borrow::ToOwned;
 use std::format;
 use std::string::String;
@@ -11,7 +13,6 @@ use std::vec::Vec;
 
 use glam::{UVec3, UVec4};
 
-use crate::path::Step;
 use crate::running::unlinear;
 use crate::subgroup::Operation;
 
@@ -115,4 +116,81 @@ fn way(own: Stop, ways: [Place; 2]) -> String {
     }
     let same = first.path.iter().zip(second.path).take_while(|(one, other)| one == other).count();
     own.path.get(same).map_or_else(String::new, |step| format!(" {step}"))
+}
+
+// The path of an invocation to a barrier: the branches and the rounds of loops that it is in.
+//
+// A barrier is reached by all invocations of a workgroup on the same path, or by none. The place of the barrier alone does not tell: a
+// helper can be called from two branches, and a loop can reach its barrier in another round. In debug builds, `#[kernel]` and
+// `#[loops]` note both.
+
+/// A branch or a loop that an invocation is in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Step {
+    place: &'static Location<'static>,
+    /// The round of a loop, counted from 1; 0 for a branch.
+    round: u32,
+}
+
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.round {
+            0 => write!(f, "in the branch of {}", self.place),
+            round => write!(f, "in round {round} of the loop of {}", self.place),
+        }
+    }
+}
+
+std::thread_local! {
+    /// The path of the thread's invocation. A thread-local value without a destructor is reached without a call, and [`take_path`] frees it.
+    static PATH: RefCell<ManuallyDrop<Vec<Step>>> = const { RefCell::new(ManuallyDrop::new(Vec::new())) };
+}
+
+/// Takes the path of the thread's invocation. The next one starts without any.
+pub(crate) fn take_path() -> Vec<Step> {
+    PATH.with_borrow_mut(|path| mem::take(&mut **path))
+}
+
+/// Sets the path of the thread's invocation.
+pub(crate) fn set_path(path: Vec<Step>) {
+    PATH.with_borrow_mut(|current| **current = path);
+}
+
+/// While it lives, its invocation is in a branch or a loop. It does nothing in a function without barriers.
+pub struct Scope {
+    /// Number of steps of the path before.
+    before: Option<usize>,
+}
+
+impl Scope {
+    /// The branch or the loop of the caller's place begins.
+    #[inline(always)]
+    #[track_caller]
+    pub fn new(has_barriers: bool) -> Self {
+        if has_barriers { Self::enter(Location::caller()) } else { Self { before: None } }
+    }
+
+    fn enter(place: &'static Location<'static>) -> Self {
+        PATH.with_borrow_mut(|path| {
+            path.push(Step { place, round: 0 });
+            Self { before: Some(path.len() - 1) }
+        })
+    }
+
+    /// A round of the loop begins.
+    #[inline(always)]
+    pub fn round(&mut self) {
+        if let Some(before) = self.before {
+            PATH.with_borrow_mut(|path| path[before].round += 1);
+        }
+    }
+}
+
+impl Drop for Scope {
+    #[inline(always)]
+    fn drop(&mut self) {
+        if let Some(before) = self.before {
+            PATH.with_borrow_mut(|path| path.truncate(before));
+        }
+    }
 }

@@ -41,12 +41,11 @@ use glam::{UVec3, UVec4};
 use crate::invocation::Invocation;
 use crate::kernel::{CpuBinding, SharedInfo};
 use crate::memory::{AccessMonitor, Shared};
-use crate::path;
-use crate::phase;
 use crate::running::{self, unlinear};
 use crate::stop::{Meeting, Stop, barrier_is_reached, subgroups_meet};
 use crate::subgroup::Operation;
 use crate::workgroup_memory::WorkgroupMemory;
+use crate::{phase, stop};
 
 /// Stack of an invocation, in bytes: kernels need little, but panics and unoptimized builds need more.
 const STACK: usize = 64 << 10;
@@ -101,7 +100,7 @@ fn suspend(at: &'static Location<'static>) {
     assert!(!yielder.is_null(), "a barrier outside of a workgroup");
     let invocation = running::invocation();
     let left = running::iterations_left();
-    let path = path::take();
+    let path = stop::take_path();
     // SAFETY: it is not read after this coroutine was resumed or dropped, and until then `path` is not touched
     let steps = unsafe { core::slice::from_raw_parts(path.as_ptr(), path.len()) };
     // SAFETY: set by the coroutine that runs now, whose yielder lives as long as it
@@ -110,7 +109,7 @@ fn suspend(at: &'static Location<'static>) {
     CURRENT.set(yielder);
     running::enter(invocation);
     running::allow_iterations(left);
-    path::set(path);
+    stop::set_path(path);
 }
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
@@ -227,7 +226,7 @@ fn run_to_end(
     for invocation in invocations {
         STACKS.with_borrow_mut(|stacks| stacks.push(invocation.into_stack()));
     }
-    path::take();
+    stop::take_path();
     Ok(())
 }
 
@@ -261,7 +260,7 @@ fn go_on(
 #[doc(hidden)]
 pub fn abandon() {
     CURRENT.set(ptr::null());
-    path::take();
+    stop::take_path();
 }
 
 /// Ends invocations that are still waiting.

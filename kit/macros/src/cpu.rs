@@ -4,7 +4,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
 
 use crate::parse::{Kernel, Lanes, Parameter, Role};
-use crate::{fused, regrouped};
+use crate::regrouped;
 
 /// `quote!`, whose local names are others than those of the kernel's bindings.
 macro_rules! hygienic {
@@ -87,7 +87,8 @@ fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
 type Change = fn(&mut syn::Block) -> bool;
 
 /// The changes that drivers may make to arithmetic, with their names.
-const ARITHMETIC: [(&str, Change); 2] = [("fused", fused::fuse), ("regrouped", regrouped::regroup)];
+const ARITHMETIC: [(&str, Change); 2] =
+    [("fused", regrouped::fuse), ("regrouped", regrouped::regroup)];
 
 /// The kernel with each change of its arithmetic that there is, unless it allows them.
 pub fn with_other_arithmetic(kernel: &Kernel) -> [Option<syn::ItemFn>; 2] {

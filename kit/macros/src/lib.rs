@@ -63,7 +63,6 @@ macro_rules! only_what_runs {
 mod checks;
 mod cpu;
 mod expand;
-mod fused;
 mod parse;
 mod regrouped;
 #[cfg(test)]

@@ -4,7 +4,6 @@
 //! The kernel builder writes it, a build script [embeds](embed()) it, and tests compare it with the kernel sources.
 //! Nothing in it depends on the machine that wrote it.
 
-mod embed;
 #[cfg(feature = "kernels")]
 mod list;
 mod source;
@@ -16,10 +15,9 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-pub use embed::{STALE, embed, embed_compiled};
 #[cfg(feature = "kernels")]
 pub use list::List;
-pub use source::{locked_version, source_hash};
+pub use source::{STALE, embed, embed_compiled, locked_version, source_hash};
 pub use table::{Table, grouped};
 
 /// Version of the manifest's layout that this crate reads and writes.

@@ -2,13 +2,13 @@
 
 mod interpreter;
 
+use interpreter::{module, run};
 use rspirv::dr::Module;
 use rspirv::spirv::Op;
 
 use crate::lower::bytes;
 
 use super::{block, end_at_conditions, find, id, terminator};
-use interpreter::{module, run};
 
 /// Runs the pass over a function of `%a` and `%b`. The result must compute the same in the same order, and naga must
 /// read it. A second run must find nothing to do. Returns the number of loops that end at conditions and not at their
@@ -22,7 +22,7 @@ fn check(text: &str) -> usize {
             assert_eq!(run(&before, a, b), run(&after, a, b), "of {a} and {b}");
         }
     }
-    crate::naga_check::check(&bytes(&after)).unwrap();
+    crate::validate::check(&bytes(&after)).unwrap();
     let once = bytes(&after);
     end_at_conditions(&mut after).unwrap();
     assert_eq!(bytes(&after), once, "a second run");

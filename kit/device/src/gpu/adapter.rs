@@ -1,7 +1,6 @@
 //! Finds a GPU and opens it.
 
-use crate::error::{Error, Result};
-use crate::options::{AdapterInfo, DeviceOptions, SpirvPath};
+use crate::{AdapterInfo, DeviceOptions, Error, Result, SpirvPath};
 use muslin_kernel::kernel::{MAX_STORAGE_BUFFERS, MAX_WORKGROUP_BYTES, MAX_WORKGROUP_INVOCATIONS};
 
 fn instance() -> wgpu::Instance {

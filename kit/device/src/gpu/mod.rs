@@ -1,12 +1,9 @@
 //! The GPU backend: wgpu buffers, and dispatches queued into command buffers.
 
 mod adapter;
-mod bind_groups;
-mod fill;
 mod memory;
 mod pipeline;
 mod recorder;
-mod timer;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -15,14 +12,11 @@ use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
 
-use crate::buffer::{Memory, RawBuffer};
-use crate::count::Count;
-use crate::error::{Error, Result};
-use crate::modules::Modules;
-use crate::options::{DeviceOptions, SpirvPath};
+use crate::buffer::{Count, Memory, RawBuffer};
+use crate::{DeviceOptions, Error, Modules, Result, SpirvPath};
 pub use adapter::adapters;
 pub use memory::GpuMemory;
-use memory::MemoryPool;
+use memory::{COUNT_FILL, MemoryPool};
 use pipeline::{Pipelines, Variants};
 use recorder::{Counted, Recorder};
 
@@ -245,7 +239,7 @@ impl Gpu {
         let is_known = counts.iter().all(|(_, count)| count.is_known());
         let fill = match is_known {
             true => None,
-            false => Some(self.pipelines.get(&self.device, &fill::KERNEL)?),
+            false => Some(self.pipelines.get(&self.device, &COUNT_FILL)?),
         };
         let counts = fill.as_ref().map(|fill| Counted { counts, fill });
         let buffers: Vec<_> = buffers

@@ -6,10 +6,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use muslin_kernel::{Access, EntryPoint, KernelInfo};
 
-use crate::error::{Error, Result};
 use crate::gpu::adapter::WIDE;
-use crate::modules::Modules;
-use crate::options::SpirvPath;
+use crate::{Error, Modules, Result, SpirvPath};
 
 /// Whether a device runs the variants of kernels.
 #[derive(Clone, Copy, Debug)]

@@ -14,10 +14,7 @@ pub use channel::{ChannelFormat, ChannelImage, PNG_DEPTH_SCALE};
 use png::{BitDepth, ColorType};
 use rayon::prelude::*;
 
-use crate::error::{Error, Result};
-use crate::rendered::RenderedTiles;
-use crate::tile::{Tile, TileBatch};
-use crate::write_atomic;
+use crate::{Error, RenderedTiles, Result, Tile, TileBatch, write_atomic};
 use muslin_device::memory;
 
 /// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.

@@ -2,9 +2,7 @@
 
 use ::ndarray::{Array4, ArrayView4, ArrayViewD, ArrayViewMutD};
 
-use crate::error::{Error, Result};
-use crate::rendered::RenderedTiles;
-use crate::scene::{Gradient, Scene};
+use crate::{Error, Gradient, RenderedTiles, Result, Scene};
 
 impl Scene {
     /// The tensor named `name`, as in [`Scene::tensors`]: `gaussians.position`, for example.

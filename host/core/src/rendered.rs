@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use muslin_device::memory;
 
-use crate::error::Result;
-use crate::tile::TileBatch;
+use crate::{Result, TileBatch};
 
 /// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/pipeline.md` has the
 /// definitions.

@@ -15,8 +15,6 @@
 //! ```
 
 mod objects;
-mod shapes;
-mod surfaces;
 
 use std::f64::consts::TAU;
 
@@ -25,9 +23,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use crate::error::Result;
-use crate::random::random;
-use crate::{Camera, Image};
+use crate::{Camera, Image, Result, random};
 use objects::Objects;
 
 /// Purpose of the random numbers of a photograph.

@@ -8,10 +8,9 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::atomic_file::write_atomic;
-use crate::camera::Camera;
 use crate::error::{Error, IN_MEMORY, Result, format_bytes};
 use crate::input::{integer, kind, read_json};
+use crate::{Camera, write_atomic};
 
 /// Largest side of a tile, in pixels.
 pub const MAX_TILE_SIDE: u32 = 4096;

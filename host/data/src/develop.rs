@@ -3,16 +3,15 @@
 
 use std::path::{Path, PathBuf};
 
-use super::access::invalid;
-use super::budget::Budget;
+use super::decode::Budget;
+use super::find::invalid;
 use super::fingerprint::Digest;
 use super::lens::{Lens, Undistortion};
 use super::{Alpha, DatasetOptions, Frame, Photograph, decode};
 use muslin_device::memory;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
 use organza_core::image::to_8_bit;
 use organza_core::input::read_file;
+use organza_core::{Camera, Result};
 
 /// An existing photograph, with its camera and lens.
 pub(super) struct Shot {

@@ -5,8 +5,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::Point;
 use super::lens::Lens;
-use organza_core::camera::Camera;
-use organza_core::hex;
+use organza_core::{Camera, hex};
 
 /// SHA-256 of a photograph's file, and of its mask if it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -3,9 +3,8 @@
 use std::io::Cursor;
 use std::path::Path;
 
-use super::access::Access;
-use super::budget::Budget;
-use super::find::Found;
+use super::decode::Budget;
+use super::find::{Access, Found};
 use super::transforms::{Photographs, add_frames};
 use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
 use organza_core::input::parse_json;

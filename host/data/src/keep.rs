@@ -1,13 +1,12 @@
 //! Keeps photographs in memory or, if they do not fit, in a temporary file.
 
-use std::env;
 use std::fs::File;
 use std::io::Write;
 use std::marker::PhantomData;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
-use std::slice;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::{env, slice};
 
 use bytemuck::NoUninit;
 use memmap2::{Mmap, MmapOptions};

@@ -2,16 +2,11 @@
 //!
 //! Reads the data sets of nerfstudio, Blender (NeRF synthetic) and COLMAP: see `docs/data.md`.
 
-mod access;
-mod background;
-mod budget;
 mod colmap;
-mod colmap_points;
 mod decode;
 mod develop;
 mod find;
 mod fingerprint;
-mod frame;
 pub mod fuzz;
 mod gains;
 mod keep;
@@ -33,26 +28,22 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use access::{Access, invalid};
-pub use background::{Alpha, Background};
-use budget::Budget;
 pub use colmap::SparseModel;
+use decode::Budget;
 use develop::Shot;
 pub use develop::mean;
-use find::Found;
+use find::{Access, Found, invalid};
 use fingerprint::Digest;
 pub use fingerprint::Fingerprint;
-pub use frame::{DatasetKind, Frame, Point};
 pub use keep::Keep;
 use lens::Lens;
-pub use options::DatasetOptions;
-use organza_core::camera::Camera;
+pub use options::{Alpha, Background, DatasetOptions};
 #[cfg(doc)]
 use organza_core::error::Error;
-use organza_core::error::Result;
 use organza_core::input::has_extension;
 use organza_core::scene::Placement;
-pub use photograph::Photograph;
+use organza_core::{Camera, Result};
+pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
 
 /// Focal lengths of lenses, as multiples of an image's longer side: 160 degrees to half a degree.

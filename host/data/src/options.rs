@@ -1,9 +1,12 @@
 //! Options for reading photographs.
 
-use super::background::{Alpha, Background};
+use std::fmt;
+use std::str::FromStr;
+
 use super::keep::Keep;
 use organza_core::error::{Error, Result};
 use organza_core::scene::Placement;
+use serde::{Deserialize, Serialize};
 
 /// Options for reading photographs, and for the choice of held-out frames.
 ///
@@ -114,5 +117,130 @@ impl DatasetOptions {
             return refuse(format!("`background` is {background:?}, expected values of 0 to 1"));
         }
         Ok(())
+    }
+}
+
+/// The meaning of an alpha channel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Alpha {
+    /// The photograph is composited over the background.
+    #[default]
+    Background,
+    /// Pixels with an alpha below one half are not used, as if masked.
+    Mask,
+}
+
+/// The color behind a scene, and behind photographs with an alpha channel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Written", into = "Written")]
+pub enum Background {
+    /// White for a Blender data set whose photographs have an alpha channel, as in the tables of NeRF and its
+    /// successors. Black for all others.
+    #[default]
+    Auto,
+    /// Red, green and blue as sRGB values, 0 to 1.
+    Color([f32; 3]),
+}
+
+/// The forms of a background in a file.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged, expecting = "expected \"auto\", a color's name, or three numbers of 0 to 1")]
+enum Written {
+    Text(String),
+    Color([f32; 3]),
+}
+
+impl From<[f32; 3]> for Background {
+    fn from(color: [f32; 3]) -> Self {
+        Self::Color(color)
+    }
+}
+
+impl Background {
+    /// The color, if there is one; black for [`Background::Auto`].
+    #[must_use]
+    pub fn color(self) -> [f32; 3] {
+        match self {
+            Self::Auto => [0.0; 3],
+            Self::Color(color) => color,
+        }
+    }
+}
+
+impl FromStr for Background {
+    type Err = String;
+
+    /// Parses `auto`, three numbers such as `1,1,1` or `[1, 1, 1]`, or a CSS color: a name such as `white`, or
+    /// `#ffffff`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "auto" {
+            return Ok(Self::Auto);
+        }
+        let inner = text.strip_prefix('[').and_then(|text| text.strip_suffix(']'));
+        let numbers: Option<Vec<f32>> =
+            inner.unwrap_or(text).split(',').map(|part| part.trim().parse().ok()).collect();
+        let color = match numbers.map(<[f32; 3]>::try_from) {
+            Some(Ok(color)) => Some(color),
+            _ => csscolorparser::parse(text).ok().map(|color| [color.r, color.g, color.b]),
+        };
+        let in_range = |color: &[f32; 3]| color.iter().all(|value| (0.0..=1.0).contains(value));
+        color.filter(in_range).map(Self::Color).ok_or_else(|| {
+            "expected auto, a color such as white or #ffffff, or three numbers from 0 to 1 such as 1,1,1"
+                .to_owned()
+        })
+    }
+}
+
+impl fmt::Display for Background {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Auto => formatter.write_str("auto"),
+            Self::Color([red, green, blue]) => write!(formatter, "{red},{green},{blue}"),
+        }
+    }
+}
+
+impl TryFrom<Written> for Background {
+    type Error = String;
+
+    fn try_from(written: Written) -> Result<Self, String> {
+        match written {
+            Written::Text(text) => text.parse(),
+            // its range is checked together with all other settings
+            Written::Color(color) => Ok(Self::Color(color)),
+        }
+    }
+}
+
+impl From<Background> for Written {
+    fn from(background: Background) -> Self {
+        match background {
+            Background::Auto => Self::Text(background.to_string()),
+            Background::Color(color) => Self::Color(color),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_have_names_and_numbers() {
+        for (text, color) in [
+            ("white", [1.0, 1.0, 1.0]),
+            ("black", [0.0, 0.0, 0.0]),
+            ("red", [1.0, 0.0, 0.0]),
+            ("#00ff00", [0.0, 1.0, 0.0]),
+            ("1, 0.5,0", [1.0, 0.5, 0.0]),
+            ("[0, 0.5, 1]", [0.0, 0.5, 1.0]),
+        ] {
+            assert_eq!(text.parse(), Ok(Background::Color(color)), "{text}");
+        }
+        assert_eq!("auto".parse(), Ok(Background::Auto));
+        for bad in ["", "1,1", "1,1,1,1", "1,1,2", "-0.1,0,0", "a,b,c", "NaN,0,0", "whitish"] {
+            assert!(bad.parse::<Background>().is_err(), "{bad}");
+        }
     }
 }

@@ -8,9 +8,8 @@ use super::{
     Access, Background, Budget, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout,
     Listing, Point, Shot, folder_of, hint, invalid, list,
 };
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
 use organza_core::scene::Placement;
+use organza_core::{Camera, Error, Result};
 
 /// The cameras of a data set. Reading them opens no photograph, so it is quick, and finds most mistakes in a data
 /// set. [`Poses::photographs`] reads the photographs.

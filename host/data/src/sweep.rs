@@ -10,8 +10,7 @@ use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use crate::{Frame, Photograph, Point};
-use organza_core::camera::Camera;
-use organza_core::random;
+use organza_core::{Camera, random};
 
 const SWEEP: u64 = 5;
 

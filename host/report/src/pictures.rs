@@ -15,11 +15,9 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::MAX_VIEWS;
-use organza_core::error::{Error, Result};
-use organza_core::image::Image;
 use organza_core::input::read_file;
 use organza_core::metrics::error_levels;
-use organza_core::{remove_leftovers, write_inside};
+use organza_core::{Error, Image, Result, remove_leftovers, write_inside};
 use organza_data::Photograph;
 use organza_train::PICTURES;
 

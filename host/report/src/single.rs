@@ -11,10 +11,8 @@ use super::page::{
 };
 use super::pictures::{Content, Picture};
 use super::run::{Evaluation, Run};
-use organza_core::error::Result;
-use organza_core::grouped;
 use organza_core::metrics::ERROR_FACTOR;
-use organza_core::write_inside;
+use organza_core::{Result, grouped, write_inside};
 use organza_train::config::TrainConfig;
 use organza_train::evaluate::ViewScore;
 use organza_train::metrics::TimingRow;

@@ -15,11 +15,9 @@ use super::pictures::Pictures;
 use super::*;
 use organza_core::image::Image;
 use organza_data::Photograph;
-use organza_train::Change;
-use organza_train::config::TrainConfig;
 use organza_train::evaluate::{Score, ViewScore};
 use organza_train::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
-use organza_train::{CONFIG, METRICS};
+use organza_train::{CONFIG, Change, METRICS, TrainConfig};
 
 /// Text that must not become part of a page's markup.
 const NASTY: &str =

@@ -9,16 +9,13 @@ use muslin::math::sigmoid;
 use muslin_device::memory;
 use rayon::prelude::*;
 
-use super::between::between;
 use super::harmonics::{HARMONICS, Sample, fit, harmonics};
 use super::sorted::render;
 use super::sorted_backward::gradient;
+use super::views::between;
 use super::{Splat, VALUES, Views};
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
-use organza_core::image::Image;
-use organza_core::metrics;
 use organza_core::scene::{Scene, logit};
+use organza_core::{Camera, Error, Image, Result, metrics};
 use organza_render::{DeviceScene, Renderer};
 
 /// Most pairs of a camera and a Gaussian to which the harmonics are fitted.

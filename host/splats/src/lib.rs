@@ -4,14 +4,12 @@
 //! Use it through the crate [`organza`](https://crates.io/crates/organza), whose module `splats` also makes scenes of
 //! such Gaussians.
 
-mod between;
 mod distill;
 mod files;
 mod harmonics;
 mod placed;
 mod sorted;
 mod sorted_backward;
-mod turned;
 mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};

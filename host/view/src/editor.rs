@@ -9,14 +9,11 @@ use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
 use super::message::{CameraMessage, MAX_SIDE, checked, refuse};
-use super::stage::Stage;
-use organza_core::camera::Camera;
+use super::training::Stage;
 use organza_core::edit::Region;
-use organza_core::error::Result;
 use organza_core::image::{ChannelImage, TILE_SIDE};
 use organza_core::scene::{Gaussians, Scene};
-use organza_core::tile::TileBatch;
-use organza_core::{Channel, check_writable};
+use organza_core::{Camera, Channel, Result, TileBatch, check_writable};
 use organza_render::{DeviceScene, UploadOptions};
 
 /// Most places of selected Gaussians in an answer.

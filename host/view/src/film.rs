@@ -9,8 +9,7 @@ use std::thread;
 
 use serde::{Deserialize, Serialize};
 
-use organza_core::error::{Error, Result};
-use organza_core::write_atomic;
+use organza_core::{Error, Result, write_atomic};
 
 /// The format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -8,24 +8,19 @@
 //! [`web`] makes a page that renders by itself, without a server, and [`film`] writes films of images.
 
 mod about;
-mod assets;
 mod connections;
 mod editor;
-mod explain;
 pub mod film;
 mod films;
 mod frame_renderer;
 mod guard;
 mod keyframes;
 mod message;
-mod pace;
 mod photographs;
 mod picture;
 mod queue;
 mod server;
-mod stage;
 mod training;
-mod training_status;
 pub mod web;
 
 pub use about::{About, Purpose};
@@ -34,5 +29,4 @@ pub use frame_renderer::FrameRenderer;
 pub use photographs::Photographs;
 pub use queue::Queue;
 pub use server::{Address, Server};
-pub use stage::Stage;
-pub use training::TrainingView;
+pub use training::{Stage, TrainingView};

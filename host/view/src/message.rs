@@ -4,8 +4,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
+use organza_core::{Camera, Error, Result};
 
 /// Largest side of an image, in pixels.
 pub const MAX_SIDE: u32 = 4096;

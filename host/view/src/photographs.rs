@@ -5,9 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::message::refuse;
-use organza_core::camera::Camera;
-use organza_core::demo;
-use organza_core::error::Result;
+use organza_core::{Camera, Result, demo};
 use organza_data::{Dataset, Photograph, Poses};
 use organza_render::{DeviceScene, Renderer};
 

@@ -5,11 +5,9 @@ use ::image::codecs::jpeg::JpegEncoder;
 use colorous::{Color, Gradient};
 
 use super::message::Mode;
-use organza_core::Channel;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
 use organza_core::image::{ChannelImage, Image};
 use organza_core::metrics::{ERROR_FACTOR, error_levels};
+use organza_core::{Camera, Channel, Result};
 use organza_data::Photograph;
 use organza_render::DeviceScene;
 

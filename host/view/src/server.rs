@@ -1,11 +1,10 @@
-//! The HTTP server: delivers the page, and puts its requests in the queue.
+//! The HTTP server: delivers the page, which is plain modules, and puts its requests in the queue.
 
 use std::convert::Infallible;
-use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{io, thread};
 
 use http_body_util::channel::Channel;
 use http_body_util::{BodyExt, Either, Full, Limited};
@@ -21,15 +20,15 @@ use tokio::sync::{Semaphore, oneshot};
 use tokio_io_timeout::TimeoutStream;
 
 use super::about::About;
-use super::assets;
 use super::connections::{Connections, Place};
 use super::films::{self, FilmRequest};
 use super::guard::{Access, Guard};
 use super::keyframes::{self, PathRequest};
 use super::message::{CameraMessage, FrameRequest, PixelRequest, checked};
 use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
-use super::training_status::{Command, TrainingStatus};
+use super::training::{Command, TrainingStatus};
 use organza_core::error::{self, Error, Result};
+use organza_report::{UPLOT_SCRIPT, UPLOT_STYLE};
 
 /// Largest request, in bytes: 1,000 keyframes. Parsed, it can take a hundred times as much.
 const MAX_BODY: usize = 1 << 19;
@@ -149,11 +148,9 @@ impl Server {
         files: impl IntoIterator<Item = (&'static str, Vec<u8>)>,
     ) -> Result<()> {
         let file = |(name, bytes): (&str, Vec<u8>)| match name {
-            _ if name == super::web::WebPage::FILES[0] => {
-                ("/".to_owned(), assets::PAGE, bytes.into())
-            }
+            _ if name == super::web::WebPage::FILES[0] => ("/".to_owned(), PAGE, bytes.into()),
             _ if name.ends_with(".jpg") => (format!("/{name}"), "image/jpeg", bytes.into()),
-            _ => (format!("/{name}"), assets::SCRIPT, bytes.into()),
+            _ => (format!("/{name}"), SCRIPT, bytes.into()),
         };
         self.serve(Site::Client(files.into_iter().map(file).collect()))
     }
@@ -343,7 +340,7 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
             Ok(reply(StatusCode::OK, "application/octet-stream", Either::Right(body)))
         }
         (&Method::GET, path) => {
-            if let Some((kind, content)) = assets::find(path) {
+            if let Some((kind, content)) = asset(path) {
                 return Ok(text(StatusCode::OK, kind, content.as_bytes()));
             }
             match path.strip_prefix("/photograph/").and_then(|view| view.parse().ok()) {
@@ -430,4 +427,38 @@ fn reply(
         headers.insert(HeaderName::from_static(name), HeaderValue::from_static(value));
     }
     reply
+}
+
+/// A file of the page: its address, its media type, and its content.
+type Asset = (&'static str, &'static str, &'static str);
+
+const PAGE: &str = "text/html; charset=utf-8";
+const SCRIPT: &str = "text/javascript; charset=utf-8";
+const STYLE: &str = "text/css; charset=utf-8";
+
+/// Every file of the page.
+const ASSETS: [Asset; 17] = [
+    ("/", PAGE, include_str!("page/index.html")),
+    ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
+    ("/page.css", STYLE, include_str!("page/page.css")),
+    ("/main.js", SCRIPT, include_str!("page/main.js")),
+    ("/camera.js", SCRIPT, include_str!("page/camera.js")),
+    ("/controls.js", SCRIPT, include_str!("page/controls.js")),
+    ("/edit.js", SCRIPT, include_str!("page/edit.js")),
+    ("/explain.js", SCRIPT, include_str!("page/explain.js")),
+    ("/film.js", SCRIPT, include_str!("page/film.js")),
+    ("/frames.js", SCRIPT, include_str!("page/frames.js")),
+    ("/keyframes.js", SCRIPT, include_str!("page/keyframes.js")),
+    ("/measure.js", SCRIPT, include_str!("page/measure.js")),
+    ("/overlay.js", SCRIPT, include_str!("page/overlay.js")),
+    ("/page.js", SCRIPT, include_str!("page/page.js")),
+    ("/training.js", SCRIPT, include_str!("page/training.js")),
+    ("/uplot.js", SCRIPT, UPLOT_SCRIPT),
+    ("/uplot.css", STYLE, UPLOT_STYLE),
+];
+
+/// The file at an address.
+fn asset(path: &str) -> Option<(&'static str, &'static str)> {
+    let found = ASSETS.iter().find(|(address, ..)| *address == path);
+    found.map(|(_, kind, content)| (*kind, *content))
 }

@@ -5,8 +5,7 @@ use std::ops::RangeInclusive;
 
 use glam::{DMat3, DVec3};
 
-use super::Camera;
-use super::{Target, median};
+use super::{Camera, Target, median};
 use crate::error::{Error, Result};
 
 /// Horizontal field of view of [`Orbit::from_box`], in radians.

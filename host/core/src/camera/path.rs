@@ -2,8 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::Camera;
-use super::Target;
+use super::{Camera, Target};
 use crate::error::{Error, Result};
 
 /// Shortest time between two keys, as a fraction of the mean. With it, two equal keys make the camera stop and not

@@ -7,10 +7,7 @@ use exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, SmallVec, Wri
 use png::{BitDepth, ColorType};
 
 use super::{Image, Pixels, to_8_bit, visible_pixels};
-use crate::error::{Error, Result};
-use crate::rendered::{Channel, RenderedTiles};
-use crate::tile::TileBatch;
-use crate::write_atomic;
+use crate::{Channel, Error, RenderedTiles, Result, TileBatch, write_atomic};
 use muslin_device::memory;
 
 /// Default levels of a 16-bit PNG for one unit of depth. A level is a thousandth, as in the depth images that

@@ -1,6 +1,5 @@
 use super::*;
-use crate::rendered::Channel;
-use crate::tile::Tile;
+use crate::{Channel, Tile};
 
 /// The content of a tile: a value that encodes column, row and channel.
 fn rendered(batch: &TileBatch, value: impl Fn(i32, i32, usize) -> f32) -> RenderedTiles {

@@ -5,8 +5,8 @@ use std::io::{BufReader, Read};
 use std::path::Path;
 
 use super::config::SceneConfig;
-use super::spec::TensorSpec;
 use super::tensor_file::{Header, TensorRef, encode, write_tensors};
+use super::tensors::TensorSpec;
 use super::{Scene, validate};
 use crate::error::{Error, Result};
 use crate::input::open_regular;

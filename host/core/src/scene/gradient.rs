@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::gaussians::Gaussians;
 use super::network::Field;
-use super::spec::TensorSpec;
 use super::tensor_file::write_tensors;
+use super::tensors::TensorSpec;
 use super::{Scene, SceneConfig};
 use crate::error::{Error, Result};
 use crate::ranks::Ranks;

@@ -1,6 +1,5 @@
 //! A scene: Gaussians, two hash grids and two networks, and the file that holds them.
 
-mod bounds;
 mod config;
 mod file;
 mod gaussians;
@@ -9,35 +8,31 @@ mod grid;
 mod network;
 mod placement;
 mod shard;
-mod spec;
 mod tensor_file;
 mod tensors;
 mod validate;
-mod warnings;
 
 #[cfg(test)]
 mod tests;
 
-pub use bounds::bounds;
 pub use config::{
     COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
     MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub use file::scene_metadata;
-pub use gaussians::logit;
-pub use gaussians::{GaussianTensors, Gaussians};
+pub use gaussians::{GaussianTensors, Gaussians, logit};
 pub use gradient::Gradient;
 pub use grid::{
     FEATURE_WIDTHS, GridConfig, GridLevelGeometry, MAX_LEVELS, MAX_LOG2_TABLE, MAX_RESOLUTION,
 };
 pub use network::{Field, Layer, Network};
 pub use placement::Placement;
-pub use shard::range_of;
-pub use shard::{GAUSSIANS_PER_BLOCK, SceneShard};
-pub use spec::TensorSpec;
-pub use tensor_file::{Tensor, TensorRef, read_tensors, write_tensors};
-pub use tensor_file::{read_metadata, read_tensor, read_tensors_from, write_streamed};
-pub use tensors::{FieldTensors, Tensors};
+pub use shard::{GAUSSIANS_PER_BLOCK, SceneShard, range_of};
+pub use tensor_file::{
+    Tensor, TensorRef, read_metadata, read_tensor, read_tensors, read_tensors_from, write_streamed,
+    write_tensors,
+};
+pub use tensors::{FieldTensors, TensorSpec, Tensors};
 
 use crate::error::Result;
 use muslin_device::memory;
@@ -132,4 +127,43 @@ impl Scene {
         let values = self.gaussians.tensors_mut().into_vec().into_iter().chain(fields);
         specs.into_iter().zip(values).collect()
     }
+}
+
+/// Part of the opacity that [`bounds`] leaves out at each end of an axis.
+const LEFT_OUT: f64 = 0.01;
+/// Standard deviations that a Gaussian reaches.
+const SUPPORT: f64 = 3.0;
+
+/// The box of nearly all of the opacity: a Gaussian counts as much as it is opaque. So a few that are far away, large and
+/// faint do not matter. All have the margin of a Gaussian of middle size. Opacities are logits, scales logarithms.
+#[must_use]
+pub fn bounds(position: &[[f32; 3]], log_scale: &[[f32; 3]], opacity: &[f32]) -> [[f64; 3]; 2] {
+    let weight = opacity.iter().map(|logit| 1.0 / (1.0 + f64::from(-logit).exp()));
+    let weight: Vec<_> = weight.collect();
+    let total: f64 = weight.iter().sum();
+    let largest = log_scale.iter().map(|scale| scale.iter().copied().fold(f32::MIN, f32::max));
+    let [middle] = quantiles(largest.zip(weight.iter().copied()), [0.5 * total]);
+    let margin = SUPPORT * middle.exp();
+    let ends: [[f64; 2]; 3] = std::array::from_fn(|axis| {
+        let places = position.iter().map(|place| place[axis]).zip(weight.iter().copied());
+        quantiles(places, [LEFT_OUT, 1.0 - LEFT_OUT].map(|part| part * total))
+    });
+    [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
+}
+
+/// The values up to which values have these weights together; 0 where there are none.
+fn quantiles<const N: usize>(
+    values: impl Iterator<Item = (f32, f64)>,
+    weights: [f64; N],
+) -> [f64; N] {
+    let mut values: Vec<_> = values.collect();
+    values.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    weights.map(|weight| {
+        let mut sum = 0.0;
+        let found = values.iter().find(|(_, own)| {
+            sum += own;
+            sum >= weight
+        });
+        found.map_or(0.0, |(value, _)| f64::from(*value))
+    })
 }

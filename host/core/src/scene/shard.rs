@@ -5,13 +5,12 @@ use std::io::{BufReader, Read, Seek};
 use std::ops::Range;
 use std::path::Path;
 
-use super::Scene;
 use super::file::{check_declared, count_gaussians, read_config};
-use super::spec::TensorSpec;
 use super::tensor_file::Header;
+use super::tensors::TensorSpec;
 use super::validate::check_sizes;
-use crate::error::Result;
 use crate::input::open_regular;
+use crate::{Result, Scene};
 use muslin_device::memory;
 
 /// Number of Gaussians in a block. A scene is cut into blocks by index, and each rank has whole blocks. So rounding

@@ -7,9 +7,8 @@ use std::path::Path;
 use safetensors::tensor::{Dtype, Metadata, TensorInfo};
 use serde_json::{Map, Value, json};
 
-use crate::atomic_file::write_atomic;
-use crate::error::{Error, Result};
 use crate::input::open_regular;
+use crate::{Error, Result, write_atomic};
 use muslin_device::memory;
 
 /// Largest header, in bytes. The few dozen tensors of a scene need far less; safetensors itself allows 100 MB.

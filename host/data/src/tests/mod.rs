@@ -1,4 +1,3 @@
-mod blender;
 mod broken_colmap;
 mod colmap;
 mod colmap_files;

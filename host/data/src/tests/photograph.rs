@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::PathBuf;
 
-use super::super::budget::Budget;
 use super::super::develop::Shot;
 use super::super::lens::{Lens, Undistortion};
 use super::*;
+use crate::decode::Budget;
 use organza_core::Image;
 
 fn camera(width: u32, height: u32) -> Camera {

@@ -11,7 +11,7 @@ use serde_json::{Map, Value, json};
 
 use super::{Splat, base_color, byte, invalid, log_of, turned, whole};
 use crate::harmonics::{DEGREE, HARMONICS};
-use crate::turned::turn;
+use crate::placed::turn;
 use organza_core::error::Result;
 use organza_core::input::parse_json;
 use organza_core::scene::logit;

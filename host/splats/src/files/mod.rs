@@ -3,7 +3,6 @@
 mod clusters;
 mod dot_splat;
 mod gltf;
-mod order;
 mod packed_ply;
 mod ply;
 mod sog;
@@ -18,10 +17,9 @@ use muslin_device::memory;
 
 use super::harmonics::{FIRST, MIDDLE};
 use super::{Splat, VALUES};
-use organza_core::error::{Error, Result};
 use organza_core::input::{has_extension, open_regular};
 use organza_core::scene::logit;
-use organza_core::write_atomic;
+use organza_core::{Error, Result, write_atomic};
 
 /// A file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use std::path::Path;
 use muslin::math::sigmoid;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::order::along_a_curve;
+use super::clusters::along_a_curve;
 use super::{Splat, ends, invalid, level, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
 use organza_core::error::Result;

@@ -13,8 +13,7 @@ use serde_json::{Value, json};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-use super::clusters::{Clusters, clusters};
-use super::order::along_a_curve;
+use super::clusters::{Clusters, along_a_curve, clusters};
 use super::{
     Splat, byte, ends, invalid, level, logit_of, smallest_three, turned, whole, with_largest,
 };

@@ -17,7 +17,7 @@ use muslin_device::memory;
 
 use super::{Splat, byte, invalid, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{DEGREE, HARMONICS};
-use crate::turned::turn;
+use crate::placed::turn;
 use organza_core::error::Result;
 
 /// Cosine of the largest angle between the upward direction and the axis that is named for it: 30 degrees.

@@ -1,23 +1,23 @@
 //! A page that renders a scene by itself, in any browser with WebGPU: the kernels as WGSL, and frames as plans.
 
-mod bundle;
-mod gallery;
-mod payload;
-mod plans;
+use std::collections::BTreeSet;
+use std::io::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::message::CameraMessage;
 use crate::picture::encode_jpeg;
-use muslin_device::Device;
+use muslin::KernelInfo;
+use muslin_device::{Device, Part, PlannedBuffer, Step};
 use organza_core::camera::{Camera, Orbit};
-use organza_core::error::Result;
-use organza_core::scene::Scene;
-use organza_render::{Renderer, UploadOptions};
-
-pub use gallery::{Card, embedding, gallery};
+use organza_core::{Result, Scene};
+use organza_render::{Capacity, DeviceScene, Frame, FrameShape, MODULES, Renderer, UploadOptions};
 
 /// Options of a page.
 #[derive(Clone, Debug)]
@@ -112,9 +112,9 @@ impl WebPage {
         let planned = planner.upload_with(scene, upload)?;
         let buffers = planner.device().take_plan().buffers;
         let there = measuring.upload_with(scene, upload)?;
-        let ladder = plans::measure(measuring, &there, &measured, options.size)?;
-        let frames = plans::write(&planner, &planned, &ladder, buffers.len() as u32)?;
-        let kernels = plans::kernels(&frames)?;
+        let ladder = measure(measuring, &there, &measured, options.size)?;
+        let frames = write_frames(&planner, &planned, &ladder, buffers.len() as u32)?;
+        let kernels = kernels_of(&frames)?;
         let about = About {
             title: &options.title,
             version: env!("CARGO_PKG_VERSION"),
@@ -128,20 +128,17 @@ impl WebPage {
         let poster = measuring.render_view(&there, &within(&home, options.size))?;
         let poster = encode_jpeg(&poster)?;
         let facts = Facts { plans: frames.len(), kernels: kernels.len(), measured: measured.len() };
-        let payload = payload::pack(&about, &buffers, &frames, &kernels);
+        let payload = pack(&about, &buffers, &frames, &kernels);
         Ok(Self { title: options.title.clone(), payload, poster, facts })
     }
 
     /// The whole page as one file.
     #[must_use]
     pub fn single_file(&self) -> String {
-        let scripts = format!(
-            "<script>{}</script>\n<script>{}</script>",
-            self.scene_script(),
-            bundle::script()
-        );
+        let scripts =
+            format!("<script>{}</script>\n<script>{}</script>", self.scene_script(), script());
         let poster = format!("data:image/jpeg;base64,{}", STANDARD.encode(&self.poster));
-        bundle::html(&self.title, &poster, &scripts)
+        html(&self.title, &poster, &scripts)
     }
 
     /// The files of the page's folder, by name.
@@ -150,8 +147,8 @@ impl WebPage {
         let scripts = "<script src=\"scene.js\"></script>\n<script src=\"page.js\"></script>";
         let [index, page, scene, poster] = Self::FILES;
         [
-            (index, bundle::html(&self.title, poster, scripts).into_bytes()),
-            (page, bundle::script().into_bytes()),
+            (index, html(&self.title, poster, scripts).into_bytes()),
+            (page, script().into_bytes()),
             (scene, self.scene_script().into_bytes()),
             (poster, self.poster.clone()),
         ]
@@ -167,4 +164,346 @@ fn within(camera: &Camera, size: [u32; 2]) -> Camera {
     let own = [camera.width, camera.height].map(f64::from);
     let factor = (f64::from(size[0]) / own[0]).min(f64::from(size[1]) / own[1]);
     camera.with_size(own.map(|side| (side * factor).round().max(1.0) as u32))
+}
+
+// All data of a page, packed: gzip in base64, so that it can be part of a script and needs no server.
+//
+// Unpacked, it has the length of the JSON in bytes (u32, little endian), the JSON, zeros up to a multiple of 4, and
+// the buffers of the scene. The bytes of a buffer are sorted by their place in a 32-bit word, because the high bytes
+// of floats are similar.
+
+#[derive(Serialize)]
+struct Header<'a> {
+    #[serde(flatten)]
+    about: &'a About<'a>,
+    /// Length of each buffer of the scene, in bytes.
+    buffers: Vec<u64>,
+    kernels: &'a [Kernel],
+    plans: &'a [PlannedFrame],
+}
+
+/// Packs a page's data.
+fn pack(
+    about: &About<'_>,
+    buffers: &[PlannedBuffer],
+    plans: &[PlannedFrame],
+    kernels: &[Kernel],
+) -> String {
+    let sizes = buffers.iter().map(|buffer| buffer.bytes).collect();
+    let header = Header { about, buffers: sizes, kernels, plans };
+    let mut json = serde_json::to_vec(&header).expect("numbers and names");
+    let length = json.len() as u32;
+    json.resize(json.len().next_multiple_of(4), 0);
+    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
+    let mut write = |bytes: &[u8]| packed.write_all(bytes).expect("memory can be written to");
+    write(&length.to_le_bytes());
+    write(&json);
+    for buffer in buffers {
+        match &buffer.contents {
+            Some(contents) => write(&by_place(contents)),
+            None => write(&vec![0; buffer.bytes as usize]),
+        }
+    }
+    STANDARD.encode(packed.finish().expect("memory can be written to"))
+}
+
+/// The first bytes of all words, followed by all second bytes, and so on.
+fn by_place(bytes: &[u8]) -> Vec<u8> {
+    (0..4).flat_map(|place| bytes.iter().skip(place).step_by(4).copied()).collect()
+}
+
+/// A scene's page in a gallery.
+#[derive(Clone, Debug)]
+pub struct Card {
+    /// Title of the page.
+    pub title: String,
+    /// Name of the page's folder, beside the gallery's document.
+    pub folder: String,
+}
+
+const GALLERY_STYLE: &str = include_str!("page/gallery.css");
+
+/// The document of a gallery.
+#[must_use]
+pub fn gallery(title: &str, cards: &[Card]) -> String {
+    let body = html! {
+        h1 { (title) }
+        main {
+            @for Card { title, folder } in cards {
+                a href={ (folder) "/index.html" } {
+                    img src={ (folder) "/poster.jpg" } alt="";
+                    span { (title) }
+                }
+            }
+        }
+    };
+    document(title, GALLERY_STYLE, &body)
+}
+
+/// The element that shows a page within another one. `path` is the page's, relative to that other one.
+#[must_use]
+pub fn embedding(title: &str, path: &str) -> String {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~/".contains(&byte);
+    let escaped = |byte: u8| match is_plain(byte) {
+        true => char::from(byte).to_string(),
+        false => format!("%{byte:02X}"),
+    };
+    let address: String = path.bytes().map(escaped).collect();
+    let element = html! {
+        iframe src={ (address) "?embed" } title=(title) loading="lazy" allow="fullscreen"
+            style="width: 100%; aspect-ratio: 16 / 9; border: 0" {}
+    };
+    element.into_string()
+}
+
+/// The modules. Each comes after those that it imports.
+const SCRIPTS: [&str; 6] = [
+    include_str!("../page/camera.js"),
+    include_str!("../page/controls.js"),
+    include_str!("page/player.js"),
+    include_str!("page/screen.js"),
+    include_str!("page/pace.js"),
+    include_str!("page/main.js"),
+];
+const STYLE: &str = concat!(include_str!("../page/page.css"), include_str!("page/page.css"));
+const BODY: &str = include_str!("page/body.html");
+const ICON: &str = include_str!("../page/icon.svg");
+
+/// All modules as one script.
+fn script() -> String {
+    let own = SCRIPTS.map(|module| {
+        let lines = module.lines().filter(|line| !line.starts_with("import "));
+        lines
+            .map(|line| line.strip_prefix("export ").unwrap_or(line))
+            .collect::<Vec<_>>()
+            .join("\n")
+    });
+    format!("\"use strict\";\n(async () => {{\n{}\n}})();\n", own.join("\n"))
+}
+
+/// The document. `poster` is the address of the picture to show before the scene; `scripts` are elements that load the scene and
+/// the page's script.
+fn html(title: &str, poster: &str, scripts: &str) -> String {
+    let picture = html! {
+        div id="poster" role="img" aria-label=(title) style={ "--picture: url(" (poster) ")" } {}
+        h1 id="title" { (title) }
+    };
+    let body = BODY.replacen("<!-- poster and title -->", &picture.into_string(), 1);
+    document(title, STYLE, &html! { (PreEscaped(body)) (PreEscaped(scripts)) })
+}
+
+/// A document of organza.
+fn document(title: &str, style: &str, body: &Markup) -> String {
+    use base64::Engine;
+    let icon = base64::engine::general_purpose::STANDARD.encode(ICON);
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="generator" content=(concat!("organza ", env!("CARGO_PKG_VERSION")));
+                title { (title) " · organza" }
+                link rel="icon" href={ "data:image/svg+xml;base64," (icon) };
+                style { (PreEscaped(style)) }
+            }
+            body { (body) }
+        }
+    };
+    page.into_string()
+}
+
+/// Side of a page's tiles, in pixels.
+const SIDE: u32 = 32;
+/// Divisors of images' sides: while the camera moves, an image is smaller.
+const SHRINKS: [u32; 3] = [4, 2, 1];
+/// Lengths of T's steps, as multiples of sigma. Longer ones miss thin surfaces.
+const STEPS: [u16; 2] = [2, 1];
+/// Capacities, as multiples of the measured cameras' needs.
+const LEVELS: [f64; 3] = [1.2, 3.0, 8.0];
+/// Added to every capacity.
+const LEAST: u32 = 1024;
+
+/// A frame in the form that the page replays.
+#[derive(Debug, Serialize)]
+struct PlannedFrame {
+    tiles: u32,
+    side: u32,
+    steps: u16,
+    /// Capacities for pairs, members and samples.
+    capacity: [u32; 3],
+    /// Length of each of the plan's own buffers, in bytes. Their numbers follow those of the scene's buffers.
+    buffers: Vec<u64>,
+    /// Buffers with initial content, as words.
+    contents: Vec<(u32, Vec<u32>)>,
+    camera: u32,
+    tile: u32,
+    counts: u32,
+    image: u32,
+    /// Steps in the form of [`step`].
+    frame: Vec<Value>,
+}
+
+/// A kernel that a page compiles.
+#[derive(Debug, Serialize)]
+struct Kernel {
+    name: &'static str,
+    /// Access of each binding: `uniform`, `read` or `write`.
+    access: Vec<&'static str>,
+    code: &'static str,
+}
+
+/// Measures the capacities of a page's frames: each size with each length of steps, from small to large capacities.
+fn measure(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    cameras: &[&Camera],
+    size: [u32; 2],
+) -> Result<Vec<FrameShape>> {
+    let mut shapes = Vec::new();
+    for shrink in SHRINKS {
+        let size = size.map(|side| side.div_ceil(shrink));
+        let mut most = [Capacity { pairs: 0, members: 0, samples: 0 }; STEPS.len()];
+        for camera in cameras {
+            let found = renderer.capacities(scene, &camera.with_size(size), SIDE, &STEPS)?;
+            for (most, found) in most.iter_mut().zip(found) {
+                most.pairs = most.pairs.max(found.pairs);
+                most.members = most.members.max(found.members);
+                most.samples = most.samples.max(found.samples);
+            }
+        }
+        let [columns, rows] = size.map(|side| side.div_ceil(SIDE));
+        for (steps, most) in STEPS.into_iter().zip(most) {
+            shapes.extend(LEVELS.map(|factor| {
+                let room = |number| (f64::from(number) * factor) as u32 + LEAST;
+                let gaussians = scene.len() as u32;
+                let capacity = Capacity {
+                    // one camera sees at most all Gaussians
+                    pairs: room(most.pairs).min(gaussians),
+                    members: room(most.members),
+                    samples: room(most.samples),
+                };
+                FrameShape { tiles: columns * rows, side: SIDE, steps, capacity }
+            }));
+        }
+    }
+    Ok(shapes)
+}
+
+/// Records a frame of each shape that fits into a browser's memory, and at least the first for each size and length
+/// of steps. `scene_buffers` is the number of the scene's buffers.
+fn write_frames(
+    planner: &Renderer,
+    scene: &DeviceScene,
+    shapes: &[FrameShape],
+    scene_buffers: u32,
+) -> Result<Vec<PlannedFrame>> {
+    let mut frames = Vec::new();
+    for (index, shape) in shapes.iter().enumerate() {
+        match planner.plan_frame(scene, shape) {
+            Ok(frame) => frames.push(PlannedFrame::new(shape, &frame, scene_buffers)),
+            // frames above the measured capacity are only a reserve
+            Err(error) if error.is_out_of_memory() && index % LEVELS.len() > 0 => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(frames)
+}
+
+impl PlannedFrame {
+    /// `scene_buffers` is the number of the scene's buffers, which the planner made first.
+    fn new(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Self {
+        let plan = &frame.plan;
+        let number = |buffer: u32| match buffer.checked_sub(plan.first_buffer) {
+            Some(own) => scene_buffers + own,
+            None => buffer,
+        };
+        let contents = plan.buffers.iter().zip(plan.first_buffer..).filter_map(|(buffer, at)| {
+            let words = bytemuck::pod_collect_to_vec(buffer.contents.as_deref()?);
+            Some((number(at), words))
+        });
+        let Capacity { pairs, members, samples } = shape.capacity;
+        Self {
+            tiles: shape.tiles,
+            side: shape.side,
+            steps: shape.steps,
+            capacity: [pairs, members, samples],
+            buffers: plan.buffers.iter().map(|buffer| buffer.bytes).collect(),
+            contents: contents.collect(),
+            camera: number(frame.camera),
+            tile: number(frame.tiles),
+            counts: number(frame.counts),
+            image: number(frame.image),
+            frame: plan.steps.iter().map(|planned| step(planned, &number)).collect(),
+        }
+    }
+}
+
+/// A step in the form that the page reads:
+/// - `[kernel, params, [[word, counts, place, first, most], ..], [[buffer, begin, bytes], ..], workgroups]`
+/// - `["clear", buffer, begin, bytes]`
+/// - `["copy", from, begin, bytes, to, at]`
+/// - `["publish"]`
+fn step(step: &Step, number: &impl Fn(u32) -> u32) -> Value {
+    let part = |part: &Part| json!([number(part.buffer), part.begin, part.bytes]);
+    match step {
+        Step::Dispatch { kernel, params, counts, buffers, workgroups } => {
+            let counts = counts.iter().map(|count| {
+                let counts = number(count.counts);
+                json!([count.offset / 4, counts, count.place, count.first, count.upper_bound])
+            });
+            let params: Vec<u32> = bytemuck::pod_collect_to_vec(params);
+            let counts: Vec<_> = counts.collect();
+            let buffers: Vec<_> = buffers.iter().map(part).collect();
+            json!([kernel, params, counts, buffers, workgroups])
+        }
+        Step::Clear(part) => json!(["clear", number(part.buffer), part.begin, part.bytes]),
+        Step::Copy { from, to, begin } => {
+            json!(["copy", number(from.buffer), from.begin, from.bytes, number(*to), begin])
+        }
+        Step::PublishCounts => json!(["publish"]),
+    }
+}
+
+/// The kernels of some frames, in WGSL, and the kernel that fills in counts.
+fn kernels_of(frames: &[PlannedFrame]) -> Result<Vec<Kernel>> {
+    let names = frames.iter().flat_map(|frame| &frame.frame).filter_map(|step| step[0].as_str());
+    let names: BTreeSet<_> = names.chain(["count_fill"]).collect();
+    let kernel = |info: &'static KernelInfo| {
+        let compiled = MODULES.compiled_kernel(info, &info.plain())?;
+        let Some(code) = compiled.wgsl() else {
+            let reason = format!("`{}` is not there in WGSL", info.name);
+            return Err(muslin_device::Error::StaleKernels { reason }.into());
+        };
+        let access = info.bindings.iter().map(|binding| binding.access.as_str()).collect();
+        Ok(Kernel { name: info.name, access, code })
+    };
+    let used = muslin::kernels().filter(|info| names.contains(info.name));
+    used.map(kernel).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_escaped() {
+        let card = Card { title: "<b>".to_owned(), folder: "b".to_owned() };
+        let page = gallery("A & B", &[card]);
+        assert!(page.contains("<h1>A &amp; B</h1>") && page.contains("<span>&lt;b&gt;</span>"));
+        let element = embedding("\"", "my page#1/index.html");
+        assert!(element.contains("src=\"my%20page%231/index.html?embed\" title=\"&quot;\""));
+    }
+
+    #[test]
+    fn the_script_is_no_module_and_ends_no_element() {
+        let script = script();
+        for word in ["\nimport ", "\nexport ", "</script", "<!--"] {
+            assert!(!script.contains(word), "{word}");
+        }
+        let page = html("<i>&\"", "poster.jpg", "");
+        assert!(page.contains("<title>&lt;i&gt;&amp;&quot; · organza</title>"));
+        assert!(page.contains("<h1 id=\"title\">&lt;i&gt;&amp;&quot;</h1>"));
+        assert!(page.contains("url(poster.jpg)"));
+    }
 }

@@ -200,3 +200,30 @@ fn expected_files_of_the_cases_are_read() {
     assert_eq!(tensors["tiles"].shape, [4, 3, 8, 8]);
     assert_eq!(tensors["grad.color.grid"].data.len(), 1024);
 }
+
+#[test]
+fn large_and_faint_gaussians_far_away_do_not_count() {
+    let mut position: Vec<_> = (0..200).map(|at| [at as f32 / 199.0, -1.0, 0.5]).collect();
+    let mut log_scale = vec![[0.01_f32.ln(), -9.0, -9.0]; 200];
+    let mut opacity = vec![2.0; 200];
+    let near = bounds(&position, &log_scale, &opacity);
+    let expected = [[-0.03, -1.03, 0.47], [1.03, -0.97, 0.53]];
+    for (found, expected) in near.as_flattened().iter().zip(expected.as_flattened()) {
+        assert!((found - expected).abs() < 0.02, "{near:?}");
+    }
+    // a tenth of all, of opacity 0.005
+    for at in 0..20 {
+        position.push([at as f32 * 5.0 - 50.0, 36.0, -25.0]);
+        log_scale.push([3.0; 3]);
+        opacity.push(-5.3);
+    }
+    let found = bounds(&position, &log_scale, &opacity);
+    let apart = found.as_flattened().iter().zip(near.as_flattened()).map(|(a, b)| (a - b).abs());
+    assert!(apart.fold(0.0, f64::max) < 0.01, "{found:?}, not {near:?}");
+}
+
+#[test]
+fn one_gaussian_has_the_box_of_its_size() {
+    let [low, high] = bounds(&[[1.0, 2.0, 3.0]], &[[0.0, -1.0, -2.0]], &[-1.0]);
+    assert_eq!((low, high), ([-2.0, -1.0, 0.0], [4.0, 5.0, 6.0]));
+}

@@ -9,8 +9,7 @@ use crate::data::fuzz as data;
 use crate::input::parse_json;
 use crate::scene::{Scene, read_tensors_from};
 use crate::tile::TileBatch;
-use crate::train::metrics;
-use crate::train::{Checkpoint, TrainConfig};
+use crate::train::{Checkpoint, TrainConfig, metrics};
 use organza_splats::read_from;
 
 /// A parser of bytes, which must return.

@@ -3,11 +3,10 @@
 use std::io::ErrorKind;
 
 use organza::error::{DeviceError, chain};
-use pyo3::PyErr;
-use pyo3::create_exception;
 use pyo3::exceptions::{
     PyFileNotFoundError, PyMemoryError, PyOSError, PyPermissionError, PyRuntimeError, PyValueError,
 };
+use pyo3::{PyErr, create_exception};
 
 create_exception!(
     organza,

@@ -9,8 +9,7 @@ use pyo3::prelude::*;
 use crate::cameras::Cameras;
 use crate::error::{invalid, raise};
 use crate::job;
-use crate::on_device::lock;
-use crate::renderer::{DeviceScene, Renderer};
+use crate::renderer::{DeviceScene, Renderer, lock};
 
 /// Renders a frame for each camera, and writes a film of them, or a folder.
 #[pyfunction]

@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 
 use crate::error::invalid;
 use crate::job;
-use crate::on_device::{SceneOnDevice, into_batch, lock};
+use crate::renderer::{SceneOnDevice, into_batch, lock};
 use crate::scene::into_arrays;
 
 /// A rendered batch that keeps what its gradient needs: `Renderer.record` makes one.

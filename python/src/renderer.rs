@@ -1,14 +1,15 @@
-//! Rendering and gradients.
+//! Renderers, and scenes on their devices.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use muslin_check::Report;
 use muslin_device::adapters;
-use numpy::PyArray4;
+use numpy::{IntoPyArray, PyArray4, PyArrayMethods};
 use organza::bench::{BenchOptions, measure};
 use organza::error::DeviceError;
-use organza::{BackendChoice, Channel, DeviceOptions, SpirvPath};
+use organza::render::SceneGradient;
+use organza::{BackendChoice, Channel, DeviceOptions, RenderedTiles, SpirvPath};
 use organza_parity::cases;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -16,7 +17,6 @@ use pyo3::types::PyDict;
 use crate::cameras::{Cameras, Tiles};
 use crate::error::{invalid, raise};
 use crate::job;
-use crate::on_device::{SceneOnDevice, into_batch, lock};
 use crate::recording::Recording;
 use crate::scene::{Scene, array, json};
 
@@ -280,4 +280,31 @@ fn reports(on_gpu: bool) -> organza::Result<Vec<Report>> {
         organza::open_device(&DeviceOptions::gpu(SpirvPath::Naga))?;
     }
     Ok(reports)
+}
+
+/// A scene on a device, with data that belongs to it.
+pub struct SceneOnDevice {
+    pub scene: organza::DeviceScene,
+    /// Created by the first backward pass.
+    pub gradient: Option<SceneGradient>,
+}
+
+/// Locks, also after a panic.
+pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Tiles `[K, 3, S, S]` as an array, and their channels by name.
+pub fn into_batch(
+    py: Python<'_>,
+    tiles: RenderedTiles,
+) -> PyResult<(Bound<'_, PyArray4<f32>>, Bound<'_, PyDict>)> {
+    let count = tiles.count;
+    let side = tiles.side as usize;
+    let channels = PyDict::new(py);
+    for (channel, values) in tiles.channels {
+        let shape = [count, channel.planes(), side, side];
+        channels.set_item(channel.name(), values.into_pyarray(py).reshape(shape)?)?;
+    }
+    Ok((tiles.data.into_pyarray(py).reshape([count, 3, side, side])?, channels))
 }

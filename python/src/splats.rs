@@ -15,8 +15,7 @@ use crate::cameras::Cameras;
 use crate::data::Dataset;
 use crate::error::{invalid, raise};
 use crate::job;
-use crate::on_device::lock;
-use crate::renderer::{DeviceScene, Renderer};
+use crate::renderer::{DeviceScene, Renderer, lock};
 use crate::scene::Scene;
 
 /// Writes a scene as Gaussians. `uploaded` is the scene on the renderer's device.

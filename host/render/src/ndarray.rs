@@ -30,10 +30,7 @@
 use ::ndarray::ArrayView4;
 
 use crate::{DeviceScene, LossGradient, Renderer};
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
-use organza_core::scene::Gradient;
-use organza_core::tile::TileBatch;
+use organza_core::{Camera, Error, Gradient, Result, TileBatch};
 
 impl Renderer {
     /// Like [`Renderer::gradient`], but `grad_tiles [K, 3, S, S]`, dL/dY, is an array.

@@ -1,23 +1,15 @@
-//! A part whose numbers stay on the device, beside one that the host knows all about.
+//! A part whose numbers stay on the device, beside one that the host knows all about. Smaller images, as training sees them, and exposures.
 
 mod distortion;
-mod exposure;
 mod recording;
-mod smaller;
 
-use crate::MODULES;
 use crate::pass::part::{Part, TileGradient};
-use crate::pass::renderer::Renderer;
-use crate::scene::device_scene::DeviceScene;
-use crate::stages::counts::Capacity;
 use crate::stages::cut::{PART_BYTES, PartTiles};
-use crate::stages::gradient::SceneGradient;
+use crate::{Capacity, DeviceScene, LossTarget, MODULES, Renderer, SceneGradient, TileLoss};
 use muslin_check::devices;
 use muslin_device::{Buffer, Device};
-use organza_core::camera::Camera;
-use organza_core::demo;
-use organza_core::scene::Scene;
-use organza_core::tile::{Tile, TileBatch};
+use organza_core::scene::{Scene, SceneConfig};
+use organza_core::{Camera, Tile, TileBatch, demo};
 
 /// The CPU with two threads, and the GPU where there is one.
 fn all_devices() -> Vec<Device> {
@@ -148,5 +140,124 @@ fn a_refused_tile_is_tried_with_exact_capacities() {
             ("gpu", Ok(found)) => assert_eq!(found, expected, "{}", device.choice()),
             (_, found) => panic!("{}: {found:?}", device.choice()),
         }
+    }
+}
+
+/// The side of the whole image, and how many pixels a unit at the Gaussian's distance has in it.
+const SIDE: u32 = 128;
+const PIXELS_PER_UNIT: f64 = 32.0;
+
+/// The variance of a lone Gaussian's image along x, in square pixels.
+fn variance(standard_deviation: f64, factor: u32) -> f64 {
+    let config = SceneConfig { background: [0.0; 3], ..demo::config() };
+    let mut scene = Scene::zeros(config, 1).expect("a scene");
+    // gray, in empty space
+    scene.transmittance.network.layers.last_mut().expect("a layer").bias[0] = 30.0;
+    scene.gaussians.log_scale[0] = [(standard_deviation / PIXELS_PER_UNIT).ln() as f32; 3];
+    scene.gaussians.rotation[0] = [1.0, 0.0, 0.0, 0.0];
+    let renderer = Renderer::new(devices::cpu(Some(1)));
+    let scene = renderer.upload(&scene).expect("a scene").coarser(factor, 1);
+    // two units away, an angle that shows SIDE / PIXELS_PER_UNIT units
+    let angle = 2.0 * (f64::from(SIDE) / PIXELS_PER_UNIT / 4.0).atan();
+    let whole = Camera::look_at([0.0, -2.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], angle, [SIDE; 2]);
+    let camera = whole.expect("a camera").smaller(factor);
+    let side = camera.width;
+    let batch = TileBatch::cover(0, side, side, side).expect("a tile");
+    let tiles = renderer.render(&scene, &[camera], &batch).expect("a tile");
+    let sum = |weight: &dyn Fn(f64) -> f64| -> f64 {
+        let red = tiles.data[..(side * side) as usize].iter().enumerate();
+        let from_center = |at: usize| (at as u32 % side) as f64 + 0.5 - f64::from(side) / 2.0;
+        red.map(|(at, &red)| f64::from(red) * weight(from_center(at))).sum()
+    };
+    assert!(sum(&|_| 1.0) > 0.1, "{}", sum(&|_| 1.0));
+    sum(&|x| x * x) / sum(&|_| 1.0)
+}
+
+#[test]
+fn a_smaller_image_has_the_blur_of_its_pixels() {
+    // a footprint ends where its falloff is 1/255, with this part of the variance of the normal distribution
+    let cut = 1.0 - 255f64.ln() / 254.0;
+    let blur = demo::config().blur;
+    for standard_deviation in [1.0, 1.5, 3.0] {
+        let whole = standard_deviation * standard_deviation + blur;
+        for (factor, expected) in [(1, whole), (2, (whole + 0.25) / 4.0)] {
+            let found = variance(standard_deviation, factor);
+            let error = (found / (cut * expected) - 1.0).abs();
+            assert!(error < 0.03, "{standard_deviation}, {factor}: {found} {expected}");
+        }
+    }
+}
+
+/// Half the distance of two losses whose difference is taken.
+const STEP: f32 = 1e-2;
+/// w
+const WEIGHT: f32 = 0.5;
+
+/// A gain and an offset for each channel of the four tiles: no color is below 0.3.
+fn exposures() -> Vec<f32> {
+    let gain = |at: usize| 0.6 + 0.1 * (at % 9) as f32;
+    let offset = |at: usize| 0.3 + 0.01 * (at % 5) as f32;
+    (0..12).flat_map(|at| [gain(at), offset(at)]).collect()
+}
+
+/// The loss of [`tiles`], its gradients with respect to the exposures `[4, 3, 2]`, and to one bias of the color network.
+fn of_exposure(renderer: &Renderer, scene: &Scene, exposure: &[f32]) -> (f64, Vec<f64>, f64) {
+    let pixels = 4 * 16 * 16;
+    // darker than what is rendered, so that no difference changes its sign
+    let image: Vec<_> = (0..3 * pixels).map(|at| 0.12 + 0.1 * (at as f32 * 0.7).sin()).collect();
+    let valid: Vec<_> = (0..pixels).map(|at| f32::from(at % 11 > 0)).collect();
+    let target = LossTarget {
+        image: &image,
+        valid: &valid,
+        valid_pixels: valid.iter().copied().map(f64::from).sum(),
+        ssim_weight: WEIGHT,
+        distortion_weight: 0.0,
+        exposure: Some(exposure),
+    };
+    let device = renderer.device();
+    let on_device = renderer.upload(scene).expect("a scene");
+    let gradient = SceneGradient::new(device, &on_device).expect("memory");
+    let cameras = demo::turntable(2, 64);
+    let (losses, exposures) = renderer
+        .add_loss_gradient(&on_device, &cameras, &tiles(), &mut None, &target, &gradient, None)
+        .expect("a loss");
+    let cameras: Vec<_> = exposures.iter().map(|tile| (tile.place, tile.camera)).collect();
+    assert_eq!(cameras, [(0, 0), (1, 0), (2, 1), (3, 1)]);
+    let found = gradient.download(device, &scene.config, scene.gaussians.len()).expect("numbers");
+    let tensors = found.tensors();
+    let (_, bias) = tensors.iter().find(|(spec, _)| spec.name == BIAS).expect("a bias");
+    let by_exposure = exposures.iter().flat_map(|tile| tile.gradient).flatten().collect();
+    (TileLoss::total(&losses).value(WEIGHT), by_exposure, bias[0].into())
+}
+
+/// The last bias of the color network's first value.
+const BIAS: &str = "color.mlp.2.bias";
+
+/// In one part, and in one for each tile.
+#[test]
+fn gradients_match_differences() {
+    let scene = some();
+    let exposure = exposures();
+    for bytes in [512 << 20, 1] {
+        let renderer = Renderer::new(devices::cpu(Some(2))).with_part_bytes(bytes);
+        let (_, found, by_bias) = of_exposure(&renderer, &scene, &exposure);
+        let slope = |of: &dyn Fn(f32) -> f64| (of(STEP) - of(-STEP)) / f64::from(2.0 * STEP);
+        let largest = found.iter().fold(0.0_f64, |most, g| most.max(g.abs()));
+        // those of a tile of each camera
+        for at in (0..6).chain(12..18) {
+            let expected = slope(&|step| {
+                let mut exposure = exposure.clone();
+                exposure[at] += step;
+                of_exposure(&renderer, &scene, &exposure).0
+            });
+            let error = (found[at] - expected).abs();
+            assert!(error < 2e-3 * largest, "{at}: {} and {expected}", found[at]);
+        }
+        let expected = slope(&|step| {
+            let mut scene = scene.clone();
+            scene.color.network.layers.last_mut().expect("a head").bias[0] += step;
+            of_exposure(&renderer, &scene, &exposure).0
+        });
+        assert!((by_bias - expected).abs() < 2e-3 * expected.abs(), "{by_bias} and {expected}");
     }
 }

@@ -12,8 +12,7 @@ use organza::{Camera, DeviceOptions, Error, Result, Scene, TileBatch};
 use super::console::{Console, print, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::summary::{count, grouped};
-use super::table::Table;
+use super::summary::{Table, count, grouped};
 use super::tiles::{load_batch, with_origin};
 use super::{image_size, refuse};
 

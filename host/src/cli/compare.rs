@@ -9,8 +9,7 @@ use serde_json::json;
 use super::console::{Console, print, print_json};
 use super::output::check_file;
 use super::refuse;
-use super::summary::grouped;
-use super::table::Table;
+use super::summary::{Table, grouped};
 
 const EXAMPLES: &str = "\
 Examples:

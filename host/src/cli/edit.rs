@@ -14,8 +14,7 @@ use super::console::{Console, print, print_json};
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::check_file;
-use super::summary::{count, grouped};
-use super::table::Table;
+use super::summary::{Table, count, grouped};
 use super::{eval, numbers, refuse};
 
 const USAGE: &str = "organza edit SCENE DATA -o NEW";

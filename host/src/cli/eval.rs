@@ -14,8 +14,7 @@ use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, DataSet, SceneSource, Split};
 use super::output;
 use super::picture::warn_not_finite;
-use super::summary::count;
-use super::table::Table;
+use super::summary::{Table, count};
 
 const EXAMPLES: &str = "\
 Examples:

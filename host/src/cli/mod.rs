@@ -27,14 +27,11 @@ mod ranks;
 mod render;
 mod signals;
 mod summary;
-mod table;
 mod tiles;
 mod train;
 mod train_all;
-mod verbosity;
 mod view;
 mod views;
-mod written;
 
 use std::ops::RangeInclusive;
 use std::panic;
@@ -47,8 +44,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 use organza::camera::MAX_IMAGE_SIDE;
 use organza::{Result, error};
 
-use console::Console;
-use verbosity::Verbosity;
+use console::{Console, Verbosity};
 
 /// The exit code of every failure; clap uses the same.
 const FAILURE: u8 = 2;

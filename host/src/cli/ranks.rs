@@ -10,11 +10,10 @@ use organza::scene::{Placement, SceneShard};
 use organza::train::{self, TrainConfig};
 use organza::{Dataset, DeviceOptions, DeviceShard, Renderer, Result, UploadOptions, error};
 
-use super::console::Console;
+use super::console::{Console, Level};
 use super::device::DeviceArgs;
 use super::inputs::{DataSet, Expected, told_apart};
 use super::signals::Signals;
-use super::verbosity::Level;
 
 /// Options of a training that ranks share.
 #[derive(Debug, clap::Args)]

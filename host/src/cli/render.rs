@@ -8,17 +8,15 @@ use organza::{Channel, DeviceShard, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::channels::{ChannelArgs, FormatArgs};
-use super::console::{Console, print_json};
+use super::console::{Console, Level, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::output::{self, Folder};
+use super::output::{self, Folder, name, refuse_others};
 use super::picture::{Picture, Pictures, Shown, sizes, warn_not_finite};
 use super::ranks::{Member, SharesArgs};
 use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
-use super::verbosity::Level;
 use super::views::{ViewList, ViewTask, names, warn_distorted};
-use super::written::{name, refuse_others};
 
 const EXAMPLES: &str = "\
 Examples:

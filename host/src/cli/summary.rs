@@ -1,8 +1,8 @@
-//! The cost of rendering, in one line.
+//! The cost of rendering, in one line. Aligned columns, and numbers in them.
 
 use std::time::Instant;
 
-pub use muslin_device::grouped;
+pub use muslin_device::{Table, grouped};
 use organza::{RenderReport, Renderer};
 use serde::Serialize;
 
@@ -84,6 +84,22 @@ pub fn count(number: u64, thing: &str) -> String {
     format!("{} {thing}{plural}", grouped(number))
 }
 
+/// A number with five significant digits.
+pub fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    if !(1e-4..1e6).contains(&size) {
+        return format!("{value:.4e}");
+    }
+    let digits = (4 - size.log10().floor() as i32).clamp(0, 8) as usize;
+    format!("{value:.digits$}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -95,5 +111,21 @@ mod tests {
             assert_eq!(grouped(number), text);
         }
         assert_eq!([0, 1, 2000].map(|n| count(n, "tile")), ["0 tiles", "1 tile", "2,000 tiles"]);
+    }
+
+    #[test]
+    fn numbers_have_five_digits() {
+        let cases = [
+            (-0.0, "0"),
+            (1.0, "1.0000"),
+            (-12.345678, "-12.346"),
+            (0.00123456, "0.0012346"),
+            (123_456.7, "123457"),
+            (1.5e-7, "1.5000e-7"),
+            (f64::NAN, "NaN"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(number(value), text);
+        }
     }
 }

@@ -8,12 +8,11 @@ use organza::{Camera, Error, Gradient, RenderedTiles, Renderer, Result, TileBatc
 use serde::Serialize;
 
 use super::channels::ChannelArgs;
-use super::console::{Console, print_json};
+use super::console::{Console, Level, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
 use super::ranks::{Member, SharesArgs};
 use super::summary::{Cost, Summary, count, grouped};
-use super::verbosity::Level;
 use super::views::warn_distorted;
 use super::{output, refuse};
 

@@ -7,7 +7,6 @@ use std::thread;
 use clap::builder::PossibleValuesParser;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, FromArgMatches};
-use organza::data::Dataset;
 use organza::error::{self, format_bytes};
 use organza::scene::Placement;
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
@@ -17,7 +16,7 @@ use organza::train::{
     TrainConfig,
 };
 use organza::view::TrainingView;
-use organza::{Result, Scene};
+use organza::{Dataset, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -28,9 +27,8 @@ use super::output::Folder;
 use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
 use super::signals::Signals;
-use super::title;
 use super::view::ServerArgs;
-use super::{absolute, refuse};
+use super::{absolute, refuse, title};
 
 const EXAMPLES: &str = "\
 Examples:

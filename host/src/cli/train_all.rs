@@ -14,11 +14,10 @@ use serde::Serialize;
 
 use super::console::{Console, print, print_json};
 use super::device::DeviceArgs;
-use super::eval;
-use super::refuse;
 use super::signals::Signals;
-use super::table::Table;
+use super::summary::Table;
 use super::train::{SettingsArgs, TrainJob};
+use super::{eval, refuse};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -6,9 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::config::TrainConfig;
-use super::folder::{CHECKPOINT, CONFIG};
-use super::progress::Progress;
+use crate::{CHECKPOINT, CONFIG, Progress, TrainConfig};
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
 use organza_core::scene::read_metadata;

@@ -1,9 +1,7 @@
 //! Images of the built-in scene: training data without a download.
 
 use muslin_device::memory;
-use organza_core::camera::Camera;
-use organza_core::demo;
-use organza_core::error::Result;
+use organza_core::{Camera, Result, demo};
 use organza_data::{Dataset, Frame, Photograph, Pose, is_held_out};
 use organza_render::Renderer;
 

@@ -1,4 +1,4 @@
-//! `checkpoint.safetensors`: a scene file that also holds what training needs to go on.
+//! `checkpoint.safetensors`: a scene file that also holds what training needs to go on, and how far it has come.
 
 mod shards;
 
@@ -8,13 +8,12 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::binding::{BINDING, Binding};
-use super::config::TrainConfig;
-use super::folder::CHECKPOINT;
 use super::per_photograph::{PerPhotograph, VALUES_PREFIX, names};
-use super::progress::{PROGRESS, Progress};
+use crate::{CHECKPOINT, TrainConfig};
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
-use organza_core::scene::{Scene, SceneShard, Tensor, TensorSpec, read_tensor};
+use organza_core::scene::{Scene, SceneShard, Tensor, TensorSpec, read_metadata, read_tensor};
+use serde::{Deserialize, Serialize};
 
 /// Prefixes of the names of Adam's moments.
 const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
@@ -280,4 +279,40 @@ fn per_photograph_or_start(
          as it was"
     );
     Err(Error::Invalid { origin: Path::new(CHECKPOINT).to_owned(), reason })
+}
+
+/// The key of [`Progress`] in the metadata.
+pub const PROGRESS: &str = "train";
+
+/// How far training has come.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Progress {
+    /// Steps that are done.
+    pub step: u32,
+    /// Seconds of training.
+    pub seconds: f64,
+}
+
+impl Progress {
+    /// Reads that of a checkpoint, and nothing else of it.
+    ///
+    /// # Errors
+    /// The same errors as [`Checkpoint::load`](crate::Checkpoint::load), for the header.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let (mut file, length) = open_regular(path)?;
+        Self::read(&mut file, length, path)
+    }
+
+    pub(super) fn read(reader: &mut impl Read, length: u64, path: &Path) -> Result<Self> {
+        let progress = read_metadata(reader, length, path, PROGRESS)?;
+        let progress = progress.and_then(|text| serde_json::from_str(&text).ok());
+        progress.ok_or_else(|| lacks(path, "`train` metadata"))
+    }
+}
+
+/// A file that is a scene, but no checkpoint.
+fn lacks(path: &Path, what: &str) -> Error {
+    let reason = format!("it lacks {what}: it is a scene, but not a checkpoint to resume from");
+    Error::Invalid { origin: path.to_owned(), reason }
 }

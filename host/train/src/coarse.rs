@@ -6,9 +6,7 @@ use std::borrow::Cow;
 
 use super::config::RunConfig;
 use super::sampler::Sampler;
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
-use organza_core::tile::TileBatch;
+use organza_core::{Camera, Error, Result, TileBatch};
 use organza_data::Frame;
 
 /// Factor by which photographs are smaller in coarse steps.

@@ -1,32 +1,27 @@
-//! All settings of a run. They are in the run folder's `config.toml`, which `--config` reads.
+//! All settings of a run. They are in the run folder's `config.toml`, which `--config` reads. The learning rates at a step.
 
 mod assignment;
 mod builder;
-mod check;
-mod learn_exposure;
-mod optimizer;
-mod preset;
 mod table;
 #[cfg(test)]
 mod tests;
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 pub use assignment::defaults;
-pub use builder::ConfigBuilder;
-pub use learn_exposure::LearnExposure;
-pub(super) use optimizer::EPSILON;
-pub use preset::Preset;
+pub use builder::{ConfigBuilder, Preset};
 pub use table::{
     AblationConfig, DataConfig, ExposureConfig, GrowthConfig, LossConfig, OptimizerConfig,
     PosesConfig, Rate, RunConfig, SETTINGS, Setting, ShapeConfig, StartConfig, TrainConfig,
 };
 
-use organza_core::error::{Error, Result};
 use organza_core::input::read_text;
-use organza_core::scene::{Placement, SceneConfig};
-use organza_core::write_atomic;
+use organza_core::scene::{FieldTensors, GaussianTensors, Placement, SceneConfig, Tensors};
+use organza_core::{Error, Result, gaussian_tensors, write_atomic};
 use organza_data::{Background, Dataset, DatasetOptions};
+use serde::{Deserialize, Serialize};
+use table::within;
 
 /// Largest settings file, in bytes. All settings need far less; a larger file was named by mistake.
 const MAX_BYTES: u64 = 1 << 20;
@@ -170,5 +165,95 @@ impl TrainConfig {
     /// [`Error::WriteFile`].
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         write_atomic(path, |writer| writer.write_all(self.to_toml().as_bytes()))
+    }
+}
+
+/// Adam's epsilon.
+pub(crate) const EPSILON: f64 = 1e-12;
+/// Factor of the rates at the end of their cooldown.
+const COOLED: f64 = 0.02;
+
+/// The values that a learning rate can have.
+const RATES: RangeInclusive<f64> = 1e-12..=1.0;
+
+macro_rules! define {
+    ($($(#[$doc:meta])* $name:ident: $row:tt, $why:literal, $rate:tt;)+) => {
+        impl OptimizerConfig {
+            /// The rate of each tensor of a scene.
+            #[must_use]
+            pub fn rates(&self) -> Tensors<Rate> {
+                let field = FieldTensors { grid: self.grids, network: self.networks };
+                let gaussians = GaussianTensors { $($name: self.$name,)+ };
+                Tensors { gaussians, color: field, transmittance: field }
+            }
+
+            /// Every rate with its name in the file.
+            pub(crate) fn named_rates(&self) -> impl Iterator<Item = (&'static str, Rate)> {
+                let of_gaussians = [$((stringify!($name), self.$name)),+];
+                let others = [
+                    ("grids", self.grids),
+                    ("networks", self.networks),
+                    ("exposure", self.exposure),
+                    ("pose", self.pose),
+                ];
+                of_gaussians.into_iter().chain(others)
+            }
+        }
+    };
+}
+
+gaussian_tensors!(define);
+
+impl OptimizerConfig {
+    /// A rate after the part `fraction` of the run, 0 to 1: see [`RunConfig::fraction`](RunConfig::fraction).
+    #[must_use]
+    pub fn rate_at(&self, rate: Rate, fraction: f64) -> f64 {
+        let fraction = fraction.min(1.0);
+        let left = if self.cooldown > 0.0 { (1.0 - fraction) / self.cooldown } else { 1.0 };
+        rate.first * (rate.last / rate.first).powf(fraction) * left.clamp(COOLED, 1.0)
+    }
+
+    /// Checks the rates. The error is a sentence about the first value out of range.
+    pub(super) fn check_rates(&self) -> Result<(), String> {
+        for (name, rate) in self.named_rates() {
+            within(&format!("optimizer.{name}.first"), rate.first, RATES)?;
+            within(&format!("optimizer.{name}.last"), rate.last, RATES)?;
+        }
+        Ok(())
+    }
+}
+
+/// Exposures that differ by more than this are learned: see [`Dataset::exposure_spread`].
+// docs/experiments.md has the measurements: 10% is not worth it, 13% is.
+const SPREAD: f64 = 0.12;
+
+/// Whether a run learns the photographs' exposures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LearnExposure {
+    /// If they differ by more than 12%, measured at the data set's points. Without points, none are learned.
+    #[default]
+    Auto,
+    /// Yes.
+    On,
+    /// No.
+    Off,
+}
+
+impl LearnExposure {
+    /// Whether exposures of these photographs are learned.
+    #[must_use]
+    pub fn decide(self, dataset: &Dataset) -> bool {
+        match self {
+            Self::Auto => dataset.exposure_spread().is_some_and(|spread| spread > SPREAD),
+            Self::On => true,
+            Self::Off => false,
+        }
+    }
+}
+
+impl From<bool> for LearnExposure {
+    fn from(learn: bool) -> Self {
+        if learn { Self::On } else { Self::Off }
     }
 }

@@ -5,25 +5,22 @@
 //! that the photograph does not have, as after undistorting, are ignored: PSNR is over the other pixels, and SSIM
 //! over windows without any such pixel.
 
-mod compare_splats;
-pub(crate) mod csv;
-mod fitted;
 #[cfg(test)]
 mod tests;
 
-pub use compare_splats::{SplatComparison, compare_splats};
+use std::io;
+use std::path::Path;
+
 use serde::{Deserialize, Serialize};
 
 use muslin_device::memory;
-use organza_core::RenderedTiles;
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
 use organza_core::image::{Image, TILE_SIDE, bands};
 use organza_core::metrics::lpips::Lpips;
-use organza_core::metrics::{psnr, ssim};
-use organza_core::tile::TileBatch;
+use organza_core::metrics::{psnr, psnr_of, ssim};
+use organza_core::{Camera, Error, RenderedTiles, Result, TileBatch, write_atomic};
 use organza_data::Frame;
 use organza_render::{DeviceScene, Renderer};
+use organza_splats::Splat;
 
 /// The result of comparing an image with its photograph.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -167,7 +164,7 @@ pub fn evaluate_measures(
         let rendered = Rendered::new(frame, &mut |cameras, batch| {
             let mut before = 0;
             let mut progress = |done, _| advance(done - std::mem::replace(&mut before, done));
-            renderer.render_with_progress(scene, cameras, batch, &mut progress)
+            renderer.render_channels(scene, cameras, batch, &[], &mut progress)
         })?;
         let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame, measures)? };
         not_finite += rendered.image.not_finite();
@@ -200,7 +197,7 @@ impl Evaluation {
     /// # Errors
     /// [`Error::WriteFile`].
     pub fn save_csv(&self, path: impl AsRef<std::path::Path>) -> Result<()> {
-        csv::save_csv(path, &self.views.iter().map(|view| (None, view)).collect::<Vec<_>>())
+        save_csv(path, &self.views.iter().map(|view| (None, view)).collect::<Vec<_>>())
     }
 
     /// Joins evaluations of parts of the frames, in order.
@@ -285,7 +282,7 @@ impl Rendered {
             ..Score::default()
         };
         if measures.fitted {
-            score.psnr_fitted = fitted::psnr_fitted(size, &self.colors, &truth, valid);
+            score.psnr_fitted = psnr_fitted(size, &self.colors, &truth, valid);
         }
         let Some(lpips) = measures.lpips else { return Ok(score) };
         let mut colors = self.colors.clone();
@@ -312,4 +309,136 @@ fn colors(frame: &Frame, what: &str) -> Result<Vec<[f32; 3]>> {
 /// The value that a display shows.
 fn displayed(value: f32) -> f32 {
     if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
+}
+
+/// Writes the scores of views, atomically: `view,psnr,ssim,lpips,psnr_fitted`, after `step` if rows have one. The
+/// last two columns are left out if no view has them. An infinite PSNR is `inf`; a missing score is empty.
+pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(Option<u64>, &ViewScore)]) -> Result<()> {
+    let has = |value: fn(&Score) -> Option<f64>| {
+        rows.iter().any(|(_, view)| value(&view.score).is_some())
+    };
+    let is_shown = [
+        rows.iter().any(|(step, _)| step.is_some()),
+        true,
+        true,
+        true,
+        has(|score| score.lpips),
+        has(|score| score.psnr_fitted),
+    ];
+    let shown = |cells: [String; 6]| {
+        cells.into_iter().zip(is_shown).filter_map(|(cell, is_shown)| is_shown.then_some(cell))
+    };
+    write_atomic(path, |writer| {
+        let mut table = ::csv::Writer::from_writer(writer);
+        let head = ["step", "view", "psnr", "ssim", "lpips", "psnr_fitted"].map(str::to_owned);
+        table.write_record(shown(head)).map_err(io::Error::other)?;
+        for (step, ViewScore { name, score }) in rows {
+            let step = step.map_or(String::new(), |step| step.to_string());
+            let [psnr, ssim] = [score.psnr, score.ssim].map(number);
+            let [lpips, fitted] = [score.lpips, score.psnr_fitted].map(number);
+            let row = shown([step, name.clone(), psnr, ssim, lpips, fitted]);
+            table.write_record(row).map_err(io::Error::other)?;
+        }
+        table.flush()
+    })
+}
+
+/// A number, or an empty cell for `None`.
+fn number(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| value.to_string())
+}
+
+/// Mean PSNRs compared with photographs, in dB.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SplatComparison {
+    /// Number of photographs.
+    pub photographs: usize,
+    /// PSNR of the scene's own images.
+    pub scene: f64,
+    /// PSNR of the Gaussians' images, as a viewer that sorts shows them.
+    pub splats: f64,
+}
+
+/// Compares a scene, and Gaussians that were [distilled from it](organza_splats::distill()), with photographs. `None` without
+/// photographs that have a valid pixel.
+///
+/// # Errors
+/// The same errors as [`Renderer::render`].
+pub fn compare_splats(
+    renderer: &Renderer,
+    scene: &DeviceScene,
+    splats: &[Splat],
+    photographs: &[&Frame],
+) -> Result<Option<SplatComparison>> {
+    let Some(own) = evaluate(renderer, scene, photographs)?.mean.psnr else { return Ok(None) };
+    let background = scene.config().background.map(|x| x as f32);
+    let of = |frame: &&Frame| {
+        let Frame { camera, image, .. } = frame;
+        organza_splats::psnr(splats, camera, background, image.pixels(), image.valid())
+    };
+    let found: Vec<_> = photographs.iter().filter_map(of).collect();
+    let splats = found.iter().sum::<f64>() / found.len() as f64;
+    Ok(Some(SplatComparison { photographs: found.len(), scene: own, splats }))
+}
+
+/// PSNR with a gain and an offset for each channel, fitted by least squares. The left and the right half of the image
+/// each have the fit of the other half, so no pixel takes part in its own fit. `None` if one half has no valid pixel.
+fn psnr_fitted(
+    [width, _]: [usize; 2],
+    rendered: &[[f32; 3]],
+    truth: &[[f32; 3]],
+    valid: Option<&[bool]>,
+) -> Option<f64> {
+    let half_of = |at: usize| usize::from(at % width >= width / 2);
+    let is_valid = |at: &usize| valid.is_none_or(|valid| valid[*at]);
+    let mut sums = [[Sums::default(); 3]; 2];
+    for at in (0..truth.len()).filter(is_valid) {
+        for (channel, sums) in sums[half_of(at)].iter_mut().enumerate() {
+            sums.add(rendered[at][channel].into(), truth[at][channel].into());
+        }
+    }
+    if sums.iter().any(|half| half[0].count == 0.0) {
+        return None;
+    }
+    let fits = sums.map(|half| half.map(|sums| sums.fit()));
+    let squared = (0..truth.len()).filter(is_valid).map(|at| {
+        let fits = &fits[1 - half_of(at)];
+        let error = |channel: usize| {
+            let [gain, offset] = fits[channel];
+            let shown = (gain * f64::from(rendered[at][channel]) + offset).clamp(0.0, 1.0);
+            (shown - f64::from(truth[at][channel])).powi(2)
+        };
+        (0..3).map(error).sum::<f64>()
+    });
+    let count = sums.iter().map(|half| half[0].count).sum::<f64>();
+    Some(psnr_of(squared.sum::<f64>() / (3.0 * count)))
+}
+
+/// Sums over the pixels of a channel: of the rendered x and of the photographed y.
+#[derive(Clone, Copy, Default)]
+struct Sums {
+    count: f64,
+    x: f64,
+    y: f64,
+    xx: f64,
+    xy: f64,
+}
+
+impl Sums {
+    fn add(&mut self, x: f64, y: f64) {
+        self.count += 1.0;
+        self.x += x;
+        self.y += y;
+        self.xx += x * x;
+        self.xy += x * y;
+    }
+
+    /// Gain and offset with the least squared error. An image of one color has a gain of 1.
+    fn fit(&self) -> [f64; 2] {
+        let x = self.x / self.count;
+        let y = self.y / self.count;
+        let variance = self.xx / self.count - x * x;
+        let gain = if variance > 1e-6 { (self.xy / self.count - x * y) / variance } else { 1.0 };
+        [gain, y - gain * x]
+    }
 }

@@ -2,14 +2,12 @@
 
 use std::ops::RangeInclusive;
 
-use super::checkpoint::Checkpoint;
 use super::config::{Rate, TrainConfig};
 use super::start::from_splats;
-use super::trainer::Trainer;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
+use crate::{Checkpoint, Trainer};
 use organza_core::image::to_8_bit;
 use organza_core::scene::{Placement, Scene};
+use organza_core::{Camera, Result};
 use organza_data::{Dataset, Frame, Photograph};
 use organza_render::Renderer;
 use organza_splats::{Splat, Views, render, to_own};

@@ -11,7 +11,6 @@ mod checkpoint;
 mod coarse;
 pub mod config;
 pub mod evaluate;
-mod exposure;
 mod folder;
 mod growth;
 mod held_out;
@@ -23,33 +22,29 @@ mod per_photograph;
 mod plan;
 mod points;
 mod pose;
-mod progress;
 mod ranks;
 mod requirements;
-mod resume;
 mod sampler;
 mod session;
 mod space;
 mod start;
-mod state;
-mod step_report;
 mod trainer;
 
 pub use binding::{Binding, CHANGEABLE, Change, changed_settings_of, settings_of};
-pub use checkpoint::Checkpoint;
+pub use checkpoint::{Checkpoint, Progress};
 pub use config::{ConfigBuilder, Preset, TrainConfig};
 pub use evaluate::{Evaluation, evaluate};
-pub use folder::{BEST, CAMERAS, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT};
-pub use folder::{RunFolder, is_run_file};
+pub use folder::{
+    BEST, CAMERAS, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT, RunFolder,
+    is_run_file,
+};
 pub use growth::Grown;
 pub use hooks::{GradientHook, StepGradient, StepHooks};
 pub use import::{Import, Imported, import};
 pub use per_photograph::PerPhotograph;
-pub use progress::Progress;
 pub use ranks::follow;
 pub use session::{Event, Outcome, Session, Watch};
-pub use step_report::StepReport;
-pub use trainer::Trainer;
+pub use trainer::{StepReport, Trainer};
 
 /// The commit that organza was built from, followed by `-modified` if its sources had changed since. It is known for
 /// packages that cargo made, and for release builds in a git repository. Otherwise, the environment variable

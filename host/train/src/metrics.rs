@@ -13,9 +13,8 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::binding::Change;
 use crate::evaluate::{Evaluation, Score, ViewScore};
-use organza_core::error::{Error, Result};
 use organza_core::input::read_file;
-use organza_core::write_inside;
+use organza_core::{Error, Result, write_inside};
 
 /// Largest log, in bytes. No run logs as much; a larger file is not a log.
 const MAX_BYTES: u64 = 1 << 30;

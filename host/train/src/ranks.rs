@@ -3,16 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::binding::Binding;
-use super::checkpoint::Checkpoint;
-use super::config::TrainConfig;
 use super::held_out;
-use super::trainer::Trainer;
 use crate::evaluate::{Evaluation, Measures, Score, ViewScore, evaluate_view};
-use organza_core::camera::Camera;
+use crate::{Binding, Checkpoint, TrainConfig, Trainer};
 use organza_core::error::{Error, IN_MEMORY, Result};
-use organza_core::image::Image;
 use organza_core::ranks::{self, Grid, Ranks, ThreadRanks};
+use organza_core::{Camera, Image};
 use organza_data::{Dataset, Frame};
 use organza_render::Renderer;
 

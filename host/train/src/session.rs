@@ -1,21 +1,15 @@
 //! A run from its first step, or from a checkpoint, to its end: its settings, log, checkpoints and scores in its folder.
 
-mod first_steps;
 mod run;
 mod state;
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::binding::Change;
-use super::config::TrainConfig;
-use super::folder::RunFolder;
 use super::metrics::Record;
-use super::step_report::StepReport;
-use crate::evaluate::Evaluation;
-use organza_core::Image;
-use organza_core::error::Result;
+use crate::{Change, Evaluation, RunFolder, StepReport, TrainConfig};
 use organza_core::ranks::Ranks;
+use organza_core::{Image, Result};
 use organza_data::{Dataset, Frame};
 use organza_render::{DeviceScene, Renderer};
 

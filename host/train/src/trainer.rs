@@ -1,29 +1,28 @@
-//! One step after the other: draw tiles, render, compare, go back, move, grow.
+//! One step after the other: draw tiles, render, compare, go back, move, grow. The state that a step changes, and its measurements.
 
 use std::sync::Arc;
 
-use super::checkpoint::Checkpoint;
 use super::coarse::{Batches, Drawn};
-use super::config::TrainConfig;
-use super::exposure::Exposures;
 use super::growth::{Grown, grow};
-use super::hooks::{StepGradient, StepHooks};
+use super::optimizer::Optimizer;
+use super::per_photograph::Exposures;
 use super::pose::PoseSet;
-use super::progress::Progress;
 use super::ranks::Team;
 use super::requirements::check;
 use super::sampler::Target;
 use super::start;
-use super::state::TrainerState;
-use super::step_report::StepReport;
 use crate::evaluate::{Evaluation, evaluate_measures};
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
-use organza_core::metrics;
+use crate::{Checkpoint, Progress, StepGradient, StepHooks, TrainConfig};
+use glam::Vec4;
+use muslin_device::Device;
 use organza_core::ranks::Ranks;
 use organza_core::scene::range_of;
+use organza_core::{Camera, Error, Result, metrics};
 use organza_data::Dataset;
-use organza_render::{DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer};
+use organza_render::{
+    DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer, SceneGradient, ShardGradient,
+    TileLoss,
+};
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -391,4 +390,121 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
     let growth = &config.growth;
     let is_in_time = (growth.begin..=growth.end).contains(&config.run.fraction(step));
     step.is_multiple_of(growth.every) && is_in_time
+}
+
+/// Measurements of a step, from before it changed anything.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct StepReport {
+    /// The loss of the batch.
+    pub loss: f64,
+    /// The mean absolute difference of the batch's values, the first part of the loss; NaN with a loss of your own.
+    pub l1: f64,
+    /// The mean SSIM of the batch, the second part of the loss; NaN with a loss of your own.
+    pub ssim: f64,
+    /// The PSNR of the batch's pixels, in decibels.
+    pub psnr: f64,
+    /// Number of tiles in the batch.
+    pub tiles: usize,
+    /// Change of the Gaussians, if there was one.
+    pub grown: Option<Grown>,
+}
+
+impl StepReport {
+    /// The report on a batch's losses.
+    pub(super) fn new(losses: &[TileLoss], ssim_weight: f32) -> Self {
+        let total = TileLoss::total(losses);
+        let pixels = (3.0 * total.valid).max(1.0);
+        Self {
+            loss: total.value(ssim_weight),
+            // each part of the loss separately
+            l1: total.value(0.0),
+            ssim: 1.0 - total.value(1.0),
+            psnr: metrics::psnr_of(total.squared / pixels),
+            tiles: losses.len(),
+            grown: None,
+        }
+    }
+
+    /// Fails if the loss of the step is not finite.
+    pub(super) fn check(&self, step: u32) -> Result<()> {
+        if self.loss.is_finite() {
+            return Ok(());
+        }
+        let reason = format!("the loss of step {step} is {}", self.loss);
+        Err(Error::Diverged { reason })
+    }
+}
+
+/// The state that a step changes.
+#[derive(Debug)]
+pub(super) struct TrainerState {
+    /// The whole scene, or a shard of it.
+    pub shard: DeviceShard,
+    pub optimizer: Optimizer,
+    pub gradient: ShardGradient,
+    /// Gaussians of the whole scene.
+    pub gaussians: usize,
+}
+
+impl TrainerState {
+    /// The state of the checkpoint of `shard`, with values for each of the photographs.
+    pub fn new(
+        renderer: &Renderer,
+        config: &TrainConfig,
+        mut shard: DeviceShard,
+        checkpoint: &Checkpoint,
+        photographs: usize,
+    ) -> Result<Self> {
+        let device = renderer.device();
+        if !config.ablation.divide {
+            shard.never_divide();
+        }
+        let optimizer = Optimizer::new(device, &shard, &checkpoint.moments)?;
+        let mut fields = SceneGradient::new(device, shard.fields())?;
+        if config.poses.refine {
+            fields = fields.with_poses(device, photographs)?;
+        }
+        let gradient = ShardGradient::new(device, &shard, fields)?;
+        let state = Self { shard, optimizer, gradient, gaussians: checkpoint.gaussians };
+        state.write_statistics(device, &checkpoint.statistics)?;
+        Ok(state)
+    }
+
+    /// Whether the next gradient is also that of T.
+    pub fn set_transmittance(&mut self, is_learned: bool) {
+        let blocks = self.gradient.blocks.iter_mut();
+        blocks
+            .chain([&mut self.gradient.fields])
+            .for_each(|part| part.has_transmittance = is_learned);
+    }
+
+    /// The Gaussians are those of a checkpoint from now on; the fields stay.
+    pub fn replace_gaussians(&mut self, device: &Device, checkpoint: &Checkpoint) -> Result<()> {
+        self.gaussians = checkpoint.gaussians;
+        self.shard.replace_gaussians(device, &checkpoint.scene.gaussians)?;
+        self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
+        self.gradient.replace_gaussians(device, &self.shard)?;
+        self.write_statistics(device, &checkpoint.statistics)
+    }
+
+    /// `[N]`, of the Gaussians that are here: see [`SceneGradient::statistics`].
+    pub fn statistics(&self, device: &Device) -> Result<Vec<[f32; 4]>> {
+        let mut statistics = Vec::with_capacity(self.shard.len());
+        for block in &self.gradient.blocks {
+            statistics.extend(device.read(&block.statistics)?.iter().map(|v| v.to_array()));
+        }
+        Ok(statistics)
+    }
+
+    fn write_statistics(&self, device: &Device, statistics: &[[f32; 4]]) -> Result<()> {
+        let mut rest = statistics;
+        for block in &self.gradient.blocks {
+            let (mine, after) = rest.split_at(block.statistics.len());
+            let mine: Vec<_> = mine.iter().map(|&v| Vec4::from_array(v)).collect();
+            device.write(&block.statistics, 0, &mine)?;
+            rest = after;
+        }
+        Ok(())
+    }
 }

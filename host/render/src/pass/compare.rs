@@ -4,19 +4,15 @@ use std::collections::BTreeMap;
 
 use super::part::{Part, TileGradient};
 use super::pass::{GoBack, Pass};
-use super::renderer::Renderer;
-use crate::scene::device_shard::SceneBlocks;
 use crate::stages::cut::{PartTiles, PlannedTile, values_of_tiles};
 use crate::stages::distortion::Distortion;
 use crate::stages::exposure::{self, Exposed, ExposureGradient};
-use crate::stages::gradient::GradientBlocks;
-use crate::stages::loss::{Loss, LossInputs, LossOutput, LossTarget, TileLoss};
+use crate::{
+    GradientBlocks, Loss, LossInputs, LossOutput, LossTarget, Renderer, SceneBlocks, TileLoss,
+};
 use muslin_device::{Buffer, Device};
-use organza_core::RenderedTiles;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
 use organza_core::ranks::{Grid, Ranks};
-use organza_core::tile::TileBatch;
+use organza_core::{Camera, RenderedTiles, Result, TileBatch};
 
 /// Pixels that are compared at once, where Gaussians are dealt to ranks: 200 MiB of memory.
 const COMPARED_PIXELS: usize = 1 << 20;

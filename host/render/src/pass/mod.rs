@@ -1,6 +1,5 @@
 //! One way through a batch: it is cut into parts, which go through the stages and back.
 
-pub mod capacity;
 pub mod compare;
 pub mod own_loss;
 pub mod part;

@@ -4,16 +4,10 @@ use std::collections::BTreeMap;
 
 use super::part::{Part, TileGradient};
 use super::pass::{GoBack, Pass};
-use super::renderer::Renderer;
-use crate::scene::device_shard::SceneBlocks;
 use crate::stages::cut::{PartTiles, values_of_tiles};
-use crate::stages::gradient::GradientBlocks;
-use crate::stages::loss::{LossInputs, LossTarget};
+use crate::{GradientBlocks, LossInputs, LossTarget, Renderer, SceneBlocks};
 use muslin_device::{Buffer, Device};
-use organza_core::RenderedTiles;
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
-use organza_core::tile::TileBatch;
+use organza_core::{Camera, Error, RenderedTiles, Result, TileBatch};
 
 /// The tiles of a step, and what they should look like: the argument of a loss on the host.
 #[derive(Clone, Copy, Debug)]

@@ -6,22 +6,18 @@ use std::sync::OnceLock;
 use glam::Vec4;
 
 use super::ranks::Rows;
-use crate::scene::device_scene::DeviceScene;
 use crate::stages::channels::{ChannelSums, Seen};
 use crate::stages::color::Color;
 use crate::stages::composite::Composite;
-use crate::stages::counts::Capacity;
 use crate::stages::cut::PartTiles;
 use crate::stages::distortion::Distortion;
-use crate::stages::gradient::SceneGradient;
 use crate::stages::pairs::PairVectors;
 use crate::stages::project::{pose_backward, project_backward};
 use crate::stages::tiles::Bins;
 use crate::stages::transmittance::Transmittance;
+use crate::{Capacity, DeviceScene, SceneGradient};
 use muslin_device::{Buffer, Device};
-use organza_core::camera::Camera;
-use organza_core::error::Result;
-use organza_core::{Channel, RenderReport};
+use organza_core::{Camera, Channel, RenderReport, Result};
 
 /// Everything that the stages have written on the device.
 #[derive(Debug)]

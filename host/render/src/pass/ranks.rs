@@ -7,17 +7,14 @@ use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::part::report_of_part;
 use super::pass::{Parts, Pass};
-use crate::scene::device_scene::DeviceScene;
 use crate::stages::composite::resolve;
 use crate::stages::cut::{PartTiles, PlannedTile};
 use crate::stages::field::hash_grid::HashGridGradient;
-use crate::stages::gradient::{SceneGradient, TensorGradient};
+use crate::{DeviceScene, SceneGradient, TensorGradient};
 use muslin_device::{Buffer, Count, Device, memory};
-use organza_core::error::{Error, Result};
 use organza_core::ranks::{Ranks, ThreadRanks};
 use organza_core::scene::GAUSSIANS_PER_BLOCK;
-use organza_core::tile::TileBatch;
-use organza_core::{RenderReport, RenderedTiles};
+use organza_core::{Error, RenderReport, RenderedTiles, Result, TileBatch};
 
 /// Planes of a tile's sums: C and S.
 pub const PLANES: usize = 4;

@@ -4,17 +4,13 @@ use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::pass::{Parts, Pass};
-use super::renderer::Renderer;
-use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_shard::{DeviceShard, SceneBlocks};
-use crate::stages::gradient::{GradientBlocks, SceneGradient, ShardGradient};
-use crate::stages::project::POSE;
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
+use crate::{
+    DeviceScene, DeviceShard, GradientBlocks, POSE, Renderer, SceneBlocks, SceneGradient,
+    ShardGradient,
+};
 use organza_core::ranks::{Grid, Ranks};
 use organza_core::scene::{Gaussians, Gradient};
-use organza_core::tile::TileBatch;
-use organza_core::{Channel, RenderedTiles};
+use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
 
 /// A rendered batch, from which the gradient of any loss follows without rendering again.
 ///

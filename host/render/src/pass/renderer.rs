@@ -1,25 +1,19 @@
 //! Renders batches of tiles, part by part.
 
-use organza_core::{Channel, RenderReport, RenderedTiles};
+use organza_core::{Camera, Channel, RenderReport, RenderedTiles, Result, TileBatch};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::capacity::CapacityPredictor;
 use super::part::{ReadTiles, report_of_part};
-use super::pass::{Parts, Pass};
-use crate::scene::device_scene::DeviceScene;
+use super::pass::{CapacityPredictor, Parts, Pass};
 use crate::scene::device_shard::{DeviceShard, SceneBlocks, WHOLE};
-use crate::scene::options::UploadOptions;
 use crate::stages::channels::Seen;
 use crate::stages::composite::pixels;
-use crate::stages::counts::Capacity;
 use crate::stages::cut::{PART_BYTES, PartTiles};
+use crate::{Capacity, DeviceScene, UploadOptions};
 use muslin_device::{Device, memory};
-use organza_core::camera::Camera;
-use organza_core::error::Result;
 use organza_core::image::{self, Image};
 use organza_core::scene::{GAUSSIANS_PER_BLOCK, Scene, SceneShard};
-use organza_core::tile::TileBatch;
 
 /// Renders scenes on a device.
 ///
@@ -94,25 +88,11 @@ impl Renderer {
         cameras: &[Camera],
         batch: &TileBatch,
     ) -> Result<RenderedTiles> {
-        self.render_with_progress(scene, cameras, batch, &mut |_, _| {})
+        self.render_channels(scene, cameras, batch, &[], &mut |_, _| {})
     }
 
-    /// Like [`Renderer::render`], but calls `progress` after each part with the number of tiles that are done, and of
-    /// all.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::render`].
-    pub fn render_with_progress(
-        &self,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        progress: &mut dyn FnMut(usize, usize),
-    ) -> Result<RenderedTiles> {
-        self.render_channels(scene, cameras, batch, &[], progress)
-    }
-
-    /// Like [`Renderer::render_with_progress`], with [channels](Channel) beside the color.
+    /// Like [`Renderer::render`], with [channels](Channel) beside the color. Calls `progress` after each part with the
+    /// number of tiles that are done, and of all.
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].
@@ -131,7 +111,7 @@ impl Renderer {
     }
 
     /// Renders tiles of one camera into its image, in 8 bits: values are clamped to 0 to 1 and rounded on the device.
-    /// `progress` is that of [`Renderer::render_with_progress`].
+    /// `progress` is that of [`Renderer::render_channels`].
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].
@@ -260,7 +240,7 @@ impl Renderer {
 }
 
 impl Pass<'_> {
-    /// Renders the tiles of a whole scene and their channels; `progress` is that of [`Renderer::render_with_progress`].
+    /// Renders the tiles of a whole scene and their channels; `progress` is that of [`Renderer::render_channels`].
     pub fn forward_tiles(
         &self,
         parts: &mut Parts,

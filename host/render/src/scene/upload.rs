@@ -6,14 +6,11 @@ use std::sync::Arc;
 use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::device_scene::DeviceScene;
 use super::device_shard::{DeviceShard, WHOLE};
 use super::field::DeviceField;
-use super::options::UploadOptions;
-use super::packed::{pack, upload};
+use crate::{DeviceScene, UploadOptions, pack, upload};
 use muslin_device::Device;
-use organza_core::error::{Error, Result};
-use organza_core::scene::Scene;
+use organza_core::{Error, Result, Scene};
 
 impl DeviceScene {
     /// See [`Renderer::upload_with`](crate::Renderer::upload_with).

@@ -14,10 +14,9 @@ use organza_shaders::color_backward::{
 use super::field::Scratch;
 use super::field::backward::{CameraSamples, ChunkScratch, GroupScratch};
 use super::field::samples::{BlockOf, Blocks, Chunk};
-use super::gradient::SceneGradient;
 use super::pairs::{PairVectors, Pairs};
 use super::tiles::Bins;
-use crate::scene::device_scene::DeviceScene;
+use crate::{DeviceScene, SceneGradient};
 use muslin_device::{Buffer, Device, Result};
 
 /// Color of every pair.

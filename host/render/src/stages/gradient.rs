@@ -8,11 +8,8 @@ use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::field::hash_grid::HashGridGradient;
-use super::project::POSE;
-use crate::scene::device_scene::DeviceScene;
-use crate::scene::device_shard::DeviceShard;
 use crate::scene::field::DeviceField;
-use crate::scene::packed::unpack;
+use crate::{DeviceScene, DeviceShard, POSE, unpack};
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{FieldTensors, Gaussians, Gradient, SceneConfig, Tensors};

@@ -11,9 +11,8 @@ use organza_shaders::ssim::{
 
 use super::distortion::Distortion;
 use muslin_device::{Buffer, Device};
-use organza_core::error::{Error, Result};
-use organza_core::metrics;
 use organza_core::tile::MAX_TILE_SIDE;
+use organza_core::{Error, Result, metrics};
 
 const _: () = assert!(limits::MAX_TILE_SIDE == MAX_TILE_SIDE, "the longest row of `loss_rows`");
 

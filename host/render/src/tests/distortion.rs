@@ -5,8 +5,7 @@ use crate::pass::part::Part;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::stages::distortion::sums;
 use crate::{LossTarget, Renderer, SceneGradient};
-use organza_core::demo;
-use organza_core::scene::Scene;
+use organza_core::{Scene, demo};
 
 /// Half the distance of two values whose difference is taken.
 const STEP: f32 = 1e-2;

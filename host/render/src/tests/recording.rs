@@ -2,9 +2,7 @@
 
 use super::{all_devices, some, tiles};
 use crate::{DeviceScene, Recording, Renderer, SceneGradient, UploadOptions};
-use organza_core::Channel;
-use organza_core::demo;
-use organza_core::scene::{Gradient, Scene};
+use organza_core::{Channel, Gradient, Scene, demo};
 
 /// One part of all tiles, and one for each tile: more than are kept.
 const PART_BYTES: [u64; 2] = [512 << 20, 1];

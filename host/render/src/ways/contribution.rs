@@ -12,13 +12,10 @@ use rayon::prelude::*;
 use super::leakage::{OPEN, SURFACE};
 use super::members::{Member, Members, depths, surface};
 use crate::pass::part::{Part, TileGradient};
-use crate::pass::renderer::Renderer;
-use crate::scene::device_scene::DeviceScene;
 use crate::stages::cut::PartTiles;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
+use crate::{DeviceScene, Renderer};
 use organza_core::image::{TILE_SIDE, bands};
-use organza_core::tile::Tile;
+use organza_core::{Camera, Result, Tile};
 
 /// Surfaces are found at every fourth pixel of every fourth row.
 const STRIDE: i32 = 4;

@@ -11,21 +11,17 @@ use rayon::prelude::*;
 
 use crate::pass::part::ReadTiles;
 use crate::pass::renderer::{Renderer, place};
-use crate::scene::device_scene::DeviceScene;
 use crate::stages::channels::Seen;
 use crate::stages::color::Color;
 use crate::stages::composite::Composite;
-use crate::stages::counts::Capacity;
 use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
 use crate::stages::tiles::Bins;
 use crate::stages::transmittance::Transmittance;
+use crate::{Capacity, DeviceScene};
 use muslin_device::{Buffer, Count, Device, memory};
-use organza_core::camera::Camera;
-use organza_core::error::Result;
-use organza_core::tile::TileBatch;
-use organza_core::{Channel, RenderedTiles};
+use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
 
 /// Pairs that are evaluated at once, so that a cancelled frame ends soon: on a CPU about a tenth of a
 /// second.

@@ -1,15 +1,12 @@
 //! One frame of one camera, as a plan that something else runs: a page in a browser.
 
 use crate::pass::part::Part;
-use crate::pass::renderer::Renderer;
-use crate::scene::device_scene::DeviceScene;
-use crate::stages::counts::Capacity;
 use crate::stages::cut::{PartTiles, PlannedTile};
 use crate::stages::tiles::Bins;
 use crate::stages::transmittance::segments;
+use crate::{Capacity, DeviceScene, Renderer};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
-use organza_core::error::Result;
-use organza_core::tile::{Tile, TileBatch};
+use organza_core::{Result, Tile, TileBatch};
 
 /// The parts that all frames of a plan share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

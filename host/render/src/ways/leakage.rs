@@ -4,11 +4,8 @@ use serde::Serialize;
 
 use super::members::{Member, Members, depths, surface};
 use crate::pass::part::Part;
-use crate::pass::renderer::Renderer;
-use crate::scene::device_scene::DeviceScene;
-use organza_core::camera::Camera;
-use organza_core::error::{Error, Result};
-use organza_core::tile::{Tile, TileBatch};
+use crate::{DeviceScene, Renderer};
+use organza_core::{Camera, Error, Result, Tile, TileBatch};
 
 /// Weight farther from the median depth than this part of it is not at the surface.
 pub const SURFACE: f64 = 0.12;

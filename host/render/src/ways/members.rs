@@ -8,8 +8,7 @@ use organza_shaders::tile::Tile as KernelTile;
 
 use crate::pass::part::Part;
 use muslin_device::Device;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
+use organza_core::{Camera, Result};
 
 /// A Gaussian that reaches a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,18 +8,15 @@ use organza_shaders::tile::Tile as KernelTile;
 use serde::Serialize;
 
 use crate::pass::part::Part;
-use crate::pass::renderer::Renderer;
-use crate::scene::device_scene::DeviceScene;
 use crate::stages::color::Color;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
 use crate::stages::transmittance::{Ray, Transmittance};
+use crate::{DeviceScene, Renderer};
 
 use muslin_device::Count;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
-use organza_core::tile::{Tile, TileBatch};
+use organza_core::{Camera, Result, Tile, TileBatch};
 
 /// The outputs of each stage for every Gaussian in one camera, N Gaussians.
 #[derive(Clone, Debug, Default, PartialEq)]

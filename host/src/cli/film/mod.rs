@@ -15,12 +15,11 @@ use super::channels::ChannelName;
 use super::console::{Console, Progress, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, SceneSource};
-use super::output::{self, Folder};
+use super::output::{self, Folder, continue_film, remove_frames};
 use super::picture::{Pictures, Shown, warn_not_finite};
 use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
-use super::written::{continue_film, remove_frames};
 use film_path::{Inputs, PathArgs, described};
 
 const TILE_SIZE: u32 = 64;

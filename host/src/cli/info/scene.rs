@@ -8,9 +8,8 @@ use organza::scene::{Contraction, GridConfig, Placement, SceneConfig, TensorSpec
 use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
-use super::tensors::{self, TensorInfo};
-use crate::cli::summary::{count, grouped};
-use crate::cli::table::Table;
+use super::{TensorInfo, table};
+use crate::cli::summary::{Table, count, grouped};
 
 #[derive(Debug, Serialize)]
 pub struct SceneInfo {
@@ -86,7 +85,7 @@ impl fmt::Display for SceneInfo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "scene {}, {}\n", self.file, format_bytes(self.file_bytes))?;
         self.write_summary(f)?;
-        write!(f, "\n{}", tensors::table(&self.tensors))?;
+        write!(f, "\n{}", table(&self.tensors))?;
         let color = &self.config.color_grid;
         let transmittance = &self.config.transmittance_grid;
         write_grid(f, "color grid", color, &self.color_levels)?;

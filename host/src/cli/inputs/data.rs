@@ -11,8 +11,8 @@ use organza::train::{Checkpoint, built_in};
 use organza::view::Photographs;
 use organza::{Camera, Error, Renderer, Result};
 
+use super::SceneSource;
 use super::kind::{Expected, told_apart};
-use super::scene::SceneSource;
 use crate::cli::console::Console;
 use crate::cli::summary::count;
 

@@ -1,11 +1,173 @@
 //! Inputs of commands: a scene or a run's folder, cameras or a data set. All commands share one place for each.
 
-mod cameras;
 mod data;
 mod kind;
-mod scene;
 
-pub use cameras::Cameras;
+use std::collections::HashSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
 pub use data::{DataArgs, DataSet, Split};
 pub use kind::{Expected, FileKind, Format, format, told_apart};
-pub use scene::SceneSource;
+
+use crate::cli::console::Console;
+use crate::cli::summary::count;
+use crate::cli::views::photographs;
+use organza::scene::Placement;
+use organza::train::{self, CHECKPOINT, CONFIG, TrainConfig};
+use organza::{Camera, Error, Result, Scene};
+
+/// The origin of a scene.
+#[derive(Clone, Debug)]
+pub struct SceneSource {
+    /// The path that the user named.
+    named: PathBuf,
+    /// The scene's file.
+    file: PathBuf,
+}
+
+impl SceneSource {
+    /// Finds the scene's file: the named one, or the checkpoint in a run's folder. Reads nothing yet.
+    ///
+    /// # Errors
+    /// If there is no such file, or the folder is not a run's.
+    pub fn find(path: &Path) -> Result<Self> {
+        let found = fs::metadata(path).map_err(|source| Error::read(path, source))?;
+        let checkpoint = path.join(CHECKPOINT);
+        if !found.is_dir() || checkpoint.exists() {
+            let file = if found.is_dir() { checkpoint } else { path.to_owned() };
+            return Ok(Self { named: path.to_owned(), file });
+        }
+        let reason = if path.join(CONFIG).exists() {
+            format!(
+                "the run has no {CHECKPOINT} yet: training writes it at intervals, and at its end"
+            )
+        } else {
+            format!(
+                "the folder has no {CHECKPOINT}, so it is not a training run's; name a scene file, or the \
+                 folder that training wrote to. `organza capture` makes a data set of photographs"
+            )
+        };
+        let error = Error::Invalid { origin: path.to_owned(), reason };
+        Err(told_apart(error, path, Expected::Scene))
+    }
+
+    /// Path of the scene's file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// The path that the user named: the scene's file, or the run's folder.
+    pub fn named(&self) -> &Path {
+        &self.named
+    }
+
+    /// Reads the scene.
+    pub fn load(&self, console: Console) -> Result<Scene> {
+        let start = Instant::now();
+        let scene = console
+            .during("reading the scene", || Scene::load(&self.file))
+            .map_err(|error| told_apart(error, &self.file, Expected::Scene))?;
+        console.detail(&format!(
+            "scene {}: {}, read in {:.2} s",
+            self.file.display(),
+            count(scene.gaussians.len() as u64, "Gaussian"),
+            start.elapsed().as_secs_f64()
+        ));
+        Ok(scene)
+    }
+
+    /// Where the scene lies in the world. Other files, such as Gaussians to import, have the world's coordinates; what is no
+    /// file of organza is reported when it is read.
+    pub fn placement(&self) -> Placement {
+        Scene::load_config(&self.file).map(|config| config.placement).unwrap_or_default()
+    }
+
+    /// The settings of the run, if the user named a run's folder.
+    pub fn settings(&self) -> Result<Option<TrainConfig>> {
+        if self.named.join(CONFIG).exists() {
+            return train::settings_of(&self.named).map(Some);
+        }
+        Ok(None)
+    }
+}
+
+/// Cameras and their origin.
+#[derive(Debug)]
+pub struct Cameras {
+    /// The cameras, in the order of the file or the data set.
+    pub list: Vec<Camera>,
+    /// All cameras of the file or data set, of which `--split` chose some.
+    pub all: Vec<Camera>,
+    /// The file, the data set or the run, for messages.
+    pub origin: PathBuf,
+    /// Existing photographs, by their paths without links. No output may replace them.
+    photographs: HashSet<PathBuf>,
+}
+
+impl Cameras {
+    /// Reads cameras, in the scene's coordinates. Those of a data set are undistorted and downscaled. A folder is a data set, and so is a file if an option of [`DataArgs`] is given. Without a name, the data set is
+    /// that of the scene's run. `usage` shows how to name cameras.
+    pub fn load(
+        scene: &SceneSource,
+        named: Option<&Path>,
+        args: &DataArgs,
+        usage: &str,
+        console: Console,
+    ) -> Result<Self> {
+        let cameras = match named {
+            Some(file) if !file.is_dir() && !args.is_given() => Self::from_file(scene, file)?,
+            _ => Self::from_data_set(scene, named, args, usage, console)?,
+        };
+        let number = count(cameras.list.len() as u64, "view");
+        console.detail(&format!("cameras {}: {number}", cameras.origin.display()));
+        Ok(cameras)
+    }
+
+    fn from_file(scene: &SceneSource, file: &Path) -> Result<Self> {
+        let list = scene.placement().load_cameras(file);
+        let list = list.map_err(|error| told_apart(error, file, Expected::Cameras))?;
+        let named = list.iter().flat_map(|camera| photographs(camera, file));
+        let photographs = existing(named);
+        Ok(Self { all: list.clone(), list, origin: file.to_owned(), photographs })
+    }
+
+    fn from_data_set(
+        scene: &SceneSource,
+        named: Option<&Path>,
+        args: &DataArgs,
+        usage: &str,
+        console: Console,
+    ) -> Result<Self> {
+        let settings = args.settings(scene, named, usage)?;
+        let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
+        let poses = DataSet::open(settings, scene.placement(), console)?
+            .refined(scene, named)?
+            .cameras()?;
+        let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));
+        let all = poses.iter().map(|pose| pose.camera.clone()).collect();
+        let split = args.split(Split::All);
+        let chosen = poses.into_iter().filter(|pose| split.takes(pose.held_out));
+        let list: Vec<_> = chosen.map(|pose| pose.camera).collect();
+        if list.is_empty() {
+            return split.nothing(&origin);
+        }
+        Ok(Self { list, all, origin, photographs })
+    }
+
+    /// Whether the photograph of some camera exists.
+    pub fn has_photographs(&self) -> bool {
+        !self.photographs.is_empty()
+    }
+
+    /// Whether a path leads to a photograph of one of the cameras.
+    pub fn is_photograph(&self, path: &Path) -> bool {
+        fs::canonicalize(path).is_ok_and(|path| self.photographs.contains(&path))
+    }
+}
+
+/// The existing paths, without links.
+fn existing(paths: impl Iterator<Item = PathBuf>) -> HashSet<PathBuf> {
+    paths.filter_map(|path| fs::canonicalize(path).ok()).collect()
+}

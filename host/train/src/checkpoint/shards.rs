@@ -6,13 +6,12 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::{Checkpoint, MOMENTS, STATISTICS};
-use crate::binding::Binding;
-use crate::per_photograph::PerPhotograph;
-use crate::progress::Progress;
+use crate::{Binding, PerPhotograph, Progress};
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::ranks::{Grid, Ranks, ThreadRanks};
-use organza_core::scene::{Scene, SceneConfig, SceneShard, Tensor, TensorSpec, range_of};
-use organza_core::scene::{scene_metadata, write_streamed};
+use organza_core::scene::{
+    Scene, SceneConfig, SceneShard, Tensor, TensorSpec, range_of, scene_metadata, write_streamed,
+};
 
 /// The parts of a scene that all ranks know.
 #[derive(Debug, Serialize, Deserialize)]

@@ -1,4 +1,4 @@
-//! Combines settings from several places.
+//! Combines settings from several places, and the presets, which are part of the program.
 
 use std::path::Path;
 
@@ -6,10 +6,11 @@ use serde::Deserialize;
 use toml::Table;
 
 use super::assignment::{self, merge};
-use super::preset::Preset;
+use super::table::within;
 use super::{MAX_BYTES, TrainConfig};
 use organza_core::error::{Error, Result};
 use organza_core::input::read_text;
+use organza_core::tile::most_tiles;
 
 /// Combines settings. A later call overrides earlier ones. A setting that no call sets has its default.
 ///
@@ -119,4 +120,123 @@ impl ConfigBuilder {
 /// An error about settings that are in no file.
 fn invalid(reason: String) -> Error {
     Error::Invalid { origin: Path::new("").to_owned(), reason }
+}
+
+/// A settings file that is part of the program: `host/train/presets/NAME.toml`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preset {
+    /// A first look, in a fraction of the time.
+    Fast,
+    /// The defaults of all settings.
+    #[default]
+    Default,
+    /// An hour or more: more steps, more Gaussians, finer colors.
+    Best,
+    /// For the built-in scene.
+    BuiltIn,
+}
+
+impl Preset {
+    /// Every preset.
+    pub const ALL: [Self; 4] = [Self::Fast, Self::Default, Self::Best, Self::BuiltIn];
+
+    /// Name of the preset and of its file.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Default => "default",
+            Self::Best => "best",
+            Self::BuiltIn => "built-in",
+        }
+    }
+
+    /// Text of the preset's file, TOML. Settings that it leaves out have their default.
+    #[must_use]
+    pub const fn toml(self) -> &'static str {
+        match self {
+            Self::Fast => include_str!("../../presets/fast.toml"),
+            Self::Default => include_str!("../../presets/default.toml"),
+            Self::Best => include_str!("../../presets/best.toml"),
+            Self::BuiltIn => include_str!("../../presets/built-in.toml"),
+        }
+    }
+}
+
+impl TrainConfig {
+    /// Checks all values. The error is a sentence about the first one out of range.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        self.check_ranges()?;
+        for (name, value) in ["red", "green", "blue"].iter().zip(self.data.background.color()) {
+            within(&format!("data.background, {name},"), value, 0.0..=1.0)?;
+        }
+        self.check_together()?;
+        self.check_scene()?;
+        self.optimizer.check_rates()
+    }
+
+    /// Checks that kernels can address the scene, and that the scene is valid.
+    fn check_scene(&self) -> Result<(), String> {
+        let tiles = self.run.tiles_per_step;
+        let side = self.run.tile_size;
+        let most = most_tiles(side);
+        if u64::from(tiles) > most {
+            return Err(format!(
+                "`run.tiles_per_step` is {tiles}, expected at most {most} of side {side}: the \
+                 kernels address fewer than 2^31 values"
+            ));
+        }
+        let scene = self.scene_config([0.0; 3], [[0.0; 3], [1.0; 3]]);
+        scene.validate().map_err(|error| match error {
+            Error::BadConfig { field, reason, .. } => format!("`scene.{field}` {reason}"),
+            other => other.to_string(),
+        })?;
+        let gaussians = self.start.gaussians;
+        let widest = self.scene.material.max(self.scene.extra).max(4);
+        let most = ((1 << 31) - 1) / widest;
+        within("start.gaussians", gaussians, 1..=most)
+    }
+
+    /// Checks values that constrain each other.
+    fn check_together(&self) -> Result<(), String> {
+        if self.data.hold_out_every == 1 {
+            return Err(
+                "`data.hold_out_every` is 1, which leaves nothing to train on; expected 2 or \
+                        more, or 0 to hold no frame out"
+                    .to_owned(),
+            );
+        }
+        self.check_plan()?;
+        let first = self.start.gaussians;
+        let most = self.growth.max_gaussians;
+        if first > most {
+            return Err(format!(
+                "`start.gaussians` is {first}, more than the {most} of `growth.max_gaussians`"
+            ));
+        }
+        Ok(())
+    }
+}
+
+impl TrainConfig {
+    /// Checks that a run could have made this plan.
+    fn check_plan(&self) -> Result<(), String> {
+        let plan = &self.run.plan;
+        let ascends =
+            plan.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[1][0] < pair[0][1]);
+        let first = plan.first().is_none_or(|entry| entry[0] == 0);
+        if !ascends || !first || plan.iter().any(|[step, steps]| step >= steps) {
+            return Err("`run.plan` is not a plan of `--minutes`: its steps must ascend from 0, and each must be less \
+                        than the number of all steps that was planned there; remove it"
+                .to_owned());
+        }
+        match plan.last() {
+            Some([_, steps]) if *steps != self.run.steps => Err(format!(
+                "`run.plan` ends with {steps} steps, but `run.steps` is {}: remove the plan, put the number back, or \
+                 use `--steps`",
+                self.run.steps
+            )),
+            _ => Ok(()),
+        }
+    }
 }

@@ -1,6 +1,8 @@
 //! Settings as files.
 
 use super::*;
+use organza_core::camera::Camera;
+use organza_data::{Frame, Photograph, Point};
 
 fn parse(text: &str) -> Result<TrainConfig> {
     TrainConfig::parse(text, Path::new("config.toml"))
@@ -107,4 +109,34 @@ fn only_a_plan_that_a_run_can_write_is_read() {
         let text = parse(&format!("[run]\nsteps = 90\nplan = {plan}")).unwrap_err().to_string();
         assert!(text.contains("`run.plan`"), "{text}");
     }
+}
+
+/// Two photographs of one color, and points of the first one's color in the middle of both.
+fn photographs(levels: [u8; 2]) -> Dataset {
+    let frame = |level: u8| {
+        let axes = ([0.0, 0.0, 4.0], [0.0; 3], [0.0, 1.0, 0.0]);
+        let camera = Camera::look_at(axes.0, axes.1, axes.2, 0.8, [8, 8]).unwrap();
+        let image = Photograph::new([8, 8], vec![[level; 3]; 64], None).unwrap();
+        Frame { name: level.to_string(), camera, image }
+    };
+    let mut dataset = Dataset::from_frames(levels.map(frame).to_vec(), 0);
+    dataset.points = vec![Point { position: [0.0; 3], color: Some([levels[0]; 3]) }; 60];
+    dataset
+}
+
+#[test]
+fn exposures_are_learned_where_they_differ() {
+    // half the logarithm of 1.2 is 0.09, and that of 1.4 is 0.17
+    let [alike, different] = [120, 140].map(|level| photographs([100, level]));
+    for (learn, expected) in [
+        (LearnExposure::Auto, [false, true]),
+        (LearnExposure::On, [true; 2]),
+        (LearnExposure::Off, [false; 2]),
+    ] {
+        let found = [&alike, &different].map(|dataset| learn.decide(dataset));
+        assert_eq!(found, expected, "{learn:?}");
+    }
+    // nothing is known without points
+    let dataset = Dataset::from_frames(different.frames, 0);
+    assert!(!LearnExposure::Auto.decide(&dataset));
 }

@@ -1,6 +1,7 @@
 use super::*;
 use muslin_device::DeviceOptions;
 use organza_core::demo;
+use organza_core::metrics::psnr;
 use organza_data::Photograph;
 
 /// Two views of the built-in scene, with a size that no tile divides, and a renderer.
@@ -96,4 +97,47 @@ fn missing_values_are_null_in_json_and_outside_the_mean() {
     let infinite = Score { psnr: Some(f64::INFINITY), ssim: Some(1.0), ..Score::default() };
     assert_eq!(serde_json::to_string(&infinite).unwrap(), r#"{"psnr":null,"ssim":1.0}"#);
     assert_eq!(mean(&[]), Score::default());
+}
+
+/// 8 x 4 pixels of different colors.
+fn image() -> Vec<[f32; 3]> {
+    (0..32_u16)
+        .map(|at| [at, (at * 7) % 32, (at * 11) % 32].map(|value| f32::from(value) / 64.0))
+        .collect()
+}
+
+#[test]
+fn exposure_and_white_balance_do_not_count() {
+    let truth: Vec<_> =
+        image().iter().map(|[r, g, b]| [0.8 * r + 0.1, 1.5 * g, 1.2 * b + 0.05]).collect();
+    let plain = psnr(&image(), &truth, None).unwrap();
+    let psnr = psnr_fitted([8, 4], &image(), &truth, None).unwrap();
+    assert!(psnr > 120.0 && plain < 20.0, "{psnr} {plain}");
+    // with a single color, there is only an offset
+    let gray = vec![[0.25; 3]; 32];
+    let psnr = psnr_fitted([8, 4], &gray, &vec![[0.5; 3]; 32], None).unwrap();
+    assert!(psnr > 120.0, "{psnr}");
+}
+
+/// A pixel must not fit itself: with each half fitted to itself, no error would be left.
+#[test]
+fn each_half_is_measured_with_the_fit_of_the_other() {
+    let mut truth = image();
+    let right = |at: usize| at % 8 >= 4;
+    (0..32).filter(|&at| right(at)).for_each(|at| truth[at] = truth[at].map(|v| v + 0.25));
+    let psnr = psnr_fitted([8, 4], &image(), &truth, None).unwrap();
+    // the fit of the left half leaves the right one 0.25 too dark, and the fit of the right half makes the left
+    // one 0.25 too bright: -20 log10(0.25)
+    assert!((psnr - 12.041).abs() < 1e-3, "{psnr}");
+}
+
+#[test]
+fn pixels_that_are_not_valid_do_not_count() {
+    let mut truth = image();
+    truth[3] = [1.0, 0.0, 1.0];
+    let valid: Vec<_> = (0..32).map(|at| at != 3).collect();
+    assert!(psnr_fitted([8, 4], &image(), &truth, Some(&valid)).unwrap() > 120.0);
+    assert!(psnr_fitted([8, 4], &image(), &truth, None).unwrap() < 40.0);
+    let left: Vec<_> = (0..32).map(|at| at % 8 < 4).collect();
+    assert_eq!(psnr_fitted([8, 4], &image(), &truth, Some(&left)), None);
 }

@@ -4,19 +4,16 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use super::first_steps::FirstSteps;
-use super::{Event, Outcome, Session, Watch};
-use crate::binding::{Binding, Change};
-use crate::evaluate::Evaluation;
-use crate::folder::{BEST, CAMERAS, CHECKPOINT, CONFIG, METRICS};
+use super::run::FirstSteps;
 use crate::held_out;
-use crate::hooks::StepHooks;
 use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::plan::{Now, Planner};
 use crate::ranks::Order;
-use crate::trainer::Trainer;
-use organza_core::camera::Camera;
-use organza_core::error::Result;
+use crate::{
+    BEST, Binding, CAMERAS, CHECKPOINT, CONFIG, Change, Evaluation, Event, METRICS, Outcome,
+    Session, StepHooks, Trainer, Watch,
+};
+use organza_core::{Camera, Result};
 
 /// A run has a first checkpoint after this time, if not before.
 const FIRST_CHECKPOINT: Duration = Duration::from_secs(30);

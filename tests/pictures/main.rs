@@ -1,7 +1,6 @@
 //! The kernels together: the results of scenes on every device.
 
 mod channels;
-mod contributions;
 mod demo;
 mod edges;
 mod extremes;

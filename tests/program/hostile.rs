@@ -1,11 +1,13 @@
-//! Text that controls terminals, closed streams, and folders without write permission.
+//! Text that controls terminals, closed streams, folders without write permission, and what a container lacks.
 
 use std::fs;
 use std::process::Stdio;
 
+use organza_tests::devices;
 use serde_json::json;
 
 use crate::sandbox::{Outcome, Sandbox};
+use crate::train::runs;
 
 const TILES: &str = "tiles scene.safetensors cameras.json tiles.json --backend cpu";
 
@@ -132,5 +134,24 @@ fn folders_that_are_read_only_are_said() {
         let outcome =
             sandbox.shell(&format!("unshare -rm sh -c '{mount} && \"$ORGANZA\" {words}'"));
         outcome.assert_refused(&["cannot write", "locked", "ead-only"]);
+    }
+}
+
+/// Mesa and libwayland look for a desktop's sockets in a folder that only a desktop has. That must not print
+/// anything.
+#[test]
+fn a_missing_desktop_prints_nothing() {
+    let sandbox = runs::sandbox();
+    let backends = if devices::has_gpu() { &["auto", "gpu"][..] } else { &["auto"] };
+    for backend in backends {
+        for words in [
+            format!("render scene.safetensors cameras.json -o images-{backend}"),
+            format!("train views --config tiny.toml -o run-{backend} --steps 1"),
+        ] {
+            let mut command = sandbox.command(&format!("{words} -q --backend {backend}"));
+            command.env_remove("XDG_RUNTIME_DIR").env_remove("NODEVICE_SELECT");
+            let outcome: Outcome = command.output().expect("the program starts").into();
+            assert_eq!(outcome.assert_ok().stderr, "", "{words}");
+        }
     }
 }

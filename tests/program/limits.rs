@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::process::Stdio;
 
-use organza_tests::skip::skip;
+use organza_tests::devices::skip;
 use serde_json::json;
 
 use crate::sandbox::Sandbox;

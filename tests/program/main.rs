@@ -9,7 +9,6 @@ mod corpus;
 #[cfg(target_os = "linux")]
 mod docs;
 mod edit;
-mod environment;
 mod eval;
 mod film;
 mod flags;
@@ -20,12 +19,10 @@ mod mutate;
 mod mutations;
 #[cfg(unix)]
 mod outputs;
-mod parity;
 mod results;
 mod sandbox;
 mod scene_shards;
 mod splats;
-mod stale;
 mod tasks;
 mod train;
 mod train_all;

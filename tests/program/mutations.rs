@@ -1,12 +1,11 @@
 //! Random changes of command lines and files. The program must always end properly.
 #![cfg(target_os = "linux")]
 
-use std::fs;
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
 
 use crate::mutate::{Random, mutate_bytes, number};
 use crate::sandbox::{Outcome, Sandbox, program};

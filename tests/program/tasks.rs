@@ -1,4 +1,4 @@
-//! `render --task` and `--missing`: several machines fill one folder.
+//! Folders with files: `render --task` and `--missing` add to them, and nothing of others is removed.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -83,4 +83,33 @@ fn an_empty_task_succeeds_and_bad_tasks_are_refused() {
     ] {
         sandbox.assert_refuses(&format!("{RENDER} -o out --task {task}"), &[reason]);
     }
+}
+
+const WHOLE: &str = "render scene.safetensors cameras.json --backend cpu -o out";
+
+#[test]
+fn views_of_the_same_cameras_add_up() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run(&format!("{WHOLE} --views 0 --channels depth")).assert_ok();
+    sandbox.run(&format!("{WHOLE} --views 1")).assert_ok();
+    for name in ["0000.png", "0000.depth.png", "0001.png"] {
+        assert!(sandbox.path("out").join(name).exists(), "{name}");
+    }
+}
+
+#[test]
+fn other_files_are_refused_unless_they_may_stay() {
+    let sandbox = Sandbox::new("tiny");
+    let film = "film scene.safetensors cameras.json --backend cpu -o out --frames 2";
+    fs::create_dir(sandbox.path("out")).unwrap();
+    for name in ["0000.png", "mine.png"] {
+        fs::write(sandbox.path("out").join(name), "mine").unwrap();
+    }
+    for words in [WHOLE, film] {
+        sandbox.assert_refuses(words, &["out has other files, such as ", "--overwrite"]);
+        sandbox.run(&format!("{words} --overwrite")).assert_ok();
+        assert_eq!(fs::read(sandbox.path("out/mine.png")).unwrap(), b"mine");
+    }
+    let image = fs::read(sandbox.path("out/0000.png")).unwrap();
+    assert!(image.starts_with(b"\x89PNG"), "the image is not replaced");
 }

@@ -1,13 +1,14 @@
-//! The same settings give the same bits.
+//! The same settings give the same bits, also where a step waits less, or goes in parts.
 
 use std::fs;
 
 use organza::data::Background;
 use organza::train::config::LearnExposure;
-use organza::train::{CHECKPOINT, Checkpoint, TrainConfig};
+use organza::train::{CHECKPOINT, Checkpoint, TrainConfig, Trainer};
+use organza::{Device, Renderer, Result};
 use organza_tests::devices;
 
-use super::runs::{TINY, assert_same, assert_same_run, bits, sandbox};
+use super::runs::{TINY, assert_same, assert_same_run, begun, bits, sandbox, state_bits};
 
 #[test]
 fn the_same_settings_give_the_same_bits_on_any_number_of_threads() {
@@ -80,4 +81,81 @@ fn a_gpu_repeats_the_bits() {
     });
     assert!(first["gaussians.opacity"].1.len() > 200, "the scene has grown");
     assert_same("the second run", &second, &first);
+}
+
+#[test]
+fn a_step_waits_once_and_that_changes_nothing() {
+    let (config, checkpoint, dataset) = begun();
+    let resume = |renderer: &Renderer, state: &Checkpoint| {
+        Trainer::resume(renderer, config.clone(), dataset.clone(), state).expect("a trainer")
+    };
+    for (name, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let device = renderer.device();
+        let mut trainer = resume(&renderer, &checkpoint);
+        let mut waits = Vec::new();
+        for _ in 0..4 {
+            let before = device.waits();
+            trainer.step().expect("a step");
+            waits.push(device.waits() - before);
+        }
+        match device.backend() {
+            "cpu" => assert_eq!(waits, [0; 4]),
+            // the first step determines the sizes of tables
+            _ => assert!(waits[0] > 1 && waits[1..] == [1; 3], "{name}: {waits:?}"),
+        }
+        // every step is the first one on a device
+        let mut state = checkpoint.clone();
+        for _ in 0..4 {
+            let (_, device) =
+                devices::all().into_iter().find(|(other, _)| *other == name).expect("it was there");
+            let renderer = Renderer::new(device);
+            let mut trainer = resume(&renderer, &state);
+            trainer.step().expect("a step");
+            state = trainer.checkpoint(0.0).expect("a state");
+        }
+        let found = trainer.checkpoint(0.0).expect("a state");
+        assert_eq!(found.progress.step, state.progress.step);
+        assert!(state_bits(&found) == state_bits(&state), "{name}");
+    }
+}
+
+#[test]
+fn a_step_that_does_not_fit_goes_in_parts() {
+    let (config, checkpoint, dataset) = begun();
+    let step = |renderer: &Renderer, refuse: &dyn Fn(&Device)| -> Result<Vec<Vec<u32>>> {
+        let config = config.clone();
+        let dataset = dataset.clone();
+        let mut trainer = Trainer::resume(renderer, config, dataset, &checkpoint)?;
+        refuse(renderer.device());
+        trainer.step()?;
+        Ok(state_bits(&trainer.checkpoint(0.0)?))
+    };
+    for (name, device) in devices::all() {
+        let renderer = Renderer::new(device);
+        let whole = step(&renderer, &|_| {}).expect("a step");
+        let mut split = 0;
+        let mut refused = 0;
+        for number in (1..).step_by(4) {
+            let renderer = renderer.clone().with_part_bytes(512 << 20);
+            let found = step(&renderer, &|device| {
+                device.refuse_one(number);
+            });
+            if renderer.device().refuse_one(0) {
+                // there were fewer allocations
+                break;
+            }
+            match found {
+                // parts end between cameras, so their bits are those of the whole step
+                Ok(bits) => {
+                    split += 1;
+                    assert!(bits == whole, "{name}: buffer {number}");
+                }
+                // an allocation outside of parts: the scene, when it is read
+                Err(error) if error.is_out_of_memory() => refused += 1,
+                Err(error) => panic!("{name}: buffer {number}: {error}"),
+            }
+        }
+        assert!(split > 10 && split > 2 * refused, "{name}: {split} and {refused}");
+    }
 }

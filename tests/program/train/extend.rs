@@ -1,9 +1,8 @@
 //! Runs that continue with more steps or more Gaussians.
 #![cfg(target_os = "linux")]
 
-use std::fs;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
 
 use organza::train::metrics::Record;
 use organza::train::{Binding, CHECKPOINT, Change, METRICS, Progress, TrainConfig};

@@ -1,18 +1,14 @@
 //! `organza train` from a user's point of view: the files that a run leaves, however it ends.
 
-mod background;
 mod bits;
 mod endings;
 mod eval;
 mod exposure;
 mod extend;
 mod faults;
-mod first_steps;
 mod folder;
-mod held_out;
 mod hook;
 mod hostile;
-mod memory;
 mod mistakes;
 mod monstrous;
 mod mpi;
@@ -20,13 +16,10 @@ mod own_loss;
 mod placement;
 mod poses;
 pub mod processes;
-mod progress;
 mod ranks;
 mod results;
 pub mod runs;
 mod settings;
 mod signals;
 mod split;
-mod tables;
 mod volume;
-mod waits;

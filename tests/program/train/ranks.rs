@@ -3,10 +3,9 @@
 use std::fs;
 use std::sync::Arc;
 
-use organza::data::Dataset;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::train::{Checkpoint, TrainConfig, Trainer};
-use organza::{Error, Renderer};
+use organza::{Dataset, Error, Renderer};
 use organza_tests::devices;
 
 use super::runs::{TINY, assert_same, assert_same_run, begun, bits, sandbox, state_bits};

@@ -1,10 +1,14 @@
-//! The success of training, and the run's report.
+//! The success of training, its messages and warnings, and the run's report and table of scores.
 
 use std::fs;
+use std::path::Path;
 
-use organza::train::metrics::Record;
+use organza::splats::{self, Format, Splat};
+use organza::train::metrics::{MetricsLog, Record};
+use organza::train::{EVALUATIONS, METRICS};
 
 use super::runs::{TINY, photographs, records, sandbox};
+use crate::sandbox::Outcome;
 
 #[test]
 fn held_out_views_come_closer() {
@@ -122,4 +126,127 @@ fn one_small_photograph_is_enough() {
     assert!(losses.iter().all(|(loss, psnr)| loss.is_finite() && psnr.is_finite()), "{losses:?}");
     let outcome = sandbox.run("eval run --backend cpu");
     outcome.assert_refused(&["no frame", "held out", "--split train"]);
+}
+
+/// The rows of a table without quoted cells.
+fn rows(path: &Path) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(path).unwrap();
+    text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+#[test]
+fn scores_of_a_run_are_a_table() {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 12 --evaluate-every 5")).assert_ok();
+    let records = MetricsLog::read(sandbox.path("run").join(METRICS)).unwrap();
+    let mut expected = vec![["step", "view", "psnr", "ssim"].map(str::to_owned).to_vec()];
+    for record in records {
+        if let Record::Evaluation { step, views, .. } = record {
+            expected.extend(views.iter().map(|view| {
+                let [psnr, ssim] = [view.score.psnr, view.score.ssim].map(|score| score.unwrap());
+                vec![step.to_string(), view.name.clone(), psnr.to_string(), ssim.to_string()]
+            }));
+        }
+    }
+    assert!(expected.len() >= 4, "evaluations after 5, 10 and 12 steps: {expected:?}");
+    assert_eq!(rows(&sandbox.path("run").join(EVALUATIONS)), expected);
+
+    let json = sandbox.run("eval run --backend cpu --json --csv scores.csv").assert_ok().stdout;
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let found = rows(&sandbox.path("scores.csv"));
+    assert_eq!(found[0], ["view", "psnr", "ssim"]);
+    let views = json["views"].as_array().unwrap();
+    assert_eq!(found.len(), 1 + views.len());
+    for (row, view) in found[1..].iter().zip(views) {
+        assert_eq!(row[0], view["name"].as_str().unwrap());
+        for (cell, score) in row[1..].iter().zip(["psnr", "ssim"]) {
+            assert_eq!(cell.parse::<f64>().unwrap(), view[score].as_f64().unwrap());
+        }
+    }
+    sandbox.assert_refuses("eval run --csv run/checkpoint.safetensors", &["checkpoint", "replace"]);
+    sandbox
+        .assert_refuses("eval run --lpips run/checkpoint.safetensors", &["organza.scene", "LPIPS"]);
+}
+
+#[test]
+fn a_log_file_has_steps_evaluations_and_the_end() {
+    let sandbox = sandbox();
+    let outcome = sandbox.run(&format!("{TINY} run")).assert_ok();
+    let lines: Vec<_> = outcome.stderr.lines().collect();
+    let position = |part: &str| {
+        let found = lines.iter().position(|line| line.contains(part));
+        found.unwrap_or_else(|| panic!("no {part:?} in {lines:#?}"))
+    };
+    let first = position("step 1 of 40: loss ");
+    assert!(lines[first].contains("PSNR ") && lines[first].contains(" dB, 200 Gaussians"));
+    let [early, last] =
+        [20, 40].map(|step| position(&format!("step {step}: 2 held-out views: PSNR ")));
+    let end = position("finished: 40 steps in 00:00:");
+    assert!(first < early && early < last && last < end, "{lines:#?}");
+    assert!(lines[end].contains("of training, ") && lines[end].ends_with(" Gaussians"));
+    // not one line per step
+    assert!(lines.len() < 20, "{lines:#?}");
+    let outcome = sandbox.run(&format!("{TINY} quiet --quiet")).assert_ok();
+    assert_eq!(outcome.stderr, "");
+    // a plan may change
+    let outcome = sandbox.run(&format!("{TINY} planned --minutes 0.01")).assert_ok();
+    assert!(outcome.stderr.contains("step 1 of about "), "{outcome:?}");
+    assert!(outcome.stderr.ends_with("next: organza view planned\n"), "{outcome:?}");
+}
+
+/// Later lines are due after some seconds. They give the speed and the remaining time.
+#[test]
+fn a_longer_training_says_how_long_it_takes() {
+    let sandbox = sandbox();
+    let words = format!("{TINY} run --steps 1000000 --evaluate-every 0 --time-limit 3 --threads 1");
+    let outcome = sandbox.run(&words).assert_ok();
+    let second = outcome.stderr.lines().filter(|line| line.contains(" of 1,000,000: loss ")).nth(1);
+    let second = second.unwrap_or_else(|| panic!("{outcome:?}"));
+    let (_, rest) = second.split_once(" Gaussians, ").expect("a count");
+    let (speed, rest) = rest.split_once(" steps/s, ").expect("a speed");
+    assert!(speed.parse::<f64>().is_ok_and(|speed| speed > 0.0), "{second}");
+    // up to the time limit, not for a million steps
+    let left = rest.strip_suffix("s left").expect("a time");
+    assert!(left.parse::<u32>().is_ok_and(|left| left <= 2), "{second}");
+    assert!(outcome.stderr.contains("finished at the time limit: "), "{outcome:?}");
+}
+
+/// The warnings of a run.
+fn warnings(outcome: &Outcome) -> Vec<&str> {
+    outcome.stderr.lines().filter(|line| line.contains("warning:")).collect()
+}
+
+#[test]
+fn first_steps_without_a_gaussian_warn() {
+    let sandbox = sandbox();
+    let far = |i: u8| Splat {
+        position: [500.0 + f32::from(i), 0.0, 0.0],
+        rotation: [1.0, 0.0, 0.0, 0.0],
+        log_scale: [-3.0; 3],
+        opacity: 0.0,
+        color: Default::default(),
+    };
+    let splats: Vec<_> = (0..4).map(far).collect();
+    splats::save(&splats, sandbox.path("far.ply"), Format::Ply, [0.0, 0.0, 1.0]).unwrap();
+    let words = format!("{TINY} run --start far.ply --steps 20 --set growth.end=0");
+    let outcome = sandbox.run(&words).assert_ok();
+    let [warning] = warnings(&outcome)[..] else { panic!("{outcome:?}") };
+    for fact in ["first 10 steps have shown no Gaussian", "0 of 4 Gaussians", "500.0", "503.0"] {
+        assert!(warning.contains(fact), "{fact}: {warning}");
+    }
+}
+
+#[test]
+fn a_run_whose_loss_does_not_move_says_so() {
+    let sandbox = sandbox();
+    let rates = ["position", "rotation", "log_scale", "opacity", "material", "extra", "grids"];
+    let rates = rates.into_iter().chain(["networks"]);
+    let still: String = rates.map(|name| format!(" --set optimizer.{name}=1e-12,1e-12")).collect();
+    let long = format!("{TINY} run --steps 210 --set run.evaluate_every=0 --set growth.end=0");
+    let outcome = sandbox.run(&format!("{long}{still}")).assert_ok();
+    let [warning] = warnings(&outcome)[..] else { panic!("{outcome:?}") };
+    assert!(warning.contains("the loss has not moved in 200 steps"), "{warning}");
+    assert!(warning.contains("of 200 Gaussians are in the image"), "{warning}");
+    let outcome = sandbox.run(&long.replace("run --steps", "moves --steps")).assert_ok();
+    assert!(warnings(&outcome).is_empty(), "{outcome:?}");
 }

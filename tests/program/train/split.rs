@@ -3,12 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use organza::data::Dataset;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::GAUSSIANS_PER_BLOCK;
 use organza::train::metrics::Record;
 use organza::train::{Checkpoint, TrainConfig, Trainer};
-use organza::{Error, Renderer};
+use organza::{Dataset, Error, Renderer};
 use organza_tests::devices;
 
 use super::runs::{TINY, assert_same_run, begun, bits, records, sandbox, state_bits};

@@ -2,11 +2,10 @@
 
 use std::sync::{Arc, Mutex};
 
-use organza::Renderer;
-use organza::Result;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::MlpConfig;
 use organza::train::{TrainConfig, Trainer};
+use organza::{Renderer, Result};
 use organza_tests::devices;
 
 use super::runs::begun;

@@ -1,9 +1,8 @@
 //! Films of the page must equal those of `organza film`.
 
-use std::fs;
 use std::io::Write;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
 
 use serde_json::{Value, json};
 

@@ -1,8 +1,7 @@
 //! `organza train --view`: the page shows the training, and watching changes nothing.
 
-use std::fs;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, thread};
 
 use serde_json::{Value, json};
 

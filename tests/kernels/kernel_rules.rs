@@ -11,7 +11,6 @@ use muslin::{EntryPoint, KernelInfo, kernels as declared};
 use organza::MODULES;
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
 use organza_tests::devices::{self, skip};
-use organza_tests::spirv::instructions;
 use wgpu::naga;
 
 /// Opcodes from the SPIR-V specification.
@@ -143,9 +142,8 @@ fn loops_end_at_their_conditions() {
         let words = kernel.spirv_words();
         let all: Vec<_> = instructions(&words).collect();
         for merge in all.iter().filter(|i| is(i, op::LOOP_MERGE)) {
-            let is_last = |i: &organza_tests::spirv::Instruction<'_>| {
-                is(i, op::LABEL) && i.operands[0] == merge.operands[1]
-            };
+            let is_last =
+                |i: &Instruction<'_>| is(i, op::LABEL) && i.operands[0] == merge.operands[1];
             let last = all.iter().position(is_last).expect("a loop has a last block");
             let name = &kernel.entry().name;
             assert!(is(&all[last + 1], op::BRANCH), "{name}: docs/kernels.md#loops");
@@ -173,7 +171,31 @@ fn naga_takes_every_entry_point() {
     }
 }
 
-fn is(instruction: &organza_tests::spirv::Instruction<'_>, opcode: u32) -> bool {
+/// One instruction of a module.
+#[derive(Clone, Copy, Debug)]
+struct Instruction<'a> {
+    /// Index of its first word in the module.
+    at: usize,
+    /// Opcode in the specification.
+    opcode: u32,
+    /// Words after the first one.
+    operands: &'a [u32],
+}
+
+/// The instructions of a module.
+fn instructions(words: &[u32]) -> impl Iterator<Item = Instruction<'_>> {
+    const HEADER: usize = 5;
+    let mut at = HEADER;
+    std::iter::from_fn(move || {
+        let length = (words.get(at)? >> 16) as usize;
+        let opcode = words[at] & 0xffff;
+        let found = Instruction { at, opcode, operands: &words[at + 1..at + length] };
+        at += length;
+        Some(found)
+    })
+}
+
+fn is(instruction: &Instruction<'_>, opcode: u32) -> bool {
     instruction.opcode == opcode
 }
 

@@ -9,7 +9,7 @@ use organza_parity::exact::project;
 use organza_tests::cases::{self, Case};
 use organza_tests::devices;
 
-use crate::snapshot::exact;
+use crate::snapshots::exact;
 
 /// Relative to the largest value of a channel. `reference_cases` allows an error of 1e-4 in the transmittances, and
 /// so in the weights.

@@ -11,7 +11,5 @@ mod properties;
 mod reference_cases;
 mod reproducible;
 mod shards;
-#[path = "../support/snapshot/mod.rs"]
-mod snapshot;
 mod snapshots;
 mod steadiness;

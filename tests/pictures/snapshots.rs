@@ -2,9 +2,9 @@
 //!
 //! A snapshot locks a value but does not prove it. So every scene is also compared with the equations in f64.
 
-#[path = "../support/snapshot/stages.rs"]
+pub mod exact;
+mod generator;
 mod stages;
-#[path = "../support/snapshot/tiles.rs"]
 mod tiles;
 
 use std::sync::LazyLock;

@@ -2,11 +2,10 @@
 
 use organza::{Camera, Renderer, Scene, Stages};
 
-use crate::snapshot::compare::Tolerance;
-use crate::snapshot::exact;
-use crate::snapshot::generator::{Recipe, camera, camera_to};
-use crate::snapshot::tensors::Tensors;
-use crate::snapshots::{RENDERERS, SNAPSHOTS};
+use crate::snapshots::generator::{Recipe, camera, camera_to};
+use crate::snapshots::{RENDERERS, SNAPSHOTS, exact};
+use muslin_check::snapshot::compare::Tolerance;
+use muslin_check::snapshot::tensors::Tensors;
 
 /// For values of about 1. Measured: features 8e-7 if naga lets a driver fuse, 1e-7 otherwise.
 const COLOR: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };

@@ -2,13 +2,13 @@
 
 use organza::{Camera, RenderedTiles, Scene, Stages, Tile, TileBatch};
 
-use crate::snapshot::compare::Tolerance;
-use crate::snapshot::exact::{self, Branches};
-use crate::snapshot::generator::{Recipe, camera, camera_to, keep};
-use crate::snapshot::picture::Montage;
-use crate::snapshot::tensors::Tensors;
+use crate::snapshots::exact::{self, Branches};
+use crate::snapshots::generator::{Recipe, camera, camera_to, keep};
 use crate::snapshots::stages::record_transmittance;
 use crate::snapshots::{RENDERERS, SNAPSHOTS};
+use muslin_check::snapshot::compare::Tolerance;
+use muslin_check::snapshot::picture::Montage;
+use muslin_check::snapshot::tensors::Tensors;
 
 /// Weighted means of colors have no larger errors than the colors. Measured: 4e-7.
 const TILES: Tolerance = Tolerance { absolute: 5e-6, relative: 5e-6 };

@@ -9,7 +9,7 @@ use muslin::math;
 use muslin::prelude::*;
 
 /// Rows of [`core_functions`].
-pub const ROWS: u32 = 104;
+pub const ROWS: u32 = 121;
 
 /// Invocations of a workgroup.
 pub const WORKGROUP: usize = 64;
@@ -76,7 +76,8 @@ fn value(row: u32, of: Arguments) -> u32 {
         50..=62 => of_floats(row, of.x, of.y),
         63..=83 => of_language(row, of.u, of.v),
         84..=93 => of_small(row, of.u as i32, of.v as i32),
-        _ => of_math(row, of),
+        94..=103 => of_math(row, of),
+        _ => of_remainders_and_overflow(row, of.u as i32, of.v as i32),
     }
 }
 
@@ -319,4 +320,29 @@ fn of_math(row: u32, Arguments { u, v, x, .. }: Arguments) -> u32 {
         102 => math::is_finite(x) as u32,
         _ => (x == f32::NEG_INFINITY) as u32,
     }
+}
+
+/// Compilers have no remainder of negative numbers, and none but wrapping sums.
+#[inline(always)]
+fn of_remainders_and_overflow(row: u32, i: i32, j: i32) -> u32 {
+    let value = match row {
+        104 => i.wrapping_rem_euclid(j | 1),
+        105 => i % 3,
+        106 => i % -4,
+        107 => i % 768,
+        108 => (i >> 2) % 5,
+        109 => i.checked_add(j).unwrap_or(77),
+        110 => i.checked_sub(j).unwrap_or(77),
+        111 => i.checked_add(0).unwrap_or(77),
+        112 => i.checked_sub(0).unwrap_or(77),
+        113 => 0_i32.checked_add(j).unwrap_or(77),
+        114 => 0_i32.checked_sub(j).unwrap_or(77),
+        115 => i.checked_add(5).unwrap_or(77),
+        116 => i.checked_sub(i32::MIN).unwrap_or(77),
+        117 => i.wrapping_sub(j).checked_add(j).unwrap_or(77),
+        118 => i.overflowing_add(j).1 as i32,
+        119 => i.overflowing_sub(j).1 as i32,
+        _ => i.checked_add_unsigned(j as u32).is_none() as i32,
+    };
+    value as u32
 }

@@ -50,6 +50,8 @@ impl Parity for CoreFunctions {
         let [a, b] = [u, v].map(i64::from);
         let [i, j] = [u, v].map(|bits| i64::from(bits as i32));
         let in_i32 = |x: i64| x.clamp(i32::MIN.into(), i32::MAX.into()) as i32 as u32;
+        let checked = |x: i64| i32::try_from(x).unwrap_or(77) as u32;
+        let is_beyond = |x: i64| u32::from(i32::try_from(x).is_err());
         let bits = |x: f64| (x as f32).to_bits();
         let x = f64::from(self.x[at]);
         let half = |bits: u32| {
@@ -78,6 +80,11 @@ impl Parity for CoreFunctions {
             99 => ((u64::from(u) * u64::from(v)) >> 32) as u32,
             100 if u & 0x7fff <= 0x7c00 => bits(half(u & 0xffff)),
             101 => bits(x.ceil()),
+            109 => checked(i + j),
+            110 => checked(i - j),
+            118 => is_beyond(i + j),
+            119 => is_beyond(i - j),
+            120 => is_beyond(i + b),
             _ => return None,
         };
         Some(value.into())

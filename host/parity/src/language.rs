@@ -3,8 +3,8 @@
 use muslin_check::prelude::*;
 use organza_shaders::language::{
     AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
-    KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, NO_ROOM, RowParams, SIGNED_ROWS,
-    SignedInputs, SortParams, SortRowsInputs,
+    KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams, SortParams,
+    SortRowsInputs,
 };
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -291,60 +291,5 @@ impl Parity for Compared {
 
     fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
         Bound::EXACT
-    }
-}
-
-case!(pub Signed(SignedInputs));
-
-impl Parity for Signed {
-    const KERNEL: &'static str = "signed";
-
-    fn sets() -> Vec<(String, Self)> {
-        let numbers = [0, 1, -1, 2, 7, -8, 767, -768, 1_000_003, i32::MAX, i32::MIN, i32::MIN + 5];
-        let x: Vec<_> = numbers.into_iter().flat_map(|x| [x; 12]).collect();
-        let z = numbers.repeat(12);
-        let inputs = SignedInputs {
-            params: LanguageParams { count: x.len() as u32 },
-            y: z.iter().map(|&z| if z == 0 { 3 } else { z }).collect(),
-            output: unwritten(SIGNED_ROWS * x.len()),
-            x,
-            z,
-        };
-        vec![("pairs".into(), Self(inputs))]
-    }
-
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count, 1)
-    }
-
-    /// In 64 bits, where all have room.
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let [row, at] = [index / self.x.len(), index % self.x.len()];
-        let [x, y, z] = [&self.x, &self.y, &self.z].map(|values| i64::from(values[at]));
-        let whole = |quotient: f64| x - (quotient as i64);
-        let checked = |sum: i64| i32::try_from(sum).unwrap_or(NO_ROOM);
-        let no_room = |sum: i64| i32::from(i32::try_from(sum).is_err());
-        let remainder = |by: i64| whole((x as f64 / by as f64).trunc() * by as f64) as i32;
-        let quarter = (x as f64 / 4.0).floor();
-        let value = match row {
-            0 => remainder(y),
-            1 => whole((x as f64 / y.abs() as f64).floor() * y.abs() as f64) as i32,
-            2 => remainder(3),
-            3 => remainder(-4),
-            4 => remainder(768),
-            5 => (quarter - (quarter / 5.0).trunc() * 5.0) as i32,
-            6 => checked(x + z),
-            7 => checked(x - z),
-            8 | 9 => x as i32,
-            10 => z as i32,
-            11 => checked(-z),
-            12 => checked(x + 5),
-            13 => checked(x - i64::from(i32::MIN)),
-            14 => checked(i64::from((x - z) as i32) + z),
-            15 => no_room(x + z),
-            16 => no_room(x - z),
-            _ => no_room(x + i64::from(z as u32)),
-        };
-        Some(f64::from(value))
     }
 }

@@ -112,7 +112,6 @@ pub fn cases() -> Vec<Case> {
         Case::new::<language::KeepPositive>(),
         Case::new::<language::AsWritten>(),
         Case::new::<language::Compared>(),
-        Case::new::<language::Signed>(),
         Case::new::<core_functions::CoreFunctions>(),
     ]
 }

@@ -53,114 +53,135 @@ fn function_() {
     var local_3: u32 = 2139095040u;
     var local_4: u32 = 4286578688u;
     var local_5: u32 = 2143289344u;
-    var phi_279_: type_26;
-    var phi_294_: u32;
-    var phi_308_: u32;
-    var phi_319_: u32;
-    var phi_336_: type_26;
-    var phi_350_: type_26;
-    var phi_364_: type_26;
-    var phi_377_: type_26;
-    var phi_391_: type_26;
-    var phi_457_: u32;
-    var phi_464_: u32;
-    var phi_472_: bool;
-    var phi_473_: u32;
-    var phi_475_: bool;
-    var phi_476_: u32;
-    var phi_478_: bool;
-    var phi_479_: u32;
-    var phi_480_: bool;
-    var phi_529_: i32;
-    var phi_536_: i32;
-    var phi_549_: type_27;
-    var phi_558_: type_28;
-    var phi_574_: u32;
-    var phi_588_: i32;
-    var phi_600_: i32;
-    var phi_620_: i32;
-    var phi_628_: i32;
-    var phi_648_: type_27;
-    var phi_650_: bool;
-    var phi_651_: i32;
+    var phi_283_: type_26;
+    var phi_298_: u32;
+    var phi_312_: u32;
+    var phi_323_: u32;
+    var phi_340_: type_26;
+    var phi_354_: type_26;
+    var phi_368_: type_26;
+    var phi_381_: type_26;
+    var phi_395_: type_26;
+    var phi_461_: u32;
+    var phi_468_: u32;
+    var phi_476_: bool;
+    var phi_477_: u32;
+    var phi_479_: bool;
+    var phi_480_: u32;
+    var phi_482_: bool;
+    var phi_483_: u32;
+    var phi_484_: bool;
+    var phi_533_: i32;
+    var phi_540_: i32;
+    var phi_553_: type_27;
+    var phi_562_: type_28;
+    var phi_578_: u32;
+    var phi_592_: i32;
+    var phi_604_: i32;
+    var phi_624_: i32;
+    var phi_632_: i32;
+    var phi_652_: type_27;
     var phi_654_: bool;
-    var phi_655_: u32;
-    var phi_657_: bool;
-    var phi_658_: u32;
-    var phi_659_: bool;
-    var phi_747_: f32;
-    var phi_773_: bool;
-    var phi_781_: bool;
-    var phi_794_: bool;
-    var phi_802_: bool;
-    var phi_811_: bool;
-    var phi_812_: u32;
-    var phi_814_: bool;
-    var phi_815_: u32;
-    var phi_817_: bool;
-    var phi_818_: u32;
-    var phi_819_: bool;
-    var phi_860_: u32;
-    var phi_863_: f32;
-    var phi_878_: bool;
+    var phi_655_: i32;
+    var phi_658_: bool;
+    var phi_659_: u32;
+    var phi_661_: bool;
+    var phi_662_: u32;
+    var phi_663_: bool;
+    var phi_751_: f32;
+    var phi_777_: bool;
+    var phi_785_: bool;
+    var phi_798_: bool;
+    var phi_806_: bool;
+    var phi_815_: bool;
+    var phi_816_: u32;
+    var phi_818_: bool;
+    var phi_819_: u32;
+    var phi_821_: bool;
+    var phi_822_: u32;
+    var phi_823_: bool;
+    var phi_864_: u32;
+    var phi_867_: f32;
+    var phi_882_: bool;
     var local_6: f32;
     var local_7: f32;
     var local_8: f32;
-    var phi_888_: u32;
-    var phi_891_: u32;
-    var phi_899_: u32;
-    var phi_902_: u32;
-    var phi_914_: u32;
-    var phi_917_: u32;
-    var phi_927_: u32;
-    var phi_930_: u32;
-    var phi_953_: bool;
-    var phi_956_: u32;
+    var phi_892_: u32;
+    var phi_895_: u32;
+    var phi_903_: u32;
+    var phi_906_: u32;
+    var phi_918_: u32;
+    var phi_921_: u32;
+    var phi_931_: u32;
+    var phi_934_: u32;
     var phi_957_: bool;
-    var phi_968_: u32;
-    var phi_969_: bool;
+    var phi_960_: u32;
+    var phi_961_: bool;
     var phi_972_: u32;
-    var phi_973_: u32;
-    var phi_983_: u32;
-    var phi_1012_: bool;
-    var phi_1014_: u32;
-    var phi_1015_: u32;
-    var phi_1038_: i32;
-    var phi_1061_: type_26;
-    var phi_1070_: type_26;
-    var phi_1079_: type_26;
-    var phi_1095_: type_26;
-    var phi_1096_: type_26;
-    var phi_1108_: type_26;
-    var phi_1117_: u32;
-    var phi_1125_: type_26;
-    var phi_1136_: type_26;
-    var phi_1150_: i32;
-    var phi_1159_: i32;
-    var phi_1174_: i32;
-    var phi_1183_: bool;
-    var phi_1184_: u32;
-    var phi_1186_: u32;
+    var phi_973_: bool;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_987_: u32;
+    var phi_1016_: bool;
+    var phi_1018_: u32;
+    var phi_1019_: u32;
+    var phi_1042_: i32;
+    var phi_1065_: type_26;
+    var phi_1074_: type_26;
+    var phi_1083_: type_26;
+    var phi_1099_: type_26;
+    var phi_1100_: type_26;
+    var phi_1112_: type_26;
+    var phi_1121_: u32;
+    var phi_1129_: type_26;
+    var phi_1140_: type_26;
+    var phi_1154_: i32;
+    var phi_1163_: i32;
+    var phi_1178_: i32;
+    var phi_1187_: bool;
     var phi_1188_: u32;
-    var phi_1189_: bool;
-    var phi_1222_: i32;
-    var phi_1324_: i32;
-    var phi_1326_: u32;
-    var phi_1328_: u32;
-    var phi_1329_: bool;
-    var phi_1366_: u32;
-    var phi_1369_: u32;
-    var phi_1407_: u32;
-    var phi_1416_: u32;
-    var phi_1427_: i32;
-    var phi_1439_: i32;
-    var phi_1446_: u32;
-    var phi_1452_: u32;
-    var phi_1453_: u32;
-    var phi_1454_: u32;
-    var phi_1455_: u32;
-    var phi_1456_: u32;
-    var phi_1457_: u32;
+    var phi_1190_: bool;
+    var phi_1191_: u32;
+    var phi_1193_: bool;
+    var phi_1194_: u32;
+    var phi_1195_: bool;
+    var phi_1228_: i32;
+    var phi_1330_: i32;
+    var phi_1332_: u32;
+    var phi_1334_: u32;
+    var phi_1335_: bool;
+    var phi_1380_: u32;
+    var phi_1383_: u32;
+    var phi_1421_: u32;
+    var phi_1430_: u32;
+    var phi_1441_: i32;
+    var phi_1453_: i32;
+    var phi_1460_: u32;
+    var phi_1466_: u32;
+    var phi_1467_: u32;
+    var phi_1469_: u32;
+    var phi_1470_: bool;
+    var phi_1517_: type_28;
+    var phi_1532_: type_28;
+    var phi_1547_: type_28;
+    var phi_1564_: type_28;
+    var phi_1580_: type_28;
+    var phi_1595_: type_28;
+    var phi_1610_: type_28;
+    var phi_1627_: type_28;
+    var phi_1644_: type_28;
+    var phi_1688_: i32;
+    var phi_1690_: i32;
+    var phi_1694_: type_27;
+    var phi_1710_: type_28;
+    var phi_1716_: bool;
+    var phi_1717_: i32;
+    var phi_1720_: u32;
+    var phi_1721_: u32;
+    var phi_1722_: u32;
+    var phi_1723_: u32;
+    var phi_1724_: u32;
+    var phi_1725_: u32;
     var local_9: u32;
     var local_10: f32;
     var local_11: u32;
@@ -176,1352 +197,1577 @@ fn function_() {
     var local_21: u32;
     var local_22: u32;
 
-    let _e122 = local_3;
-    let _e123 = bitcast<f32>(_e122);
-    let _e124 = local_4;
-    let _e125 = bitcast<f32>(_e124);
-    let _e126 = local_5;
+    let _e126 = local_3;
+    let _e127 = bitcast<f32>(_e126);
+    let _e128 = local_4;
+    let _e129 = bitcast<f32>(_e128);
+    let _e130 = local_5;
     switch bitcast<i32>(0u) {
         default: {
-            let _e129 = global;
-            let _e130 = global_1;
-            let _e131 = global_2;
-            global_3[_e129.x] = select(0u, 1u, ((_e129.x % 3u) == 0u));
+            let _e133 = global;
+            let _e134 = global_1;
+            let _e135 = global_2;
+            global_3[_e133.x] = select(0u, 1u, ((_e133.x % 3u) == 0u));
             workgroupBarrier();
-            let _e143 = (((_e130.x + (_e130.y * _e131.x)) * 64u) + _e129.x);
-            let _e146 = global_4.member.member;
-            if (_e143 >= (_e146 * 104u)) {
+            let _e147 = (((_e134.x + (_e134.y * _e135.x)) * 64u) + _e133.x);
+            let _e150 = global_4.member.member;
+            if (_e147 >= (_e150 * 121u)) {
             } else {
-                let _e149 = (_e146 == 0u);
-                if _e149 {
+                let _e153 = (_e150 == 0u);
+                if _e153 {
                     break;
                 }
-                let _e150 = (_e143 / _e146);
-                if (_e150 == 0u) {
-                    let _e1271 = global_3[(_e129.x ^ 1u)];
-                    global_9.member[_e143] = select(0u, 1u, (_e1271 != 0u));
+                let _e154 = (_e147 / _e150);
+                if (_e154 == 0u) {
+                    let _e1511 = global_3[(_e133.x ^ 1u)];
+                    global_9.member[_e147] = select(0u, 1u, (_e1511 != 0u));
                 } else {
-                    if _e149 {
+                    if _e153 {
                         break;
                     }
-                    let _e152 = (_e143 % _e146);
-                    let _e155 = global_5.member[_e152];
-                    let _e158 = global_6.member[_e152];
-                    let _e161 = global_7.member[_e152];
-                    let _e164 = global_8.member[_e152];
-                    if (1u <= _e150) {
-                        let _e166 = (_e150 <= 34u);
-                        if _e166 {
-                            let _e167 = (_e158 % 32u);
-                            switch bitcast<i32>(_e150) {
+                    let _e156 = (_e147 % _e150);
+                    let _e159 = global_5.member[_e156];
+                    let _e162 = global_6.member[_e156];
+                    let _e165 = global_7.member[_e156];
+                    let _e168 = global_8.member[_e156];
+                    if (1u <= _e154) {
+                        let _e170 = (_e154 <= 34u);
+                        if _e170 {
+                            let _e171 = (_e162 % 32u);
+                            switch bitcast<i32>(_e154) {
                                 case 1: {
-                                    phi_472_ = false;
-                                    phi_473_ = select(_e155, _e158, (_e158 < _e155));
+                                    phi_476_ = false;
+                                    phi_477_ = select(_e159, _e162, (_e162 < _e159));
                                     break;
                                 }
                                 case 2: {
-                                    phi_472_ = false;
-                                    phi_473_ = select(_e158, _e155, (_e158 < _e155));
+                                    phi_476_ = false;
+                                    phi_477_ = select(_e162, _e159, (_e162 < _e159));
                                     break;
                                 }
                                 case 3: {
-                                    if (_e155 < 5u) {
-                                        phi_464_ = 5u;
+                                    if (_e159 < 5u) {
+                                        phi_468_ = 5u;
                                     } else {
-                                        phi_464_ = select(_e155, 1000u, (_e155 > 1000u));
+                                        phi_468_ = select(_e159, 1000u, (_e159 > 1000u));
                                     }
-                                    let _e374 = phi_464_;
-                                    phi_472_ = false;
-                                    phi_473_ = _e374;
+                                    let _e378 = phi_468_;
+                                    phi_476_ = false;
+                                    phi_477_ = _e378;
                                     break;
                                 }
                                 case 4: {
-                                    if (_e155 < _e158) {
-                                        phi_457_ = (_e158 - _e155);
+                                    if (_e159 < _e162) {
+                                        phi_461_ = (_e162 - _e159);
                                     } else {
-                                        phi_457_ = (_e155 - _e158);
+                                        phi_461_ = (_e159 - _e162);
                                     }
-                                    let _e369 = phi_457_;
-                                    phi_472_ = false;
-                                    phi_473_ = _e369;
+                                    let _e373 = phi_461_;
+                                    phi_476_ = false;
+                                    phi_477_ = _e373;
                                     break;
                                 }
                                 case 5: {
-                                    phi_472_ = false;
-                                    phi_473_ = (countOneBits(_e155) + (100u * countOneBits(~(_e155))));
+                                    phi_476_ = false;
+                                    phi_477_ = (countOneBits(_e159) + (100u * countOneBits(~(_e159))));
                                     break;
                                 }
                                 case 6: {
-                                    let _e354 = (_e155 == 0u);
-                                    phi_472_ = false;
-                                    phi_473_ = (select((bitcast<u32>(31i) - firstLeadingBit(_e155)), 32u, _e354) + (100u * select(firstTrailingBit(_e155), 32u, _e354)));
+                                    let _e358 = (_e159 == 0u);
+                                    phi_476_ = false;
+                                    phi_477_ = (select((bitcast<u32>(31i) - firstLeadingBit(_e159)), 32u, _e358) + (100u * select(firstTrailingBit(_e159), 32u, _e358)));
                                     break;
                                 }
                                 case 7: {
-                                    let _e341 = ~(_e155);
-                                    let _e345 = (_e341 == 0u);
-                                    phi_472_ = false;
-                                    phi_473_ = (select((bitcast<u32>(31i) - firstLeadingBit(_e341)), 32u, _e345) + (100u * select(firstTrailingBit(_e341), 32u, _e345)));
+                                    let _e345 = ~(_e159);
+                                    let _e349 = (_e345 == 0u);
+                                    phi_476_ = false;
+                                    phi_477_ = (select((bitcast<u32>(31i) - firstLeadingBit(_e345)), 32u, _e349) + (100u * select(firstTrailingBit(_e345), 32u, _e349)));
                                     break;
                                 }
                                 case 8: {
-                                    let _e332 = (_e167 & 31u);
-                                    phi_472_ = false;
-                                    phi_473_ = select(((_e155 << bitcast<u32>(_e332)) | (_e155 >> bitcast<u32>((32u - _e332)))), _e155, (_e332 == 0u));
+                                    let _e336 = (_e171 & 31u);
+                                    phi_476_ = false;
+                                    phi_477_ = select(((_e159 << bitcast<u32>(_e336)) | (_e159 >> bitcast<u32>((32u - _e336)))), _e159, (_e336 == 0u));
                                     break;
                                 }
                                 case 9: {
-                                    let _e323 = (_e167 & 31u);
-                                    phi_472_ = false;
-                                    phi_473_ = select(((_e155 >> bitcast<u32>(_e323)) | (_e155 << bitcast<u32>((32u - _e323)))), _e155, (_e323 == 0u));
+                                    let _e327 = (_e171 & 31u);
+                                    phi_476_ = false;
+                                    phi_477_ = select(((_e159 >> bitcast<u32>(_e327)) | (_e159 << bitcast<u32>((32u - _e327)))), _e159, (_e327 == 0u));
                                     break;
                                 }
                                 case 10: {
-                                    phi_472_ = false;
-                                    phi_473_ = (((_e155 >> bitcast<u32>(24u)) | ((_e155 >> bitcast<u32>(8u)) & 65280u)) | (((_e155 << bitcast<u32>(8u)) & 16711680u) | (_e155 << bitcast<u32>(24u))));
+                                    phi_476_ = false;
+                                    phi_477_ = (((_e159 >> bitcast<u32>(24u)) | ((_e159 >> bitcast<u32>(8u)) & 65280u)) | (((_e159 << bitcast<u32>(8u)) & 16711680u) | (_e159 << bitcast<u32>(24u))));
                                     break;
                                 }
                                 case 11: {
-                                    phi_472_ = false;
-                                    phi_473_ = reverseBits(_e155);
+                                    phi_476_ = false;
+                                    phi_477_ = reverseBits(_e159);
                                     break;
                                 }
                                 case 12: {
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 + _e158);
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 + _e162);
                                     break;
                                 }
                                 case 13: {
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 - _e158);
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 - _e162);
                                     break;
                                 }
                                 case 14: {
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 * _e158);
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 * _e162);
                                     break;
                                 }
                                 case 15: {
-                                    phi_472_ = false;
-                                    phi_473_ = (0u - _e155);
+                                    phi_476_ = false;
+                                    phi_477_ = (0u - _e159);
                                     break;
                                 }
                                 case 16: {
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 << bitcast<u32>((_e158 & 31u)));
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 << bitcast<u32>((_e162 & 31u)));
                                     break;
                                 }
                                 case 17: {
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 >> bitcast<u32>((_e158 & 31u)));
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 >> bitcast<u32>((_e162 & 31u)));
                                     break;
                                 }
                                 case 18: {
-                                    let _e285 = (_e155 + _e158);
-                                    if select(false, true, (_e285 < _e155)) {
-                                        phi_391_ = type_26(0u, type_26().member_1);
+                                    let _e289 = (_e159 + _e162);
+                                    if select(false, true, (_e289 < _e159)) {
+                                        phi_395_ = type_26(0u, type_26().member_1);
                                     } else {
-                                        phi_391_ = type_26(1u, _e285);
+                                        phi_395_ = type_26(1u, _e289);
                                     }
-                                    let _e293 = phi_391_;
-                                    phi_472_ = false;
-                                    phi_473_ = select(77u, _e293.member_1, (bitcast<i32>(_e293.member) != 0i));
+                                    let _e297 = phi_395_;
+                                    phi_476_ = false;
+                                    phi_477_ = select(77u, _e297.member_1, (bitcast<i32>(_e297.member) != 0i));
                                     break;
                                 }
                                 case 19: {
-                                    if (_e155 < _e158) {
-                                        phi_377_ = type_26(0u, type_26().member_1);
+                                    if (_e159 < _e162) {
+                                        phi_381_ = type_26(0u, type_26().member_1);
                                     } else {
-                                        phi_377_ = type_26(1u, (_e155 - _e158));
+                                        phi_381_ = type_26(1u, (_e159 - _e162));
                                     }
-                                    let _e279 = phi_377_;
-                                    phi_472_ = false;
-                                    phi_473_ = select(77u, _e279.member_1, (bitcast<i32>(_e279.member) != 0i));
+                                    let _e283 = phi_381_;
+                                    phi_476_ = false;
+                                    phi_477_ = select(77u, _e283.member_1, (bitcast<i32>(_e283.member) != 0i));
                                     break;
                                 }
                                 case 20: {
-                                    if select(false, true, (_e158 == 0u)) {
-                                        phi_364_ = type_26(0u, type_26().member_1);
+                                    if select(false, true, (_e162 == 0u)) {
+                                        phi_368_ = type_26(0u, type_26().member_1);
                                     } else {
-                                        phi_364_ = type_26(1u, (_e155 / _e158));
+                                        phi_368_ = type_26(1u, (_e159 / _e162));
                                     }
-                                    let _e266 = phi_364_;
-                                    phi_472_ = false;
-                                    phi_473_ = select(77u, _e266.member_1, (bitcast<i32>(_e266.member) != 0i));
+                                    let _e270 = phi_368_;
+                                    phi_476_ = false;
+                                    phi_477_ = select(77u, _e270.member_1, (bitcast<i32>(_e270.member) != 0i));
                                     break;
                                 }
                                 case 21: {
-                                    if select(false, true, (_e158 == 0u)) {
-                                        phi_350_ = type_26(0u, type_26().member_1);
+                                    if select(false, true, (_e162 == 0u)) {
+                                        phi_354_ = type_26(0u, type_26().member_1);
                                     } else {
-                                        phi_350_ = type_26(1u, (_e155 % _e158));
+                                        phi_354_ = type_26(1u, (_e159 % _e162));
                                     }
-                                    let _e252 = phi_350_;
-                                    phi_472_ = false;
-                                    phi_473_ = select(77u, _e252.member_1, (bitcast<i32>(_e252.member) != 0i));
+                                    let _e256 = phi_354_;
+                                    phi_476_ = false;
+                                    phi_477_ = select(77u, _e256.member_1, (bitcast<i32>(_e256.member) != 0i));
                                     break;
                                 }
                                 case 22: {
-                                    let _e229 = (_e158 % 64u);
-                                    if (_e229 < 32u) {
-                                        phi_336_ = type_26(1u, (_e155 << bitcast<u32>(_e229)));
+                                    let _e233 = (_e162 % 64u);
+                                    if (_e233 < 32u) {
+                                        phi_340_ = type_26(1u, (_e159 << bitcast<u32>(_e233)));
                                     } else {
-                                        phi_336_ = type_26(0u, type_26().member_1);
+                                        phi_340_ = type_26(0u, type_26().member_1);
                                     }
-                                    let _e238 = phi_336_;
-                                    phi_472_ = false;
-                                    phi_473_ = select(77u, _e238.member_1, (bitcast<i32>(_e238.member) != 0i));
+                                    let _e242 = phi_340_;
+                                    phi_476_ = false;
+                                    phi_477_ = select(77u, _e242.member_1, (bitcast<i32>(_e242.member) != 0i));
                                     break;
                                 }
                                 case 23: {
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 + _e158);
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 + _e162);
                                     break;
                                 }
                                 case 24: {
-                                    phi_472_ = false;
-                                    phi_473_ = select(0u, 1u, ((_e155 - _e158) > _e155));
+                                    phi_476_ = false;
+                                    phi_477_ = select(0u, 1u, ((_e159 - _e162) > _e159));
                                     break;
                                 }
                                 case 25: {
-                                    phi_472_ = false;
-                                    phi_473_ = select(0u, 1u, (countOneBits(_e155) == 1u));
+                                    phi_476_ = false;
+                                    phi_477_ = select(0u, 1u, (countOneBits(_e159) == 1u));
                                     break;
                                 }
                                 case 26: {
-                                    let _e210 = (_e155 % 1000u);
-                                    if (_e210 <= 1u) {
-                                        phi_319_ = 0u;
+                                    let _e214 = (_e159 % 1000u);
+                                    if (_e214 <= 1u) {
+                                        phi_323_ = 0u;
                                     } else {
-                                        phi_319_ = (4294967295u >> bitcast<u32>(((bitcast<u32>(31i) - firstLeadingBit((_e210 - 1u))) & 31u)));
+                                        phi_323_ = (4294967295u >> bitcast<u32>(((bitcast<u32>(31i) - firstLeadingBit((_e214 - 1u))) & 31u)));
                                     }
-                                    let _e220 = phi_319_;
-                                    phi_472_ = false;
-                                    phi_473_ = (_e220 + 1u);
+                                    let _e224 = phi_323_;
+                                    phi_476_ = false;
+                                    phi_477_ = (_e224 + 1u);
                                     break;
                                 }
                                 case 27: {
-                                    let _e202 = (_e158 | 1u);
-                                    let _e203 = (_e202 == 0u);
-                                    if _e203 {
-                                        phi_472_ = true;
-                                        phi_473_ = u32();
+                                    let _e206 = (_e162 | 1u);
+                                    let _e207 = (_e206 == 0u);
+                                    if _e207 {
+                                        phi_476_ = true;
+                                        phi_477_ = u32();
                                         break;
                                     }
-                                    let _e204 = (_e155 / _e202);
-                                    if _e203 {
-                                        phi_472_ = true;
-                                        phi_473_ = u32();
+                                    let _e208 = (_e159 / _e206);
+                                    if _e207 {
+                                        phi_476_ = true;
+                                        phi_477_ = u32();
                                         break;
                                     }
-                                    if ((_e155 % _e202) > 0u) {
-                                        phi_308_ = (_e204 + 1u);
+                                    if ((_e159 % _e206) > 0u) {
+                                        phi_312_ = (_e208 + 1u);
                                     } else {
-                                        phi_308_ = _e204;
+                                        phi_312_ = _e208;
                                     }
-                                    let _e209 = phi_308_;
-                                    phi_472_ = false;
-                                    phi_473_ = _e209;
+                                    let _e213 = phi_312_;
+                                    phi_476_ = false;
+                                    phi_477_ = _e213;
                                     break;
                                 }
                                 case 28: {
-                                    let _e195 = (_e155 % 1000u);
-                                    let _e196 = (_e195 % 7u);
-                                    if (_e196 == 0u) {
-                                        phi_294_ = _e195;
+                                    let _e199 = (_e159 % 1000u);
+                                    let _e200 = (_e199 % 7u);
+                                    if (_e200 == 0u) {
+                                        phi_298_ = _e199;
                                     } else {
-                                        phi_294_ = (_e195 + (7u - _e196));
+                                        phi_298_ = (_e199 + (7u - _e200));
                                     }
-                                    let _e201 = phi_294_;
-                                    phi_472_ = false;
-                                    phi_473_ = _e201;
+                                    let _e205 = phi_298_;
+                                    phi_476_ = false;
+                                    phi_477_ = _e205;
                                     break;
                                 }
                                 case 29: {
-                                    let _e180 = (_e155 | 1u);
-                                    if (select(1i, 0i, (_e180 == 0u)) != 0i) {
-                                        phi_279_ = type_26(1u, firstLeadingBit(_e180));
+                                    let _e184 = (_e159 | 1u);
+                                    if (select(1i, 0i, (_e184 == 0u)) != 0i) {
+                                        phi_283_ = type_26(1u, firstLeadingBit(_e184));
                                     } else {
-                                        phi_279_ = type_26(0u, type_26().member_1);
+                                        phi_283_ = type_26(0u, type_26().member_1);
                                     }
-                                    let _e190 = phi_279_;
-                                    if (bitcast<i32>(_e190.member) != 0i) {
+                                    let _e194 = phi_283_;
+                                    if (bitcast<i32>(_e194.member) != 0i) {
                                     } else {
-                                        phi_472_ = true;
-                                        phi_473_ = u32();
+                                        phi_476_ = true;
+                                        phi_477_ = u32();
                                         break;
                                     }
-                                    phi_472_ = false;
-                                    phi_473_ = _e190.member_1;
+                                    phi_476_ = false;
+                                    phi_477_ = _e194.member_1;
                                     break;
                                 }
                                 case 30: {
-                                    phi_472_ = false;
-                                    phi_473_ = bitcast<u32>(bitcast<i32>(_e155));
+                                    phi_476_ = false;
+                                    phi_477_ = bitcast<u32>(bitcast<i32>(_e159));
                                     break;
                                 }
                                 case 31: {
-                                    let _e175 = (_e158 | 1u);
-                                    if (_e175 == 0u) {
-                                        phi_472_ = true;
-                                        phi_473_ = u32();
+                                    let _e179 = (_e162 | 1u);
+                                    if (_e179 == 0u) {
+                                        phi_476_ = true;
+                                        phi_477_ = u32();
                                         break;
                                     }
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 % _e175);
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 % _e179);
                                     break;
                                 }
                                 case 32: {
-                                    let _e172 = (_e158 | 1u);
-                                    if (_e172 == 0u) {
-                                        phi_472_ = true;
-                                        phi_473_ = u32();
+                                    let _e176 = (_e162 | 1u);
+                                    if (_e176 == 0u) {
+                                        phi_476_ = true;
+                                        phi_477_ = u32();
                                         break;
                                     }
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 / _e172);
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 / _e176);
                                     break;
                                 }
                                 case 33: {
-                                    phi_472_ = false;
-                                    phi_473_ = select(0u, 1u, ((_e155 % 3u) == 0u));
+                                    phi_476_ = false;
+                                    phi_477_ = select(0u, 1u, ((_e159 % 3u) == 0u));
                                     break;
                                 }
                                 default: {
-                                    phi_472_ = false;
-                                    phi_473_ = (_e155 + bitcast<u32>(bitcast<i32>(_e158)));
+                                    phi_476_ = false;
+                                    phi_477_ = (_e159 + bitcast<u32>(bitcast<i32>(_e162)));
                                     break;
                                 }
                             }
-                            let _e383 = phi_472_;
-                            let _e385 = phi_473_;
-                            if _e383 {
+                            let _e387 = phi_476_;
+                            let _e389 = phi_477_;
+                            if _e387 {
                                 break;
                             }
-                            phi_475_ = _e383;
-                            phi_476_ = _e385;
+                            phi_479_ = _e387;
+                            phi_480_ = _e389;
                         } else {
-                            phi_475_ = false;
-                            phi_476_ = u32();
+                            phi_479_ = false;
+                            phi_480_ = u32();
                         }
-                        let _e387 = phi_475_;
-                        let _e389 = phi_476_;
-                        phi_478_ = _e387;
-                        phi_479_ = _e389;
-                        phi_480_ = select(true, false, _e166);
+                        let _e391 = phi_479_;
+                        let _e393 = phi_480_;
+                        phi_482_ = _e391;
+                        phi_483_ = _e393;
+                        phi_484_ = select(true, false, _e170);
                     } else {
-                        phi_478_ = false;
-                        phi_479_ = u32();
-                        phi_480_ = true;
+                        phi_482_ = false;
+                        phi_483_ = u32();
+                        phi_484_ = true;
                     }
-                    let _e392 = phi_478_;
-                    let _e394 = phi_479_;
-                    let _e396 = phi_480_;
-                    if _e396 {
-                        if (35u <= _e150) {
-                            let _e398 = (_e150 <= 49u);
-                            if _e398 {
-                                let _e399 = bitcast<i32>(_e155);
-                                let _e400 = bitcast<i32>(_e158);
-                                switch bitcast<i32>(_e150) {
+                    let _e396 = phi_482_;
+                    let _e398 = phi_483_;
+                    let _e400 = phi_484_;
+                    if _e400 {
+                        if (35u <= _e154) {
+                            let _e402 = (_e154 <= 49u);
+                            if _e402 {
+                                let _e403 = bitcast<i32>(_e159);
+                                let _e404 = bitcast<i32>(_e162);
+                                switch bitcast<i32>(_e154) {
                                     case 35: {
-                                        if (_e399 < 0i) {
-                                            phi_628_ = (0i - _e399);
+                                        if (_e403 < 0i) {
+                                            phi_632_ = (0i - _e403);
                                         } else {
-                                            phi_628_ = _e399;
+                                            phi_632_ = _e403;
                                         }
-                                        let _e508 = phi_628_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = _e508;
+                                        let _e512 = phi_632_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = _e512;
                                         break;
                                     }
                                     case 36: {
-                                        if (_e399 < 0i) {
-                                            phi_620_ = (0i - _e399);
+                                        if (_e403 < 0i) {
+                                            phi_624_ = (0i - _e403);
                                         } else {
-                                            phi_620_ = _e399;
+                                            phi_624_ = _e403;
                                         }
-                                        let _e502 = phi_620_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = bitcast<i32>(bitcast<u32>(_e502));
+                                        let _e506 = phi_624_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = bitcast<i32>(bitcast<u32>(_e506));
                                         break;
                                     }
                                     case 37: {
-                                        phi_650_ = _e392;
-                                        phi_651_ = bitcast<i32>(((bitcast<i32>(select(select(0i, 1i, (_e399 != 0i)), 255i, (_e399 < 0i))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)));
+                                        phi_654_ = _e396;
+                                        phi_655_ = bitcast<i32>(((bitcast<i32>(select(select(0i, 1i, (_e403 != 0i)), 255i, (_e403 < 0i))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)));
                                         break;
                                     }
                                     case 38: {
-                                        phi_650_ = _e392;
-                                        phi_651_ = (select(0i, 1i, (_e399 < 0i)) + (2i * select(0i, 1i, (_e399 > 0i))));
+                                        phi_654_ = _e396;
+                                        phi_655_ = (select(0i, 1i, (_e403 < 0i)) + (2i * select(0i, 1i, (_e403 > 0i))));
                                         break;
                                     }
                                     case 39: {
-                                        let _e475 = (_e399 - (1000i * (_e399 / 1000i)));
-                                        let _e478 = (_e475 - (7i * (_e475 / 7i)));
-                                        if (_e478 < 0i) {
-                                            phi_600_ = (_e478 + 7i);
+                                        let _e479 = (_e403 - (1000i * (_e403 / 1000i)));
+                                        let _e482 = (_e479 - (7i * (_e479 / 7i)));
+                                        if (_e482 < 0i) {
+                                            phi_604_ = (_e482 + 7i);
                                         } else {
-                                            phi_600_ = _e478;
+                                            phi_604_ = _e482;
                                         }
-                                        let _e482 = phi_600_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = _e482;
+                                        let _e486 = phi_604_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = _e486;
                                         break;
                                     }
                                     case 40: {
-                                        let _e464 = (_e399 - (1000i * (_e399 / 1000i)));
-                                        let _e465 = (_e464 / 7i);
-                                        if ((_e464 - (7i * (_e464 / 7i))) < 0i) {
-                                            phi_588_ = (_e465 - 1i);
+                                        let _e468 = (_e403 - (1000i * (_e403 / 1000i)));
+                                        let _e469 = (_e468 / 7i);
+                                        if ((_e468 - (7i * (_e468 / 7i))) < 0i) {
+                                            phi_592_ = (_e469 - 1i);
                                         } else {
-                                            phi_588_ = _e465;
+                                            phi_592_ = _e469;
                                         }
-                                        let _e472 = phi_588_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = _e472;
+                                        let _e476 = phi_592_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = _e476;
                                         break;
                                     }
                                     case 41: {
-                                        if (_e399 < _e400) {
-                                            phi_574_ = (bitcast<u32>(_e400) - bitcast<u32>(_e399));
+                                        if (_e403 < _e404) {
+                                            phi_578_ = (bitcast<u32>(_e404) - bitcast<u32>(_e403));
                                         } else {
-                                            phi_574_ = (bitcast<u32>(_e399) - bitcast<u32>(_e400));
+                                            phi_578_ = (bitcast<u32>(_e403) - bitcast<u32>(_e404));
                                         }
-                                        let _e460 = phi_574_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = bitcast<i32>(_e460);
+                                        let _e464 = phi_578_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = bitcast<i32>(_e464);
                                         break;
                                     }
                                     case 42: {
-                                        if select(false, true, (_e399 == i32(-2147483648))) {
-                                            phi_549_ = type_27(i32(-2147483648), true);
+                                        if select(false, true, (_e403 == i32(-2147483648))) {
+                                            phi_553_ = type_27(i32(-2147483648), true);
                                         } else {
-                                            phi_549_ = type_27(-(_e399), false);
+                                            phi_553_ = type_27(-(_e403), false);
                                         }
-                                        let _e437 = phi_549_;
-                                        if select(false, true, _e437.member_1) {
-                                            phi_558_ = type_28(0u, type_28().member_1);
+                                        let _e441 = phi_553_;
+                                        if select(false, true, _e441.member_1) {
+                                            phi_562_ = type_28(0u, type_28().member_1);
                                         } else {
-                                            phi_558_ = type_28(1u, _e437.member);
+                                            phi_562_ = type_28(1u, _e441.member);
                                         }
-                                        let _e446 = phi_558_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = select(77i, _e446.member_1, (bitcast<i32>(_e446.member) != 0i));
+                                        let _e450 = phi_562_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = select(77i, _e450.member_1, (bitcast<i32>(_e450.member) != 0i));
                                         break;
                                     }
                                     case 43: {
-                                        phi_650_ = _e392;
-                                        phi_651_ = (0i - _e399);
+                                        phi_654_ = _e396;
+                                        phi_655_ = (0i - _e403);
                                         break;
                                     }
                                     case 44: {
-                                        let _e427 = (_e400 < _e399);
-                                        phi_650_ = _e392;
-                                        phi_651_ = (select(_e399, _e400, _e427) ^ select(_e400, _e399, _e427));
+                                        let _e431 = (_e404 < _e403);
+                                        phi_654_ = _e396;
+                                        phi_655_ = (select(_e403, _e404, _e431) ^ select(_e404, _e403, _e431));
                                         break;
                                     }
                                     case 45: {
-                                        if (_e399 < -100i) {
-                                            phi_536_ = -100i;
+                                        if (_e403 < -100i) {
+                                            phi_540_ = -100i;
                                         } else {
-                                            phi_536_ = select(_e399, 100i, (_e399 > 100i));
+                                            phi_540_ = select(_e403, 100i, (_e403 > 100i));
                                         }
-                                        let _e426 = phi_536_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = _e426;
+                                        let _e430 = phi_540_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = _e430;
                                         break;
                                     }
                                     case 46: {
-                                        let _e417 = (_e399 - (1000i * (_e399 / 1000i)));
-                                        if (_e417 < 0i) {
-                                            phi_529_ = -(_e417);
+                                        let _e421 = (_e403 - (1000i * (_e403 / 1000i)));
+                                        if (_e421 < 0i) {
+                                            phi_533_ = -(_e421);
                                         } else {
-                                            phi_529_ = _e417;
+                                            phi_533_ = _e421;
                                         }
-                                        let _e421 = phi_529_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = _e421;
+                                        let _e425 = phi_533_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = _e425;
                                         break;
                                     }
                                     case 47: {
-                                        phi_650_ = _e392;
-                                        phi_651_ = (_e399 >> bitcast<u32>(((_e400 & 31i) & 31i)));
+                                        phi_654_ = _e396;
+                                        phi_655_ = (_e403 >> bitcast<u32>(((_e404 & 31i) & 31i)));
                                         break;
                                     }
                                     case 48: {
-                                        let _e402 = bitcast<u32>(_e399);
-                                        phi_650_ = _e392;
-                                        phi_651_ = bitcast<i32>((select((bitcast<u32>(31i) - firstLeadingBit(_e402)), 32u, (_e402 == 0u)) + countOneBits(_e402)));
+                                        let _e406 = bitcast<u32>(_e403);
+                                        phi_654_ = _e396;
+                                        phi_655_ = bitcast<i32>((select((bitcast<u32>(31i) - firstLeadingBit(_e406)), 32u, (_e406 == 0u)) + countOneBits(_e406)));
                                         break;
                                     }
                                     default: {
-                                        let _e509 = (_e400 | 1i);
-                                        let _e510 = (_e509 == -1i);
-                                        if select(false, true, _e510) {
-                                            phi_648_ = type_27(0i, (_e399 == i32(-2147483648)));
+                                        let _e513 = (_e404 | 1i);
+                                        let _e514 = (_e513 == -1i);
+                                        if select(false, true, _e514) {
+                                            phi_652_ = type_27(0i, (_e403 == i32(-2147483648)));
                                         } else {
-                                            if (_e509 == 0i) {
-                                                phi_650_ = true;
-                                                phi_651_ = i32();
+                                            if (_e513 == 0i) {
+                                                phi_654_ = true;
+                                                phi_655_ = i32();
                                                 break;
                                             }
-                                            if (_e510 && (_e399 == i32(-2147483648))) {
-                                                phi_650_ = true;
-                                                phi_651_ = i32();
+                                            if (_e514 && (_e403 == i32(-2147483648))) {
+                                                phi_654_ = true;
+                                                phi_655_ = i32();
                                                 break;
                                             }
-                                            phi_648_ = type_27((_e399 - (_e509 * (_e399 / _e509))), false);
+                                            phi_652_ = type_27((_e403 - (_e513 * (_e403 / _e513))), false);
                                         }
-                                        let _e522 = phi_648_;
-                                        phi_650_ = _e392;
-                                        phi_651_ = _e522.member;
+                                        let _e526 = phi_652_;
+                                        phi_654_ = _e396;
+                                        phi_655_ = _e526.member;
                                         break;
                                     }
                                 }
-                                let _e525 = phi_650_;
-                                let _e527 = phi_651_;
-                                if _e525 {
+                                let _e529 = phi_654_;
+                                let _e531 = phi_655_;
+                                if _e529 {
                                     break;
                                 }
-                                phi_654_ = _e525;
-                                phi_655_ = bitcast<u32>(_e527);
+                                phi_658_ = _e529;
+                                phi_659_ = bitcast<u32>(_e531);
                             } else {
-                                phi_654_ = _e392;
-                                phi_655_ = u32();
+                                phi_658_ = _e396;
+                                phi_659_ = u32();
                             }
-                            let _e530 = phi_654_;
-                            let _e532 = phi_655_;
-                            phi_657_ = _e530;
-                            phi_658_ = _e532;
-                            phi_659_ = select(true, false, _e398);
+                            let _e534 = phi_658_;
+                            let _e536 = phi_659_;
+                            phi_661_ = _e534;
+                            phi_662_ = _e536;
+                            phi_663_ = select(true, false, _e402);
                         } else {
-                            phi_657_ = _e392;
-                            phi_658_ = u32();
-                            phi_659_ = true;
+                            phi_661_ = _e396;
+                            phi_662_ = u32();
+                            phi_663_ = true;
                         }
-                        let _e535 = phi_657_;
-                        let _e537 = phi_658_;
-                        let _e539 = phi_659_;
-                        if _e539 {
-                            if (50u <= _e150) {
-                                let _e541 = (_e150 <= 62u);
-                                if _e541 {
-                                    switch bitcast<i32>(_e150) {
+                        let _e539 = phi_661_;
+                        let _e541 = phi_662_;
+                        let _e543 = phi_663_;
+                        if _e543 {
+                            if (50u <= _e154) {
+                                let _e545 = (_e154 <= 62u);
+                                if _e545 {
+                                    switch bitcast<i32>(_e154) {
                                         case 50: {
-                                            let _e651 = ((bitcast<u32>(_e161) & 2147483647u) > 2139095040u);
-                                            if _e651 {
-                                                phi_794_ = true;
+                                            let _e655 = ((bitcast<u32>(_e165) & 2147483647u) > 2139095040u);
+                                            if _e655 {
+                                                phi_798_ = true;
                                             } else {
-                                                phi_794_ = (_e164 <= _e161);
+                                                phi_798_ = (_e168 <= _e165);
                                             }
-                                            let _e654 = phi_794_;
-                                            if _e651 {
-                                                phi_802_ = true;
+                                            let _e658 = phi_798_;
+                                            if _e655 {
+                                                phi_806_ = true;
                                             } else {
-                                                phi_802_ = (_e164 <= _e161);
+                                                phi_806_ = (_e168 <= _e165);
                                             }
-                                            let _e660 = phi_802_;
-                                            phi_811_ = _e535;
-                                            phi_812_ = (bitcast<u32>(abs(select(_e161, _e164, _e654))) | (select(0u, 1u, (select(_e161, _e164, _e660) < 0f)) << bitcast<u32>(31i)));
+                                            let _e664 = phi_806_;
+                                            phi_815_ = _e539;
+                                            phi_816_ = (bitcast<u32>(abs(select(_e165, _e168, _e658))) | (select(0u, 1u, (select(_e165, _e168, _e664) < 0f)) << bitcast<u32>(31i)));
                                             break;
                                         }
                                         case 51: {
-                                            let _e633 = ((bitcast<u32>(_e161) & 2147483647u) > 2139095040u);
-                                            if _e633 {
-                                                phi_773_ = true;
+                                            let _e637 = ((bitcast<u32>(_e165) & 2147483647u) > 2139095040u);
+                                            if _e637 {
+                                                phi_777_ = true;
                                             } else {
-                                                phi_773_ = (_e164 >= _e161);
+                                                phi_777_ = (_e168 >= _e165);
                                             }
-                                            let _e636 = phi_773_;
-                                            if _e633 {
-                                                phi_781_ = true;
+                                            let _e640 = phi_777_;
+                                            if _e637 {
+                                                phi_785_ = true;
                                             } else {
-                                                phi_781_ = (_e164 >= _e161);
+                                                phi_785_ = (_e168 >= _e165);
                                             }
-                                            let _e642 = phi_781_;
-                                            phi_811_ = _e535;
-                                            phi_812_ = (bitcast<u32>(abs(select(_e161, _e164, _e636))) | (select(0u, 1u, (select(_e161, _e164, _e642) < 0f)) << bitcast<u32>(31i)));
+                                            let _e646 = phi_785_;
+                                            phi_815_ = _e539;
+                                            phi_816_ = (bitcast<u32>(abs(select(_e165, _e168, _e640))) | (select(0u, 1u, (select(_e165, _e168, _e646) < 0f)) << bitcast<u32>(31i)));
                                             break;
                                         }
                                         case 52: {
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(abs(_e161));
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(abs(_e165));
                                             break;
                                         }
                                         case 53: {
                                             if (-1f <= 1f) {
                                             } else {
-                                                phi_811_ = true;
-                                                phi_812_ = u32();
+                                                phi_815_ = true;
+                                                phi_816_ = u32();
                                                 break;
                                             }
-                                            let _e625 = select(_e161, -1f, (_e161 < -1f));
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(select(_e625, 1f, (_e625 > 1f)));
+                                            let _e629 = select(_e165, -1f, (_e165 < -1f));
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(select(_e629, 1f, (_e629 > 1f)));
                                             break;
                                         }
                                         case 54: {
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(bitcast<f32>(((bitcast<u32>(_e161) & 2147483647u) | (bitcast<u32>(_e164) & 2147483648u))));
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(bitcast<f32>(((bitcast<u32>(_e165) & 2147483647u) | (bitcast<u32>(_e168) & 2147483648u))));
                                             break;
                                         }
                                         case 55: {
-                                            if ((bitcast<u32>(_e161) & 2147483647u) > 2139095040u) {
-                                                phi_747_ = bitcast<f32>(_e126);
+                                            if ((bitcast<u32>(_e165) & 2147483647u) > 2139095040u) {
+                                                phi_751_ = bitcast<f32>(_e130);
                                             } else {
-                                                phi_747_ = bitcast<f32>((1065353216u | (bitcast<u32>(_e161) & 2147483648u)));
+                                                phi_751_ = bitcast<f32>((1065353216u | (bitcast<u32>(_e165) & 2147483648u)));
                                             }
-                                            let _e614 = phi_747_;
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(_e614);
+                                            let _e618 = phi_751_;
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(_e618);
                                             break;
                                         }
                                         case 56: {
-                                            phi_811_ = _e535;
-                                            phi_812_ = (select(0u, 1u, (abs(_e161) < _e123)) + (4u * select(0u, 1u, ((_e161 == _e123) || (_e161 == _e125)))));
+                                            phi_815_ = _e539;
+                                            phi_816_ = (select(0u, 1u, (abs(_e165) < _e127)) + (4u * select(0u, 1u, ((_e165 == _e127) || (_e165 == _e129)))));
                                             break;
                                         }
                                         case 57: {
-                                            let _e591 = ((bitcast<u32>(_e161) & 2147483648u) != 0u);
-                                            phi_811_ = _e535;
-                                            phi_812_ = (select(0u, 1u, _e591) + (2u * select(0u, 1u, !(_e591))));
+                                            let _e595 = ((bitcast<u32>(_e165) & 2147483648u) != 0u);
+                                            phi_815_ = _e539;
+                                            phi_816_ = (select(0u, 1u, _e595) + (2u * select(0u, 1u, !(_e595))));
                                             break;
                                         }
                                         case 58: {
-                                            let _e561 = bitcast<i32>(bitcast<u32>(_e161));
-                                            let _e563 = bitcast<i32>(bitcast<u32>(_e164));
-                                            let _e570 = (_e561 ^ bitcast<i32>((bitcast<u32>((_e561 >> bitcast<u32>(31i))) >> bitcast<u32>(1i))));
-                                            let _e577 = (_e563 ^ bitcast<i32>((bitcast<u32>((_e563 >> bitcast<u32>(31i))) >> bitcast<u32>(1i))));
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(bitcast<i32>(((bitcast<i32>(select(select(0i, 1i, (_e570 != _e577)), 255i, (_e570 < _e577))) << bitcast<u32>(24u)) >> bitcast<u32>(24u))));
+                                            let _e565 = bitcast<i32>(bitcast<u32>(_e165));
+                                            let _e567 = bitcast<i32>(bitcast<u32>(_e168));
+                                            let _e574 = (_e565 ^ bitcast<i32>((bitcast<u32>((_e565 >> bitcast<u32>(31i))) >> bitcast<u32>(1i))));
+                                            let _e581 = (_e567 ^ bitcast<i32>((bitcast<u32>((_e567 >> bitcast<u32>(31i))) >> bitcast<u32>(1i))));
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(bitcast<i32>(((bitcast<i32>(select(select(0i, 1i, (_e574 != _e581)), 255i, (_e574 < _e581))) << bitcast<u32>(24u)) >> bitcast<u32>(24u))));
                                             break;
                                         }
                                         case 59: {
-                                            let _e555 = trunc(_e161);
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(select(_e555, (_e555 - 1f), (_e161 < _e555)));
+                                            let _e559 = trunc(_e165);
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(select(_e559, (_e559 - 1f), (_e165 < _e559)));
                                             break;
                                         }
                                         case 60: {
-                                            let _e545 = trunc(_e161);
-                                            let _e546 = (_e161 - _e545);
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(select(select(_e545, (_e545 + 1f), (0.5f <= _e546)), (_e545 - 1f), (_e546 <= -(0.5f))));
+                                            let _e549 = trunc(_e165);
+                                            let _e550 = (_e165 - _e549);
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(select(select(_e549, (_e549 + 1f), (0.5f <= _e550)), (_e549 - 1f), (_e550 <= -(0.5f))));
                                             break;
                                         }
                                         case 61: {
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(trunc(_e161));
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(trunc(_e165));
                                             break;
                                         }
                                         default: {
-                                            phi_811_ = _e535;
-                                            phi_812_ = bitcast<u32>(select(_e164, _e123, (_e161 > _e164)));
+                                            phi_815_ = _e539;
+                                            phi_816_ = bitcast<u32>(select(_e168, _e127, (_e165 > _e168)));
                                             break;
                                         }
                                     }
-                                    let _e671 = phi_811_;
-                                    let _e673 = phi_812_;
-                                    if _e671 {
+                                    let _e675 = phi_815_;
+                                    let _e677 = phi_816_;
+                                    if _e675 {
                                         break;
                                     }
-                                    phi_814_ = _e671;
-                                    phi_815_ = _e673;
+                                    phi_818_ = _e675;
+                                    phi_819_ = _e677;
                                 } else {
-                                    phi_814_ = _e535;
-                                    phi_815_ = u32();
+                                    phi_818_ = _e539;
+                                    phi_819_ = u32();
                                 }
-                                let _e675 = phi_814_;
-                                let _e677 = phi_815_;
-                                phi_817_ = _e675;
-                                phi_818_ = _e677;
-                                phi_819_ = select(true, false, _e541);
+                                let _e679 = phi_818_;
+                                let _e681 = phi_819_;
+                                phi_821_ = _e679;
+                                phi_822_ = _e681;
+                                phi_823_ = select(true, false, _e545);
                             } else {
-                                phi_817_ = _e535;
-                                phi_818_ = u32();
-                                phi_819_ = true;
+                                phi_821_ = _e539;
+                                phi_822_ = u32();
+                                phi_823_ = true;
                             }
-                            let _e680 = phi_817_;
-                            let _e682 = phi_818_;
-                            let _e684 = phi_819_;
-                            if _e684 {
-                                if (63u <= _e150) {
-                                    let _e686 = (_e150 <= 83u);
-                                    if _e686 {
-                                        local[0u] = (_e155 % 100u);
-                                        local[1u] = (_e158 % 100u);
+                            let _e684 = phi_821_;
+                            let _e686 = phi_822_;
+                            let _e688 = phi_823_;
+                            if _e688 {
+                                if (63u <= _e154) {
+                                    let _e690 = (_e154 <= 83u);
+                                    if _e690 {
+                                        local[0u] = (_e159 % 100u);
+                                        local[1u] = (_e162 % 100u);
                                         local[2u] = 7u;
                                         local[3u] = 3u;
-                                        switch bitcast<i32>(_e150) {
+                                        switch bitcast<i32>(_e154) {
                                             case 63: {
-                                                if (_e155 > _e158) {
-                                                    phi_1136_ = type_26(1u, 5u);
+                                                if (_e159 > _e162) {
+                                                    phi_1140_ = type_26(1u, 5u);
                                                 } else {
-                                                    phi_1136_ = type_26(0u, type_26().member_1);
+                                                    phi_1140_ = type_26(0u, type_26().member_1);
                                                 }
-                                                let _e943 = phi_1136_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = select(6u, _e943.member_1, (bitcast<i32>(_e943.member) != 0i));
+                                                let _e947 = phi_1140_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = select(6u, _e947.member_1, (bitcast<i32>(_e947.member) != 0i));
                                                 break;
                                             }
                                             case 64: {
-                                                if (_e155 > _e158) {
-                                                    phi_1125_ = type_26(1u, (_e155 - _e158));
+                                                if (_e159 > _e162) {
+                                                    phi_1129_ = type_26(1u, (_e159 - _e162));
                                                 } else {
-                                                    phi_1125_ = type_26(0u, type_26().member_1);
+                                                    phi_1129_ = type_26(0u, type_26().member_1);
                                                 }
-                                                let _e932 = phi_1125_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = select(6u, _e932.member_1, (bitcast<i32>(_e932.member) != 0i));
+                                                let _e936 = phi_1129_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = select(6u, _e936.member_1, (bitcast<i32>(_e936.member) != 0i));
                                                 break;
                                             }
                                             case 65: {
-                                                if (_e155 > _e158) {
-                                                    phi_1108_ = type_26(1u, _e155);
+                                                if (_e159 > _e162) {
+                                                    phi_1112_ = type_26(1u, _e159);
                                                 } else {
-                                                    phi_1108_ = type_26(0u, type_26().member_1);
+                                                    phi_1112_ = type_26(0u, type_26().member_1);
                                                 }
-                                                let _e917 = phi_1108_;
-                                                if (bitcast<i32>(_e917.member) != 0i) {
-                                                    phi_1117_ = (_e917.member_1 - _e158);
+                                                let _e921 = phi_1112_;
+                                                if (bitcast<i32>(_e921.member) != 0i) {
+                                                    phi_1121_ = (_e921.member_1 - _e162);
                                                 } else {
-                                                    phi_1117_ = 3u;
+                                                    phi_1121_ = 3u;
                                                 }
-                                                let _e924 = phi_1117_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = _e924;
+                                                let _e928 = phi_1121_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = _e928;
                                                 break;
                                             }
                                             case 66: {
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = (_e155 ^ _e158);
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = (_e159 ^ _e162);
                                                 break;
                                             }
                                             case 67: {
-                                                if (_e155 < _e158) {
-                                                    phi_1079_ = type_26(0u, type_26().member_1);
+                                                if (_e159 < _e162) {
+                                                    phi_1083_ = type_26(0u, type_26().member_1);
                                                 } else {
-                                                    phi_1079_ = type_26(1u, (_e155 - _e158));
+                                                    phi_1083_ = type_26(1u, (_e159 - _e162));
                                                 }
-                                                let _e888 = phi_1079_;
-                                                if (bitcast<i32>(_e888.member) != 0i) {
-                                                    if (_e888.member_1 < 10u) {
-                                                        phi_1095_ = type_26(0u, type_26().member_1);
+                                                let _e892 = phi_1083_;
+                                                if (bitcast<i32>(_e892.member) != 0i) {
+                                                    if (_e892.member_1 < 10u) {
+                                                        phi_1099_ = type_26(0u, type_26().member_1);
                                                     } else {
-                                                        phi_1095_ = type_26(1u, (_e888.member_1 - 10u));
+                                                        phi_1099_ = type_26(1u, (_e892.member_1 - 10u));
                                                     }
-                                                    let _e903 = phi_1095_;
-                                                    phi_1096_ = _e903;
+                                                    let _e907 = phi_1099_;
+                                                    phi_1100_ = _e907;
                                                 } else {
-                                                    phi_1096_ = type_26(0u, type_26().member_1);
+                                                    phi_1100_ = type_26(0u, type_26().member_1);
                                                 }
-                                                let _e905 = phi_1096_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = select(0u, 1u, (bitcast<i32>(_e905.member) == 1i));
+                                                let _e909 = phi_1100_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = select(0u, 1u, (bitcast<i32>(_e909.member) == 1i));
                                                 break;
                                             }
                                             case 68: {
-                                                if (_e155 < _e158) {
-                                                    phi_1061_ = type_26(0u, type_26().member_1);
+                                                if (_e159 < _e162) {
+                                                    phi_1065_ = type_26(0u, type_26().member_1);
                                                 } else {
-                                                    phi_1061_ = type_26(1u, (_e155 - _e158));
+                                                    phi_1065_ = type_26(1u, (_e159 - _e162));
                                                 }
-                                                let _e872 = phi_1061_;
-                                                if (bitcast<i32>(_e872.member) != 0i) {
-                                                    phi_1070_ = type_26(0u, _e872.member_1);
+                                                let _e876 = phi_1065_;
+                                                if (bitcast<i32>(_e876.member) != 0i) {
+                                                    phi_1074_ = type_26(0u, _e876.member_1);
                                                 } else {
-                                                    phi_1070_ = type_26(1u, 4u);
+                                                    phi_1074_ = type_26(1u, 4u);
                                                 }
-                                                let _e879 = phi_1070_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = _e879.member_1;
+                                                let _e883 = phi_1074_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = _e883.member_1;
                                                 break;
                                             }
                                             case 69: {
-                                                let _e841 = select(select(0i, 1i, (_e155 != _e158)), 255i, (_e155 < _e158));
-                                                switch _e841 {
+                                                let _e845 = select(select(0i, 1i, (_e159 != _e162)), 255i, (_e159 < _e162));
+                                                switch _e845 {
                                                     case 255: {
-                                                        phi_1038_ = 1i;
+                                                        phi_1042_ = 1i;
                                                         break;
                                                     }
                                                     case 0: {
-                                                        phi_1038_ = 0i;
+                                                        phi_1042_ = 0i;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1038_ = 255i;
+                                                        phi_1042_ = 255i;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1038_ = i32();
+                                                        phi_1042_ = i32();
                                                         break;
                                                     }
                                                 }
-                                                let _e843 = phi_1038_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = bitcast<u32>((bitcast<i32>(((bitcast<i32>(_e843) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) + (5i * select(0i, 1i, (((bitcast<i32>(_e841) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) < ((bitcast<i32>(0i) << bitcast<u32>(24u)) >> bitcast<u32>(24u)))))));
+                                                let _e847 = phi_1042_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = bitcast<u32>((bitcast<i32>(((bitcast<i32>(_e847) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) + (5i * select(0i, 1i, (((bitcast<i32>(_e845) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) < ((bitcast<i32>(0i) << bitcast<u32>(24u)) >> bitcast<u32>(24u)))))));
                                                 break;
                                             }
                                             case 70: {
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = (_e158 - (_e155 * 2u));
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = (_e162 - (_e159 * 2u));
                                                 break;
                                             }
                                             case 71: {
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = (_e155 + (_e158 * 3u));
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = (_e159 + (_e162 * 3u));
                                                 break;
                                             }
                                             case 72: {
-                                                let _e828 = local[0u];
-                                                let _e829 = local[1u];
-                                                let _e830 = local[2u];
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = ((_e828 + (1000u * _e829)) + _e830);
+                                                let _e832 = local[0u];
+                                                let _e833 = local[1u];
+                                                let _e834 = local[2u];
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = ((_e832 + (1000u * _e833)) + _e834);
                                                 break;
                                             }
                                             case 73: {
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = ((_e158 + _e155) * (1u + _e155));
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = ((_e162 + _e159) * (1u + _e159));
                                                 break;
                                             }
                                             case 74: {
-                                                if select(true, false, (_e155 <= 9u)) {
-                                                    if ((_e155 % 2u) == 0u) {
-                                                        phi_1014_ = 2u;
+                                                if select(true, false, (_e159 <= 9u)) {
+                                                    if ((_e159 % 2u) == 0u) {
+                                                        phi_1018_ = 2u;
                                                     } else {
-                                                        switch bitcast<i32>(_e155) {
+                                                        switch bitcast<i32>(_e159) {
                                                             case 11: {
-                                                                phi_1012_ = true;
+                                                                phi_1016_ = true;
                                                                 break;
                                                             }
                                                             case 13: {
-                                                                phi_1012_ = true;
+                                                                phi_1016_ = true;
                                                                 break;
                                                             }
                                                             case 15: {
-                                                                phi_1012_ = true;
+                                                                phi_1016_ = true;
                                                                 break;
                                                             }
                                                             default: {
-                                                                phi_1012_ = false;
+                                                                phi_1016_ = false;
                                                                 break;
                                                             }
                                                         }
-                                                        let _e819 = phi_1012_;
-                                                        phi_1014_ = select(4u, 3u, _e819);
+                                                        let _e823 = phi_1016_;
+                                                        phi_1018_ = select(4u, 3u, _e823);
                                                     }
-                                                    let _e822 = phi_1014_;
-                                                    phi_1015_ = _e822;
+                                                    let _e826 = phi_1018_;
+                                                    phi_1019_ = _e826;
                                                 } else {
-                                                    phi_1015_ = 1u;
+                                                    phi_1019_ = 1u;
                                                 }
-                                                let _e824 = phi_1015_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = _e824;
+                                                let _e828 = phi_1019_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = _e828;
                                                 break;
                                             }
                                             case 75: {
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = select(0u, (_e155 / 3u), ((_e155 % 3u) == 1u));
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = select(0u, (_e159 / 3u), ((_e159 % 3u) == 1u));
                                                 break;
                                             }
                                             case 76: {
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = (select(0u, 1u, (_e155 > _e158)) + 1u);
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = (select(0u, 1u, (_e159 > _e162)) + 1u);
                                                 break;
                                             }
                                             case 77: {
-                                                let _e802 = (_e158 % 4u);
-                                                if (_e802 < 4u) {
+                                                let _e806 = (_e162 % 4u);
+                                                if (_e806 < 4u) {
                                                 } else {
-                                                    phi_1183_ = true;
-                                                    phi_1184_ = u32();
+                                                    phi_1187_ = true;
+                                                    phi_1188_ = u32();
                                                     break;
                                                 }
-                                                let _e805 = local[_e802];
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = _e805;
+                                                let _e809 = local[_e806];
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = _e809;
                                                 break;
                                             }
                                             case 78: {
-                                                switch select(select(0i, 1i, (_e155 != _e158)), 255i, (_e155 < _e158)) {
+                                                switch select(select(0i, 1i, (_e159 != _e162)), 255i, (_e159 < _e162)) {
                                                     case 255: {
-                                                        phi_983_ = 10u;
+                                                        phi_987_ = 10u;
                                                         break;
                                                     }
                                                     case 0: {
-                                                        phi_983_ = 20u;
+                                                        phi_987_ = 20u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_983_ = 30u;
+                                                        phi_987_ = 30u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_983_ = u32();
+                                                        phi_987_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e801 = phi_983_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = _e801;
+                                                let _e805 = phi_987_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = _e805;
                                                 break;
                                             }
                                             case 79: {
-                                                if (_e155 < 3u) {
-                                                    phi_973_ = 100u;
+                                                if (_e159 < 3u) {
+                                                    phi_977_ = 100u;
                                                 } else {
-                                                    if ((_e155 % 2u) == 0u) {
-                                                        let _e772 = ((_e155 % 3u) == 0u);
-                                                        if _e772 {
-                                                            phi_953_ = true;
+                                                    if ((_e159 % 2u) == 0u) {
+                                                        let _e776 = ((_e159 % 3u) == 0u);
+                                                        if _e776 {
+                                                            phi_957_ = true;
                                                         } else {
-                                                            phi_953_ = (_e155 > 20u);
+                                                            phi_957_ = (_e159 > 20u);
                                                         }
-                                                        let _e775 = phi_953_;
-                                                        phi_956_ = select(2000u, 6u, _e772);
-                                                        phi_957_ = select(true, false, _e775);
+                                                        let _e779 = phi_957_;
+                                                        phi_960_ = select(2000u, 6u, _e776);
+                                                        phi_961_ = select(true, false, _e779);
                                                     } else {
-                                                        phi_956_ = u32();
-                                                        phi_957_ = true;
+                                                        phi_960_ = u32();
+                                                        phi_961_ = true;
                                                     }
-                                                    let _e779 = phi_956_;
-                                                    let _e781 = phi_957_;
-                                                    if _e781 {
-                                                        switch bitcast<i32>((_e155 % 7u)) {
+                                                    let _e783 = phi_960_;
+                                                    let _e785 = phi_961_;
+                                                    if _e785 {
+                                                        switch bitcast<i32>((_e159 % 7u)) {
                                                             case 0: {
-                                                                phi_968_ = 7u;
-                                                                phi_969_ = false;
+                                                                phi_972_ = 7u;
+                                                                phi_973_ = false;
                                                                 break;
                                                             }
                                                             case 1: {
-                                                                phi_968_ = 77u;
-                                                                phi_969_ = select(true, false, (_e155 > 30u));
+                                                                phi_972_ = 77u;
+                                                                phi_973_ = select(true, false, (_e159 > 30u));
                                                                 break;
                                                             }
                                                             default: {
-                                                                phi_968_ = u32();
-                                                                phi_969_ = true;
+                                                                phi_972_ = u32();
+                                                                phi_973_ = true;
                                                                 break;
                                                             }
                                                         }
-                                                        let _e787 = phi_968_;
-                                                        let _e789 = phi_969_;
-                                                        phi_972_ = select(_e155, _e787, select(true, false, _e789));
+                                                        let _e791 = phi_972_;
+                                                        let _e793 = phi_973_;
+                                                        phi_976_ = select(_e159, _e791, select(true, false, _e793));
                                                     } else {
-                                                        phi_972_ = _e779;
+                                                        phi_976_ = _e783;
                                                     }
-                                                    let _e793 = phi_972_;
-                                                    phi_973_ = _e793;
+                                                    let _e797 = phi_976_;
+                                                    phi_977_ = _e797;
                                                 }
-                                                let _e795 = phi_973_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = _e795;
+                                                let _e799 = phi_977_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = _e799;
                                                 break;
                                             }
                                             case 80: {
                                                 local_1[0u] = 1u;
                                                 local_1[1u] = 10u;
                                                 local_1[2u] = 100u;
-                                                phi_914_ = 0u;
-                                                phi_917_ = 0u;
+                                                phi_918_ = 0u;
+                                                phi_921_ = 0u;
                                                 loop {
-                                                    let _e747 = phi_914_;
-                                                    let _e749 = phi_917_;
-                                                    local_19 = _e749;
-                                                    if (_e747 < 3u) {
-                                                        let _e752 = local_1[_e747];
-                                                        let _e754 = local[0u];
-                                                        local_16 = (_e747 + 1u);
-                                                        local_17 = (_e749 + (_e754 * _e752));
+                                                    let _e751 = phi_918_;
+                                                    let _e753 = phi_921_;
+                                                    local_19 = _e753;
+                                                    if (_e751 < 3u) {
+                                                        let _e756 = local_1[_e751];
+                                                        let _e758 = local[0u];
+                                                        local_16 = (_e751 + 1u);
+                                                        local_17 = (_e753 + (_e758 * _e756));
                                                         continue;
                                                     } else {
                                                         break;
                                                     }
                                                     continuing {
-                                                        let _e1349 = local_16;
-                                                        phi_914_ = _e1349;
-                                                        let _e1352 = local_17;
-                                                        phi_917_ = _e1352;
+                                                        let _e1589 = local_16;
+                                                        phi_918_ = _e1589;
+                                                        let _e1592 = local_17;
+                                                        phi_921_ = _e1592;
                                                     }
                                                 }
-                                                let _e757 = local;
-                                                local_2 = _e757;
-                                                phi_927_ = 0u;
-                                                let _e1358 = local_19;
-                                                phi_930_ = _e1358;
+                                                let _e761 = local;
+                                                local_2 = _e761;
+                                                phi_931_ = 0u;
+                                                let _e1598 = local_19;
+                                                phi_934_ = _e1598;
                                                 loop {
-                                                    let _e759 = phi_927_;
-                                                    let _e761 = phi_930_;
-                                                    local_21 = _e761;
-                                                    if (_e759 < 4u) {
-                                                        let _e764 = local_2[_e759];
-                                                        local_18 = (_e759 + 1u);
-                                                        local_20 = ((_e761 * 3u) + _e764);
+                                                    let _e763 = phi_931_;
+                                                    let _e765 = phi_934_;
+                                                    local_21 = _e765;
+                                                    if (_e763 < 4u) {
+                                                        let _e768 = local_2[_e763];
+                                                        local_18 = (_e763 + 1u);
+                                                        local_20 = ((_e765 * 3u) + _e768);
                                                         continue;
                                                     } else {
                                                         break;
                                                     }
                                                     continuing {
-                                                        let _e1355 = local_18;
-                                                        phi_927_ = _e1355;
-                                                        let _e1360 = local_20;
-                                                        phi_930_ = _e1360;
+                                                        let _e1595 = local_18;
+                                                        phi_931_ = _e1595;
+                                                        let _e1600 = local_20;
+                                                        phi_934_ = _e1600;
                                                     }
                                                 }
-                                                phi_1183_ = _e680;
-                                                let _e1388 = local_21;
-                                                phi_1184_ = _e1388;
+                                                phi_1187_ = _e684;
+                                                let _e1628 = local_21;
+                                                phi_1188_ = _e1628;
                                                 break;
                                             }
                                             case 81: {
-                                                phi_888_ = 0u;
-                                                phi_891_ = 0u;
+                                                phi_892_ = 0u;
+                                                phi_895_ = 0u;
                                                 loop {
-                                                    let _e725 = phi_888_;
-                                                    let _e727 = phi_891_;
-                                                    local_13 = _e725;
-                                                    if (_e727 < 4u) {
-                                                        let _e731 = local[_e727];
-                                                        local_11 = (_e725 + _e731);
-                                                        local_12 = (_e727 + 1u);
+                                                    let _e729 = phi_892_;
+                                                    let _e731 = phi_895_;
+                                                    local_13 = _e729;
+                                                    if (_e731 < 4u) {
+                                                        let _e735 = local[_e731];
+                                                        local_11 = (_e729 + _e735);
+                                                        local_12 = (_e731 + 1u);
                                                         continue;
                                                     } else {
                                                         break;
                                                     }
                                                     continuing {
-                                                        let _e1335 = local_11;
-                                                        phi_888_ = _e1335;
-                                                        let _e1338 = local_12;
-                                                        phi_891_ = _e1338;
+                                                        let _e1575 = local_11;
+                                                        phi_892_ = _e1575;
+                                                        let _e1578 = local_12;
+                                                        phi_895_ = _e1578;
                                                     }
                                                 }
-                                                let _e1341 = local_13;
-                                                phi_899_ = _e1341;
-                                                phi_902_ = 0u;
+                                                let _e1581 = local_13;
+                                                phi_903_ = _e1581;
+                                                phi_906_ = 0u;
                                                 loop {
-                                                    let _e734 = phi_899_;
-                                                    let _e736 = phi_902_;
-                                                    local_22 = _e734;
-                                                    if (_e736 < 4u) {
-                                                        let _e740 = local[_e736];
-                                                        local_14 = (_e734 + (_e740 * _e736));
-                                                        local_15 = (_e736 + 1u);
+                                                    let _e738 = phi_903_;
+                                                    let _e740 = phi_906_;
+                                                    local_22 = _e738;
+                                                    if (_e740 < 4u) {
+                                                        let _e744 = local[_e740];
+                                                        local_14 = (_e738 + (_e744 * _e740));
+                                                        local_15 = (_e740 + 1u);
                                                         continue;
                                                     } else {
                                                         break;
                                                     }
                                                     continuing {
-                                                        let _e1343 = local_14;
-                                                        phi_899_ = _e1343;
-                                                        let _e1346 = local_15;
-                                                        phi_902_ = _e1346;
+                                                        let _e1583 = local_14;
+                                                        phi_903_ = _e1583;
+                                                        let _e1586 = local_15;
+                                                        phi_906_ = _e1586;
                                                     }
                                                 }
-                                                phi_1183_ = _e680;
-                                                let _e1390 = local_22;
-                                                phi_1184_ = _e1390;
+                                                phi_1187_ = _e684;
+                                                let _e1630 = local_22;
+                                                phi_1188_ = _e1630;
                                                 break;
                                             }
                                             case 82: {
-                                                phi_860_ = 0u;
-                                                phi_863_ = _e123;
+                                                phi_864_ = 0u;
+                                                phi_867_ = _e127;
                                                 loop {
-                                                    let _e695 = phi_860_;
-                                                    let _e697 = phi_863_;
-                                                    local_6 = _e697;
-                                                    local_7 = _e697;
-                                                    local_8 = _e697;
-                                                    if (_e695 < 4u) {
-                                                        let _e701 = local[_e695];
-                                                        let _e702 = f32(_e701);
-                                                        local_9 = (_e695 + 1u);
-                                                        if ((bitcast<u32>(_e697) & 2147483647u) > 2139095040u) {
-                                                            phi_878_ = true;
+                                                    let _e699 = phi_864_;
+                                                    let _e701 = phi_867_;
+                                                    local_6 = _e701;
+                                                    local_7 = _e701;
+                                                    local_8 = _e701;
+                                                    if (_e699 < 4u) {
+                                                        let _e705 = local[_e699];
+                                                        let _e706 = f32(_e705);
+                                                        local_9 = (_e699 + 1u);
+                                                        if ((bitcast<u32>(_e701) & 2147483647u) > 2139095040u) {
+                                                            phi_882_ = true;
                                                         } else {
-                                                            phi_878_ = (_e702 <= _e697);
+                                                            phi_882_ = (_e706 <= _e701);
                                                         }
-                                                        let _e708 = phi_878_;
-                                                        local_10 = select(_e697, _e702, _e708);
+                                                        let _e712 = phi_882_;
+                                                        local_10 = select(_e701, _e706, _e712);
                                                         continue;
                                                     } else {
                                                         break;
                                                     }
                                                     continuing {
-                                                        let _e1325 = local_9;
-                                                        phi_860_ = _e1325;
-                                                        let _e1328 = local_10;
-                                                        phi_863_ = _e1328;
+                                                        let _e1565 = local_9;
+                                                        phi_864_ = _e1565;
+                                                        let _e1568 = local_10;
+                                                        phi_867_ = _e1568;
                                                     }
                                                 }
-                                                let _e713 = local_6;
-                                                let _e716 = local_7;
-                                                let _e720 = local_8;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = select(select(u32(_e713), 0u, !((_e716 >= bitcast<f32>(0u)))), 4294967295u, (_e720 > bitcast<f32>(1333788671u)));
+                                                let _e717 = local_6;
+                                                let _e720 = local_7;
+                                                let _e724 = local_8;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = select(select(u32(_e717), 0u, !((_e720 >= bitcast<f32>(0u)))), 4294967295u, (_e724 > bitcast<f32>(1333788671u)));
                                                 break;
                                             }
                                             default: {
-                                                let _e949 = bitcast<i32>(_e155);
-                                                let _e951 = select(true, false, (_e949 <= -1i));
-                                                if _e951 {
-                                                    phi_1150_ = select(100i, 0i, (_e949 == 0i));
+                                                let _e953 = bitcast<i32>(_e159);
+                                                let _e955 = select(true, false, (_e953 <= -1i));
+                                                if _e955 {
+                                                    phi_1154_ = select(100i, 0i, (_e953 == 0i));
                                                 } else {
-                                                    phi_1150_ = 253i;
+                                                    phi_1154_ = 253i;
                                                 }
-                                                let _e955 = phi_1150_;
-                                                let _e956 = bitcast<i32>(_e158);
-                                                if select(true, false, (_e956 <= -1i)) {
-                                                    phi_1159_ = select(100i, 0i, (_e956 == 0i));
+                                                let _e959 = phi_1154_;
+                                                let _e960 = bitcast<i32>(_e162);
+                                                if select(true, false, (_e960 <= -1i)) {
+                                                    phi_1163_ = select(100i, 0i, (_e960 == 0i));
                                                 } else {
-                                                    phi_1159_ = 253i;
+                                                    phi_1163_ = 253i;
                                                 }
-                                                let _e962 = phi_1159_;
-                                                if _e951 {
-                                                    phi_1174_ = select(100i, 0i, (_e949 == 0i));
+                                                let _e966 = phi_1163_;
+                                                if _e955 {
+                                                    phi_1178_ = select(100i, 0i, (_e953 == 0i));
                                                 } else {
-                                                    phi_1174_ = 253i;
+                                                    phi_1178_ = 253i;
                                                 }
-                                                let _e979 = phi_1174_;
-                                                phi_1183_ = _e680;
-                                                phi_1184_ = bitcast<u32>((bitcast<i32>(((bitcast<i32>(_e979) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) + (1000i * select(0i, 1i, (bitcast<i32>(((bitcast<i32>(_e955) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) == bitcast<i32>(((bitcast<i32>(_e962) << bitcast<u32>(24u)) >> bitcast<u32>(24u))))))));
+                                                let _e983 = phi_1178_;
+                                                phi_1187_ = _e684;
+                                                phi_1188_ = bitcast<u32>((bitcast<i32>(((bitcast<i32>(_e983) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) + (1000i * select(0i, 1i, (bitcast<i32>(((bitcast<i32>(_e959) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) == bitcast<i32>(((bitcast<i32>(_e966) << bitcast<u32>(24u)) >> bitcast<u32>(24u))))))));
                                                 break;
                                             }
                                         }
-                                        let _e991 = phi_1183_;
-                                        let _e993 = phi_1184_;
-                                        if _e991 {
+                                        let _e995 = phi_1187_;
+                                        let _e997 = phi_1188_;
+                                        if _e995 {
                                             break;
                                         }
-                                        phi_1186_ = _e993;
+                                        phi_1190_ = _e995;
+                                        phi_1191_ = _e997;
                                     } else {
-                                        phi_1186_ = u32();
+                                        phi_1190_ = _e684;
+                                        phi_1191_ = u32();
                                     }
-                                    let _e995 = phi_1186_;
-                                    phi_1188_ = _e995;
-                                    phi_1189_ = select(true, false, _e686);
+                                    let _e999 = phi_1190_;
+                                    let _e1001 = phi_1191_;
+                                    phi_1193_ = _e999;
+                                    phi_1194_ = _e1001;
+                                    phi_1195_ = select(true, false, _e690);
                                 } else {
-                                    phi_1188_ = u32();
-                                    phi_1189_ = true;
+                                    phi_1193_ = _e684;
+                                    phi_1194_ = u32();
+                                    phi_1195_ = true;
                                 }
-                                let _e998 = phi_1188_;
-                                let _e1000 = phi_1189_;
-                                if _e1000 {
-                                    if (84u <= _e150) {
-                                        let _e1002 = (_e150 <= 93u);
-                                        if _e1002 {
-                                            let _e1003 = bitcast<i32>(_e155);
-                                            let _e1004 = bitcast<i32>(_e158);
-                                            switch bitcast<i32>(_e150) {
+                                let _e1004 = phi_1193_;
+                                let _e1006 = phi_1194_;
+                                let _e1008 = phi_1195_;
+                                if _e1008 {
+                                    if (84u <= _e154) {
+                                        let _e1010 = (_e154 <= 93u);
+                                        if _e1010 {
+                                            let _e1011 = bitcast<i32>(_e159);
+                                            let _e1012 = bitcast<i32>(_e162);
+                                            switch bitcast<i32>(_e154) {
                                                 case 84: {
-                                                    phi_1324_ = bitcast<i32>(((bitcast<i32>((bitcast<i32>(_e1003) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)));
+                                                    phi_1330_ = bitcast<i32>(((bitcast<i32>((bitcast<i32>(_e1011) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)));
                                                     break;
                                                 }
                                                 case 85: {
-                                                    phi_1324_ = bitcast<i32>(((bitcast<i32>((bitcast<i32>(_e1003) & bitcast<i32>(65535u))) << bitcast<u32>(16u)) >> bitcast<u32>(16u)));
+                                                    phi_1330_ = bitcast<i32>(((bitcast<i32>((bitcast<i32>(_e1011) & bitcast<i32>(65535u))) << bitcast<u32>(16u)) >> bitcast<u32>(16u)));
                                                     break;
                                                 }
                                                 case 86: {
-                                                    phi_1324_ = (bitcast<i32>((bitcast<u32>(_e1003) & 255u)) + bitcast<i32>((bitcast<u32>(_e1004) & 65535u)));
+                                                    phi_1330_ = (bitcast<i32>((bitcast<u32>(_e1011) & 255u)) + bitcast<i32>((bitcast<u32>(_e1012) & 65535u)));
                                                     break;
                                                 }
                                                 case 87: {
-                                                    phi_1324_ = bitcast<i32>((((bitcast<u32>(_e1003) & 255u) + (bitcast<u32>(_e1004) & 255u)) & 255u));
+                                                    phi_1330_ = bitcast<i32>((((bitcast<u32>(_e1011) & 255u) + (bitcast<u32>(_e1012) & 255u)) & 255u));
                                                     break;
                                                 }
                                                 case 88: {
-                                                    phi_1324_ = bitcast<i32>(((bitcast<i32>((((bitcast<i32>(_e1003) & bitcast<i32>(255u)) * (bitcast<i32>(_e1004) & bitcast<i32>(255u))) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)));
+                                                    phi_1330_ = bitcast<i32>(((bitcast<i32>((((bitcast<i32>(_e1011) & bitcast<i32>(255u)) * (bitcast<i32>(_e1012) & bitcast<i32>(255u))) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)));
                                                     break;
                                                 }
                                                 case 89: {
-                                                    phi_1324_ = (select(0i, 1i, (((bitcast<i32>((bitcast<i32>(_e1003) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) < ((bitcast<i32>((bitcast<i32>(_e1004) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)))) + (2i * select(0i, 1i, ((bitcast<u32>(_e1003) & 255u) < (bitcast<u32>(_e1004) & 255u)))));
+                                                    phi_1330_ = (select(0i, 1i, (((bitcast<i32>((bitcast<i32>(_e1011) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) < ((bitcast<i32>((bitcast<i32>(_e1012) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)))) + (2i * select(0i, 1i, ((bitcast<u32>(_e1011) & 255u) < (bitcast<u32>(_e1012) & 255u)))));
                                                     break;
                                                 }
                                                 case 90: {
-                                                    phi_1324_ = (bitcast<i32>(((bitcast<i32>(((((bitcast<i32>((bitcast<i32>(_e1003) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) >> bitcast<u32>(2i)) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) + bitcast<i32>(((bitcast<u32>(_e1003) & 65535u) >> bitcast<u32>(3u))));
+                                                    phi_1330_ = (bitcast<i32>(((bitcast<i32>(((((bitcast<i32>((bitcast<i32>(_e1011) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u)) >> bitcast<u32>(2i)) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) + bitcast<i32>(((bitcast<u32>(_e1011) & 65535u) >> bitcast<u32>(3u))));
                                                     break;
                                                 }
                                                 case 91: {
-                                                    phi_1324_ = (bitcast<i32>((~((bitcast<u32>(_e1003) & 255u)) & 255u)) + bitcast<i32>((((bitcast<u32>(_e1004) & 255u) << bitcast<u32>(3u)) & 255u)));
+                                                    phi_1330_ = (bitcast<i32>((~((bitcast<u32>(_e1011) & 255u)) & 255u)) + bitcast<i32>((((bitcast<u32>(_e1012) & 255u) << bitcast<u32>(3u)) & 255u)));
                                                     break;
                                                 }
                                                 case 92: {
-                                                    switch (bitcast<i32>(_e1003) & bitcast<i32>(255u)) {
+                                                    switch (bitcast<i32>(_e1011) & bitcast<i32>(255u)) {
                                                         case 0: {
-                                                            phi_1222_ = 1i;
+                                                            phi_1228_ = 1i;
                                                             break;
                                                         }
                                                         case 255: {
-                                                            phi_1222_ = 2i;
+                                                            phi_1228_ = 2i;
                                                             break;
                                                         }
                                                         case 127: {
-                                                            phi_1222_ = 3i;
+                                                            phi_1228_ = 3i;
                                                             break;
                                                         }
                                                         case 128: {
-                                                            phi_1222_ = 5i;
+                                                            phi_1228_ = 5i;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1222_ = 4i;
+                                                            phi_1228_ = 4i;
                                                             break;
                                                         }
                                                     }
-                                                    let _e1010 = phi_1222_;
-                                                    phi_1324_ = _e1010;
+                                                    let _e1018 = phi_1228_;
+                                                    phi_1330_ = _e1018;
                                                     break;
                                                 }
                                                 default: {
-                                                    let _e1129 = (f32(((bitcast<i32>((bitcast<i32>(_e1003) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) * 2f);
-                                                    phi_1324_ = select(0i, select(select(i32(_e1129), i32(-2147483648), !((_e1129 >= bitcast<f32>(3472883712u)))), 2147483647i, (_e1129 > bitcast<f32>(1325400063u))), ((bitcast<u32>(_e1129) & 2147483647u) <= 2139095040u));
+                                                    let _e1137 = (f32(((bitcast<i32>((bitcast<i32>(_e1011) & bitcast<i32>(255u))) << bitcast<u32>(24u)) >> bitcast<u32>(24u))) * 2f);
+                                                    phi_1330_ = select(0i, select(select(i32(_e1137), i32(-2147483648), !((_e1137 >= bitcast<f32>(3472883712u)))), 2147483647i, (_e1137 > bitcast<f32>(1325400063u))), ((bitcast<u32>(_e1137) & 2147483647u) <= 2139095040u));
                                                     break;
                                                 }
                                             }
-                                            let _e1143 = phi_1324_;
-                                            phi_1326_ = bitcast<u32>(_e1143);
+                                            let _e1151 = phi_1330_;
+                                            phi_1332_ = bitcast<u32>(_e1151);
                                         } else {
-                                            phi_1326_ = u32();
+                                            phi_1332_ = u32();
                                         }
-                                        let _e1146 = phi_1326_;
-                                        phi_1328_ = _e1146;
-                                        phi_1329_ = select(true, false, _e1002);
+                                        let _e1154 = phi_1332_;
+                                        phi_1334_ = _e1154;
+                                        phi_1335_ = select(true, false, _e1010);
                                     } else {
-                                        phi_1328_ = u32();
-                                        phi_1329_ = true;
+                                        phi_1334_ = u32();
+                                        phi_1335_ = true;
                                     }
-                                    let _e1149 = phi_1328_;
-                                    let _e1151 = phi_1329_;
-                                    if _e1151 {
-                                        let _e1152 = bitcast<i32>(_e155);
-                                        let _e1153 = bitcast<i32>(_e158);
-                                        switch bitcast<i32>(_e150) {
-                                            case 94: {
-                                                let _e1250 = (_e155 + _e158);
-                                                phi_1452_ = select(_e1250, 4294967295u, (_e1250 < _e155));
-                                                break;
-                                            }
-                                            case 95: {
-                                                if (_e155 < _e158) {
-                                                    phi_1446_ = 0u;
-                                                } else {
-                                                    phi_1446_ = (_e155 - _e158);
-                                                }
-                                                let _e1249 = phi_1446_;
-                                                phi_1452_ = _e1249;
-                                                break;
-                                            }
-                                            case 96: {
-                                                let _e1236 = (_e1152 + _e1153);
-                                                if (((_e1152 ^ _e1236) & (_e1153 ^ _e1236)) < 0i) {
-                                                    phi_1439_ = select(2147483647i, i32(-2147483648), (_e1152 < 0i));
-                                                } else {
-                                                    phi_1439_ = _e1236;
-                                                }
-                                                let _e1244 = phi_1439_;
-                                                phi_1452_ = bitcast<u32>(_e1244);
-                                                break;
-                                            }
-                                            case 97: {
-                                                let _e1226 = (_e1152 - _e1153);
-                                                if (((_e1152 ^ _e1153) & (_e1152 ^ _e1226)) < 0i) {
-                                                    phi_1427_ = select(2147483647i, i32(-2147483648), (_e1152 < 0i));
-                                                } else {
-                                                    phi_1427_ = _e1226;
-                                                }
-                                                let _e1234 = phi_1427_;
-                                                phi_1452_ = bitcast<u32>(_e1234);
-                                                break;
-                                            }
-                                            case 98: {
-                                                let _e1203 = sqrt(f32(_e155));
-                                                let _e1205 = select(65535f, _e1203, (_e1203 < 65535f));
-                                                let _e1213 = select(select(u32(_e1205), 0u, !((_e1205 >= bitcast<f32>(0u)))), 4294967295u, (_e1205 > bitcast<f32>(1333788671u)));
-                                                if ((_e1213 * _e1213) > _e155) {
-                                                    phi_1407_ = (_e1213 - 1u);
-                                                } else {
-                                                    phi_1407_ = _e1213;
-                                                }
-                                                let _e1218 = phi_1407_;
-                                                if ((_e155 - (_e1218 * _e1218)) > (2u * _e1218)) {
-                                                    phi_1416_ = (_e1218 + 1u);
-                                                } else {
-                                                    phi_1416_ = _e1218;
-                                                }
-                                                let _e1225 = phi_1416_;
-                                                phi_1452_ = _e1225;
-                                                break;
-                                            }
-                                            case 99: {
-                                                let _e1182 = (_e155 >> bitcast<u32>(16i));
-                                                let _e1183 = (_e155 & 65535u);
-                                                let _e1185 = (_e158 >> bitcast<u32>(16i));
-                                                let _e1186 = (_e158 & 65535u);
-                                                let _e1191 = ((_e1182 * _e1186) + ((_e1183 * _e1186) >> bitcast<u32>(16i)));
-                                                phi_1452_ = (((_e1182 * _e1185) + (_e1191 >> bitcast<u32>(16i))) + (((_e1183 * _e1185) + (_e1191 & 65535u)) >> bitcast<u32>(16i)));
-                                                break;
-                                            }
-                                            case 100: {
-                                                let _e1160 = (_e155 & 65535u);
-                                                let _e1164 = (_e1160 & 32767u);
-                                                let _e1166 = (_e1164 << bitcast<u32>(13i));
-                                                if (_e1164 < 1024u) {
-                                                    phi_1369_ = bitcast<u32>((f32(_e1164) * 0.000000059604645f));
-                                                } else {
-                                                    if (_e1164 < 31744u) {
-                                                        phi_1366_ = (_e1166 + 939524096u);
-                                                    } else {
-                                                        phi_1366_ = (_e1166 | 2139095040u);
+                                    let _e1157 = phi_1334_;
+                                    let _e1159 = phi_1335_;
+                                    if _e1159 {
+                                        if (94u <= _e154) {
+                                            let _e1161 = (_e154 <= 103u);
+                                            if _e1161 {
+                                                let _e1162 = bitcast<i32>(_e159);
+                                                let _e1163 = bitcast<i32>(_e162);
+                                                switch bitcast<i32>(_e154) {
+                                                    case 94: {
+                                                        let _e1260 = (_e159 + _e162);
+                                                        phi_1466_ = select(_e1260, 4294967295u, (_e1260 < _e159));
+                                                        break;
                                                     }
-                                                    let _e1172 = phi_1366_;
-                                                    phi_1369_ = _e1172;
+                                                    case 95: {
+                                                        if (_e159 < _e162) {
+                                                            phi_1460_ = 0u;
+                                                        } else {
+                                                            phi_1460_ = (_e159 - _e162);
+                                                        }
+                                                        let _e1259 = phi_1460_;
+                                                        phi_1466_ = _e1259;
+                                                        break;
+                                                    }
+                                                    case 96: {
+                                                        let _e1246 = (_e1162 + _e1163);
+                                                        if (((_e1162 ^ _e1246) & (_e1163 ^ _e1246)) < 0i) {
+                                                            phi_1453_ = select(2147483647i, i32(-2147483648), (_e1162 < 0i));
+                                                        } else {
+                                                            phi_1453_ = _e1246;
+                                                        }
+                                                        let _e1254 = phi_1453_;
+                                                        phi_1466_ = bitcast<u32>(_e1254);
+                                                        break;
+                                                    }
+                                                    case 97: {
+                                                        let _e1236 = (_e1162 - _e1163);
+                                                        if (((_e1162 ^ _e1163) & (_e1162 ^ _e1236)) < 0i) {
+                                                            phi_1441_ = select(2147483647i, i32(-2147483648), (_e1162 < 0i));
+                                                        } else {
+                                                            phi_1441_ = _e1236;
+                                                        }
+                                                        let _e1244 = phi_1441_;
+                                                        phi_1466_ = bitcast<u32>(_e1244);
+                                                        break;
+                                                    }
+                                                    case 98: {
+                                                        let _e1213 = sqrt(f32(_e159));
+                                                        let _e1215 = select(65535f, _e1213, (_e1213 < 65535f));
+                                                        let _e1223 = select(select(u32(_e1215), 0u, !((_e1215 >= bitcast<f32>(0u)))), 4294967295u, (_e1215 > bitcast<f32>(1333788671u)));
+                                                        if ((_e1223 * _e1223) > _e159) {
+                                                            phi_1421_ = (_e1223 - 1u);
+                                                        } else {
+                                                            phi_1421_ = _e1223;
+                                                        }
+                                                        let _e1228 = phi_1421_;
+                                                        if ((_e159 - (_e1228 * _e1228)) > (2u * _e1228)) {
+                                                            phi_1430_ = (_e1228 + 1u);
+                                                        } else {
+                                                            phi_1430_ = _e1228;
+                                                        }
+                                                        let _e1235 = phi_1430_;
+                                                        phi_1466_ = _e1235;
+                                                        break;
+                                                    }
+                                                    case 99: {
+                                                        let _e1192 = (_e159 >> bitcast<u32>(16i));
+                                                        let _e1193 = (_e159 & 65535u);
+                                                        let _e1195 = (_e162 >> bitcast<u32>(16i));
+                                                        let _e1196 = (_e162 & 65535u);
+                                                        let _e1201 = ((_e1192 * _e1196) + ((_e1193 * _e1196) >> bitcast<u32>(16i)));
+                                                        phi_1466_ = (((_e1192 * _e1195) + (_e1201 >> bitcast<u32>(16i))) + (((_e1193 * _e1195) + (_e1201 & 65535u)) >> bitcast<u32>(16i)));
+                                                        break;
+                                                    }
+                                                    case 100: {
+                                                        let _e1170 = (_e159 & 65535u);
+                                                        let _e1174 = (_e1170 & 32767u);
+                                                        let _e1176 = (_e1174 << bitcast<u32>(13i));
+                                                        if (_e1174 < 1024u) {
+                                                            phi_1383_ = bitcast<u32>((f32(_e1174) * 0.000000059604645f));
+                                                        } else {
+                                                            if (_e1174 < 31744u) {
+                                                                phi_1380_ = (_e1176 + 939524096u);
+                                                            } else {
+                                                                phi_1380_ = (_e1176 | 2139095040u);
+                                                            }
+                                                            let _e1182 = phi_1380_;
+                                                            phi_1383_ = _e1182;
+                                                        }
+                                                        let _e1187 = phi_1383_;
+                                                        phi_1466_ = bitcast<u32>(bitcast<f32>((((_e1170 & 32768u) << bitcast<u32>(16i)) | _e1187)));
+                                                        break;
+                                                    }
+                                                    case 101: {
+                                                        phi_1466_ = bitcast<u32>(ceil(_e165));
+                                                        break;
+                                                    }
+                                                    case 102: {
+                                                        phi_1466_ = select(0u, 1u, (abs(_e165) <= 0x1.fffffep+127f));
+                                                        break;
+                                                    }
+                                                    default: {
+                                                        phi_1466_ = select(0u, 1u, (_e165 == _e129));
+                                                        break;
+                                                    }
                                                 }
-                                                let _e1177 = phi_1369_;
-                                                phi_1452_ = bitcast<u32>(bitcast<f32>((((_e1160 & 32768u) << bitcast<u32>(16i)) | _e1177)));
-                                                break;
+                                                let _e1266 = phi_1466_;
+                                                phi_1467_ = _e1266;
+                                            } else {
+                                                phi_1467_ = u32();
                                             }
-                                            case 101: {
-                                                phi_1452_ = bitcast<u32>(ceil(_e161));
-                                                break;
-                                            }
-                                            case 102: {
-                                                phi_1452_ = select(0u, 1u, (abs(_e161) <= 0x1.fffffep+127f));
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1452_ = select(0u, 1u, (_e161 == _e125));
-                                                break;
-                                            }
+                                            let _e1268 = phi_1467_;
+                                            phi_1469_ = _e1268;
+                                            phi_1470_ = select(true, false, _e1161);
+                                        } else {
+                                            phi_1469_ = u32();
+                                            phi_1470_ = true;
                                         }
-                                        let _e1256 = phi_1452_;
-                                        phi_1453_ = _e1256;
+                                        let _e1271 = phi_1469_;
+                                        let _e1273 = phi_1470_;
+                                        if _e1273 {
+                                            let _e1274 = bitcast<i32>(_e159);
+                                            let _e1275 = bitcast<i32>(_e162);
+                                            switch bitcast<i32>(_e154) {
+                                                case 104: {
+                                                    let _e1447 = (_e1275 | 1i);
+                                                    let _e1448 = (_e1447 == -1i);
+                                                    if select(false, true, _e1448) {
+                                                        phi_1694_ = type_27(0i, (_e1274 == i32(-2147483648)));
+                                                    } else {
+                                                        if (_e1447 == 0i) {
+                                                            phi_1716_ = true;
+                                                            phi_1717_ = i32();
+                                                            break;
+                                                        }
+                                                        if (_e1448 && (_e1274 == i32(-2147483648))) {
+                                                            phi_1716_ = true;
+                                                            phi_1717_ = i32();
+                                                            break;
+                                                        }
+                                                        let _e1455 = (_e1274 - (_e1447 * (_e1274 / _e1447)));
+                                                        if (_e1455 < 0i) {
+                                                            if (_e1447 < 0i) {
+                                                                phi_1688_ = (0i - _e1447);
+                                                            } else {
+                                                                phi_1688_ = _e1447;
+                                                            }
+                                                            let _e1460 = phi_1688_;
+                                                            phi_1690_ = (_e1455 + _e1460);
+                                                        } else {
+                                                            phi_1690_ = _e1455;
+                                                        }
+                                                        let _e1463 = phi_1690_;
+                                                        phi_1694_ = type_27(_e1463, false);
+                                                    }
+                                                    let _e1468 = phi_1694_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = _e1468.member;
+                                                    break;
+                                                }
+                                                case 105: {
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = (_e1274 - (3i * (_e1274 / 3i)));
+                                                    break;
+                                                }
+                                                case 106: {
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = (_e1274 - (-4i * (_e1274 / -4i)));
+                                                    break;
+                                                }
+                                                case 107: {
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = (_e1274 - (768i * (_e1274 / 768i)));
+                                                    break;
+                                                }
+                                                case 108: {
+                                                    let _e1434 = (_e1274 >> bitcast<u32>(2i));
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = (_e1434 - (5i * (_e1434 / 5i)));
+                                                    break;
+                                                }
+                                                case 109: {
+                                                    let _e1416 = (_e1274 + _e1275);
+                                                    if select(false, true, ((_e1275 < 0i) == (_e1416 >= _e1274))) {
+                                                        phi_1644_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1644_ = type_28(1u, _e1416);
+                                                    }
+                                                    let _e1427 = phi_1644_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1427.member_1, (bitcast<i32>(_e1427.member) != 0i));
+                                                    break;
+                                                }
+                                                case 110: {
+                                                    let _e1399 = (_e1274 - _e1275);
+                                                    if select(false, true, ((_e1275 < 0i) == (_e1399 <= _e1274))) {
+                                                        phi_1627_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1627_ = type_28(1u, _e1399);
+                                                    }
+                                                    let _e1410 = phi_1627_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1410.member_1, (bitcast<i32>(_e1410.member) != 0i));
+                                                    break;
+                                                }
+                                                case 111: {
+                                                    if select(false, true, (false == (_e1274 >= _e1274))) {
+                                                        phi_1610_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1610_ = type_28(1u, _e1274);
+                                                    }
+                                                    let _e1393 = phi_1610_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1393.member_1, (bitcast<i32>(_e1393.member) != 0i));
+                                                    break;
+                                                }
+                                                case 112: {
+                                                    if select(false, true, (false == (_e1274 <= _e1274))) {
+                                                        phi_1595_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1595_ = type_28(1u, _e1274);
+                                                    }
+                                                    let _e1378 = phi_1595_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1378.member_1, (bitcast<i32>(_e1378.member) != 0i));
+                                                    break;
+                                                }
+                                                case 113: {
+                                                    if select(false, true, ((_e1275 < 0i) == (_e1275 >= 0i))) {
+                                                        phi_1580_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1580_ = type_28(1u, _e1275);
+                                                    }
+                                                    let _e1363 = phi_1580_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1363.member_1, (bitcast<i32>(_e1363.member) != 0i));
+                                                    break;
+                                                }
+                                                case 114: {
+                                                    let _e1336 = (0i - _e1275);
+                                                    if select(false, true, ((_e1275 < 0i) == (_e1336 <= 0i))) {
+                                                        phi_1564_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1564_ = type_28(1u, _e1336);
+                                                    }
+                                                    let _e1347 = phi_1564_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1347.member_1, (bitcast<i32>(_e1347.member) != 0i));
+                                                    break;
+                                                }
+                                                case 115: {
+                                                    let _e1321 = (_e1274 + 5i);
+                                                    if select(false, true, (false == (_e1321 > _e1274))) {
+                                                        phi_1547_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1547_ = type_28(1u, _e1321);
+                                                    }
+                                                    let _e1330 = phi_1547_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1330.member_1, (bitcast<i32>(_e1330.member) != 0i));
+                                                    break;
+                                                }
+                                                case 116: {
+                                                    let _e1306 = (_e1274 - i32(-2147483648));
+                                                    if select(false, true, (true == (_e1306 < _e1274))) {
+                                                        phi_1532_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1532_ = type_28(1u, _e1306);
+                                                    }
+                                                    let _e1315 = phi_1532_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1315.member_1, (bitcast<i32>(_e1315.member) != 0i));
+                                                    break;
+                                                }
+                                                case 117: {
+                                                    let _e1289 = (_e1274 - _e1275);
+                                                    if select(false, true, ((_e1275 < 0i) == (_e1274 >= _e1289))) {
+                                                        phi_1517_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1517_ = type_28(1u, _e1274);
+                                                    }
+                                                    let _e1300 = phi_1517_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(77i, _e1300.member_1, (bitcast<i32>(_e1300.member) != 0i));
+                                                    break;
+                                                }
+                                                case 118: {
+                                                    let _e1283 = (_e1274 + _e1275);
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(0i, 1i, ((_e1275 < 0i) == (_e1283 >= _e1274)));
+                                                    break;
+                                                }
+                                                case 119: {
+                                                    let _e1277 = (_e1274 - _e1275);
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(0i, 1i, ((_e1275 < 0i) == (_e1277 <= _e1274)));
+                                                    break;
+                                                }
+                                                default: {
+                                                    let _e1471 = bitcast<i32>(bitcast<u32>(_e1275));
+                                                    let _e1472 = (_e1274 + _e1471);
+                                                    let _e1473 = (_e1471 < 0i);
+                                                    if select(false, true, ((_e1473 == (_e1472 >= _e1274)) != _e1473)) {
+                                                        phi_1710_ = type_28(0u, type_28().member_1);
+                                                    } else {
+                                                        phi_1710_ = type_28(1u, _e1472);
+                                                    }
+                                                    let _e1484 = phi_1710_;
+                                                    phi_1716_ = _e1004;
+                                                    phi_1717_ = select(0i, 1i, !((bitcast<i32>(_e1484.member) == 1i)));
+                                                    break;
+                                                }
+                                            }
+                                            let _e1491 = phi_1716_;
+                                            let _e1493 = phi_1717_;
+                                            if _e1491 {
+                                                break;
+                                            }
+                                            phi_1720_ = bitcast<u32>(_e1493);
+                                        } else {
+                                            phi_1720_ = _e1271;
+                                        }
+                                        let _e1496 = phi_1720_;
+                                        phi_1721_ = _e1496;
                                     } else {
-                                        phi_1453_ = _e1149;
+                                        phi_1721_ = _e1157;
                                     }
-                                    let _e1258 = phi_1453_;
-                                    phi_1454_ = _e1258;
+                                    let _e1498 = phi_1721_;
+                                    phi_1722_ = _e1498;
                                 } else {
-                                    phi_1454_ = _e998;
+                                    phi_1722_ = _e1006;
                                 }
-                                let _e1260 = phi_1454_;
-                                phi_1455_ = _e1260;
+                                let _e1500 = phi_1722_;
+                                phi_1723_ = _e1500;
                             } else {
-                                phi_1455_ = _e682;
+                                phi_1723_ = _e686;
                             }
-                            let _e1262 = phi_1455_;
-                            phi_1456_ = _e1262;
+                            let _e1502 = phi_1723_;
+                            phi_1724_ = _e1502;
                         } else {
-                            phi_1456_ = _e537;
+                            phi_1724_ = _e541;
                         }
-                        let _e1264 = phi_1456_;
-                        phi_1457_ = _e1264;
+                        let _e1504 = phi_1724_;
+                        phi_1725_ = _e1504;
                     } else {
-                        phi_1457_ = _e394;
+                        phi_1725_ = _e398;
                     }
-                    let _e1266 = phi_1457_;
-                    global_9.member[_e143] = _e1266;
+                    let _e1506 = phi_1725_;
+                    global_9.member[_e147] = _e1506;
                 }
             }
             break;

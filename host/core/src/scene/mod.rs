@@ -20,8 +20,8 @@ mod tests;
 
 pub use bounds::bounds;
 pub use config::{
-    COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
-    MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
+    COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_OCCUPANCY, MAX_SAMPLES,
+    MAX_SH_DEGREE, MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub use file::scene_metadata;
 pub use gaussians::logit;

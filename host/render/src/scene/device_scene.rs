@@ -5,8 +5,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use organza_shaders::hash_grid::GridLevel;
 
+use super::device_shard::SceneBlocks;
 use super::field::DeviceField;
 use super::packed::{pack, unpack};
+use crate::stages::occupancy::Occupancy;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Scene, SceneConfig, Tensors};
@@ -25,6 +27,7 @@ pub struct DeviceScene {
     pub(crate) tensors: Tensors<Buffer<f32>>,
     pub(crate) color: DeviceField,
     pub(crate) transmittance: DeviceField,
+    pub(crate) occupancy: Occupancy,
     /// How often [`DeviceScene::write`] has changed it.
     pub(crate) version: Arc<AtomicU64>,
 }
@@ -114,7 +117,11 @@ impl DeviceScene {
         spec.check(values)?;
         self.version.fetch_add(1, Ordering::Relaxed);
         if let Some((_, buffer)) = self.tensors.iter().find(|(own, _)| *own == name) {
-            return Ok(device.write(buffer, 0, values)?);
+            device.write(buffer, 0, values)?;
+            return Ok(match name.starts_with("gaussians.") {
+                true => SceneBlocks::from(self).update_occupancy(device, None)?,
+                false => (),
+            });
         }
         let (field, rest) = match name.strip_prefix("color.mlp.") {
             Some(rest) => (&self.color, rest),
@@ -170,6 +177,7 @@ impl DeviceScene {
             tensors: self.tensors.as_ref().map(|_, buffer| buffer.view()),
             color: self.color.view(),
             transmittance: self.transmittance.view(),
+            occupancy: self.occupancy.view(),
             version: Arc::clone(&self.version),
         }
     }

@@ -51,6 +51,12 @@ impl DeviceScene {
         &self.tensors
     }
 
+    /// How full the cells of the occupancy grid are, x fastest, with a border of empty cells; one value without a grid.
+    #[must_use]
+    pub fn occupancy(&self) -> &Buffer<f32> {
+        &self.occupancy.table
+    }
+
     /// Number of Gaussians.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -74,7 +80,8 @@ impl DeviceScene {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let tensors: u64 = self.tensors.iter().map(|(_, buffer)| buffer.bytes()).sum();
-        tensors + self.color.bytes_beside_tensors() + self.transmittance.bytes_beside_tensors()
+        let fields = [&self.color, &self.transmittance].map(DeviceField::bytes_beside_tensors);
+        tensors + fields.iter().sum::<u64>() + Occupancy::bytes(&self.config) as u64
     }
 
     /// Bytes that a scene takes on a device after [`Renderer::upload`](crate::Renderer::upload).
@@ -83,7 +90,8 @@ impl DeviceScene {
         let tensors: usize = pack(scene).iter().map(|(_, values)| size_of_val(&**values)).sum();
         let grids = [&scene.config.color_grid, &scene.config.transmittance_grid];
         let levels: u32 = grids.iter().map(|grid| grid.levels).sum();
-        (tensors + levels as usize * size_of::<GridLevel>()) as u64
+        (tensors + levels as usize * size_of::<GridLevel>() + Occupancy::bytes(&scene.config))
+            as u64
     }
 
     /// The scene as it is now.

@@ -10,6 +10,9 @@ use organza_core::error::Result;
 use organza_core::ranks::Ranks;
 use organza_core::scene::SceneConfig;
 
+/// Label of the buffer of an occupancy grid.
+pub const OCCUPANCY: &str = "occupancy grid";
+
 /// The occupancy grid of a scene.
 #[derive(Debug)]
 pub struct Occupancy {
@@ -22,20 +25,30 @@ pub struct Occupancy {
 }
 
 impl Occupancy {
-    /// An empty grid. A scene without one has a single entry, because a binding must be bound.
+    /// An empty grid.
     pub fn new(device: &Device, config: &SceneConfig) -> muslin_device::Result<Self> {
-        let entries = match config.occupancy {
-            0 => 1,
-            side => entries_of_side(side).pow(3) as usize,
-        };
+        let entries = Self::entries(config);
         let inside = if config.contraction.is_none() { 0.9 } else { 0.5 };
         let [low, high] = config.aabb;
         let volume: f64 = (0..3).map(|axis| (high[axis] - low[axis]) / inside).product();
         Ok(Self {
             cell: (volume.cbrt() / f64::from(config.occupancy.max(1))) as f32,
             counts: device.zeros("counts of the occupancy grid", entries)?,
-            table: device.zeros("occupancy grid", entries)?,
+            table: device.zeros(OCCUPANCY, entries)?,
         })
+    }
+
+    /// A scene without a grid has a single entry, because a binding must be bound.
+    fn entries(config: &SceneConfig) -> usize {
+        match config.occupancy {
+            0 => 1,
+            side => entries_of_side(side).pow(3) as usize,
+        }
+    }
+
+    /// Bytes that the grid takes on a device.
+    pub fn bytes(config: &SceneConfig) -> usize {
+        Self::entries(config) * (size_of::<u32>() + size_of::<f32>())
     }
 
     /// The same grid, on the same memory.

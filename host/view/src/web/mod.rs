@@ -15,7 +15,7 @@ use muslin_device::Device;
 use organza_core::camera::{Camera, Orbit};
 use organza_core::error::Result;
 use organza_core::scene::Scene;
-use organza_render::{Renderer, UploadOptions};
+use organza_render::{OCCUPANCY, Renderer, UploadOptions};
 
 pub use gallery::{Card, embedding, gallery};
 
@@ -110,8 +110,13 @@ impl WebPage {
         let upload = UploadOptions::default().half_grids(options.half_grids);
         let planner = Renderer::new(Device::planner());
         let planned = planner.upload_with(scene, upload)?;
-        let buffers = planner.device().take_plan().buffers;
+        let mut buffers = planner.device().take_plan().buffers;
         let there = measuring.upload_with(scene, upload)?;
+        // a planner computes nothing, and a page shows a scene that does not change
+        let occupancy = measuring.device().read(there.occupancy())?;
+        for buffer in buffers.iter_mut().filter(|buffer| buffer.label == OCCUPANCY) {
+            buffer.contents = Some(bytemuck::cast_slice(&occupancy).to_vec());
+        }
         let ladder = plans::measure(measuring, &there, &measured, options.size)?;
         let frames = plans::write(&planner, &planned, &ladder, buffers.len() as u32)?;
         let kernels = plans::kernels(&frames)?;

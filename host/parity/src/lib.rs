@@ -25,6 +25,7 @@ mod hash_grid_half;
 mod hash_grid_scale;
 mod language;
 mod loss;
+mod network;
 mod pair;
 mod peak;
 mod pixels;
@@ -66,6 +67,7 @@ pub fn cases() -> Vec<Case> {
         Case::new::<segment::Segment>(),
         Case::new::<transmittance::TransmittanceInputs>(),
         Case::new::<transmittance::TransmittanceHead>(),
+        Case::new::<network::TransmittanceNetwork>(),
         Case::new::<transmittance::SegmentProduct>(),
         Case::new::<channels::PairChannels>(),
         Case::new::<splat::Splat>(),

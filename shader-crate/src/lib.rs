@@ -32,7 +32,6 @@ pub mod hash_grid_scale;
 pub mod language;
 pub mod limits;
 pub mod loss;
-pub mod network;
 pub mod pair;
 pub mod pinhole;
 pub mod pixels;

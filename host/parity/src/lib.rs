@@ -25,7 +25,6 @@ mod hash_grid_half;
 mod hash_grid_scale;
 mod language;
 mod loss;
-mod network;
 mod pair;
 mod peak;
 mod pixels;
@@ -67,7 +66,6 @@ pub fn cases() -> Vec<Case> {
         Case::new::<segment::Segment>(),
         Case::new::<transmittance::TransmittanceInputs>(),
         Case::new::<transmittance::TransmittanceHead>(),
-        Case::new::<network::TransmittanceNetwork>(),
         Case::new::<transmittance::SegmentProduct>(),
         Case::new::<channels::PairChannels>(),
         Case::new::<splat::Splat>(),

@@ -83,11 +83,6 @@ impl Number for u32 {}
 impl Number for i32 {}
 impl Number for f32 {}
 
-/// Workgroup memory of a kernel with columns: rows begin where vectors of lanes do.
-#[doc(hidden)]
-#[repr(align(64))]
-pub struct Column<T>(pub T);
-
 /// The bytes of a kernel's parameters.
 #[doc(hidden)]
 pub fn params_bytes<T: Params>(params: &T) -> &[u8] {

@@ -10,9 +10,9 @@
 //! are those of single numbers.
 
 use crate::lane::Lane;
-use crate::memory::{Read, ReadFours, Shared, Write, WriteFours};
 #[cfg(target_arch = "spirv")]
 use crate::memory::{ReadBuffer, WriteBuffer};
+use crate::memory::{ReadFours, WriteFours};
 #[cfg(target_arch = "spirv")]
 use glam::Vec4;
 #[cfg(target_arch = "spirv")]
@@ -44,22 +44,6 @@ pub trait Samples: Copy {
     /// Stores consecutive values of the first `count` samples, at least 1, starting at `first`, as in
     /// [`read`](Samples::read).
     fn write(self, buffer: WriteFours<f32>, first: u32, count: u32);
-    /// Reads consecutive values, starting at any `first`.
-    fn read_row(buffer: Read<f32>, first: u32) -> Self;
-    /// Stores consecutive values, starting at any `first`.
-    fn write_row(self, buffer: Write<f32>, first: u32);
-    /// Reads consecutive values of workgroup memory.
-    fn load<const N: usize>(memory: Shared<f32, N>, first: u32) -> Self;
-    /// Stores consecutive values in workgroup memory.
-    fn store<const N: usize>(self, memory: Shared<f32, N>, first: u32);
-    /// A function of two numbers of each sample.
-    fn map<F: LaneFunction>(self, other: Self) -> Self;
-}
-
-/// A function of two numbers, for any lanes.
-pub trait LaneFunction {
-    /// Its value.
-    fn call<L: Lane>(a: L, b: L) -> L;
 }
 
 /// If lanes are samples, the rest has one lane each, so there are never fewer than [`Lane::WIDTH`].
@@ -129,41 +113,6 @@ impl<L: Lane> Samples for L {
                 four.w = value;
             }
         }
-    }
-
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn read_row(buffer: Read<f32>, first: u32) -> Self {
-        L::read(buffer, first)
-    }
-
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn write_row(self, buffer: Write<f32>, first: u32) {
-        L::write(self, buffer, first);
-    }
-
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn load<const N: usize>(memory: Shared<f32, N>, first: u32) -> Self {
-        #[cfg(not(target_arch = "spirv"))]
-        return L::read_written(memory.0, first);
-        #[cfg(target_arch = "spirv")]
-        L::splat(memory.read(first))
-    }
-
-    #[inline(always)]
-    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-    fn store<const N: usize>(self, memory: Shared<f32, N>, first: u32) {
-        #[cfg(not(target_arch = "spirv"))]
-        L::write(self, memory.0, first);
-        #[cfg(target_arch = "spirv")]
-        memory.write(first, self.sum());
-    }
-
-    #[inline(always)]
-    fn map<F: LaneFunction>(self, other: Self) -> Self {
-        F::call(self, other)
     }
 }
 
@@ -263,50 +212,6 @@ impl Samples for Four {
         (first..first + count.min(4))
             .zip(self.each())
             .for_each(|(at, value)| buffer.write(at, value));
-    }
-
-    #[inline(always)]
-    fn read_row(buffer: Read<f32>, first: u32) -> Self {
-        let x = buffer.read(first);
-        let y = buffer.read(first + 1);
-        let z = buffer.read(first + 2);
-        let w = buffer.read(first + 3);
-        Self { x, y, z, w }
-    }
-
-    #[inline(always)]
-    fn write_row(self, buffer: Write<f32>, first: u32) {
-        buffer.write(first, self.x);
-        buffer.write(first + 1, self.y);
-        buffer.write(first + 2, self.z);
-        buffer.write(first + 3, self.w);
-    }
-
-    #[inline(always)]
-    fn load<const N: usize>(memory: Shared<f32, N>, first: u32) -> Self {
-        let x = memory.read(first);
-        let y = memory.read(first + 1);
-        let z = memory.read(first + 2);
-        let w = memory.read(first + 3);
-        Self { x, y, z, w }
-    }
-
-    #[inline(always)]
-    fn store<const N: usize>(self, memory: Shared<f32, N>, first: u32) {
-        memory.write(first, self.x);
-        memory.write(first + 1, self.y);
-        memory.write(first + 2, self.z);
-        memory.write(first + 3, self.w);
-    }
-
-    #[inline(always)]
-    fn map<F: LaneFunction>(self, other: Self) -> Self {
-        Self {
-            x: F::call(self.x, other.x),
-            y: F::call(self.y, other.y),
-            z: F::call(self.z, other.z),
-            w: F::call(self.w, other.w),
-        }
     }
 }
 

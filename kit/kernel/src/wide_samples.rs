@@ -4,8 +4,8 @@
 //! vectors, a weight serves all of them.
 
 use crate::lane::{Lane, Wide};
-use crate::memory::{Read, ReadFours, Shared, Write, WriteFours};
-use crate::samples::{LaneFunction, Samples};
+use crate::memory::{ReadFours, WriteFours};
+use crate::samples::Samples;
 
 /// `K` vectors of `N` lanes.
 #[derive(Clone, Copy)]
@@ -51,41 +51,5 @@ impl<const N: usize, const FUSED: bool, const K: usize> Samples for Vectors<N, F
             Lane::write(self.0[i], buffer, first + (i * N) as u32);
             i += 1;
         }
-    }
-
-    #[inline(always)]
-    #[track_caller]
-    fn read_row(buffer: Read<f32>, first: u32) -> Self {
-        Self::read(buffer, first)
-    }
-
-    #[inline(always)]
-    #[track_caller]
-    fn write_row(self, buffer: Write<f32>, first: u32) {
-        self.write(buffer, first, Self::WIDTH);
-    }
-
-    #[inline(always)]
-    #[track_caller]
-    fn load<const M: usize>(memory: Shared<f32, M>, first: u32) -> Self {
-        Self(memory.read_vectors::<K, N>(first).map(Wide))
-    }
-
-    #[inline(always)]
-    #[track_caller]
-    fn store<const M: usize>(self, memory: Shared<f32, M>, first: u32) {
-        memory.write_vectors::<K, N>(first, lanes!(|i| self.0[i].0));
-    }
-
-    #[inline(always)]
-    fn map<F: LaneFunction>(self, other: Self) -> Self {
-        // not a closure, which the instruction set would not reach
-        let mut values = self.0;
-        let mut i = 0;
-        while i < K {
-            values[i] = F::call(self.0[i], other.0[i]);
-            i += 1;
-        }
-        Self(values)
     }
 }

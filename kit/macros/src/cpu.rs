@@ -73,14 +73,6 @@ fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
             Role::SharedTile(len) => hygienic!(shared::<#element, {#len}>()),
         };
         *slot += 1;
-        if kernel.has_columns()
-            && let Role::Shared(len) = &parameter.role
-        {
-            return Some(hygienic! {
-                let mut memory = ::core::mem::MaybeUninit::<::muslin::kernel::Column<[#element; #len]>>::uninit();
-                let #name = unsafe { ::muslin::memory::Shared::<#element, {#len}>::from_raw(memory.as_mut_ptr().cast()) };
-            });
-        }
         // SAFETY: of the generated code, see `CpuRun`: the caller passes bindings of the declared types.
         let view = hygienic!(unsafe { bindings[#index].#view });
         Some(match parameter.role {

@@ -153,7 +153,7 @@ fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
         if is_variant { quote!(#name) } else { plain_argument(parameter) }
     });
     // an invocation of a GPU is a lane, or takes four samples
-    let lane = kernel.lanes.is_some().then(|| match kernel.samples && !kernel.has_columns() {
+    let lane = kernel.lanes.is_some().then(|| match kernel.samples {
         true => quote!(::<::muslin::samples::Four>),
         false => quote!(::<f32>),
     });
@@ -184,7 +184,7 @@ fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
 
 /// Items along x that an invocation of a GPU takes.
 fn each(kernel: &Kernel) -> TokenStream {
-    match kernel.samples && !kernel.has_columns() {
+    match kernel.samples {
         true => {
             quote!(<::muslin::samples::Four as ::muslin::samples::Samples>::WIDTH)
         }

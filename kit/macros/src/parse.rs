@@ -181,14 +181,7 @@ impl Kernel {
 
     /// Whether the invocations of a workgroup can wait for each other.
     pub fn waits(&self) -> bool {
-        self.storage_barriers
-            || self.subgroups
-            || !self.samples && self.has(|role| matches!(role, Role::Shared(_)))
-    }
-
-    /// Whether workgroup memory has the columns of samples, which no two invocations share.
-    pub fn has_columns(&self) -> bool {
-        self.samples && self.has(|role| matches!(role, Role::Shared(_)))
+        self.storage_barriers || self.subgroups || self.has(|role| matches!(role, Role::Shared(_)))
     }
 
     /// Whether it has a second entry point.

@@ -4,9 +4,6 @@ use std::sync::Mutex;
 
 use glam::Vec4;
 use organza_shaders::limits::MAX_SAMPLES;
-use organza_shaders::network::{
-    COLUMN_ROWS, TransmittanceNetworkKernel, TransmittanceNetworkParams,
-};
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams, contracted_place};
 use organza_shaders::transmittance::{
     SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
@@ -171,19 +168,6 @@ fn log_rho(
     for block in blocks.iter() {
         encode(scene, pairs, segment, first_sample, &block)?;
         let new = || Scratch::new(device, field, blocks.layout());
-        if is_on_chip(field) {
-            device.parallel_for(block.chunks(), |chunk| {
-                let kernel = TransmittanceNetworkKernel {
-                    params: network_params(field, &chunk),
-                    parameters: &field.parameters,
-                    point: &chunk.point,
-                    input: &chunk.input,
-                    log_rho: &log_rho,
-                };
-                device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
-            })?;
-            continue;
-        }
         device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
                 params: head_params(field, &chunk),
@@ -196,34 +180,6 @@ fn log_rho(
         })?;
     }
     Ok(log_rho)
-}
-
-/// Whether the network's layers fit a column.
-fn is_on_chip(field: &DeviceField) -> bool {
-    static IS_OFF: std::sync::LazyLock<bool> =
-        std::sync::LazyLock::new(|| std::env::var_os("ORGANZA_LAYERS").is_some());
-    let fits = match &field.layers[..] {
-        [_, _] => true,
-        [first, _, _] => 4 * first.columns <= COLUMN_ROWS,
-        _ => false,
-    };
-    fits && !*IS_OFF
-}
-
-/// The network's parameters, for a chunk of samples.
-fn network_params(field: &DeviceField, chunk: &Chunk) -> TransmittanceNetworkParams {
-    let [.., last, head] = field.layers[..] else { unreachable!("a network has hidden layers") };
-    let columns = if field.layers.len() > 2 { field.layers[0].columns } else { 0 };
-    TransmittanceNetworkParams {
-        samples: chunk.samples,
-        first_sample: chunk.first,
-        stride: chunk.stride,
-        inputs: field.layers[0].inputs,
-        columns,
-        last_inputs: last.inputs,
-        last_columns: last.columns,
-        last_outputs: head.inputs,
-    }
 }
 
 /// The last layer's parameters, for a chunk of samples.

@@ -288,27 +288,6 @@ impl<'a, T: Copy> Write<'a, T> {
         unsafe { self.data.add(first as usize).cast() }
     }
 
-    /// The address of `K` times `M` values starting at `first`. Panics if they are out of range.
-    #[inline(always)]
-    #[track_caller]
-    fn vectors<const K: usize, const M: usize>(
-        &self,
-        first: u32,
-        touch: Touch,
-    ) -> *mut [[T; M]; K] {
-        let count = K * M;
-        if first as usize + count > self.len {
-            out_of_range(first + count as u32 - 1, self.len, self.name);
-        }
-        if let Some(monitor) = self.monitor {
-            for index in first..first + count as u32 {
-                monitored(monitor, self.name, index, touch);
-            }
-        }
-        // SAFETY: checked above; an array is aligned as its elements
-        unsafe { self.data.add(first as usize).cast() }
-    }
-
     /// The address of the value at `index`. Panics if `index` is out of range.
     #[inline(always)]
     #[track_caller]
@@ -506,26 +485,6 @@ impl<'a, T: Copy, const N: usize> Shared<'a, T, N> {
     #[track_caller]
     pub fn write(&self, index: u32, value: T) {
         self.0.write(index, value);
-    }
-
-    /// `K` times `M` values from `first` on. Panics if they are out of range.
-    #[inline(always)]
-    #[track_caller]
-    pub(crate) fn read_vectors<const K: usize, const M: usize>(&self, first: u32) -> [[T; M]; K] {
-        // SAFETY: `vectors` is in range, and no other invocation writes these elements meanwhile
-        unsafe { *self.0.vectors::<K, M>(first, Touch::Read) }
-    }
-
-    /// Stores as many values from `first` on. Panics if they are out of range.
-    #[inline(always)]
-    #[track_caller]
-    pub(crate) fn write_vectors<const K: usize, const M: usize>(
-        &self,
-        first: u32,
-        values: [[T; M]; K],
-    ) {
-        // SAFETY: as in `read_vectors`
-        unsafe { *self.0.vectors::<K, M>(first, Touch::Write) = values }
     }
 }
 

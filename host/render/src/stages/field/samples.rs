@@ -57,10 +57,7 @@ impl Layout {
         let chunk = largest.clamp(1, most).next_multiple_of(ALIGNED);
         // not a power of two: rows would fall into the same sets of a cache
         let stride = chunk + ALIGNED;
-        static TRIAL: std::sync::LazyLock<u32> = std::sync::LazyLock::new(|| {
-            std::env::var("ORGANZA_BLOCK").map_or(BLOCK, |text| text.parse().expect("a number"))
-        });
-        let chunks = (*TRIAL / chunk).max(1);
+        let chunks = BLOCK / chunk;
         // enough for every thread
         let group = (GROUP / chunk).max(2 * device.threads() as u32).clamp(1, chunks);
         Self { chunk, stride, chunks, group, slice }

@@ -1,6 +1,6 @@
 //! The kernels of organza, one file per stage. Each kernel is an ordinary function in the language of [`muslin`].
 //!
-//! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`segment`], [`transmittance`], [`color`] (both with
+//! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`occupancy`], [`segment`], [`transmittance`], [`color`] (both with
 //! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
 //! files or those named `_backward`; [`loss`], [`ssim`], [`distortion`], [`exposure`] and [`adam`] are for training. [`elementary`] and
 //! [`language`] test what no other kernel uses. `docs/architecture.md` has the map.
@@ -32,6 +32,7 @@ pub mod hash_grid_scale;
 pub mod language;
 pub mod limits;
 pub mod loss;
+pub mod occupancy;
 pub mod pair;
 pub mod pinhole;
 pub mod pixels;

@@ -9,6 +9,7 @@ use crate::dense::{DenseParams, column};
 use crate::hash_grid::POINT;
 use crate::hash_grid::{POINT_ROWS, write_point};
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_VECTOR};
+use crate::occupancy::occupied;
 use crate::segment::{contracted_place, read_contracted, read_segment};
 use crate::unit_cube::Split;
 use muslin::math::{exp, log_sigmoid};
@@ -35,6 +36,8 @@ pub struct TransmittanceInputsParams {
     pub extra_row: u32,
     /// 1 where what lies outside the scene's box is contracted.
     pub contracted: u32,
+    /// Cells along a side of the occupancy grid; 0 without one.
+    pub occupancy: u32,
 }
 
 /// The pair that owns a sample: the last one whose samples do not begin after it.
@@ -67,7 +70,8 @@ fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -
 
 /// Writes what does not come from the hash grid: the midpoint x_k (Eq. 9), its segment's `s_factor` and u.
 ///
-/// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`.
+/// `first_sample [pairs + 1]`, `segment [pairs, 4]`; `point [7, stride]` is x_k and `s_factor`; `input [rows, stride]`. With an
+/// [occupancy grid](crate::occupancy), `s_factor` is times how full x_k is.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
 #[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs), work(transmittance_inputs_work))]
@@ -78,6 +82,7 @@ pub fn transmittance_inputs<L: Lane>(
     first_sample: Read<u32>,
     segment: Read<Vec4>,
     extra: Read<f32>,
+    occupancy: Read<f32>,
     point: Write<f32>,
     input: Write<f32>,
 ) {
@@ -94,6 +99,7 @@ pub fn transmittance_inputs<L: Lane>(
                 first_sample,
                 segment,
                 extra,
+                occupancy,
                 point,
                 input,
             );
@@ -112,6 +118,7 @@ pub fn transmittance_inputs<L: Lane>(
                     first_sample,
                     segment,
                     extra,
+                    occupancy,
                     point,
                     input,
                 );
@@ -133,6 +140,7 @@ fn write_inputs<L: Lane>(
     first_sample: Read<u32>,
     segment: Read<Vec4>,
     extra: Read<f32>,
+    occupancy: Read<f32>,
     point: Write<f32>,
     input: Write<f32>,
 ) {
@@ -141,18 +149,22 @@ fn write_inputs<L: Lane>(
     let k = L::splat((params.first_sample + index - begin) as f32) + L::ramp();
     let t = Split::whole(k + L::splat(0.5)).divide(Split::whole(L::splat(count as f32)));
     let stride = params.stride;
-    if params.contracted != 0 {
+    let (place, factor) = if params.contracted != 0 {
         let ray = read_contracted(segment, owner);
-        write_point(point, stride, index, contracted_place(ray, t.value()));
-        L::splat(ray[0].w).write(point, POINT_ROWS * stride + index);
+        (contracted_place(ray, t.value()), ray[0].w)
     } else {
         let ([x, y, z], [w_x, w_y, w_z], factor) = read_segment(segment, owner);
         let x = Split::splat(x).along(t, Split::splat(w_x));
         let y = Split::splat(y).along(t, Split::splat(w_y));
         let z = Split::splat(z).along(t, Split::splat(w_z));
-        write_point(point, stride, index, [x, y, z]);
-        L::splat(factor).write(point, POINT_ROWS * stride + index);
+        ([x, y, z], factor)
+    };
+    write_point(point, stride, index, place);
+    let mut factor = L::splat(factor);
+    if params.occupancy != 0 {
+        factor = factor * occupied(params.occupancy, occupancy, place);
     }
+    factor.write(point, POINT_ROWS * stride + index);
 
     let gaussian = pair.read(owner) % params.gaussians;
     let mut u = 0;

@@ -100,6 +100,7 @@ pub fn config() -> SceneConfig {
         color_mlp: MlpConfig { hidden: vec![128, 48] },
         transmittance_mlp: MlpConfig { hidden: vec![16] },
         step: 0.0065,
+        occupancy: 0,
         blur: 0.3,
         // the cloth is as sheer in small images as in large ones
         antialiased: true,

@@ -25,6 +25,7 @@ mod hash_grid_half;
 mod hash_grid_scale;
 mod language;
 mod loss;
+mod occupancy;
 mod pair;
 mod peak;
 mod pixels;
@@ -63,6 +64,8 @@ pub fn cases() -> Vec<Case> {
         Case::new::<hash_grid_half::HashGridHalf>(),
         Case::new::<dense::Dense>(),
         Case::new::<color::ColorHead>(),
+        Case::new::<occupancy::OccupancyAdd>(),
+        Case::new::<occupancy::Occupancy>(),
         Case::new::<segment::Segment>(),
         Case::new::<transmittance::TransmittanceInputs>(),
         Case::new::<transmittance::TransmittanceHead>(),

@@ -13,6 +13,7 @@ use organza_shaders::unit_cube::Split;
 
 use super::color::{joined, layer_of_size};
 use super::dense::Dense;
+use super::exact::occupancy::OccupancyGrid;
 use super::exact::segment::{ContractedRay, contracted_ray};
 use super::exact::transmittance::{log_rho, midpoint, transmittance};
 use super::scan::prefix;
@@ -83,14 +84,30 @@ impl TransmittanceInputs {
                 extra: 2,
                 extra_row: 1,
                 contracted: 0,
+                occupancy: 0,
             },
             pair: (0..pairs).map(|_| random.below(3 * gaussians)).collect(),
             first_sample,
             segment,
             extra: fill.values(random, 2 * gaussians as usize, [-1.0, 1.0], 3e38),
+            occupancy: vec![0.0],
             point: unwritten(((POINT_ROWS + 1) * stride) as usize),
             input: unwritten(4 * stride as usize),
         })
+    }
+
+    /// The same samples, in cells of which some are full and some empty.
+    fn occupied(mut self, random: &mut Random) -> Self {
+        self.params.occupancy = 7;
+        let mut value = |_| (random.between(-0.5, 1.5)).clamp(0.0, 1.0);
+        self.occupancy = (0..self.grid().entries().pow(3)).map(&mut value).collect();
+        self
+    }
+
+    /// Its occupancy grid.
+    fn grid(&self) -> OccupancyGrid {
+        let side = self.params.occupancy;
+        OccupancyGrid { side, aabb: [[0.0; 3], [1.0; 3]], is_contracted: false }
     }
 
     /// The same samples on contracted rays, whose ends are up to 300 cubes away.
@@ -149,6 +166,7 @@ impl Parity for TransmittanceInputs {
         for samples in [3 * inputs::ITEMS, 5] {
             let pairs = some_pairs(samples + FIRST_SAMPLE, &mut random);
             let set = Self::new(samples, pairs, Fill::Random, &mut random);
+            sets.push((format!("{samples} samples, occupied"), set.clone().occupied(&mut random)));
             sets.push((format!("{samples} samples, contracted"), set.contracted(&mut random)));
         }
         for (name, pairs) in long_pairs() {
@@ -176,7 +194,12 @@ impl Parity for TransmittanceInputs {
         }
         // all but the points are copies; contracted ones are known as one f32 knows them
         let point = if self.params.contracted == 1 { 1e3 } else { 1.0 };
-        Bound::relative_to(if cpu.name == "point" { point } else { 0.0 })
+        Bound::relative_to(match cpu.name {
+            "point" => point,
+            // the weights of a cell's corners, as one f32 knows them
+            "s_factor" if self.params.occupancy != 0 => 1e3,
+            _ => 0.0,
+        })
     }
 
     fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
@@ -192,7 +215,13 @@ impl Parity for TransmittanceInputs {
                     let point = self.midpoint(pair, k, count);
                     point.into_iter().enumerate().for_each(|(row, x)| give(row, x));
                 }
-                "s_factor" => give(0, f64::from(self.segment[4 * pair].w)),
+                "s_factor" => {
+                    let occupied = match self.params.occupancy {
+                        0 => 1.0,
+                        _ => self.grid().occupied(&self.occupancy, self.midpoint(pair, k, count)),
+                    };
+                    give(0, f64::from(self.segment[4 * pair].w) * occupied);
+                }
                 _ => {
                     let gaussian = (self.pair[pair] % self.params.gaussians) as usize;
                     for (row, &value) in self.extra[2 * gaussian..][..2].iter().enumerate() {

@@ -37,6 +37,7 @@ pub use stages::counts::Capacity;
 pub use stages::exposure::ExposureGradient;
 pub use stages::gradient::{GradientBlocks, SceneGradient, ShardGradient, TensorGradient};
 pub use stages::loss::{Loss, LossInputs, LossOutput, LossTarget, TileLoss};
+pub use stages::occupancy::OCCUPANCY;
 pub use stages::project::POSE;
 pub use stages::transmittance::Ray;
 pub use ways::contribution::Contributions;

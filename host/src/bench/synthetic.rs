@@ -94,6 +94,7 @@ fn config() -> SceneConfig {
         transmittance_mlp: network,
         step: 0.03,
         blur: 0.3,
+        occupancy: 0,
         antialiased: false,
         background: [0.1, 0.2, 0.3],
         aabb: [[-1.5; 3], [1.5; 3]],

@@ -107,6 +107,7 @@ impl TrainConfig {
             color_mlp: shape.color_mlp,
             transmittance_mlp: shape.transmittance_mlp,
             step: shape.step,
+            occupancy: shape.occupancy,
             blur: shape.blur,
             antialiased: shape.antialiased,
             background,

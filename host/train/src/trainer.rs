@@ -318,6 +318,7 @@ impl Trainer {
         }
         device.run_in_pool(|| optimizer.step(device, shard, gradient, settings, now))?;
         gradient.fields.clear_touched(device);
+        shard.update_occupancy(device)?;
         // a GPU moves the scene while the host draws the next tiles
         device.submit();
         self.step += 1;

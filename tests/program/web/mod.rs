@@ -39,6 +39,7 @@ fn sandbox() -> (Sandbox, [Scene; 2], Vec<Camera>) {
     let scene = thinned();
     let mut outside = scene.clone();
     outside.config.contraction = Contraction::Cube;
+    outside.config.occupancy = 24;
     outside.config.aabb = scene.config.aabb.map(|corner| corner.map(|x| 0.4 * x));
     scene.save(sandbox.path("thin.safetensors")).expect("a scene");
     outside.save(sandbox.path("outside.safetensors")).expect("a scene");

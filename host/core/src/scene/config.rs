@@ -19,6 +19,14 @@ pub const TRANSMITTANCE_OUTPUTS: usize = 1;
 /// Length of the unit cube's diagonal: the longest possible segment.
 const DIAGONAL: f64 = 1.732_050_807_568_877_2;
 
+/// Most cells along a side of the occupancy grid.
+pub const MAX_OCCUPANCY: u32 = 256;
+
+/// Whether a field is left out of the file.
+fn is_zero(value: &u32) -> bool {
+    *value == 0
+}
+
 /// Everything in a scene but its tensors. Fields have the same names in the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneConfig {
@@ -38,6 +46,10 @@ pub struct SceneConfig {
     pub transmittance_mlp: MlpConfig,
     /// Length of a transmittance step (sigma), in units of the unit cube.
     pub step: f64,
+    /// Cells along a side of the unit cube in which a Gaussian must be, or a ray loses no light there: 0, or up to
+    /// [`MAX_OCCUPANCY`]. A file without this field has 0: everywhere, T is what the networks say.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub occupancy: u32,
     /// Added to the diagonal of each projected covariance, in square pixels.
     pub blur: f64,
     /// Whether the blur keeps a Gaussian's total weight: a Gaussian that becomes wider becomes fainter. A file without this
@@ -173,6 +185,10 @@ impl SceneConfig {
         self.color_mlp.check("color_mlp")?;
         self.transmittance_mlp.check("transmittance_mlp")?;
         self.check_step()?;
+        if self.occupancy > MAX_OCCUPANCY {
+            let reason = format!("is {}, expected 0 to {MAX_OCCUPANCY}", self.occupancy);
+            return Err(Problem::new("occupancy", reason));
+        }
         if !(self.blur >= 0.0 && fits_f32(self.blur)) {
             let reason = format!("is {}, expected a finite number of at least 0", self.blur);
             return Err(Problem::new("blur", reason));

@@ -16,8 +16,8 @@ mod validate;
 mod tests;
 
 pub use config::{
-    COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_SAMPLES, MAX_SH_DEGREE,
-    MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
+    COLOR_OUTPUTS, Contraction, MAX_HIDDEN_LAYERS, MAX_HIDDEN_WIDTH, MAX_OCCUPANCY, MAX_SAMPLES,
+    MAX_SH_DEGREE, MAX_VECTOR, MlpConfig, SceneConfig, TRANSMITTANCE_OUTPUTS,
 };
 pub use file::scene_metadata;
 pub use gaussians::{GaussianTensors, Gaussians, logit};

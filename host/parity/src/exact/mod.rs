@@ -13,6 +13,7 @@ pub mod hash_grid;
 pub mod hash_grid_scale;
 pub mod loss;
 pub mod numeric;
+pub mod occupancy;
 pub mod project;
 pub mod resolve;
 pub mod segment;

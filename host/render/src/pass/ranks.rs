@@ -40,6 +40,8 @@ impl Pass<'_> {
         keep: bool,
     ) -> Result<(RenderedTiles, Vec<f32>)> {
         let device = self.renderer.device();
+        let group = self.grid.map(|grid| grid.row());
+        self.scene.update_occupancy(device, group.as_ref().map(|group| group as &dyn Ranks))?;
         let mut all = FixedSums::new(batch)?;
         let mut report = RenderReport::default();
         self.forward(parts, keep, |plan, part| {
@@ -51,8 +53,8 @@ impl Pass<'_> {
             report.add(&report_of_part(words[1][0], needed));
             Ok(Some(needed))
         })?;
-        let (sums, report) = match self.grid {
-            Some(grid) => all.finish(&grid.row(), report)?,
+        let (sums, report) = match group {
+            Some(group) => all.finish(&group, report)?,
             None => all.finish(&ThreadRanks::alone(), report)?,
         };
         let mut tiles = RenderedTiles::new(batch, &[])?;

@@ -5,8 +5,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use organza_shaders::hash_grid::GridLevel;
 
+use super::device_shard::SceneBlocks;
 use super::field::DeviceField;
 use super::packed::{pack, unpack};
+use crate::stages::occupancy::Occupancy;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Scene, SceneConfig, Tensors};
@@ -25,6 +27,7 @@ pub struct DeviceScene {
     pub(crate) tensors: Tensors<Buffer<f32>>,
     pub(crate) color: DeviceField,
     pub(crate) transmittance: DeviceField,
+    pub(crate) occupancy: Occupancy,
     /// How often [`DeviceScene::write`] has changed it.
     pub(crate) version: Arc<AtomicU64>,
 }
@@ -46,6 +49,12 @@ impl DeviceScene {
     #[must_use]
     pub fn tensors(&self) -> &Tensors<Buffer<f32>> {
         &self.tensors
+    }
+
+    /// How full the cells of the occupancy grid are, x fastest, with a border of empty cells; one value without a grid.
+    #[must_use]
+    pub fn occupancy(&self) -> &Buffer<f32> {
+        &self.occupancy.table
     }
 
     /// Number of Gaussians.
@@ -71,7 +80,8 @@ impl DeviceScene {
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let tensors: u64 = self.tensors.iter().map(|(_, buffer)| buffer.bytes()).sum();
-        tensors + self.color.bytes_beside_tensors() + self.transmittance.bytes_beside_tensors()
+        let fields = [&self.color, &self.transmittance].map(DeviceField::bytes_beside_tensors);
+        tensors + fields.iter().sum::<u64>() + Occupancy::bytes(&self.config) as u64
     }
 
     /// Bytes that a scene takes on a device after [`Renderer::upload`](crate::Renderer::upload).
@@ -80,7 +90,8 @@ impl DeviceScene {
         let tensors: usize = pack(scene).iter().map(|(_, values)| size_of_val(&**values)).sum();
         let grids = [&scene.config.color_grid, &scene.config.transmittance_grid];
         let levels: u32 = grids.iter().map(|grid| grid.levels).sum();
-        (tensors + levels as usize * size_of::<GridLevel>()) as u64
+        (tensors + levels as usize * size_of::<GridLevel>() + Occupancy::bytes(&scene.config))
+            as u64
     }
 
     /// The scene as it is now.
@@ -114,7 +125,11 @@ impl DeviceScene {
         spec.check(values)?;
         self.version.fetch_add(1, Ordering::Relaxed);
         if let Some((_, buffer)) = self.tensors.iter().find(|(own, _)| *own == name) {
-            return Ok(device.write(buffer, 0, values)?);
+            device.write(buffer, 0, values)?;
+            return Ok(match name.starts_with("gaussians.") {
+                true => SceneBlocks::from(self).update_occupancy(device, None)?,
+                false => (),
+            });
         }
         let (field, rest) = match name.strip_prefix("color.mlp.") {
             Some(rest) => (&self.color, rest),
@@ -170,6 +185,7 @@ impl DeviceScene {
             tensors: self.tensors.as_ref().map(|_, buffer| buffer.view()),
             color: self.color.view(),
             transmittance: self.transmittance.view(),
+            occupancy: self.occupancy.view(),
             version: Arc::clone(&self.version),
         }
     }

@@ -90,7 +90,15 @@ impl DeviceShard {
         for block in in_blocks(gaussians, self.block) {
             self.blocks.push(self.fields.with_gaussians(device, &block)?);
         }
-        Ok(())
+        self.update_occupancy(device)
+    }
+
+    /// Finds anew where Gaussians are: to be called whenever some have moved.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::dispatch`].
+    pub fn update_occupancy(&self, device: &Device) -> Result<()> {
+        Ok(SceneBlocks::from(self).update_occupancy(device, None)?)
     }
 
     /// The same shard, on the same memory: see [`DeviceScene::coarser`].

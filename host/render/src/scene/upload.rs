@@ -6,8 +6,9 @@ use std::sync::Arc;
 use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::device_shard::{DeviceShard, WHOLE};
+use super::device_shard::{DeviceShard, SceneBlocks, WHOLE};
 use super::field::DeviceField;
+use crate::stages::occupancy::Occupancy;
 use crate::{DeviceScene, UploadOptions, pack, upload};
 use muslin_device::Device;
 use organza_core::{Error, Result, Scene};
@@ -36,7 +37,7 @@ impl DeviceScene {
         let transmittance = &scene.transmittance;
         let is_contracted = !config.contraction.is_none();
         let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
-        Ok(Self {
+        let scene = Self {
             device: Arc::clone(device),
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
@@ -51,8 +52,11 @@ impl DeviceScene {
             )?,
             tensors,
             config: config.clone(),
+            occupancy: Occupancy::new(device, config)?,
             version: Arc::default(),
-        })
+        };
+        SceneBlocks::from(&scene).update_occupancy(device, None)?;
+        Ok(scene)
     }
 
     /// Fails where the grids are halves: the numbers that they were are not there.

@@ -10,6 +10,7 @@ pub mod exposure;
 pub mod field;
 pub mod gradient;
 pub mod loss;
+pub mod occupancy;
 pub mod pairs;
 pub mod project;
 pub mod scan;

@@ -228,11 +228,13 @@ fn inputs(
             extra: config.extra,
             extra_row: config.transmittance_grid.width() as u32,
             contracted: config.contraction.for_kernels(),
+            occupancy: config.occupancy,
         },
         pair: &pairs.pair,
         first_sample,
         segment,
         extra: &scene.tensors.gaussians.extra,
+        occupancy: &scene.occupancy.table,
         point: &chunk.point,
         input: &chunk.input,
     };

@@ -247,6 +247,10 @@ macro_rules! define {
                 extra: u32 = 2;
                 /// sigma, length of a transmittance step in the unit cube.
                 step: f64 = 0.05;
+                /// Cells along a side of the unit cube in which a Gaussian must be, or a ray loses no light there: 0 to 256.
+                /// With 0, T is everywhere what its networks say.
+                #[see("pipeline.md#occupancy")]
+                occupancy: u32 = 32;
                 /// Space outside the scene's box: `none` ends rays there, `cube` contracts it.
                 #[see("pipeline.md#contraction")]
                 contraction: Contraction = Contraction::None;

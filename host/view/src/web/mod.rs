@@ -17,7 +17,9 @@ use muslin::KernelInfo;
 use muslin_device::{Device, Part, PlannedBuffer, Step};
 use organza_core::camera::{Camera, Orbit};
 use organza_core::{Result, Scene};
-use organza_render::{Capacity, DeviceScene, Frame, FrameShape, MODULES, Renderer, UploadOptions};
+use organza_render::{
+    Capacity, DeviceScene, Frame, FrameShape, MODULES, OCCUPANCY, Renderer, UploadOptions,
+};
 
 /// Options of a page.
 #[derive(Clone, Debug)]
@@ -110,8 +112,13 @@ impl WebPage {
         let upload = UploadOptions::default().half_grids(options.half_grids);
         let planner = Renderer::new(Device::planner());
         let planned = planner.upload_with(scene, upload)?;
-        let buffers = planner.device().take_plan().buffers;
+        let mut buffers = planner.device().take_plan().buffers;
         let there = measuring.upload_with(scene, upload)?;
+        // a planner computes nothing, and a page shows a scene that does not change
+        let occupancy = measuring.device().read(there.occupancy())?;
+        for buffer in buffers.iter_mut().filter(|buffer| buffer.label == OCCUPANCY) {
+            buffer.contents = Some(bytemuck::cast_slice(&occupancy).to_vec());
+        }
         let ladder = measure(measuring, &there, &measured, options.size)?;
         let frames = write_frames(&planner, &planned, &ladder, buffers.len() as u32)?;
         let kernels = kernels_of(&frames)?;

@@ -54,6 +54,7 @@ fn cases_load() {
         ("contracted", 48, 5632),
         ("crowded", 120, 10752),
         ("narrow", 48, 3072),
+        ("occupied", 48, 3584),
         ("tiny", 1, 512),
         ("wide", 160, 14848),
     ] {

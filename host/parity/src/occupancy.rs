@@ -1,0 +1,172 @@
+//! Cases of `occupancy_add` and `occupancy`.
+
+use muslin_check::prelude::*;
+use organza_shaders::occupancy::{
+    FULL, OccupancyAddInputs, OccupancyInputs, OccupancyParams, OccupancyTableParams,
+};
+use organza_shaders::unit_cube::SceneBox;
+
+use super::color::BOXES;
+use super::exact::occupancy::{OccupancyGrid, half};
+use super::exact::project::Gaussian;
+
+/// How far from a decision of the kernel the inputs stay, in cells.
+const AWAY: f64 = 1e-3;
+
+/// The grid is that of the inputs.
+#[derive(Clone)]
+pub struct OccupancyAdd {
+    grid: OccupancyGrid,
+    inputs: OccupancyAddInputs,
+}
+
+impl OccupancyAdd {
+    /// Gaussians in and around the box, of scales up to `largest` cells.
+    fn new(gaussians: u32, side: u32, is_contracted: bool, largest: f32, fill: Fill) -> Self {
+        let random = &mut Random::new(u64::from(gaussians + side));
+        let grid = OccupancyGrid { side, aabb: BOXES[0], is_contracted };
+        let cell = grid.cell() as f32;
+        let len = gaussians as usize;
+        let mut set = Self {
+            grid,
+            inputs: OccupancyAddInputs {
+                params: OccupancyParams {
+                    gaussians,
+                    side,
+                    cell,
+                    contracted: u32::from(is_contracted),
+                },
+                scene_box: SceneBox::new(grid.aabb, is_contracted).pack().to_vec(),
+                position: vec![0.0; 3 * len],
+                rotation: vec![0.0; 4 * len],
+                log_scale: vec![0.0; 3 * len],
+                opacity: fill.values(random, len, [-6.0, 3.0], 80.0),
+                counts: vec![0; grid.entries().pow(3)],
+            },
+        };
+        let [low, high] = grid.aabb;
+        for index in 0..len {
+            loop {
+                for axis in 0..3 {
+                    let [low, high] = [low[axis] as f32, high[axis] as f32];
+                    let beyond = 0.3 * (high - low);
+                    set.inputs.position[3 * index + axis] =
+                        random.between(low - beyond, high + beyond);
+                    let scale = random.between(0.01, 1.0) * largest;
+                    set.inputs.log_scale[3 * index + axis] = (scale * cell).ln();
+                }
+                set.inputs.rotation[4 * index..][..4].copy_from_slice(&random.values(4, 0.1, 1.0));
+                if !set.is_undecided(index) {
+                    break;
+                }
+            }
+        }
+        set
+    }
+
+    fn gaussian(&self, index: usize) -> Gaussian<f64> {
+        let row = |values: &[f32], axis: usize| f64::from(values[3 * index + axis]);
+        Gaussian {
+            position: [0, 1, 2].map(|axis| row(&self.inputs.position, axis)),
+            rotation: [0, 1, 2, 3].map(|at| f64::from(self.inputs.rotation[4 * index + at])),
+            log_scale: [0, 1, 2].map(|axis| row(&self.inputs.log_scale, axis)),
+        }
+    }
+
+    /// Whether rounding decides which cells a Gaussian's nodes lie in.
+    fn is_undecided(&self, index: usize) -> bool {
+        let gaussian = self.gaussian(index);
+        let near = |x: f64| (x - x.round()).abs() < AWAY;
+        let is_between = |scale: f64| {
+            let scale = scale / self.grid.cell();
+            half(scale - AWAY) != half(scale + AWAY)
+        };
+        let nodes = self.grid.nodes(&gaussian, f64::from(self.inputs.opacity[index]));
+        gaussian.axes().into_iter().any(is_between)
+            || nodes.iter().any(|node| node.place.into_iter().any(near))
+    }
+
+    /// The count of each entry, and the number of its nodes.
+    fn counts(&self) -> Vec<[f64; 2]> {
+        let mut counts = vec![[0.0; 2]; self.inputs.counts.len()];
+        for index in 0..self.inputs.params.gaussians as usize {
+            let opacity = f64::from(self.inputs.opacity[index]);
+            for node in self.grid.nodes(&self.gaussian(index), opacity) {
+                if let Some(entry) = self.grid.entry(&node) {
+                    counts[entry][0] += (node.fill.min(1.0) * f64::from(FULL)).round();
+                    counts[entry][1] += 1.0;
+                }
+            }
+        }
+        counts
+    }
+}
+
+impl Parity for OccupancyAdd {
+    const KERNEL: &'static str = "occupancy_add";
+    const TOLERANCE: f64 = 1e-6;
+    const WHY: &'static str = "exponentials of 3 ulp and a few roundings; each node's count is rounded, so it may differ by 1";
+
+    fn sets() -> Vec<(String, Self)> {
+        let mut sets = Vec::new();
+        for (side, is_contracted, largest) in
+            [(8, false, 0.2), (8, false, 1.6), (5, true, 1.0), (3, false, 4.0), (33, false, 0.7)]
+        {
+            let kind = if is_contracted { ", contracted" } else { "" };
+            for (gaussians, fill) in [(300, Fill::Random), (3, Fill::Random)] {
+                let set = Self::new(gaussians, side, is_contracted, largest, fill);
+                let name = format!("{gaussians} in {side}^3 cells, up to {largest} of one{kind}");
+                sets.push((name, set));
+            }
+        }
+        sets
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        let mut outputs = runner.run(&self.inputs.kernel(), self.inputs.params.gaussians, 1)?;
+        // of a full cell, only that is certain
+        let counts = outputs[0].words().iter().map(|&count| f64::from(count.min(FULL)));
+        outputs[0].values = Values::Float(counts.collect());
+        Ok(outputs)
+    }
+
+    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+        let [count, nodes] = self.counts()[index];
+        Bound { scale: count, floor: nodes }
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+        let counts = self.counts().into_iter();
+        counts.map(|[count, _]| Some(count.min(f64::from(FULL)))).collect()
+    }
+}
+
+case!(pub Occupancy(OccupancyInputs));
+
+impl Parity for Occupancy {
+    const KERNEL: &'static str = "occupancy";
+
+    fn sets() -> Vec<(String, Self)> {
+        let of = |entries: u32| {
+            let mut random = Random::new(u64::from(entries));
+            let set = Self(OccupancyInputs {
+                params: OccupancyTableParams { entries },
+                counts: (0..entries).map(|_| random.below(2 * FULL)).collect(),
+                table: unwritten(entries as usize),
+            });
+            (format!("{entries} entries"), set)
+        };
+        [1, 63, 64, 1000].map(of).into()
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        runner.run(&self.kernel(), self.params.entries, 1)
+    }
+
+    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+        Some(match output {
+            "counts" => 0.0,
+            _ => (f64::from(self.counts[index]) / f64::from(FULL)).min(1.0),
+        })
+    }
+}

@@ -6,7 +6,7 @@ use super::Photograph;
 use organza_core::camera::Camera;
 
 /// The format of a data set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DatasetKind {
     /// nerfstudio's `transforms.json`.
     Nerfstudio,
@@ -15,6 +15,7 @@ pub enum DatasetKind {
     /// A sparse model of COLMAP.
     Colmap,
     /// Frames that the caller made.
+    #[default]
     Generated,
 }
 

@@ -98,6 +98,11 @@ impl Photograph {
         self.valid.is_none()
     }
 
+    /// Whether no pixel is valid.
+    pub(super) fn is_hidden(&self) -> bool {
+        self.valid().is_some_and(|valid| !valid.contains(&true))
+    }
+
     /// Whether the pixel in column `x` and row `y` is valid.
     ///
     /// # Panics

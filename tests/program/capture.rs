@@ -345,6 +345,41 @@ fn neighbors_alone_are_not_the_last_word() {
 }
 
 #[test]
+fn panoramas_become_views_of_a_known_lens() {
+    let sandbox = with_programs();
+    for name in photos(9) {
+        image::RgbImage::new(64, 32).save(sandbox.path("photos").join(name)).unwrap();
+    }
+    sandbox.shell("rm photos/09.png photos/1*.png").assert_ok();
+    // The sky and the floor show nothing to match.
+    let sides = |name: String| {
+        ["back", "front", "left", "right"].map(|side| name.replace("png", &format!("{side}.png")))
+    };
+    write_model(&sandbox, "found-1/0", &walk(photos(9).flat_map(sides)), 0.7, 20);
+    let outcome = capture(&sandbox, "photos -o data").assert_ok();
+    let words =
+        ["9 images twice as wide as high", "`--camera-model`", "36 of 36 images have a pose"];
+    assert_says(&outcome, &words, &["no pose", "have a pose, so each"]);
+    let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
+    for call in ["camera_params 10,10,10", "model SIMPLE_PINHOLE", "focal_length 0"] {
+        assert!(calls.contains(call), "no `{call}`: {calls}");
+    }
+    let view = image::open(sandbox.path("data/images/08.up.png")).unwrap();
+    assert_eq!([view.width(), view.height()], [20, 20]);
+    let poses = Poses::load(&sandbox.path("data"), &DatasetOptions::default()).unwrap();
+    let poses = poses.cameras().unwrap();
+    let held_out = poses.iter().filter(|pose| pose.held_out);
+    let names: Vec<_> = held_out.filter_map(|pose| pose.camera.file_path.clone()).collect();
+    assert_eq!(names, ["00.png", "08.png"].map(str::to_owned).map(sides).concat());
+
+    // They may be flat photographs of that shape.
+    fs::remove_file(sandbox.path("calls.txt")).unwrap();
+    let outcome = capture(&sandbox, "photos -o flat --camera-model OPENCV").assert_ok();
+    assert_says(&outcome, &[], &["twice as wide"]);
+    assert!(sandbox.path("flat/images/08.png").exists());
+}
+
+#[test]
 fn an_unfinished_capture_continues_and_takes_no_others() {
     let sandbox = with_programs();
     write_model(&sandbox, "found-1/0", &walk(photos(12)), 0.7, 6);

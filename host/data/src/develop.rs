@@ -14,6 +14,7 @@ use organza_core::input::read_file;
 use organza_core::{Camera, Result};
 
 /// An existing photograph, with its camera and lens.
+#[derive(Clone)]
 pub(super) struct Shot {
     /// Path of the photograph, as the data set writes it.
     pub name: String,
@@ -21,7 +22,7 @@ pub(super) struct Shot {
     pub path: PathBuf,
     /// Path of its mask, if it has one. Black pixels of the mask are not used.
     pub mask: Option<PathBuf>,
-    /// The camera of the whole photograph.
+    /// The camera of the whole photograph, or of the view that is cut from it.
     pub camera: Camera,
     /// Its pose as the files give it, in the world.
     pub pose: [[f64; 4]; 4],
@@ -34,6 +35,11 @@ pub(super) struct Shot {
 }
 
 impl Shot {
+    /// Width and height of the photograph's file.
+    fn size(&self) -> [u32; 2] {
+        self.lens.cut.map_or([self.camera.width, self.camera.height], |cut| cut.size)
+    }
+
     /// Reads the photograph. The digest is that of its file and of its mask.
     ///
     /// # Errors
@@ -41,7 +47,7 @@ impl Shot {
     /// another size than the camera, or leaves no pixel; [`organza_core::error::DeviceError::OutOfMemory`] if it does not
     /// fit into the budget.
     pub fn develop(&self, options: &DatasetOptions, budget: &Budget) -> Result<(Frame, Digest)> {
-        let Camera { width, height, .. } = self.camera;
+        let [width, height] = self.size();
         let camera = self.smaller_camera()?;
         let mask = self.mask.as_deref();
         let (bytes, _share) = decode::read(&self.path, mask, [width, height], budget)?;
@@ -72,7 +78,8 @@ impl Shot {
             Some(colors) => Photograph::new([width, height], colors, None)?,
             None => self.resample(is_whole, texel)?,
         };
-        if image.valid().is_some_and(|valid| !valid.contains(&true)) {
+        // A view of a panorama may be hidden whole, such as a sky.
+        if self.lens.cut.is_none() && image.is_hidden() {
             let reason = match &self.mask {
                 _ if alpha_hides => "nothing of the photograph is opaque".to_owned(),
                 Some(mask) => {
@@ -101,7 +108,7 @@ impl Shot {
     }
 
     fn read_mask(&self, path: &Path) -> Result<Mask> {
-        let size = [self.camera.width, self.camera.height];
+        let size = self.size();
         let file = read_file(path, u64::MAX, "a mask")?;
         let decoded = decode::decode(&file, size, path, decode::MASK)?;
         let count = size[0] as usize * size[1] as usize;
@@ -132,13 +139,16 @@ impl Shot {
             false => memory::zeros(count, "a photograph's mask")?,
             true => Vec::new(),
         };
-        let size = [self.camera.width, self.camera.height];
-        let sample = |x: u32, y: u32| match &undistortion {
-            None => texel(x, y),
-            Some(undistortion) => {
-                let source = undistortion.source([f64::from(x) + 0.5, f64::from(y) + 0.5])?;
-                bilinear(source, size, &texel)
+        let [across, down] = self.size();
+        let sample = |x: u32, y: u32| {
+            let Some(undistortion) = &undistortion else { return texel(x, y) };
+            let [x, y] = undistortion.source([f64::from(x) + 0.5, f64::from(y) + 0.5])?;
+            if self.lens.panorama {
+                // The last column is beside the first, so each is there once more, at the other end.
+                let around = |x: u32, y: u32| texel((x + across - 1) % across, y);
+                return bilinear([x + 1.0, y], [across + 2, down], &around);
             }
+            bilinear([x, y], [across, down], &texel)
         };
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let column = index as u32 % width;

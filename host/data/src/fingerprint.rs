@@ -59,6 +59,9 @@ impl Fingerprint {
                 hash.update(value.to_bits().to_le_bytes());
             }
             hash.update([lens.fisheye, held_out].map(u8::from));
+            if let Some(cut) = lens.cut {
+                hash.update(format!("{cut:?} {}", lens.panorama));
+            }
         }
         let frames = digits(hash);
         let mut hash = Sha256::new();

@@ -22,7 +22,7 @@ pub fn transforms(bytes: &[u8], path: &Path) {
         size: |_| Ok([64, 48]),
     };
     let Ok(mut access) = Access::new(Path::new("/"), false) else { return };
-    let mut listing = Listing::new(DatasetKind::Nerfstudio);
+    let mut listing = Listing { kind: DatasetKind::Nerfstudio, ..Listing::default() };
     let options = DatasetOptions::default();
     let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut access, &photographs);
 }

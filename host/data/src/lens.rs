@@ -1,22 +1,55 @@
-//! Lens distortion in OpenCV's two models. One distorts a pinhole's image by radial terms (a quotient of polynomials)
-//! and tangential terms. The other is for fisheyes: the radius is a polynomial of the angle to the optical axis.
+//! Lens distortion in OpenCV's two models, and panoramas. One model distorts a pinhole's image by radial terms (a
+//! quotient of polynomials) and tangential terms. The other is for fisheyes: the radius is a polynomial of the angle to
+//! the optical axis. A panorama's columns are longitudes, and its rows latitudes.
 
+use std::f64::consts::PI;
+
+use glam::DVec3;
 use organza_core::camera::Camera;
 
-/// Number of steps, in squared radius, in the search for the radius at which a lens folds.
+/// Number of steps, in [`Lens::extent`], in the search for the radius at which a lens folds.
 const FOLD_STEPS: u32 = 4096;
 
-/// Distortion coefficients. A pinhole has all 0, and is no fisheye.
+/// Distortion coefficients. A pinhole has all 0, and is neither a fisheye nor a panorama.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Lens {
     /// Whether the radius is a function of the angle. With all coefficients 0, that is an equidistant projection.
     pub fisheye: bool,
+    /// Whether the photograph is a panorama of 360 degrees in the equirectangular projection.
+    pub panorama: bool,
     /// k1 to k4 of a fisheye. Otherwise k1, k2, k3, and nerfstudio's k4.
     pub radial: [f64; 4],
     /// OpenCV's k4, k5 and k6: the radial terms of the denominator.
     pub denominator: [f64; 3],
     /// p1 and p2, the tangential coefficients.
     pub tangential: [f64; 2],
+    /// The photograph that the camera's image is cut from; `None` if its camera is that of the image.
+    pub cut: Option<Cut>,
+}
+
+/// How a pinhole view is cut from a photograph that no plane holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cut {
+    /// The view's axes in those of the photograph's camera: right, down and forward.
+    pub axes: [DVec3; 3],
+    /// Focal lengths of the photograph in pixels; pixels in a radian for a panorama.
+    pub focal: [f64; 2],
+    /// Its principal point in pixels.
+    pub center: [f64; 2],
+    /// Its width and height in pixels.
+    pub size: [u32; 2],
+}
+
+impl Cut {
+    /// The whole photograph of a camera.
+    pub fn whole(camera: &Camera) -> Self {
+        Self {
+            axes: DVec3::AXES,
+            focal: [camera.fl_x, camera.fl_y],
+            center: [camera.cx, camera.cy],
+            size: [camera.width, camera.height],
+        }
+    }
 }
 
 impl Lens {
@@ -27,13 +60,24 @@ impl Lens {
 
     /// Whether the photograph is a pinhole image already.
     pub fn is_pinhole(&self) -> bool {
-        !self.fisheye && self.coefficients().all(|coefficient| coefficient == 0.0)
+        let is_plane = !self.fisheye && !self.panorama;
+        is_plane && self.coefficients().all(|coefficient| coefficient == 0.0)
     }
 
-    /// The distorted place of a point that a pinhole shows at `[x, y]`, both at depth 1.
-    pub fn distort(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let square = x * x + y * y;
+    /// Where a direction is in the photograph, on the plane at depth 1. In a panorama, that is longitude and latitude.
+    pub fn project(&self, direction: DVec3) -> [f64; 2] {
+        let DVec3 { x, y, z } = direction;
+        if self.panorama {
+            return [x.atan2(z), y.atan2(x.hypot(z))];
+        }
+        let square = self.extent(direction);
         let radial = self.radial(square);
+        if self.fisheye {
+            let angle = square.sqrt();
+            let factor = radial * if angle > 0.0 { angle / x.hypot(y) } else { 1.0 };
+            return [x * factor, y * factor];
+        }
+        let [x, y] = [x / z, y / z];
         let [p1, p2] = self.tangential;
         [
             x * radial + 2.0 * p1 * x * y + p2 * (square + 2.0 * x * x),
@@ -41,19 +85,18 @@ impl Lens {
         ]
     }
 
-    /// The factor of a point's radius, whose square is `square` in a pinhole's image.
+    /// The square of what the radial terms depend on: a fisheye's angle to the axis, or else the radius at depth 1.
+    fn extent(&self, DVec3 { x, y, z }: DVec3) -> f64 {
+        if self.fisheye { x.hypot(y).atan2(z).powi(2) } else { (x * x + y * y) / (z * z) }
+    }
+
+    /// The factor of the root of an extent.
     fn radial(&self, square: f64) -> f64 {
-        if self.fisheye {
-            let radius = square.sqrt();
-            let angle = radius.atan();
-            let ratio = if radius > 0.0 { angle / radius } else { 1.0 };
-            return ratio * polynomial(self.radial, angle * angle);
-        }
         let [k4, k5, k6] = self.denominator;
         polynomial(self.radial, square) / polynomial([k4, k5, k6, 0.0], square)
     }
 
-    /// The squared radius, at most `farthest`, up to which the radial terms are one-to-one.
+    /// The extent, at most `farthest`, up to which the radial terms are one-to-one.
     ///
     /// Beyond it the radius shrinks again, and would show the photograph's inside once more. No lens does that: the
     /// coefficients were fitted to points in the photograph, and are wrong beyond.
@@ -72,42 +115,47 @@ fn polynomial([k1, k2, k3, k4]: [f64; 4], x: f64) -> f64 {
     1.0 + x * (k1 + x * (k2 + x * (k3 + x * k4)))
 }
 
-/// Maps an undistorted image to the photograph. Both have the camera's intrinsics.
+/// Maps an undistorted image to the photograph.
 pub(super) struct Undistortion<'a> {
     camera: &'a Camera,
     lens: &'a Lens,
+    cut: Cut,
     fold: f64,
 }
 
 impl<'a> Undistortion<'a> {
     pub fn new(camera: &'a Camera, lens: &'a Lens) -> Self {
+        let cut = lens.cut.unwrap_or(Cut::whole(camera));
+        let mut undistortion = Self { camera, lens, cut, fold: f64::INFINITY };
         let [width, height] = [camera.width, camera.height].map(f64::from);
-        let mut undistortion = Self { camera, lens, fold: f64::INFINITY };
         let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]];
-        let farthest = corners.map(|corner| square_length(undistortion.plane(corner)));
-        undistortion.fold = lens.fold(farthest.into_iter().fold(0.0, f64::max));
+        let farthest = match lens.fisheye {
+            true => PI * PI,
+            false => corners
+                .map(|corner| lens.extent(undistortion.direction(corner)))
+                .into_iter()
+                .fold(0.0, f64::max),
+        };
+        undistortion.fold = lens.fold(farthest);
         undistortion
     }
 
     /// The place in the photograph of a place in the undistorted image. Both are in pixels from the upper left
     /// corner. `None` if it is outside of the photograph.
     pub fn source(&self, place: [f64; 2]) -> Option<[f64; 2]> {
-        let Camera { fl_x, fl_y, cx, cy, width, height, .. } = *self.camera;
-        let plane = self.plane(place);
-        if square_length(plane) > self.fold {
-            return None;
-        }
-        let [x, y] = self.lens.distort(plane);
-        let source = [fl_x * x + cx, fl_y * y + cy];
-        let inside = |place: f64, side: u32| (0.0..=f64::from(side)).contains(&place);
-        (inside(source[0], width) && inside(source[1], height)).then_some(source)
+        let direction = self.direction(place);
+        let is_folded = !self.lens.panorama && self.lens.extent(direction) > self.fold;
+        let Cut { focal, center, size, .. } = self.cut;
+        let place = self.lens.project(direction);
+        let source = [0, 1].map(|axis| focal[axis] * place[axis] + center[axis]);
+        let is_inside = |axis: usize| (0.0..=f64::from(size[axis])).contains(&source[axis]);
+        (!is_folded && is_inside(0) && is_inside(1)).then_some(source)
     }
 
-    fn plane(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [(x - self.camera.cx) / self.camera.fl_x, (y - self.camera.cy) / self.camera.fl_y]
+    /// The direction of a place in the undistorted image, in the axes of the photograph's camera.
+    fn direction(&self, [x, y]: [f64; 2]) -> DVec3 {
+        let Camera { fl_x, fl_y, cx, cy, .. } = *self.camera;
+        let [right, down, forward] = self.cut.axes;
+        right * ((x - cx) / fl_x) + down * ((y - cy) / fl_y) + forward
     }
-}
-
-fn square_length([x, y]: [f64; 2]) -> f64 {
-    x * x + y * y
 }

@@ -12,6 +12,7 @@ mod gains;
 mod keep;
 mod lens;
 mod options;
+pub mod panorama;
 mod photograph;
 pub mod ply;
 mod poses;
@@ -69,7 +70,7 @@ const POINT_STEPS: f64 = 16384.0;
 /// assert_eq!((&dataset.train[..], &dataset.held_out[..]), (&[1, 2, 3][..], &[0][..]));
 /// # Ok::<(), organza_core::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Dataset {
     /// All frames. Their order is that of the file (nerfstudio), of the train file and then the test file (Blender),
@@ -110,6 +111,7 @@ pub struct Dataset {
 }
 
 /// A data set before its photographs are read.
+#[derive(Default)]
 struct Listing {
     kind: DatasetKind,
     shots: Vec<Shot>,
@@ -121,19 +123,8 @@ struct Listing {
 }
 
 impl Listing {
-    fn new(kind: DatasetKind) -> Self {
-        Self {
-            kind,
-            shots: vec![],
-            missing: vec![],
-            points: vec![],
-            points_file: None,
-            prepared: 0,
-            notes: vec![],
-        }
-    }
-
-    /// Adds a photograph that was found. `camera` is that of the whole photograph, and has its name.
+    /// Adds a photograph that was found, or its views if no plane holds it. `camera` is that of the whole photograph, and
+    /// has its name.
     fn add(
         &mut self,
         Found { path, prepared, mask }: Found,
@@ -157,7 +148,8 @@ impl Listing {
         self.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
         let pose = camera.camera_to_world;
-        self.shots.push(Shot { name, path, mask, camera, pose, lens, factor, held_out });
+        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out };
+        self.shots.extend(panorama::views_of(shot));
         Ok(())
     }
 
@@ -279,8 +271,8 @@ impl Dataset {
         };
         let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
         let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
-        let (held_out, train): (Vec<_>, Vec<_>) =
-            (0..count).partition(|&index| shots[index].held_out);
+        let seen = (0..count).filter(|&index| !frames[index].image.is_hidden());
+        let (held_out, train): (Vec<_>, Vec<_>) = seen.partition(|&index| shots[index].held_out);
         if train.is_empty() && !is_part {
             let reason = format!(
                 "all {count} photographs that are there are held out, so none is left to train on; \
@@ -352,25 +344,7 @@ impl Dataset {
         });
         let fingerprint = Fingerprint::new(known, &[]);
         let poses = frames.iter().map(|frame| frame.camera.camera_to_world).collect();
-        Self {
-            frames,
-            train,
-            held_out,
-            background: [0.0; 3],
-            points: Vec::new(),
-            points_file: None,
-            missing: Vec::new(),
-            masked: 0,
-            prepared: 0,
-            outside: Vec::new(),
-            notes: Vec::new(),
-            kept_in: None,
-            fingerprint,
-            kind: DatasetKind::Generated,
-            path: PathBuf::new(),
-            placement: Placement::default(),
-            poses,
-        }
+        Self { frames, train, held_out, fingerprint, poses, ..Self::default() }
     }
 }
 
@@ -380,7 +354,8 @@ fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
     let mut pairs = Vec::new();
     for (shot, digest) in shots.iter().zip(digests) {
         let earlier = *first.entry(digest).or_insert(shot);
-        if !std::ptr::eq(earlier, shot) {
+        let is_one_panorama = shot.lens.cut.is_some() && earlier.path == shot.path;
+        if !std::ptr::eq(earlier, shot) && !is_one_panorama {
             pairs.push((earlier, shot));
         }
     }

@@ -99,6 +99,11 @@ impl Photograph {
         self.valid.is_none()
     }
 
+    /// Whether no pixel is valid.
+    pub(super) fn is_hidden(&self) -> bool {
+        self.valid().is_some_and(|valid| !valid.contains(&true))
+    }
+
     /// Whether the pixel in column `x` and row `y` is valid.
     ///
     /// # Panics
@@ -143,7 +148,7 @@ impl From<&Image> for Photograph {
 }
 
 /// The format of a data set.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum DatasetKind {
     /// nerfstudio's `transforms.json`.
     Nerfstudio,
@@ -152,6 +157,7 @@ pub enum DatasetKind {
     /// A sparse model of COLMAP.
     Colmap,
     /// Frames that the caller made.
+    #[default]
     Generated,
 }
 

@@ -8,10 +8,11 @@ use serde_json::Value;
 
 use super::find::{self, Access, Found};
 use super::lens::Lens;
+use super::panorama::is_panorama;
 use super::{
     DatasetKind, DatasetOptions, Listing, Point, colmap, decode, invalid, is_held_out, ply,
 };
-use organza_core::camera::parse::{PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
+use organza_core::camera::parse::{PANORAMA, PERSPECTIVE_MODELS, PINHOLE_MODELS, Source, frames};
 use organza_core::camera::{Camera, camera_error};
 use organza_core::error::{Result, chain};
 use organza_core::input::{kind, read_json};
@@ -40,7 +41,7 @@ pub(super) fn nerfstudio(
     options: &DatasetOptions,
     access: &mut Access,
 ) -> Result<Listing> {
-    let mut listing = Listing::new(DatasetKind::Nerfstudio);
+    let mut listing = Listing { kind: DatasetKind::Nerfstudio, ..Listing::default() };
     let file = read_json(path)?;
     let held_out = |position| is_held_out(position, options.hold_out_every);
     add_frames(&file, path, &mut listing, held_out, options, access, &ON_DISK)?;
@@ -85,7 +86,7 @@ pub(super) fn blender(
     options: &DatasetOptions,
     access: &mut Access,
 ) -> Result<Listing> {
-    let mut listing = Listing::new(DatasetKind::Blender);
+    let mut listing = Listing { kind: DatasetKind::Blender, ..Listing::default() };
     let test = train.with_file_name(BLENDER_TEST);
     let has_test = test.exists();
     let held_out = |position| !has_test && is_held_out(position, options.hold_out_every);
@@ -129,6 +130,13 @@ pub(super) fn add_frames(
         }
         let camera = source.valid_camera(index, path)?;
         let lens = lens(&source).map_err(|reason| camera_error(path, index, reason))?;
+        let Camera { width, height, .. } = camera;
+        if lens.panorama && !is_panorama([width, height]) {
+            let reason = format!(
+                "has {width} x {height} pixels, but a panorama of 360 degrees is twice as wide as high"
+            );
+            return Err(camera_error(path, index, reason));
+        }
         let camera = Camera { file_path: Some(name.to_owned()), ..camera };
         listing.add(found, camera, lens, held_out(index), options, access)?;
     }
@@ -163,10 +171,13 @@ fn lens(source: &Source<'_>) -> Result<Lens, String> {
         }
         Some(Value::String(model)) if PERSPECTIVE_MODELS.contains(&model.as_str()) => is_fisheye,
         Some(Value::String(model)) if model == FISHEYE => true,
+        Some(Value::String(model)) if model == PANORAMA => {
+            return Ok(Lens { panorama: true, ..Lens::default() });
+        }
         Some(Value::String(model)) => {
             return Err(format!(
-                "the camera model {model} is not supported; the models that are read are {} and \
-                 {FISHEYE}: undistort the photographs first, and describe them as PINHOLE",
+                "the camera model {model} is not supported; the models that are read are {}, \
+                 {FISHEYE} and {PANORAMA}: undistort the photographs first, and describe them as PINHOLE",
                 PERSPECTIVE_MODELS.join(", ")
             ));
         }
@@ -181,7 +192,8 @@ fn lens(source: &Source<'_>) -> Result<Lens, String> {
     let is_full = source.get("camera_model").and_then(Value::as_str) == Some("FULL_OPENCV");
     let (k4, denominator) = if is_full { (0.0, [k4, k5, k6]) } else { (k4, [0.0; 3]) };
     let tangential = if fisheye { [0.0; 2] } else { [value("p1")?, value("p2")?] };
-    Ok(Lens { fisheye, radial: [value("k1")?, value("k2")?, k3, k4], denominator, tangential })
+    let radial = [value("k1")?, value("k2")?, k3, k4];
+    Ok(Lens { fisheye, radial, denominator, tangential, ..Lens::default() })
 }
 
 fn folder(path: &Path) -> &Path {

@@ -14,6 +14,8 @@ pub const PERSPECTIVE_MODELS: [&str; 6] =
     ["PINHOLE", "SIMPLE_PINHOLE", "OPENCV", "SIMPLE_RADIAL", "RADIAL", "FULL_OPENCV"];
 /// Models without coefficients; any that the file gives are ignored.
 pub const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
+/// Model of panoramas of 360 degrees. Their size says all about them.
+pub const PANORAMA: &str = "EQUIRECTANGULAR";
 /// Largest difference between `R^T R` and the identity of a rotation whose numbers have three digits: they are off by 0.0005
 /// each.
 const THREE_DIGITS: f64 = 2e-3;
@@ -22,7 +24,12 @@ const COEFFICIENTS: [&str; 8] = ["k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"]
 /// Every camera of a file's JSON.
 pub fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
     let parse = |(index, frame): (usize, &Value)| {
-        Source { file, frame, size: None }.valid_camera(index, origin)
+        let source = Source { file, frame, size: None };
+        if source.is_panorama() {
+            let reason = "is a panorama of 360 degrees, of which a data set makes several views; name its folder instead";
+            return Err(camera_error(origin, index, reason.to_owned()));
+        }
+        source.valid_camera(index, origin)
     };
     frames(file, origin)?.iter().enumerate().map(parse).collect()
 }
@@ -114,7 +121,10 @@ impl Source<'_> {
             (None, None) => Ok::<_, String>(None),
         };
         // as instant-ngp: square pixels, and the axis in the middle
-        let fl_x = focal("fl_x", angle_x)?.ok_or_else(|| self.missing("fl_x"))?;
+        let fl_x = match self.is_panorama() {
+            true => w / std::f64::consts::TAU,
+            false => focal("fl_x", angle_x)?.ok_or_else(|| self.missing("fl_x"))?,
+        };
         let fl_y = focal("fl_y", angle_y.or(angle_x))?.unwrap_or(fl_x);
         let point = |key, side: f64| Ok::<_, String>(self.number(key)?.unwrap_or(0.5 * side));
         Ok(Camera {
@@ -134,6 +144,10 @@ impl Source<'_> {
     pub fn get(&self, key: &str) -> Option<&Value> {
         let present = |source: &'_ &Value| source.get(key).is_some_and(|value| !value.is_null());
         [self.frame, self.file].into_iter().find(present)?.get(key)
+    }
+
+    fn is_panorama(&self) -> bool {
+        self.get("camera_model").and_then(Value::as_str) == Some(PANORAMA)
     }
 
     /// The number of a key; `None` if the file has none.

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 
 use super::find::Access;
 use super::lens::Lens;
+use super::panorama::panorama_of;
 use super::{DatasetKind, DatasetOptions, Listing, Point, find, invalid, is_held_out, ply};
 use model::{Image, Intrinsics};
 use organza_core::input::open_regular;
@@ -163,11 +164,17 @@ pub(super) fn list(
     options: &DatasetOptions,
     access: &mut Access,
 ) -> Result<Listing> {
-    let mut listing = Listing::new(DatasetKind::Colmap);
+    let mut listing = Listing { kind: DatasetKind::Colmap, ..Listing::default() };
     listing.notes.extend(model.note());
     let (cameras, points, file) = read(model)?;
-    for (position, (camera, lens)) in cameras.into_iter().enumerate() {
+    let mut position = 0;
+    let mut last = None;
+    for (camera, lens) in cameras {
         let name = camera.file_path.clone().unwrap_or_default();
+        // views of one panorama count once, so that they leave together
+        let whole = Some(panorama_of(&name).unwrap_or(&name).to_owned());
+        position += usize::from(last.is_some() && last != whole);
+        last = whole;
         let photograph = |name: &str| find::photograph(folder, name, None, options.downscale);
         let in_images = photograph(&format!("images/{name}"));
         match in_images.or_else(|expected| photograph(&name).map_err(|_| expected)) {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::write_image;
 
@@ -48,16 +48,13 @@ pub fn write(root: &Path, model: &Model, binary: bool) {
 /// Writes a model's three files.
 pub fn write_model(folder: &Path, model: &Model, binary: bool) {
     fs::create_dir_all(folder).unwrap();
-    let file =
-        |stem: &str, extension: &str| -> PathBuf { folder.join(stem).with_extension(extension) };
-    if binary {
-        fs::write(file("cameras", "bin"), cameras_bin(model)).unwrap();
-        fs::write(file("images", "bin"), images_bin(model)).unwrap();
-        fs::write(file("points3D", "bin"), points_bin(model)).unwrap();
-    } else {
-        fs::write(file("cameras", "txt"), cameras_txt(model)).unwrap();
-        fs::write(file("images", "txt"), images_txt(model)).unwrap();
-        fs::write(file("points3D", "txt"), points_txt(model)).unwrap();
+    for (stem, bin, txt) in [
+        ("cameras", cameras_bin(model), cameras_txt(model)),
+        ("images", images_bin(model), images_txt(model)),
+        ("points3D", points_bin(model), points_txt(model)),
+    ] {
+        let (extension, content) = if binary { ("bin", bin) } else { ("txt", txt.into_bytes()) };
+        fs::write(folder.join(stem).with_extension(extension), content).unwrap();
     }
 }
 

@@ -1,5 +1,7 @@
 //! Compares the lens with OpenCV.
 
+use glam::DVec3;
+
 use super::super::lens::{Lens, Undistortion};
 use super::*;
 
@@ -93,8 +95,8 @@ fn places_match_opencv() {
         let way = Undistortion::new(&camera, &lens);
         for (pixel, expected) in table {
             let [x, y] = pixel.map(|place| f64::from(place) + 0.5);
-            let plane = [(x - camera.cx) / camera.fl_x, (y - camera.cy) / camera.fl_y];
-            let bent = lens.distort(plane);
+            let [across, down] = [(x - camera.cx) / camera.fl_x, (y - camera.cy) / camera.fl_y];
+            let bent = lens.project(DVec3::new(across, down, 1.0));
             let found = [camera.fl_x * bent[0] + camera.cx, camera.fl_y * bent[1] + camera.cy];
             let off = [0, 1].map(|axis| (found[axis] - expected[axis]).abs());
             assert!(off.iter().all(|&off| off < 1e-8), "{pixel:?}: {found:?}, {expected:?}");
@@ -107,7 +109,7 @@ fn places_match_opencv() {
 #[test]
 fn a_pinhole_bends_nothing() {
     assert!(Lens::default().is_pinhole());
-    assert_eq!(Lens::default().distort([0.3, -0.7]), [0.3, -0.7]);
+    assert_eq!(Lens::default().project(DVec3::new(0.3, -0.7, 1.0)), [0.3, -0.7]);
     assert!(!lens([0.0, 0.0, 1e-9], [0.0; 2]).is_pinhole());
     assert!(!lens([0.0; 3], [0.0, 1e-9]).is_pinhole());
     assert!(!Lens { denominator: [0.0, 0.0, 1e-9], ..Lens::default() }.is_pinhole());

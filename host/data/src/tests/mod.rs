@@ -8,6 +8,7 @@ mod load;
 #[path = "../../../core/src/input/nasty.rs"]
 mod nasty;
 mod nerfstudio;
+mod panorama;
 mod photograph;
 mod placement;
 mod ply;

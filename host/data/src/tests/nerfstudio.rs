@@ -136,9 +136,10 @@ fn points_come_from_the_named_cloud() {
 fn lens_errors() {
     let model = |model: Value| move |file: &mut Value| file["camera_model"] = model;
     assert_error(
-        model(json!("EQUIRECTANGULAR")),
-        &["transforms.json", "frame 0", "EQUIRECTANGULAR is not supported", "undistort", "RADIAL"],
+        model(json!("VR180_L")),
+        &["transforms.json", "frame 0", "VR180_L is not supported", "undistort", "RADIAL"],
     );
+    assert_error(model(json!("EQUIRECTANGULAR")), &["frame 0", "6 x 4", "twice as wide as high"]);
     assert_error(model(json!(4)), &["frame 0", "`camera_model` is a number"]);
     assert_error(|file| file["frames"][1]["k4"] = json!([]), &["frame 1", "`k4` is an array"]);
     assert_error(|file| file["frames"][1]["mask_path"] = json!(1), &["frame 1", "`mask_path`"]);

@@ -1,14 +1,14 @@
 //! The poses of images: COLMAP's features, matches, model and undistorted images.
 
-use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use organza::Result;
 use organza::data::SparseModel;
-use organza::{Error, Result};
+use organza::data::panorama::panorama_of;
 
 use super::frames::IMAGES;
-use super::judge::Judgment;
+use super::judge::{Judgment, counted};
 use super::programs::command;
 use super::{CaptureJob, Matcher};
 use crate::cli::refuse;
@@ -44,14 +44,21 @@ pub struct Colmap<'a> {
     is_video: bool,
     /// Number of images.
     images: usize,
+    /// Width and height of the images; `None` if they differ.
+    size: Option<(u32, u32)>,
+    /// Whether the images are views of panoramas, so that their lens is known.
+    are_views: bool,
     /// Whether it was built with CUDA. Without it, features on a GPU need a display.
     has_cuda: bool,
 }
 
 impl<'a> Colmap<'a> {
-    pub fn new(job: &'a CaptureJob<'a>, is_video: bool, images: usize) -> Result<Self> {
+    pub fn new(job: &'a CaptureJob<'a>, is_video: bool, images: &[String]) -> Result<Self> {
         let help = output(command("colmap").arg("help"))?;
-        Ok(Self { job, is_video, images, has_cuda: help.contains("with CUDA") })
+        let has_cuda = help.contains("with CUDA");
+        let size = one_size(&job.path(IMAGES), images)?;
+        let are_views = size.is_some() && images.iter().all(|name| panorama_of(name).is_some());
+        Ok(Self { job, is_video, images: images.len(), size, are_views, has_cuda })
     }
 
     /// Finds the poses of all images, undistorts these, and judges the poses.
@@ -60,9 +67,12 @@ impl<'a> Colmap<'a> {
         job.step(FEATURES, |_| self.extract())?;
         let mut matcher = job.args.matcher.unwrap_or_else(|| self.matcher());
         let mut model = self.model(0, matcher)?;
-        let posed = model.as_ref().map_or(0, |model| model.cameras.len());
+        let (posed, all) = model.as_ref().map_or((0, self.images), |model| {
+            let counted = counted(images, model).len();
+            (model.cameras.len(), counted)
+        });
         let is_choice = job.args.matcher.is_none() && matcher == Matcher::Sequential;
-        if is_choice && self.images <= SOME && (posed as f64) < ENOUGH * self.images as f64 {
+        if is_choice && self.images <= SOME && (posed as f64) < ENOUGH * all as f64 {
             let images = self.images;
             job.console.note(&format!(
                 "only {posed} of {images} images have a pose, so each is now compared with all others"
@@ -118,10 +128,19 @@ impl<'a> Colmap<'a> {
         let mut colmap = self.on_database("feature_extractor");
         colmap.arg("--image_path").arg(self.job.path(IMAGES));
         // A camera keeps its lens, and photographs of one size are of one camera.
-        let is_single = self.is_video || self.have_one_size()?;
+        let is_single = self.is_video || self.size.is_some();
         colmap.args(["--ImageReader.single_camera", if is_single { "1" } else { "0" }]);
-        let is_simple = self.images <= FEW || !is_single;
-        let model = if is_simple { "SIMPLE_RADIAL" } else { "OPENCV" };
+        let model = match self.size {
+            Some((side, _)) if self.are_views => {
+                // A face of a cube sees 90 degrees.
+                let half = f64::from(side) / 2.0;
+                let parameters = format!("{half},{half},{half}");
+                colmap.args(["--ImageReader.camera_params", &parameters]);
+                "SIMPLE_PINHOLE"
+            }
+            _ if self.images <= FEW || !is_single => "SIMPLE_RADIAL",
+            _ => "OPENCV",
+        };
         let model = self.job.args.camera_model.as_deref().unwrap_or(model);
         colmap.args(["--ImageReader.camera_model", model]);
         let side = self.job.args.side.to_string();
@@ -166,6 +185,7 @@ impl<'a> Colmap<'a> {
         let mut colmap = self.on_database("mapper");
         colmap.arg("--image_path").arg(self.job.path(IMAGES));
         colmap.arg("--output_path").arg(folder);
+        colmap.args(["--Mapper.ba_refine_focal_length", if self.are_views { "0" } else { "1" }]);
         let progress = self.job.console.progress(self.images as u64, "images");
         progress.say("finding poses");
         let result = self.job.programs.run(colmap, |line| {
@@ -190,24 +210,22 @@ impl<'a> Colmap<'a> {
         colmap.args(["--output_type", "COLMAP", "--max_image_size", &side]);
         self.job.console.during("undistorting images", || self.job.programs.run(colmap, |_| {}))
     }
+}
 
-    /// Whether all images have one width and height.
-    fn have_one_size(&self) -> Result<bool> {
-        let images = self.job.path(IMAGES);
-        let entries = fs::read_dir(&images).map_err(|source| Error::read(&images, source))?;
-        let mut first = None;
-        for entry in entries.flatten() {
-            let path = entry.path();
-            let size = match image::image_dimensions(&path) {
-                Ok(size) => size,
-                Err(error) => return refuse(format!("{}: {error}", path.display())),
-            };
-            if *first.get_or_insert(size) != size {
-                return Ok(false);
-            }
+/// The width and height of all images; `None` if they differ.
+fn one_size(folder: &Path, images: &[String]) -> Result<Option<(u32, u32)>> {
+    let mut first = None;
+    for name in images {
+        let path = folder.join(name);
+        let size = match image::image_dimensions(&path) {
+            Ok(size) => size,
+            Err(error) => return refuse(format!("{}: {error}", path.display())),
+        };
+        if *first.get_or_insert(size) != size {
+            return Ok(None);
         }
-        Ok(true)
     }
+    Ok(first)
 }
 
 /// All that a command prints.

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use organza::data::{Frame, panorama};
 use organza::{Error, Result};
 
 use super::programs::command;
@@ -20,16 +21,48 @@ const PROBE: [usize; 2] = [960, 540];
 impl CaptureJob<'_> {
     /// Collects the images, and returns their names, sorted.
     pub fn images(&self, source: &Source<'_>) -> Result<Vec<String>> {
-        self.step(IMAGES, |folder| match source {
-            Source::Video(video) => self.frames(video, folder),
-            Source::Photographs(files) => copy(files, folder),
+        self.step(IMAGES, |folder| {
+            match source {
+                Source::Video(video) => self.frames(video, folder)?,
+                Source::Photographs(files) => copy(files, folder)?,
+            }
+            self.cut_panoramas(folder)
         })?;
-        let images = self.path(IMAGES);
-        let entries = fs::read_dir(&images).map_err(|source| Error::read(&images, source))?;
-        let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-        let mut names: Vec<_> = names.collect();
-        names.sort();
-        Ok(names)
+        names(&self.path(IMAGES))
+    }
+
+    /// Replaces panoramas by their views, because COLMAP knows only lenses. A named lens says that there are none.
+    fn cut_panoramas(&self, folder: &Path) -> Result<()> {
+        let is_panorama = |name: &String| {
+            let size = image::image_dimensions(folder.join(name));
+            size.is_ok_and(|(width, height)| panorama::is_panorama([width, height]))
+        };
+        let mut names = names(folder)?;
+        names.retain(is_panorama);
+        if names.is_empty() || self.args.camera_model.is_some() {
+            return Ok(());
+        }
+        let images = count(names.len() as u64, "image");
+        self.console.note(&format!(
+            "{images} twice as wide as high: cutting each, as a panorama of 360 degrees, into 6 views. If a lens took them, name \
+             it with `--camera-model`"
+        ));
+        let progress = self.console.progress(names.len() as u64, "panoramas");
+        progress.say("cutting panoramas");
+        for (done, name) in names.iter().enumerate() {
+            self.programs.check()?;
+            let path = folder.join(name);
+            for Frame { name, image, .. } in panorama::cut(&path, self.args.side)? {
+                let to = folder.join(name);
+                let [width, height] = [image.width(), image.height()];
+                let pixels = image.pixels().as_flattened();
+                image::save_buffer(&to, pixels, width, height, image::ColorType::Rgb8)
+                    .or_else(|error| refuse(format!("{}: {error}", to.display())))?;
+            }
+            fs::remove_file(&path).map_err(|source| Error::write(&path, source))?;
+            progress.set(done + 1);
+        }
+        Ok(())
     }
 
     /// Writes the sharpest frame of each of N equal parts of a video.
@@ -53,9 +86,12 @@ impl CaptureJob<'_> {
         self.console.note(&format!("taking the {} sharpest of {all} frames", chosen.len()));
         let select: Vec<_> = chosen.iter().map(|frame| format!("eq(n,{frame})")).collect();
         let side = self.args.side;
+        // A panorama's view has a 3.14th part of its columns.
+        let wide = if self.args.camera_model.is_some() { side } else { side * 22 / 7 };
         // The longer side has at most this many pixels, and the other one follows.
-        let scale =
-            format!("scale='if(gt(iw,ih),min(iw,{side}),-2)':'if(gt(iw,ih),-2,min(ih,{side}))'");
+        let scale = format!(
+            "scale='if(eq(iw,2*ih),min(iw,{wide}),if(gt(iw,ih),min(iw,{side}),-2))':'if(gt(iw,ih),-2,min(ih,{side}))'"
+        );
         let mut ffmpeg = ffmpeg(video);
         ffmpeg.arg("-vf").arg(format!("select='{}',{scale}", select.join("+")));
         ffmpeg.args(["-vsync", "passthrough"]).arg(folder.join("%05d.png"));
@@ -109,6 +145,15 @@ fn sharpest(sharpness: &[f64], count: usize) -> Vec<usize> {
             part.max_by(|a, b| sharpness[*a].total_cmp(&sharpness[*b])).expect("a part has a frame")
         })
         .collect()
+}
+
+/// The names of the files in a folder, sorted.
+fn names(folder: &Path) -> Result<Vec<String>> {
+    let entries = fs::read_dir(folder).map_err(|source| Error::read(folder, source))?;
+    let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut names: Vec<_> = names.collect();
+    names.sort();
+    Ok(names)
 }
 
 /// Copies photographs, so that the data set needs no other folder.

@@ -1,10 +1,11 @@
 //! What COLMAP found, judged: whether it can be trained, and what to do if not.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use muslin::glam::DVec3;
 use organza::camera::{Camera, median};
 use organza::data::SparseModel;
+use organza::data::panorama::panorama_of;
 use serde::{Deserialize, Serialize};
 
 use crate::cli::console::Console;
@@ -58,6 +59,7 @@ impl Judgment {
         let name = |camera: &Camera| camera.file_path.clone().unwrap_or_default();
         let cameras: HashMap<_, _> =
             model.cameras.iter().map(|camera| (name(camera), camera)).collect();
+        let images = &counted(images, model);
         let without_pose = images.iter().filter(|name| !cameras.contains_key(*name));
         Self {
             images: images.len(),
@@ -165,6 +167,16 @@ impl Judgment {
             ));
         }
     }
+}
+
+/// The images that should have a pose. Of a panorama with a pose, views such as the sky may have none.
+pub fn counted(images: &[String], model: &SparseModel) -> Vec<String> {
+    let names: HashSet<_> =
+        model.cameras.iter().filter_map(|camera| camera.file_path.as_deref()).collect();
+    let panoramas: HashSet<_> = names.iter().filter_map(|name| panorama_of(name)).collect();
+    let is_posed = |name: &str| names.contains(name);
+    let is_spare = |name: &str| panorama_of(name).is_some_and(|whole| panoramas.contains(whole));
+    images.iter().filter(|name| is_posed(name) || !is_spare(name)).cloned().collect()
 }
 
 /// Cameras whose focal length is far from the median.

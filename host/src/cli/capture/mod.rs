@@ -30,6 +30,7 @@ Examples:
   organza capture garden.mp4 -o garden              from a video
   organza capture photographs/ -o garden            from a folder of photographs
   organza train garden -o garden-run
+  organza capture walk360.mp4 -o walk --frames 50   from a video of 360 degrees
 
 Walk slowly around what you want to show, and look at it from many places: turning on the spot shows no depth. Keep the \
 light and the zoom as they are.
@@ -61,7 +62,8 @@ pub struct Args {
     /// their neighbors. If poses are then missing, up to 200 are compared with all others after all
     #[arg(long)]
     matcher: Option<Matcher>,
-    /// COLMAP's model of the lens. By default, SIMPLE_RADIAL for up to 50 images or images of several sizes, else OPENCV
+    /// COLMAP's model of the lens. By default, SIMPLE_RADIAL for up to 50 images or images of several sizes, else OPENCV;
+    /// images twice as wide as high are panoramas of 360 degrees, and are cut into views
     #[arg(long, value_name = "MODEL")]
     #[arg(value_parser = ["SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV"])]
     camera_model: Option<String>,
@@ -137,7 +139,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         // Without images there is nothing to keep. A file that stays does no harm.
         let _ = fs::remove_dir_all(&job.work);
     })?;
-    let judgment = Colmap::new(&job, is_video, images.len())?.run(&images)?;
+    let judgment = Colmap::new(&job, is_video, &images)?.run(&images)?;
     let done = Done { key, judgment };
     job.publish(&folder, &done)?;
     finish(args, &done, console);

@@ -10,7 +10,7 @@ use std::path::Path;
 use glam::{DMat4, DVec3};
 use rayon::prelude::*;
 
-use super::budget::Budget;
+use super::decode::Budget;
 use super::develop::Shot;
 use super::lens::{Cut, Lens, Undistortion};
 use super::{DatasetOptions, Frame, decode};

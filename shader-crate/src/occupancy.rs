@@ -14,7 +14,7 @@ use muslin::atomic;
 use muslin::math::{exp, max, min, sigmoid};
 use muslin::prelude::*;
 
-/// Count of a cell that is full. Counts beyond it say the same.
+/// Count of a cell that is full.
 pub const FULL: u32 = 1 << 12;
 /// Most nodes to either side of a Gaussian's center, along an axis.
 pub const MAX_HALF: u32 = 3;
@@ -61,9 +61,7 @@ fn node(index: u32, half: u32) -> (f32, f32) {
     }
 }
 
-/// Adds each Gaussian to the cells of its nodes, in [`FULL`]ths: `counts [entries^3]`, x fastest.
-///
-/// Of a cell that is full, only that is certain.
+/// Adds each Gaussian to the cells of its nodes, in [`FULL`]ths, until they are full: `counts [entries^3]`, x fastest.
 #[kernel(threads(64), iterations = MAX_NODES)]
 pub fn occupancy_add(
     id: Invocation,
@@ -126,9 +124,11 @@ fn add(params: &OccupancyParams, scene_box: SceneBox, place: Vec3, count: f32, c
         let entries = entries_of_side(params.side);
         let row = (z as u32 + 1) * entries + y as u32 + 1;
         let entry = row * entries + x as u32 + 1;
-        // a full cell needs no more, so its count cannot overflow
-        if counts.atomic_load(entry) < FULL {
-            atomic::add(counts, entry, count as u32);
+        let count = count as u32;
+        let before = atomic::add(counts, entry, count);
+        // in any order, it ends as the smaller of the sum and this; it cannot overflow
+        if before + count > FULL {
+            counts.atomic_min(entry, FULL);
         }
     }
 }
@@ -150,9 +150,7 @@ pub fn occupancy(
 ) {
     let entry = id.index();
     if entry < params.entries {
-        let count = counts.read(entry);
-        let full = if count < FULL { count } else { FULL };
-        table.write(entry, full as f32 * (1.0 / FULL as f32));
+        table.write(entry, counts.read(entry) as f32 * (1.0 / FULL as f32));
         counts.write(entry, 0);
     }
 }

@@ -124,8 +124,7 @@ impl Parity for OccupancyAdd {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let mut outputs = runner.run(&self.inputs.kernel(), self.inputs.params.gaussians, 1)?;
-        // of a full cell, only that is certain
-        let counts = outputs[0].words().iter().map(|&count| f64::from(count.min(FULL)));
+        let counts = outputs[0].words().iter().copied().map(f64::from);
         outputs[0].values = Values::Float(counts.collect());
         Ok(outputs)
     }
@@ -151,7 +150,7 @@ impl Parity for Occupancy {
             let mut random = Random::new(u64::from(entries));
             let set = Self(OccupancyInputs {
                 params: OccupancyTableParams { entries },
-                counts: (0..entries).map(|_| random.below(2 * FULL)).collect(),
+                counts: (0..entries).map(|_| random.below(FULL + 1)).collect(),
                 table: unwritten(entries as usize),
             });
             (format!("{entries} entries"), set)
@@ -166,7 +165,7 @@ impl Parity for Occupancy {
     fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
         Some(match output {
             "counts" => 0.0,
-            _ => (f64::from(self.counts[index]) / f64::from(FULL)).min(1.0),
+            _ => f64::from(self.counts[index]) / f64::from(FULL),
         })
     }
 }

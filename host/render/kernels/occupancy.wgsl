@@ -32,7 +32,7 @@ fn function_() {
     let _e23 = global_3.member.member;
     if (_e20 < _e23) {
         let _e27 = global_4.member[_e20];
-        global_5.member[_e20] = (f32(select(4096u, _e27, (_e27 < 4096u))) * (1f / f32(4096u)));
+        global_5.member[_e20] = (f32(_e27) * (1f / f32(4096u)));
         global_4.member[_e20] = 0u;
     }
     return;

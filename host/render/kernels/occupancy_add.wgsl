@@ -50,7 +50,7 @@ fn function_() {
     var phi_436_: type_14;
     var phi_451_: type_14;
     var phi_494_: array<type_14, 3>;
-    var phi_563_: bool;
+    var phi_564_: bool;
     var local: u32;
 
     switch bitcast<i32>(0u) {
@@ -141,11 +141,11 @@ fn function_() {
                 phi_400_ = 0u;
                 loop {
                     let _e269 = phi_400_;
-                    phi_563_ = false;
+                    phi_564_ = false;
                     if (_e269 < (_e264 * ((2u * _e259) + 1u))) {
                         let _e271 = (_e261 == 0u);
                         if _e271 {
-                            phi_563_ = true;
+                            phi_564_ = true;
                             break;
                         }
                         if (_e239 == 0u) {
@@ -158,11 +158,11 @@ fn function_() {
                         }
                         let _e286 = phi_418_;
                         if _e271 {
-                            phi_563_ = true;
+                            phi_564_ = true;
                             break;
                         }
                         if (_e263 == 0u) {
-                            phi_563_ = true;
+                            phi_564_ = true;
                             break;
                         }
                         if (_e249 == 0u) {
@@ -175,7 +175,7 @@ fn function_() {
                         }
                         let _e305 = phi_436_;
                         if (_e264 == 0u) {
-                            phi_563_ = true;
+                            phi_564_ = true;
                             break;
                         }
                         if (_e259 == 0u) {
@@ -249,9 +249,10 @@ fn function_() {
                             if (select(_e492, _e494, (_e494 < _e492)) >= 0f) {
                                 if (select(_e492, _e498, (_e498 > _e492)) < _e474) {
                                     let _e504 = (_e473 + 2u);
-                                    let _e532 = atomicLoad((&global_9.member[(((((((select(select(u32(_e492), 0u, !((_e492 >= _e232))), 4294967295u, (_e492 > _e233)) + 1u) * _e504) + select(select(u32(_e486), 0u, !((_e486 >= _e232))), 4294967295u, (_e486 > _e233))) + 1u) * _e504) + select(select(u32(_e480), 0u, !((_e480 >= _e232))), 4294967295u, (_e480 > _e233))) + 1u)]));
-                                    if (_e532 < 4096u) {
-                                        let _e540 = atomicAdd((&global_9.member[(((((((select(select(u32(_e492), 0u, !((_e492 >= _e232))), 4294967295u, (_e492 > _e233)) + 1u) * _e504) + select(select(u32(_e486), 0u, !((_e486 >= _e232))), 4294967295u, (_e486 > _e233))) + 1u) * _e504) + select(select(u32(_e480), 0u, !((_e480 >= _e232))), 4294967295u, (_e480 > _e233))) + 1u)]), select(select(u32(_e354), 0u, !((_e354 >= _e232))), 4294967295u, (_e354 > _e233)));
+                                    let _e535 = select(select(u32(_e354), 0u, !((_e354 >= _e232))), 4294967295u, (_e354 > _e233));
+                                    let _e538 = atomicAdd((&global_9.member[(((((((select(select(u32(_e492), 0u, !((_e492 >= _e232))), 4294967295u, (_e492 > _e233)) + 1u) * _e504) + select(select(u32(_e486), 0u, !((_e486 >= _e232))), 4294967295u, (_e486 > _e233))) + 1u) * _e504) + select(select(u32(_e480), 0u, !((_e480 >= _e232))), 4294967295u, (_e480 > _e233))) + 1u)]), _e535);
+                                    if ((_e538 + _e535) > 4096u) {
+                                        let _e541 = atomicMin((&global_9.member[(((((((select(select(u32(_e492), 0u, !((_e492 >= _e232))), 4294967295u, (_e492 > _e233)) + 1u) * _e504) + select(select(u32(_e486), 0u, !((_e486 >= _e232))), 4294967295u, (_e486 > _e233))) + 1u) * _e504) + select(select(u32(_e480), 0u, !((_e480 >= _e232))), 4294967295u, (_e480 > _e233))) + 1u)]), 4096u);
                                     }
                                 }
                             }
@@ -262,12 +263,12 @@ fn function_() {
                         break;
                     }
                     continuing {
-                        let _e546 = local;
-                        phi_400_ = _e546;
+                        let _e547 = local;
+                        phi_400_ = _e547;
                     }
                 }
-                let _e543 = phi_563_;
-                if _e543 {
+                let _e544 = phi_564_;
+                if _e544 {
                     break;
                 }
             }

@@ -337,9 +337,10 @@ mod tests {
     #[test]
     fn each_field_is_held_to_its_range() {
         type Change = fn(&mut SceneConfig);
-        let changes: [(&str, Change); 20] = [
+        let changes: [(&str, Change); 21] = [
             ("sh_degree", |config| config.sh_degree = 8),
             ("material", |config| config.material = 257),
+            ("occupancy", |config| config.occupancy = MAX_OCCUPANCY + 1),
             ("extra", |config| config.extra = u32::MAX),
             ("color_grid.levels", |config| config.color_grid.levels = 0),
             ("transmittance_grid.growth", |config| config.transmittance_grid.growth = 0.5),

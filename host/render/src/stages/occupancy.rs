@@ -1,7 +1,8 @@
 //! Where Gaussians are: a grid of the unit cube, found anew whenever they move.
 
 use organza_shaders::occupancy::{
-    OccupancyAddKernel, OccupancyKernel, OccupancyParams, OccupancyTableParams, entries_of_side,
+    FULL, OccupancyAddKernel, OccupancyKernel, OccupancyParams, OccupancyTableParams,
+    entries_of_side,
 };
 
 use crate::scene::device_shard::SceneBlocks;
@@ -91,9 +92,7 @@ impl SceneBlocks<'_> {
         if let Some(ranks) = ranks.filter(|ranks| ranks.size() > 1) {
             let mut sums: Vec<_> = device.read(counts)?.into_iter().map(i64::from).collect();
             ranks.sum(&mut sums)?;
-            // no more than a full cell has, which is all that matters
-            let sums: Vec<_> =
-                sums.iter().map(|&sum| sum.min(i64::from(u32::MAX)) as u32).collect();
+            let sums: Vec<_> = sums.iter().map(|&sum| sum.min(i64::from(FULL)) as u32).collect();
             device.write(counts, 0, &sums)?;
         }
         let entries = table.len() as u32;

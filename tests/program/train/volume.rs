@@ -111,14 +111,14 @@ fn a_step_sends_as_much_as_ever() {
     // two shards, and two groups of two
     let shards = [2, 4].map(sent_by_shards);
     insta::assert_snapshot!([views, shards.concat()].concat(), @"
-    sum 16, max 24, exchange 19024, gather 7200, or 488, sum 17408, gather 80
+    sum 16, max 24, exchange 18808, gather 7200, or 488, sum 17408, gather 80
     sum 16, max 24, exchange 13112, gather 7128, or 488, sum 17408, gather 80
-    sum 32808, or 512, sum 16, max 24, or 460, sum 17408, gather 0, exchange 0
-    sum 32808, or 512, sum 16, max 24, or 460, sum 17408, gather 1600, exchange 33600
-    exchange 16424, exchange 16416, exchange 256, exchange 256, sum 16, max 24, exchange 0, exchange 0, or 460, sum 17408, gather 80, exchange 0, exchange 0
-    exchange 16424, exchange 16432, exchange 256, exchange 256, sum 16, max 24, exchange 28312, exchange 14400, or 460, sum 17408, gather 0, exchange 3200, exchange 33600
-    exchange 16424, exchange 16416, exchange 256, exchange 256, sum 16, max 24, exchange 0, exchange 0, or 460, sum 17408, gather 80, exchange 0, exchange 0
-    exchange 16424, exchange 16432, exchange 256, exchange 256, sum 16, max 24, exchange 28168, exchange 14400, or 460, sum 17408, gather 0, exchange 3200, exchange 33600
+    sum 314432, sum 32808, or 512, sum 16, max 24, or 460, sum 16896, gather 0, exchange 0
+    sum 314432, sum 32808, or 512, sum 16, max 24, or 460, sum 16896, gather 1600, exchange 33600
+    exchange 314432, exchange 314432, exchange 16424, exchange 16416, exchange 256, exchange 256, sum 16, max 24, exchange 0, exchange 0, or 460, sum 16896, gather 80, exchange 0, exchange 0
+    exchange 314432, exchange 314432, exchange 16424, exchange 16432, exchange 256, exchange 256, sum 16, max 24, exchange 28312, exchange 14400, or 460, sum 16896, gather 0, exchange 3200, exchange 33600
+    exchange 314432, exchange 314432, exchange 16424, exchange 16416, exchange 256, exchange 256, sum 16, max 24, exchange 0, exchange 0, or 460, sum 16896, gather 80, exchange 0, exchange 0
+    exchange 314432, exchange 314432, exchange 16424, exchange 16432, exchange 256, exchange 256, sum 16, max 24, exchange 28168, exchange 14400, or 460, sum 16896, gather 0, exchange 3200, exchange 33600
     ");
 }
 

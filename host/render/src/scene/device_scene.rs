@@ -126,10 +126,10 @@ impl DeviceScene {
         self.version.fetch_add(1, Ordering::Relaxed);
         if let Some((_, buffer)) = self.tensors.iter().find(|(own, _)| *own == name) {
             device.write(buffer, 0, values)?;
-            return Ok(match name.starts_with("gaussians.") {
-                true => SceneBlocks::from(self).update_occupancy(device, None)?,
-                false => (),
-            });
+            if name.starts_with("gaussians.") {
+                SceneBlocks::from(self).update_occupancy(device, None)?;
+            }
+            return Ok(());
         }
         let (field, rest) = match name.strip_prefix("color.mlp.") {
             Some(rest) => (&self.color, rest),

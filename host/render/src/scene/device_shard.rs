@@ -98,7 +98,7 @@ impl DeviceShard {
     /// # Errors
     /// The same errors as [`Device::dispatch`].
     pub fn update_occupancy(&self, device: &Device) -> Result<()> {
-        Ok(SceneBlocks::from(self).update_occupancy(device, None)?)
+        SceneBlocks::from(self).update_occupancy(device, None)
     }
 
     /// The same shard, on the same memory: see [`DeviceScene::coarser`].

@@ -49,6 +49,22 @@ fn half_of(scale: f32) -> u32 {
     min(REACH * scale + 0.5, MAX_HALF as f32) as u32
 }
 
+/// `exp(-x^2 / 2)` at the squares that nodes have: 0, 4/9, 1, 16/9 and 4. An exponential would take most of the kernel's time.
+#[inline(always)]
+fn falloff(square: f32) -> f32 {
+    if square < 0.2 {
+        1.0
+    } else if square < 0.7 {
+        0.800_737_4
+    } else if square < 1.4 {
+        0.606_530_66
+    } else if square < 3.0 {
+        0.411_112_3
+    } else {
+        0.135_335_28
+    }
+}
+
 /// A node along an axis: its place in standard deviations, and its part of the Gaussian, by the trapezoidal rule.
 #[inline(always)]
 fn node(index: u32, half: u32) -> (f32, f32) {
@@ -57,7 +73,7 @@ fn node(index: u32, half: u32) -> (f32, f32) {
     } else {
         let spacing = REACH / half as f32;
         let x = (index as f32 - half as f32) * spacing;
-        (x, NORMAL * spacing * exp(-0.5 * x * x))
+        (x, NORMAL * spacing * falloff(x * x))
     }
 }
 
@@ -95,9 +111,11 @@ pub fn occupancy_add(
             let (a, part_x) = node(index % nodes_x, half_x);
             let (b, part_y) = node(index / nodes_x % nodes_y, half_y);
             let (c, part_z) = node(index / (nodes_x * nodes_y), half_z);
-            let place = center + x * (a * scale.x) + y * (b * scale.y) + z * (c * scale.z);
             let count = fill * (part_x * part_y * part_z) * FULL as f32 + 0.5;
-            add(params, scene_box, place, min(count, FULL as f32), counts);
+            if count >= 1.0 {
+                let place = center + x * (a * scale.x) + y * (b * scale.y) + z * (c * scale.z);
+                add(params, scene_box, place, min(count, FULL as f32), counts);
+            }
             index += 1;
         }
     }
@@ -120,7 +138,7 @@ fn add(params: &OccupancyParams, scene_box: SceneBox, place: Vec3, count: f32, c
     let lowest = min(min(x, y), z);
     let highest = max(max(x, y), z);
     // what is not a number is not inside
-    if count >= 1.0 && lowest >= 0.0 && highest < side {
+    if lowest >= 0.0 && highest < side {
         let entries = entries_of_side(params.side);
         let row = (z as u32 + 1) * entries + y as u32 + 1;
         let entry = row * entries + x as u32 + 1;

@@ -45,230 +45,296 @@ var<storage> global_8: type_11;
 var<storage, read_write> global_9: type_22;
 
 fn function_() {
-    var phi_400_: u32;
-    var phi_418_: type_14;
-    var phi_436_: type_14;
-    var phi_451_: type_14;
-    var phi_494_: array<type_14, 3>;
-    var phi_564_: bool;
+    var phi_404_: u32;
+    var phi_434_: f32;
+    var phi_435_: f32;
+    var phi_436_: f32;
+    var phi_438_: type_14;
+    var phi_468_: f32;
+    var phi_469_: f32;
+    var phi_470_: f32;
+    var phi_472_: type_14;
+    var phi_499_: f32;
+    var phi_500_: f32;
+    var phi_501_: f32;
+    var phi_503_: type_14;
+    var phi_550_: array<type_14, 3>;
+    var phi_616_: bool;
     var local: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e47 = global;
-            let _e48 = global_1;
-            let _e49 = global_2;
-            let _e57 = (((_e48.x + (_e48.y * _e49.x)) * 64u) + _e47.x);
-            let _e60 = global_3.member.member;
-            if (_e57 < _e60) {
-                let _e64 = global_4.member[0u];
-                let _e67 = global_4.member[1u];
-                let _e70 = global_4.member[2u];
-                let _e73 = global_4.member[3u];
-                let _e76 = global_4.member[4u];
-                let _e79 = global_4.member[5u];
-                let _e82 = global_4.member[6u];
-                let _e85 = global_4.member[7u];
-                let _e88 = global_4.member[8u];
-                let _e91 = global_4.member[9u];
-                let _e94 = global_4.member[10u];
-                let _e97 = global_4.member[11u];
-                let _e100 = global_4.member[12u];
-                let _e103 = global_4.member[13u];
-                let _e106 = global_4.member[14u];
-                let _e109 = global_4.member[15u];
-                let _e112 = global_4.member[16u];
-                let _e115 = global_4.member[17u];
-                let _e116 = (_e57 * 3u);
-                let _e119 = global_5.member[_e116];
-                let _e120 = (_e116 + 1u);
-                let _e123 = global_5.member[_e120];
-                let _e124 = (_e116 + 2u);
-                let _e127 = global_5.member[_e124];
-                let _e130 = global_6.member[_e116];
-                let _e133 = global_6.member[_e120];
-                let _e136 = global_6.member[_e124];
-                let _e137 = exp(_e130);
-                let _e138 = exp(_e133);
-                let _e139 = exp(_e136);
-                let _e140 = (_e57 * 4u);
-                let _e143 = global_7.member[_e140];
-                let _e147 = global_7.member[(_e140 + 1u)];
-                let _e151 = global_7.member[(_e140 + 2u)];
-                let _e155 = global_7.member[(_e140 + 3u)];
-                let _e164 = (1f / sqrt(((((_e143 * _e143) + (_e147 * _e147)) + (_e151 * _e151)) + (_e155 * _e155))));
-                let _e165 = (_e143 * _e164);
-                let _e166 = (_e147 * _e164);
-                let _e167 = (_e151 * _e164);
-                let _e168 = (_e155 * _e164);
-                let _e169 = (_e167 * _e167);
-                let _e170 = (_e168 * _e168);
-                let _e174 = (_e166 * _e167);
-                let _e175 = (_e165 * _e168);
-                let _e178 = (_e166 * _e168);
-                let _e179 = (_e165 * _e167);
-                let _e184 = (_e166 * _e166);
-                let _e188 = (_e167 * _e168);
-                let _e189 = (_e165 * _e166);
-                let _e201 = global_3.member.member_2;
-                let _e202 = (1f / _e201);
-                let _e203 = (_e137 * _e202);
-                let _e204 = (_e138 * _e202);
-                let _e205 = (_e139 * _e202);
-                let _e206 = (_e203 * _e204);
-                let _e207 = (_e203 * _e205);
-                let _e209 = select(_e207, _e206, (_e206 > _e207));
-                let _e210 = (_e204 * _e205);
-                let _e216 = global_8.member[_e57];
-                let _e217 = (_e216 < 0f);
-                let _e220 = exp(select(-(_e216), _e216, _e217));
-                let _e222 = (1f / (1f + _e220));
-                let _e228 = ((2f * _e203) + 0.5f);
-                let _e229 = f32(3u);
-                let _e231 = select(_e229, _e228, (_e228 < _e229));
-                let _e232 = bitcast<f32>(0u);
-                let _e233 = bitcast<f32>(1333788671u);
-                let _e239 = select(select(u32(_e231), 0u, !((_e231 >= _e232))), 4294967295u, (_e231 > _e233));
-                let _e241 = ((2f * _e204) + 0.5f);
-                let _e243 = select(_e229, _e241, (_e241 < _e229));
-                let _e249 = select(select(u32(_e243), 0u, !((_e243 >= _e232))), 4294967295u, (_e243 > _e233));
-                let _e251 = ((2f * _e205) + 0.5f);
-                let _e253 = select(_e229, _e251, (_e251 < _e229));
-                let _e259 = select(select(u32(_e253), 0u, !((_e253 >= _e232))), 4294967295u, (_e253 > _e233));
-                let _e261 = ((2u * _e239) + 1u);
-                let _e263 = ((2u * _e249) + 1u);
-                let _e264 = (_e261 * _e263);
-                phi_400_ = 0u;
+            let _e54 = global;
+            let _e55 = global_1;
+            let _e56 = global_2;
+            let _e64 = (((_e55.x + (_e55.y * _e56.x)) * 64u) + _e54.x);
+            let _e67 = global_3.member.member;
+            if (_e64 < _e67) {
+                let _e71 = global_4.member[0u];
+                let _e74 = global_4.member[1u];
+                let _e77 = global_4.member[2u];
+                let _e80 = global_4.member[3u];
+                let _e83 = global_4.member[4u];
+                let _e86 = global_4.member[5u];
+                let _e89 = global_4.member[6u];
+                let _e92 = global_4.member[7u];
+                let _e95 = global_4.member[8u];
+                let _e98 = global_4.member[9u];
+                let _e101 = global_4.member[10u];
+                let _e104 = global_4.member[11u];
+                let _e107 = global_4.member[12u];
+                let _e110 = global_4.member[13u];
+                let _e113 = global_4.member[14u];
+                let _e116 = global_4.member[15u];
+                let _e119 = global_4.member[16u];
+                let _e122 = global_4.member[17u];
+                let _e123 = (_e64 * 3u);
+                let _e126 = global_5.member[_e123];
+                let _e127 = (_e123 + 1u);
+                let _e130 = global_5.member[_e127];
+                let _e131 = (_e123 + 2u);
+                let _e134 = global_5.member[_e131];
+                let _e137 = global_6.member[_e123];
+                let _e140 = global_6.member[_e127];
+                let _e143 = global_6.member[_e131];
+                let _e144 = exp(_e137);
+                let _e145 = exp(_e140);
+                let _e146 = exp(_e143);
+                let _e147 = (_e64 * 4u);
+                let _e150 = global_7.member[_e147];
+                let _e154 = global_7.member[(_e147 + 1u)];
+                let _e158 = global_7.member[(_e147 + 2u)];
+                let _e162 = global_7.member[(_e147 + 3u)];
+                let _e171 = (1f / sqrt(((((_e150 * _e150) + (_e154 * _e154)) + (_e158 * _e158)) + (_e162 * _e162))));
+                let _e172 = (_e150 * _e171);
+                let _e173 = (_e154 * _e171);
+                let _e174 = (_e158 * _e171);
+                let _e175 = (_e162 * _e171);
+                let _e176 = (_e174 * _e174);
+                let _e177 = (_e175 * _e175);
+                let _e181 = (_e173 * _e174);
+                let _e182 = (_e172 * _e175);
+                let _e185 = (_e173 * _e175);
+                let _e186 = (_e172 * _e174);
+                let _e191 = (_e173 * _e173);
+                let _e195 = (_e174 * _e175);
+                let _e196 = (_e172 * _e173);
+                let _e208 = global_3.member.member_2;
+                let _e209 = (1f / _e208);
+                let _e210 = (_e144 * _e209);
+                let _e211 = (_e145 * _e209);
+                let _e212 = (_e146 * _e209);
+                let _e213 = (_e210 * _e211);
+                let _e214 = (_e210 * _e212);
+                let _e216 = select(_e214, _e213, (_e213 > _e214));
+                let _e217 = (_e211 * _e212);
+                let _e223 = global_8.member[_e64];
+                let _e224 = (_e223 < 0f);
+                let _e227 = exp(select(-(_e223), _e223, _e224));
+                let _e229 = (1f / (1f + _e227));
+                let _e235 = ((2f * _e210) + 0.5f);
+                let _e236 = f32(3u);
+                let _e238 = select(_e236, _e235, (_e235 < _e236));
+                let _e239 = bitcast<f32>(0u);
+                let _e240 = bitcast<f32>(1333788671u);
+                let _e246 = select(select(u32(_e238), 0u, !((_e238 >= _e239))), 4294967295u, (_e238 > _e240));
+                let _e248 = ((2f * _e211) + 0.5f);
+                let _e250 = select(_e236, _e248, (_e248 < _e236));
+                let _e256 = select(select(u32(_e250), 0u, !((_e250 >= _e239))), 4294967295u, (_e250 > _e240));
+                let _e258 = ((2f * _e212) + 0.5f);
+                let _e260 = select(_e236, _e258, (_e258 < _e236));
+                let _e266 = select(select(u32(_e260), 0u, !((_e260 >= _e239))), 4294967295u, (_e260 > _e240));
+                let _e268 = ((2u * _e246) + 1u);
+                let _e270 = ((2u * _e256) + 1u);
+                let _e271 = (_e268 * _e270);
+                phi_404_ = 0u;
                 loop {
-                    let _e269 = phi_400_;
-                    phi_564_ = false;
-                    if (_e269 < (_e264 * ((2u * _e259) + 1u))) {
-                        let _e271 = (_e261 == 0u);
-                        if _e271 {
-                            phi_564_ = true;
+                    let _e276 = phi_404_;
+                    phi_616_ = false;
+                    if (_e276 < (_e271 * ((2u * _e266) + 1u))) {
+                        let _e278 = (_e268 == 0u);
+                        if _e278 {
+                            phi_616_ = true;
                             break;
                         }
-                        if (_e239 == 0u) {
-                            phi_418_ = type_14(0f, 1f);
+                        if (_e246 == 0u) {
+                            phi_438_ = type_14(0f, 1f);
                         } else {
-                            let _e274 = f32(_e239);
-                            let _e275 = (2f / _e274);
-                            let _e278 = ((f32((_e269 % _e261)) - _e274) * _e275);
-                            phi_418_ = type_14(_e278, ((0.3989423f * _e275) * exp(((-0.5f * _e278) * _e278))));
+                            let _e281 = f32(_e246);
+                            let _e282 = (2f / _e281);
+                            let _e285 = ((f32((_e276 % _e268)) - _e281) * _e282);
+                            let _e287 = (_e285 * _e285);
+                            if (_e287 < 0.2f) {
+                                phi_436_ = 1f;
+                            } else {
+                                if (_e287 < 0.7f) {
+                                    phi_435_ = 0.8007374f;
+                                } else {
+                                    if (_e287 < 1.4f) {
+                                        phi_434_ = 0.60653067f;
+                                    } else {
+                                        phi_434_ = select(0.13533528f, 0.4111123f, (_e287 < 3f));
+                                    }
+                                    let _e294 = phi_434_;
+                                    phi_435_ = _e294;
+                                }
+                                let _e296 = phi_435_;
+                                phi_436_ = _e296;
+                            }
+                            let _e298 = phi_436_;
+                            phi_438_ = type_14(_e285, ((0.3989423f * _e282) * _e298));
                         }
-                        let _e286 = phi_418_;
-                        if _e271 {
-                            phi_564_ = true;
+                        let _e302 = phi_438_;
+                        if _e278 {
+                            phi_616_ = true;
                             break;
                         }
-                        if (_e263 == 0u) {
-                            phi_564_ = true;
+                        if (_e270 == 0u) {
+                            phi_616_ = true;
                             break;
                         }
-                        if (_e249 == 0u) {
-                            phi_436_ = type_14(0f, 1f);
+                        if (_e256 == 0u) {
+                            phi_472_ = type_14(0f, 1f);
                         } else {
-                            let _e293 = f32(_e249);
-                            let _e294 = (2f / _e293);
-                            let _e297 = ((f32(((_e269 / _e261) % _e263)) - _e293) * _e294);
-                            phi_436_ = type_14(_e297, ((0.3989423f * _e294) * exp(((-0.5f * _e297) * _e297))));
+                            let _e309 = f32(_e256);
+                            let _e310 = (2f / _e309);
+                            let _e313 = ((f32(((_e276 / _e268) % _e270)) - _e309) * _e310);
+                            let _e315 = (_e313 * _e313);
+                            if (_e315 < 0.2f) {
+                                phi_470_ = 1f;
+                            } else {
+                                if (_e315 < 0.7f) {
+                                    phi_469_ = 0.8007374f;
+                                } else {
+                                    if (_e315 < 1.4f) {
+                                        phi_468_ = 0.60653067f;
+                                    } else {
+                                        phi_468_ = select(0.13533528f, 0.4111123f, (_e315 < 3f));
+                                    }
+                                    let _e322 = phi_468_;
+                                    phi_469_ = _e322;
+                                }
+                                let _e324 = phi_469_;
+                                phi_470_ = _e324;
+                            }
+                            let _e326 = phi_470_;
+                            phi_472_ = type_14(_e313, ((0.3989423f * _e310) * _e326));
                         }
-                        let _e305 = phi_436_;
-                        if (_e264 == 0u) {
-                            phi_564_ = true;
+                        let _e330 = phi_472_;
+                        if (_e271 == 0u) {
+                            phi_616_ = true;
                             break;
                         }
-                        if (_e259 == 0u) {
-                            phi_451_ = type_14(0f, 1f);
+                        if (_e266 == 0u) {
+                            phi_503_ = type_14(0f, 1f);
                         } else {
-                            let _e311 = f32(_e259);
-                            let _e312 = (2f / _e311);
-                            let _e315 = ((f32((_e269 / _e264)) - _e311) * _e312);
-                            phi_451_ = type_14(_e315, ((0.3989423f * _e312) * exp(((-0.5f * _e315) * _e315))));
+                            let _e336 = f32(_e266);
+                            let _e337 = (2f / _e336);
+                            let _e340 = ((f32((_e276 / _e271)) - _e336) * _e337);
+                            let _e342 = (_e340 * _e340);
+                            if (_e342 < 0.2f) {
+                                phi_501_ = 1f;
+                            } else {
+                                if (_e342 < 0.7f) {
+                                    phi_500_ = 0.8007374f;
+                                } else {
+                                    if (_e342 < 1.4f) {
+                                        phi_499_ = 0.60653067f;
+                                    } else {
+                                        phi_499_ = select(0.13533528f, 0.4111123f, (_e342 < 3f));
+                                    }
+                                    let _e349 = phi_499_;
+                                    phi_500_ = _e349;
+                                }
+                                let _e351 = phi_500_;
+                                phi_501_ = _e351;
+                            }
+                            let _e353 = phi_501_;
+                            phi_503_ = type_14(_e340, ((0.3989423f * _e337) * _e353));
                         }
-                        let _e323 = phi_451_;
-                        let _e326 = (_e286.member * _e137);
-                        let _e333 = (_e305.member * _e138);
-                        let _e340 = (_e323.member * _e139);
-                        let _e344 = (((_e119 + ((1f - (2f * (_e169 + _e170))) * _e326)) + ((2f * (_e174 - _e175)) * _e333)) + ((2f * (_e178 + _e179)) * _e340));
-                        let _e345 = (((_e123 + ((2f * (_e174 + _e175)) * _e326)) + ((1f - (2f * (_e184 + _e170))) * _e333)) + ((2f * (_e188 - _e189)) * _e340));
-                        let _e346 = (((_e127 + ((2f * (_e178 - _e179)) * _e326)) + ((2f * (_e188 + _e189)) * _e333)) + ((1f - (2f * (_e184 + _e169))) * _e340));
-                        let _e350 = f32(4096u);
-                        let _e352 = ((((((4f * 3.1415927f) * select(_e222, (_e220 * _e222), _e217)) * select(_e210, _e209, (_e209 > _e210))) * ((_e286.member_1 * _e305.member_1) * _e323.member_1)) * _e350) + 0.5f);
-                        let _e354 = select(_e350, _e352, (_e352 < _e350));
-                        let _e361 = (trunc((_e344 * _e73)) * _e64);
-                        let _e362 = (trunc((_e345 * _e76)) * _e67);
-                        let _e363 = (trunc((_e346 * _e79)) * _e70);
-                        let _e364 = (_e361 - _e82);
-                        let _e365 = (_e362 - _e85);
-                        let _e366 = (_e363 - _e88);
-                        let _e373 = (_e364 * _e100);
-                        let _e374 = (_e365 * _e103);
-                        let _e375 = (_e366 * _e106);
-                        let _e385 = ((_e364 * _e109) + (((_e344 - _e361) - _e91) * (_e100 + _e109)));
-                        let _e386 = ((_e365 * _e112) + (((_e345 - _e362) - _e94) * (_e103 + _e112)));
-                        let _e387 = ((_e366 * _e115) + (((_e346 - _e363) - _e97) * (_e106 + _e115)));
-                        let _e391 = (1f / 4096f);
-                        let _e392 = (trunc(((_e373 + _e385) * 4096f)) * _e391);
-                        let _e394 = ((_e373 - _e392) + _e385);
-                        let _e398 = (trunc(((_e374 + _e386) * 4096f)) * _e391);
-                        let _e400 = ((_e374 - _e398) + _e386);
-                        let _e404 = (trunc(((_e375 + _e387) * 4096f)) * _e391);
-                        let _e406 = ((_e375 - _e404) + _e387);
-                        let _e413 = global_3.member.member_3;
-                        if (_e413 == 0u) {
-                            phi_494_ = array<type_14, 3>(type_14(_e392, _e394), type_14(_e398, _e400), type_14(_e404, _e406));
-                        } else {
-                            let _e417 = ((_e392 - 0.5f) + (_e394 - 0f));
-                            let _e420 = ((_e398 - 0.5f) + (_e400 - 0f));
-                            let _e423 = ((_e404 - 0.5f) + (_e406 - 0f));
-                            let _e426 = select(_e417, -(_e417), (_e417 < 0f));
-                            let _e429 = select(_e420, -(_e420), (_e420 < 0f));
-                            let _e431 = select(_e429, _e426, (_e426 > _e429));
-                            let _e434 = select(_e423, -(_e423), (_e423 < 0f));
-                            let _e436 = select(_e434, _e431, (_e431 > _e434));
-                            let _e438 = select(0.25f, _e436, (_e436 > 0.25f));
-                            let _e443 = select(1f, ((0.5f - (0.0625f / _e438)) / _e438), (0.25f < _e438));
-                            let _e444 = (_e417 * _e443);
-                            let _e448 = (trunc(((0.5f + _e444) * 4096f)) * _e391);
-                            let _e451 = (_e420 * _e443);
-                            let _e455 = (trunc(((0.5f + _e451) * 4096f)) * _e391);
-                            let _e458 = (_e423 * _e443);
-                            let _e462 = (trunc(((0.5f + _e458) * 4096f)) * _e391);
-                            phi_494_ = array<type_14, 3>(type_14(_e448, ((0.5f - _e448) + _e444)), type_14(_e455, ((0.5f - _e455) + _e451)), type_14(_e462, ((0.5f - _e462) + _e458)));
-                        }
-                        let _e470 = phi_494_;
-                        let _e473 = global_3.member.member_1;
-                        let _e474 = f32(_e473);
-                        let _e480 = ((_e470[0].member + _e470[0].member_1) * _e474);
-                        let _e486 = ((_e470[1].member + _e470[1].member_1) * _e474);
-                        let _e492 = ((_e470[2].member + _e470[2].member_1) * _e474);
-                        let _e494 = select(_e486, _e480, (_e480 < _e486));
-                        let _e498 = select(_e486, _e480, (_e480 > _e486));
-                        if (_e354 >= 1f) {
-                            if (select(_e492, _e494, (_e494 < _e492)) >= 0f) {
-                                if (select(_e492, _e498, (_e498 > _e492)) < _e474) {
-                                    let _e504 = (_e473 + 2u);
-                                    let _e535 = select(select(u32(_e354), 0u, !((_e354 >= _e232))), 4294967295u, (_e354 > _e233));
-                                    let _e538 = atomicAdd((&global_9.member[(((((((select(select(u32(_e492), 0u, !((_e492 >= _e232))), 4294967295u, (_e492 > _e233)) + 1u) * _e504) + select(select(u32(_e486), 0u, !((_e486 >= _e232))), 4294967295u, (_e486 > _e233))) + 1u) * _e504) + select(select(u32(_e480), 0u, !((_e480 >= _e232))), 4294967295u, (_e480 > _e233))) + 1u)]), _e535);
-                                    if ((_e538 + _e535) > 4096u) {
-                                        let _e541 = atomicMin((&global_9.member[(((((((select(select(u32(_e492), 0u, !((_e492 >= _e232))), 4294967295u, (_e492 > _e233)) + 1u) * _e504) + select(select(u32(_e486), 0u, !((_e486 >= _e232))), 4294967295u, (_e486 > _e233))) + 1u) * _e504) + select(select(u32(_e480), 0u, !((_e480 >= _e232))), 4294967295u, (_e480 > _e233))) + 1u)]), 4096u);
+                        let _e357 = phi_503_;
+                        let _e363 = f32(4096u);
+                        let _e365 = ((((((4f * 3.1415927f) * select(_e229, (_e227 * _e229), _e224)) * select(_e217, _e216, (_e216 > _e217))) * ((_e302.member_1 * _e330.member_1) * _e357.member_1)) * _e363) + 0.5f);
+                        if (_e365 >= 1f) {
+                            let _e367 = (_e302.member * _e144);
+                            let _e374 = (_e330.member * _e145);
+                            let _e381 = (_e357.member * _e146);
+                            let _e385 = (((_e126 + ((1f - (2f * (_e176 + _e177))) * _e367)) + ((2f * (_e181 - _e182)) * _e374)) + ((2f * (_e185 + _e186)) * _e381));
+                            let _e386 = (((_e130 + ((2f * (_e181 + _e182)) * _e367)) + ((1f - (2f * (_e191 + _e177))) * _e374)) + ((2f * (_e195 - _e196)) * _e381));
+                            let _e387 = (((_e134 + ((2f * (_e185 - _e186)) * _e367)) + ((2f * (_e195 + _e196)) * _e374)) + ((1f - (2f * (_e191 + _e176))) * _e381));
+                            let _e389 = select(_e363, _e365, (_e365 < _e363));
+                            let _e396 = (trunc((_e385 * _e80)) * _e71);
+                            let _e397 = (trunc((_e386 * _e83)) * _e74);
+                            let _e398 = (trunc((_e387 * _e86)) * _e77);
+                            let _e399 = (_e396 - _e89);
+                            let _e400 = (_e397 - _e92);
+                            let _e401 = (_e398 - _e95);
+                            let _e408 = (_e399 * _e107);
+                            let _e409 = (_e400 * _e110);
+                            let _e410 = (_e401 * _e113);
+                            let _e420 = ((_e399 * _e116) + (((_e385 - _e396) - _e98) * (_e107 + _e116)));
+                            let _e421 = ((_e400 * _e119) + (((_e386 - _e397) - _e101) * (_e110 + _e119)));
+                            let _e422 = ((_e401 * _e122) + (((_e387 - _e398) - _e104) * (_e113 + _e122)));
+                            let _e426 = (1f / 4096f);
+                            let _e427 = (trunc(((_e408 + _e420) * 4096f)) * _e426);
+                            let _e429 = ((_e408 - _e427) + _e420);
+                            let _e433 = (trunc(((_e409 + _e421) * 4096f)) * _e426);
+                            let _e435 = ((_e409 - _e433) + _e421);
+                            let _e439 = (trunc(((_e410 + _e422) * 4096f)) * _e426);
+                            let _e441 = ((_e410 - _e439) + _e422);
+                            let _e448 = global_3.member.member_3;
+                            if (_e448 == 0u) {
+                                phi_550_ = array<type_14, 3>(type_14(_e427, _e429), type_14(_e433, _e435), type_14(_e439, _e441));
+                            } else {
+                                let _e452 = ((_e427 - 0.5f) + (_e429 - 0f));
+                                let _e455 = ((_e433 - 0.5f) + (_e435 - 0f));
+                                let _e458 = ((_e439 - 0.5f) + (_e441 - 0f));
+                                let _e461 = select(_e452, -(_e452), (_e452 < 0f));
+                                let _e464 = select(_e455, -(_e455), (_e455 < 0f));
+                                let _e466 = select(_e464, _e461, (_e461 > _e464));
+                                let _e469 = select(_e458, -(_e458), (_e458 < 0f));
+                                let _e471 = select(_e469, _e466, (_e466 > _e469));
+                                let _e473 = select(0.25f, _e471, (_e471 > 0.25f));
+                                let _e478 = select(1f, ((0.5f - (0.0625f / _e473)) / _e473), (0.25f < _e473));
+                                let _e479 = (_e452 * _e478);
+                                let _e483 = (trunc(((0.5f + _e479) * 4096f)) * _e426);
+                                let _e486 = (_e455 * _e478);
+                                let _e490 = (trunc(((0.5f + _e486) * 4096f)) * _e426);
+                                let _e493 = (_e458 * _e478);
+                                let _e497 = (trunc(((0.5f + _e493) * 4096f)) * _e426);
+                                phi_550_ = array<type_14, 3>(type_14(_e483, ((0.5f - _e483) + _e479)), type_14(_e490, ((0.5f - _e490) + _e486)), type_14(_e497, ((0.5f - _e497) + _e493)));
+                            }
+                            let _e505 = phi_550_;
+                            let _e508 = global_3.member.member_1;
+                            let _e509 = f32(_e508);
+                            let _e515 = ((_e505[0].member + _e505[0].member_1) * _e509);
+                            let _e521 = ((_e505[1].member + _e505[1].member_1) * _e509);
+                            let _e527 = ((_e505[2].member + _e505[2].member_1) * _e509);
+                            let _e529 = select(_e521, _e515, (_e515 < _e521));
+                            let _e533 = select(_e521, _e515, (_e515 > _e521));
+                            if (select(_e527, _e529, (_e529 < _e527)) >= 0f) {
+                                if (select(_e527, _e533, (_e533 > _e527)) < _e509) {
+                                    let _e538 = (_e508 + 2u);
+                                    let _e569 = select(select(u32(_e389), 0u, !((_e389 >= _e239))), 4294967295u, (_e389 > _e240));
+                                    let _e572 = atomicAdd((&global_9.member[(((((((select(select(u32(_e527), 0u, !((_e527 >= _e239))), 4294967295u, (_e527 > _e240)) + 1u) * _e538) + select(select(u32(_e521), 0u, !((_e521 >= _e239))), 4294967295u, (_e521 > _e240))) + 1u) * _e538) + select(select(u32(_e515), 0u, !((_e515 >= _e239))), 4294967295u, (_e515 > _e240))) + 1u)]), _e569);
+                                    if ((_e572 + _e569) > 4096u) {
+                                        let _e575 = atomicMin((&global_9.member[(((((((select(select(u32(_e527), 0u, !((_e527 >= _e239))), 4294967295u, (_e527 > _e240)) + 1u) * _e538) + select(select(u32(_e521), 0u, !((_e521 >= _e239))), 4294967295u, (_e521 > _e240))) + 1u) * _e538) + select(select(u32(_e515), 0u, !((_e515 >= _e239))), 4294967295u, (_e515 > _e240))) + 1u)]), 4096u);
                                     }
                                 }
                             }
                         }
-                        local = (_e269 + 1u);
+                        local = (_e276 + 1u);
                         continue;
                     } else {
                         break;
                     }
                     continuing {
-                        let _e547 = local;
-                        phi_400_ = _e547;
+                        let _e581 = local;
+                        phi_404_ = _e581;
                     }
                 }
-                let _e544 = phi_564_;
-                if _e544 {
+                let _e578 = phi_616_;
+                if _e578 {
                     break;
                 }
             }

@@ -138,11 +138,7 @@ impl Project {
 
     /// The projected Gaussian, in f64.
     pub fn gaussian(&self, gaussian: usize) -> Gaussian<f64> {
-        Gaussian {
-            position: self.center(gaussian).to_array(),
-            rotation: self.quaternion(gaussian).to_array(),
-            log_scale: self.log_axes(gaussian).to_array(),
-        }
+        Gaussian::read(&self.position, &self.rotation, &self.log_scale, gaussian)
     }
 
     /// The projection of a Gaussian; `None` where it depends on how far the kernel's numbers reach.

@@ -1,5 +1,6 @@
 //! Where Gaussians are: docs/pipeline.md, "Occupancy".
 
+use super::hash_grid::Level;
 use super::numeric::sigmoid;
 use super::project::{Gaussian, unit_axes};
 use super::unit_cube::{contract, unit};
@@ -74,22 +75,12 @@ impl OccupancyGrid {
         is_inside.then(|| x + self.entries() * (y + self.entries() * z))
     }
 
-    /// How full the cells around a point of the unit cube are.
+    /// How full the cells around a point of the unit cube are: the grid is a dense level whose points are the cells' centers.
     pub fn occupied(&self, table: &[f32], point: [f64; 3]) -> f64 {
-        let place = point.map(|x| x.clamp(0.0, 1.0) * f64::from(self.side) + 0.5);
-        let corner = |corner: usize| {
-            let mut weight = 1.0;
-            let mut entry = 0;
-            for axis in [2, 1, 0] {
-                let upper = corner >> axis & 1;
-                let fraction = place[axis].fract();
-                weight *= if upper == 1 { fraction } else { 1.0 - fraction };
-                entry = entry * self.entries() + place[axis] as usize + upper;
-            }
-            // a weight of 0 past the last entry
-            weight * table.get(entry).copied().map_or(0.0, f64::from)
-        };
-        (0..8).map(corner).sum()
+        let resolution = self.entries() as u64;
+        let scale = f64::from(self.side);
+        let level = Level { scale, resolution, first: 0, count: resolution.pow(3) };
+        level.corners(point).iter().map(|&(at, weight)| weight * f64::from(table[at])).sum()
     }
 }
 

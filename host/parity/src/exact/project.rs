@@ -59,10 +59,23 @@ pub struct Gaussian<N> {
 }
 
 impl Gaussian<f64> {
+    /// Of the tensors `position [N, 3]`, `rotation [N, 4]` and `log_scale [N, 3]`.
+    pub fn read(position: &[f32], rotation: &[f32], log_scale: &[f32], index: usize) -> Self {
+        Self {
+            position: row(position, index),
+            rotation: row(rotation, index),
+            log_scale: row(log_scale, index),
+        }
+    }
+
     /// The lengths of its axes.
     pub fn axes(&self) -> [f64; 3] {
         self.log_scale.map(f64::exp)
     }
+}
+
+fn row<const N: usize>(values: &[f32], index: usize) -> [f64; N] {
+    std::array::from_fn(|axis| values[N * index + axis].into())
 }
 
 /// Where a Gaussian lies in an image.

@@ -93,12 +93,16 @@ impl DeviceShard {
         self.update_occupancy(device)
     }
 
-    /// Finds anew where Gaussians are: to be called whenever some have moved.
+    /// Finds anew where Gaussians are: to be called whenever some have moved. Of a shard, the ranks find it together before they
+    /// render.
     ///
     /// # Errors
     /// The same errors as [`Device::dispatch`].
     pub fn update_occupancy(&self, device: &Device) -> Result<()> {
-        SceneBlocks::from(self).update_occupancy(device, None)
+        match self.whole() {
+            Some(scene) => SceneBlocks::from(scene).update_occupancy(device, None),
+            None => Ok(()),
+        }
     }
 
     /// The same shard, on the same memory: see [`DeviceScene::coarser`].

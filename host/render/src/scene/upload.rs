@@ -36,13 +36,13 @@ impl DeviceScene {
         let color = &scene.color;
         let transmittance = &scene.transmittance;
         let is_contracted = !config.contraction.is_none();
-        let scene_box = SceneBox::new(config.aabb, is_contracted).pack();
+        let scene_box = SceneBox::new(config.aabb, is_contracted);
         let scene = Self {
             device: Arc::clone(device),
             gaussians: scene.gaussians.len() as u32,
             divide_above: DIVIDE_ABOVE,
             ray_steps: 1,
-            scene_box: device.upload("scene box", &scene_box)?,
+            scene_box: device.upload("scene box", &scene_box.pack())?,
             color: field("color", &config.color_grid, color, &tensors.color)?,
             transmittance: field(
                 "transmittance",
@@ -52,7 +52,7 @@ impl DeviceScene {
             )?,
             tensors,
             config: config.clone(),
-            occupancy: Occupancy::new(device, config)?,
+            occupancy: Occupancy::new(device, config, &scene_box)?,
             version: Arc::default(),
         };
         SceneBlocks::from(&scene).update_occupancy(device, None)?;

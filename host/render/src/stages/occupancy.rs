@@ -4,6 +4,7 @@ use organza_shaders::occupancy::{
     FULL, OccupancyAddKernel, OccupancyKernel, OccupancyParams, OccupancyTableParams,
     entries_of_side,
 };
+use organza_shaders::unit_cube::SceneBox;
 
 use crate::scene::device_shard::SceneBlocks;
 use muslin_device::{Buffer, Device};
@@ -27,13 +28,17 @@ pub struct Occupancy {
 
 impl Occupancy {
     /// An empty grid.
-    pub fn new(device: &Device, config: &SceneConfig) -> muslin_device::Result<Self> {
+    pub fn new(
+        device: &Device,
+        config: &SceneConfig,
+        scene_box: &SceneBox,
+    ) -> muslin_device::Result<Self> {
         let entries = Self::entries(config);
-        let inside = if config.contraction.is_none() { 0.9 } else { 0.5 };
-        let [low, high] = config.aabb;
-        let volume: f64 = (0..3).map(|axis| (high[axis] - low[axis]) / inside).product();
+        let scale = scene_box.scale.as_dvec3() + scene_box.scale_rest.as_dvec3();
+        // the geometric mean over the axes
+        let cube = scale.element_product().cbrt().recip();
         Ok(Self {
-            cell: (volume.cbrt() / f64::from(config.occupancy.max(1))) as f32,
+            cell: (cube / f64::from(config.occupancy.max(1))) as f32,
             counts: device.zeros("counts of the occupancy grid", entries)?,
             table: device.zeros(OCCUPANCY, entries)?,
         })

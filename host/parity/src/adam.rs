@@ -22,7 +22,7 @@ impl Adam {
             decay1: 0.9,
             decay2: 0.999,
             correction2: (1.0 / (1.0 - 0.999_f32)).sqrt(),
-            epsilon: 1e-12,
+            epsilon: 0.01,
             kept: 1.0 - 0.01 * 0.1,
         };
         Self(AdamInputs {

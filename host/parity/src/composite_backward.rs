@@ -158,8 +158,9 @@ impl Parity for CompositeBackward {
         for side in [16, 19, 33, 64] {
             sets.push((format!("few, side {side}"), new(side, &[9, 0, 7], 15)));
         }
-        // more rows than a dispatch may sum over
-        let wide = new(260, &[5, 4], 16);
+        // more rows than a dispatch may sum over, and members that may reach all pixels
+        let mut wide = new(260, &[5, 4], 16);
+        wide.splat.iter_mut().for_each(|vector| vector.w = 1e9);
         let rows = band_rows(260);
         sets.push((format!("{rows} rows of 260"), wide.clone().band(0, rows)));
         sets.push((format!("the rest after {rows} rows"), wide.band(rows, 260 - rows)));

@@ -79,9 +79,14 @@ impl Parity for DenseBackward {
             let layer = Dense::new(n, 19, 8, fill, random);
             Self::new(layer, true, fill, random)
         });
-        for (inputs, columns, rectified) in
-            [(1, 1, false), (3, 4, true), (8, 16, true), (40, 4, false), (64, 1, true)]
-        {
+        for (inputs, columns, rectified) in [
+            (1, 1, false),
+            (3, 4, true),
+            (8, 16, true),
+            (9, 1, false),
+            (40, 4, false),
+            (64, 1, true),
+        ] {
             let mut random = Random::new(7);
             let layer = Dense::new(65, inputs, columns, Fill::Random, &mut random);
             let set = Self::new(layer, rectified, Fill::Random, &mut random);
@@ -283,7 +288,7 @@ impl Parity for DenseWeightBackward {
             (5, 2, 1),
             (7, 16, 33),
             (64, 1, 300),
-            (130, 1, 64),
+            (194, 1, 64),
             (67, 17, 100),
         ] {
             let mut random = Random::new(11);

@@ -64,6 +64,18 @@ impl PoseBackward {
         }))
     }
 
+    /// With gradients that give all pairs terms of one size, or none: those of a needle hide all others.
+    fn balanced(&self) -> Self {
+        let mut balanced = self.clone();
+        for pair in self.pairs().into_iter().flatten() {
+            let size = self.sizes(pair)[0];
+            let factor = if (1e-9..1e9).contains(&size) { 1.0 / size as f32 } else { 0.0 };
+            let gradient = &mut balanced.0.inputs.pair_gradient[3 * pair[2]..][..2];
+            gradient.iter_mut().for_each(|of| *of *= factor);
+        }
+        balanced
+    }
+
     /// The sizes of the terms that a pair adds to the rotation, and to the shift.
     fn sizes(&self, [camera, gaussian, pair]: Pair) -> [f64; 2] {
         let set = &self.0;
@@ -116,7 +128,9 @@ impl Parity for PoseBackward {
         devices for each pair of the block";
 
     fn sets() -> Vec<(String, Self)> {
-        ProjectBackward::sets().into_iter().map(|(name, set)| (name, Self(set))).collect()
+        let sets = ProjectBackward::sets().into_iter().map(|(name, set)| (name, Self(set)));
+        sets.flat_map(|(name, set)| [(format!("{name}, balanced"), set.balanced()), (name, set)])
+            .collect()
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {

@@ -1,11 +1,10 @@
 //! What COLMAP found, judged: whether it can be trained, and what to do if not.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use muslin::glam::DVec3;
 use organza::camera::{Camera, median};
 use organza::data::SparseModel;
-use organza::data::panorama::panorama_of;
 use serde::{Deserialize, Serialize};
 
 use crate::cli::console::Console;
@@ -59,7 +58,6 @@ impl Judgment {
         let name = |camera: &Camera| camera.file_path.clone().unwrap_or_default();
         let cameras: HashMap<_, _> =
             model.cameras.iter().map(|camera| (name(camera), camera)).collect();
-        let images = &counted(images, model);
         let without_pose = images.iter().filter(|name| !cameras.contains_key(*name));
         Self {
             images: images.len(),
@@ -169,16 +167,6 @@ impl Judgment {
     }
 }
 
-/// The images that should have a pose. Of a panorama with a pose, views such as the sky may have none.
-pub fn counted(images: &[String], model: &SparseModel) -> Vec<String> {
-    let names: HashSet<_> =
-        model.cameras.iter().filter_map(|camera| camera.file_path.as_deref()).collect();
-    let panoramas: HashSet<_> = names.iter().filter_map(|name| panorama_of(name)).collect();
-    let is_posed = |name: &str| names.contains(name);
-    let is_spare = |name: &str| panorama_of(name).is_some_and(|whole| panoramas.contains(whole));
-    images.iter().filter(|name| is_posed(name) || !is_spare(name)).cloned().collect()
-}
-
 /// Cameras whose focal length is far from the median.
 fn other_focal(cameras: &[Camera]) -> Vec<&Camera> {
     let focal = |camera: &Camera| camera.fl_x / f64::from(camera.width.max(camera.height));
@@ -188,14 +176,14 @@ fn other_focal(cameras: &[Camera]) -> Vec<&Camera> {
     cameras.iter().filter(differs).collect()
 }
 
-/// Images that are far from the one before. Where that has no pose, nothing is known.
+/// Images that are far from the one before. Where that has no pose, nothing is known. Views of a panorama share a place.
 fn jumps(images: &[String], cameras: &HashMap<String, &Camera>) -> Vec<String> {
     let eye = |name: &String| cameras.get(name).map(|camera| DVec3::from(camera.eye()));
     let steps = images.windows(2).filter_map(|pair| {
         let [from, to] = [eye(&pair[0])?, eye(&pair[1])?];
         Some((from.distance(to), &pair[1]))
     });
-    let steps: Vec<_> = steps.collect();
+    let steps: Vec<_> = steps.filter(|step| step.0 > 0.0).collect();
     let eyes: Vec<_> = images.iter().filter_map(eye).collect();
     let middle = DVec3::from([0, 1, 2].map(|axis| median(eyes.iter().map(|eye| eye[axis]))));
     let spread = median(eyes.iter().map(|eye| eye.distance(middle)));

@@ -146,7 +146,7 @@ fn bad_inputs_are_refused() {
     if ["colmap", "ffmpeg"].into_iter().all(is_there) {
         sandbox.assert_refuses(
             "capture notes.txt -o data",
-            &["ffmpeg fails", "Is notes.txt a video?"],
+            &["ffmpeg failed", "Is notes.txt a video?"],
         );
     }
     // Videos and photographs without poses lead here.

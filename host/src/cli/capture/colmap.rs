@@ -2,13 +2,14 @@
 
 use std::fmt::Write as _;
 use std::fs;
+use std::mem;
 use std::path::Path;
 use std::process::Command;
 
 use muslin::glam::{DMat3, DQuat, DVec3};
 use organza::data::SparseModel;
 use organza::data::panorama::{self, panorama_of};
-use organza::{Error, Result};
+use organza::{Camera, Error, Result};
 
 use super::frames::IMAGES;
 use super::judge::Judgment;
@@ -70,7 +71,7 @@ impl<'a> Colmap<'a> {
         job.step(FEATURES, |_| self.extract())?;
         let mut matcher = job.args.matcher.unwrap_or_else(|| self.matcher());
         let mut model = self.model(0, matcher)?;
-        let posed = model.as_ref().map_or(0, |model| model.cameras.len());
+        let posed = model.as_ref().map_or(0, |model| self.joined(model).len());
         let is_choice = job.args.matcher.is_none() && matcher == Matcher::Sequential;
         let images = self.images;
         if is_choice && images <= SOME && (posed as f64) < ENOUGH * images as f64 {
@@ -81,19 +82,30 @@ impl<'a> Colmap<'a> {
             let other = self.model(1, matcher)?;
             model = model.into_iter().chain(other).max_by_key(|model| model.cameras.len());
         }
-        let Some(model) = model else {
+        let Some(mut model) = model else {
             return refuse(format!(
                 "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
                  neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
                 job.path("log.txt").display()
             ));
         };
+        // COLMAP does not know that the views of a panorama share a place.
+        let joined = self.joined(&model);
+        let found = mem::replace(&mut model.cameras, joined);
         let is_fisheye = job.args.camera_model.as_deref() == Some("OPENCV_FISHEYE");
         job.step(UNDISTORTED, |folder| match self.are_views || is_fisheye {
             true => self.keep(&model, folder),
             false => self.undistort(&model.folder, folder),
         })?;
-        Ok(Judgment::new(names, &model, matcher == Matcher::Exhaustive))
+        Ok(Judgment::new(names, &model, &found, matcher == Matcher::Exhaustive))
+    }
+
+    /// The cameras of a model, where the views of a panorama have one place.
+    fn joined(&self, model: &SparseModel) -> Vec<Camera> {
+        match self.are_views {
+            true => panorama::join(&model.cameras),
+            false => model.cameras.clone(),
+        }
     }
 
     /// The matcher that suits the images.
@@ -104,15 +116,11 @@ impl<'a> Colmap<'a> {
         }
     }
 
-    /// The largest model of an attempt. COLMAP does not know that the views of a panorama share a place.
+    /// The largest model of an attempt.
     fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<SparseModel>> {
         self.job.step(MATCHES[attempt], |_| self.compare(matcher))?;
         self.job.step(MODELS[attempt], |folder| self.map(folder))?;
-        let mut model = SparseModel::largest(&self.job.path(MODELS[attempt]))?;
-        if let Some(model) = model.as_mut().filter(|_| self.are_views) {
-            model.cameras = panorama::join(&model.cameras);
-        }
-        Ok(model)
+        SparseModel::largest(&self.job.path(MODELS[attempt]))
     }
 
     /// A command of COLMAP on the database.

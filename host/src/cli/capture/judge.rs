@@ -30,6 +30,9 @@ const JUMP: f64 = 10.0;
 const FAR: f64 = 0.5;
 /// Largest part of the steps that may jump. A camera in a wrong place jumps there and back.
 const JUMPS: f64 = 0.1;
+/// A view stands apart from its panorama beyond this part of the median distance from the middle. Sound views are within
+/// a hundredth.
+const APART: f64 = 0.1;
 /// Names that a message has.
 const NAMES: usize = 5;
 
@@ -48,13 +51,16 @@ pub struct Judgment {
     other_focal: Vec<String>,
     /// Images where the camera jumps to.
     jumps: Vec<String>,
+    /// Views that COLMAP found apart from their panorama.
+    #[serde(default)]
+    apart: Vec<String>,
     /// Whether each image was compared with all others.
     all_pairs: bool,
 }
 
 impl Judgment {
-    /// Judges a model of these images, which are sorted.
-    pub fn new(images: &[String], model: &SparseModel, all_pairs: bool) -> Self {
+    /// Judges a model of these images, which are sorted, whose cameras were `found` elsewhere if they are views of panoramas.
+    pub fn new(images: &[String], model: &SparseModel, found: &[Camera], all_pairs: bool) -> Self {
         let name = |camera: &Camera| camera.file_path.clone().unwrap_or_default();
         let cameras: HashMap<_, _> =
             model.cameras.iter().map(|camera| (name(camera), camera)).collect();
@@ -67,6 +73,7 @@ impl Judgment {
             mean_error: model.mean_error,
             other_focal: other_focal(&model.cameras).into_iter().map(name).collect(),
             jumps: jumps(images, &cameras),
+            apart: apart(found, &cameras),
             all_pairs,
         }
     }
@@ -84,13 +91,13 @@ impl Judgment {
     fn is_trainable(&self) -> bool {
         self.posed() as f64 >= TRAINABLE * self.images as f64
             && self.seen_points() >= SEEN_POINTS
-            && self.jumps.len() as f64 <= JUMPS * self.posed() as f64
+            && self.jumps.len().max(self.apart.len()) as f64 <= JUMPS * self.posed() as f64
     }
 
     /// What is wrong, and what to do.
     fn faults(&self) -> Vec<String> {
         let matcher = if self.all_pairs { "" } else { ", or try `--matcher exhaustive`" };
-        let Self { without_pose, mean_track, mean_error, other_focal, jumps, .. } = self;
+        let Self { without_pose, mean_track, mean_error, other_focal, jumps, apart, .. } = self;
         let seen = self.seen_points();
         let faults = [
             (
@@ -134,6 +141,14 @@ impl Judgment {
                     "the camera jumps at {}. If it did not, poses there are wrong: leave these images out, or add some \
                      between",
                     named(jumps)
+                ),
+            ),
+            (
+                !apart.is_empty(),
+                format!(
+                    "views of one panorama stand apart: {}. Their poses are wrong. Take panoramas closer together, of what has \
+                     texture and does not repeat",
+                    named(apart)
                 ),
             ),
         ];
@@ -184,11 +199,24 @@ fn jumps(images: &[String], cameras: &HashMap<String, &Camera>) -> Vec<String> {
         Some((from.distance(to), &pair[1]))
     });
     let steps: Vec<_> = steps.filter(|step| step.0 > 0.0).collect();
-    let eyes: Vec<_> = images.iter().filter_map(eye).collect();
-    let middle = DVec3::from([0, 1, 2].map(|axis| median(eyes.iter().map(|eye| eye[axis]))));
-    let spread = median(eyes.iter().map(|eye| eye.distance(middle)));
+    let spread = spread(images.iter().filter_map(eye).collect());
     let least = (JUMP * median(steps.iter().map(|step| step.0))).max(FAR * spread);
     steps.into_iter().filter(|step| step.0 > least).map(|step| step.1.clone()).collect()
+}
+
+/// Views that were found far from the place that they have now.
+fn apart(found: &[Camera], cameras: &HashMap<String, &Camera>) -> Vec<String> {
+    let eye = |camera: &Camera| DVec3::from(camera.eye());
+    let most = APART * spread(cameras.values().map(|camera| eye(camera)).collect());
+    let is_apart = |name: &&String, camera| eye(cameras[*name]).distance(eye(camera)) > most;
+    let named = found.iter().filter_map(|camera| Some((camera.file_path.as_ref()?, camera)));
+    named.filter(|(name, camera)| is_apart(name, camera)).map(|(name, _)| name.clone()).collect()
+}
+
+/// The median distance from the middle.
+fn spread(eyes: Vec<DVec3>) -> f64 {
+    let middle = DVec3::from([0, 1, 2].map(|axis| median(eyes.iter().map(|eye| eye[axis]))));
+    median(eyes.iter().map(|eye| eye.distance(middle)))
 }
 
 /// The first names, and how many more there are.

@@ -146,7 +146,7 @@ fn bad_inputs_are_refused() {
     if ["colmap", "ffmpeg"].into_iter().all(is_there) {
         sandbox.assert_refuses(
             "capture notes.txt -o data",
-            &["ffmpeg fails", "Is notes.txt a video?"],
+            &["ffmpeg failed", "Is notes.txt a video?"],
         );
     }
     // Videos and photographs without poses lead here.
@@ -174,6 +174,7 @@ case $step in
     feature_extractor) [ ! -e broken ] || exit 1 ;;
     mapper) cp -r found-$(grep -c ^mapper calls.txt)/* "$output" ;;
     image_undistorter) cp -r "$images" "$output/images" && cp -r "$input" "$output/sparse" ;;
+    model_converter) cp points.ply "$output" ;;
 esac
 "#;
 
@@ -232,6 +233,9 @@ fn with_programs() -> Sandbox {
     }
     fs::write(sandbox.path("bin/colmap"), COLMAP).unwrap();
     fs::write(sandbox.path("bin/ffmpeg"), FFMPEG).unwrap();
+    let head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n";
+    let cloud = format!("{head}property float z\nend_header\n0 0 0.5\n");
+    fs::write(sandbox.path("points.ply"), cloud).unwrap();
     sandbox.shell("chmod +x bin/*").assert_ok();
     for name in photos(12) {
         image::RgbImage::new(8, 6).save(sandbox.path("photos").join(name)).unwrap();
@@ -249,6 +253,33 @@ fn assert_says(outcome: &Outcome, words: &[&str], not: &[&str]) {
     let said = &outcome.stderr;
     words.iter().for_each(|words| assert!(said.contains(words), "no `{words}`: {said}"));
     not.iter().for_each(|words| assert!(!said.contains(words), "`{words}`: {said}"));
+}
+
+#[test]
+#[ignore = "takes ffmpeg; .ci/nightly runs it"]
+fn frames_keep_the_shape_of_their_video() {
+    // The third film has pixels that are 4/3 as wide as high, and the last one is a panorama.
+    let films = [
+        ("640x360", "1", "png", [301, 169]),
+        ("360x640", "1", "png", [169, 301]),
+        ("240x180", "4/3", "png", [301, 169]),
+        ("640x640", "1", "png", [301, 301]),
+        ("90x60", "1", "png", [90, 60]),
+        ("1600x800", "1", "up.png", [301, 301]),
+    ];
+    for (size, shape, ending, expected) in films {
+        let sandbox = with_programs();
+        fs::remove_file(sandbox.path("bin/ffmpeg")).unwrap();
+        let film = format!("testsrc=size={size}:rate=1:duration=3 -vf setsar={shape} film.mp4");
+        sandbox.shell(&format!("ffmpeg -v error -f lavfi -i {film}")).assert_ok();
+        let names = (0..3).map(|frame| format!("frame-{frame:06}.{ending}"));
+        write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
+        capture(&sandbox, "film.mp4 -o data --side 301").assert_ok();
+        for name in names {
+            let found = image::image_dimensions(sandbox.path("data/images").join(name)).unwrap();
+            assert_eq!([found.0, found.1], expected, "{film}");
+        }
+    }
 }
 
 #[test]
@@ -355,11 +386,13 @@ fn panoramas_become_views_of_a_known_lens() {
     let sides = |name: String| {
         ["back", "front", "left", "right"].map(|side| name.replace("png", &format!("{side}.png")))
     };
-    write_model(&sandbox, "found-1/0", &walk(photos(9).flat_map(sides)), 0.7, 20);
+    let views = |Found { name, eye, focal }| sides(name).map(|name| Found { name, eye, focal });
+    let found: Vec<_> = walk(photos(9)).into_iter().flat_map(views).collect();
+    write_model(&sandbox, "found-1/0", &found, 0.7, 20);
     let outcome = capture(&sandbox, "photos -o data").assert_ok();
     let words =
-        ["9 images twice as wide as high", "`--camera-model`", "36 of 36 images have a pose"];
-    assert_says(&outcome, &words, &["no pose", "have a pose, so each"]);
+        ["9 images twice as wide as high", "`--camera-model`", "54 of 54 images have a pose"];
+    assert_says(&outcome, &words, &["no pose", "have a pose, so each", "apart"]);
     let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
     for call in ["camera_params 10,10,10", "model SIMPLE_PINHOLE", "focal_length 0"] {
         assert!(calls.contains(call), "no `{call}`: {calls}");
@@ -370,13 +403,31 @@ fn panoramas_become_views_of_a_known_lens() {
     let poses = poses.cameras().unwrap();
     let held_out = poses.iter().filter(|pose| pose.held_out);
     let names: Vec<_> = held_out.filter_map(|pose| pose.camera.file_path.clone()).collect();
-    assert_eq!(names, ["00.png", "08.png"].map(str::to_owned).map(sides).concat());
+    let all = ["back", "down", "front", "left", "right", "up"];
+    let views = |photo| all.map(|view| format!("{photo}.{view}.png"));
+    assert_eq!(names, [views("00"), views("08")].concat());
+    let eyes: Vec<_> = poses.iter().map(|pose| DVec3::from(pose.camera.eye())).collect();
+    assert!(eyes.chunks(6).all(|eyes| eyes.iter().all(|eye| eye.distance(eyes[0]) < 1e-9)));
+    assert!(eyes[0].distance(eyes[6]) > 0.1);
+
+    // COLMAP may find each view at a place of its own.
+    fs::remove_file(sandbox.path("calls.txt")).unwrap();
+    write_model(&sandbox, "found-1/0", &walk(photos(9).flat_map(sides)), 0.7, 20);
+    let outcome = capture(&sandbox, "photos -o torn").assert_ok();
+    assert_says(&outcome, &["stand apart: 00.back.png, ", "next: mend"], &["organza train"]);
 
     // They may be flat photographs of that shape.
     fs::remove_file(sandbox.path("calls.txt")).unwrap();
     let outcome = capture(&sandbox, "photos -o flat --camera-model OPENCV").assert_ok();
     assert_says(&outcome, &[], &["twice as wide"]);
     assert!(sandbox.path("flat/images/08.png").exists());
+    // A fisheye's photographs stay as they are: organza cuts them when it reads them.
+    fs::remove_file(sandbox.path("calls.txt")).unwrap();
+    write_model(&sandbox, "found-1/0", &walk(photos(9)), 0.7, 20);
+    capture(&sandbox, "photos -o fisheye --camera-model OPENCV_FISHEYE").assert_ok();
+    let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
+    assert!(!calls.contains("undistorter"), "{calls}");
+    assert!(sandbox.path("fisheye/sparse/0/cameras.txt").exists());
 }
 
 #[test]

@@ -4,17 +4,18 @@
 //! counts twice. In the middle of a view, a pixel is as wide as the photograph's. Elsewhere it is narrower, so it misses
 //! nothing: only near a panorama's poles are columns closer together, and there they repeat one another.
 
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use glam::{DMat4, DVec3};
+use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 use rayon::prelude::*;
 
 use super::decode::Budget;
 use super::develop::Shot;
 use super::lens::{Cut, Lens, Undistortion};
 use super::{DatasetOptions, Frame, decode};
-use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
+use organza_core::camera::{Camera, MAX_IMAGE_SIDE, median};
 use organza_core::error::Result;
 
 /// The views of a panorama, and their right, down and forward axes in those of the photograph's camera.
@@ -49,8 +50,46 @@ pub fn is_panorama([width, height]: [u32; 2]) -> bool {
 /// ```
 #[must_use]
 pub fn panorama_of(name: &str) -> Option<&str> {
+    Some(face_of(name)?.0)
+}
+
+/// The panorama that a view is of, and the view's axes.
+fn face_of(name: &str) -> Option<(&str, DMat3)> {
     let (panorama, view) = name.strip_suffix(ENDING)?.rsplit_once('.')?;
-    FACES.iter().any(|(face, _)| *face == view).then_some(panorama)
+    let (_, [right, down, forward]) = FACES.into_iter().find(|(face, _)| *face == view)?;
+    Some((panorama, DMat3::from_cols(right, down, forward)))
+}
+
+/// The six views of each panorama, around one place, sorted by name. The cameras are of views whose poses were found one
+/// by one. The median of what they say of their panorama counts, so some may be wrong or missing.
+#[must_use]
+pub fn join(views: &[Camera]) -> Vec<Camera> {
+    let mut panoramas: BTreeMap<_, Vec<(DVec4, DVec3)>> = BTreeMap::new();
+    for view in views {
+        let Some((panorama, axes)) = view.file_path.as_deref().and_then(face_of) else { continue };
+        let [right, down, forward] = view.world_to_camera_opencv().map(DVec3::from);
+        let turn = DMat3::from_cols(right, down, forward) * axes.transpose();
+        let turn = DVec4::from(DQuat::from_mat3(&turn));
+        let poses = panoramas.entry(panorama).or_default();
+        // A quaternion and its negative are the same turn.
+        let sign = poses.first().map_or(1.0, |(first, _)| turn.dot(*first).signum());
+        poses.push((sign * turn, DVec3::from(view.eye())));
+    }
+    let joined = panoramas.iter().flat_map(|(panorama, poses)| {
+        let turn = [0, 1, 2, 3].map(|at| median(poses.iter().map(|(turn, _)| turn[at])));
+        let turn = DMat3::from_quat(DQuat::from_array(turn).normalize());
+        let eye = [0, 1, 2].map(|axis| median(poses.iter().map(|(_, eye)| eye[axis])));
+        FACES.map(|(face, [right, down, forward])| {
+            let to_world = turn * DMat3::from_cols(right, -down, -forward);
+            let row = |axis: usize| to_world.row(axis).extend(eye[axis]).to_array();
+            let camera_to_world = [row(0), row(1), row(2), DVec4::W.to_array()];
+            let file_path = Some(format!("{panorama}.{face}{ENDING}"));
+            Camera { camera_to_world, file_path, ..views[0].clone() }
+        })
+    });
+    let mut joined: Vec<_> = joined.collect();
+    joined.sort_by(|a, b| a.file_path.cmp(&b.file_path));
+    joined
 }
 
 /// The views of a panorama's file, each with at most `side` pixels a side.

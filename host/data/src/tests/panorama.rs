@@ -185,3 +185,35 @@ fn panoramas_leave_whole_and_views_may_be_hidden() {
     let file = folder.path().join("transforms.json");
     assert_facts(Camera::load_all(file), &["transforms.json", "frame 0", "name its folder"]);
 }
+
+#[test]
+fn views_that_were_found_one_by_one_join_at_one_place() {
+    let size = [48, 24];
+    let folder = folder(&panoramas(2, size), size, |[x, y]| DVec3::new(x, y, 9.0));
+    let frames = load(folder.path()).unwrap().frames;
+    let mut truth: Vec<_> = frames.into_iter().map(|frame| frame.camera).collect();
+    truth.sort_by(|a, b| a.file_path.cmp(&b.file_path));
+    // Of the first panorama, one view is elsewhere and looks elsewhere, one is missing, and the others are a little off. Of
+    // the second one, a view alone says where it is.
+    let mut found = truth.clone();
+    found[0].camera_to_world = truth[3].camera_to_world;
+    found[0].camera_to_world[1][3] = 70.0;
+    for (view, off) in (1..5).zip([-1e-3, -2e-3, 2e-3, 1e-3]) {
+        let (sin, cos) = f64::sin_cos(off);
+        let rows = truth[view].camera_to_world;
+        found[view].camera_to_world =
+            rows.map(|[x, y, z, place]| [cos * x - sin * y, sin * x + cos * y, z, place + off]);
+    }
+    found.truncate(7);
+    found.remove(5);
+    let joined = crate::panorama::join(&found);
+    assert_eq!(joined.len(), 12);
+    for (camera, truth) in joined.iter().zip(&truth) {
+        assert_eq!(camera.file_path, truth.file_path);
+        let [found, truth] = [camera, truth].map(|camera| camera.camera_to_world.as_flattened());
+        let off = found.iter().zip(truth).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(off < 2.1e-3, "{off}: {camera:?}");
+        camera.validate(0).unwrap();
+    }
+    assert!(joined[..6].iter().all(|camera| camera.eye() == joined[0].eye()));
+}

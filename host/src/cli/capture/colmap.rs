@@ -1,14 +1,18 @@
 //! The poses of images: COLMAP's features, matches, model and undistorted images.
 
+use std::fmt::Write as _;
+use std::fs;
+use std::mem;
 use std::path::Path;
 use std::process::Command;
 
-use organza::Result;
+use muslin::glam::{DMat3, DQuat, DVec3};
 use organza::data::SparseModel;
-use organza::data::panorama::panorama_of;
+use organza::data::panorama::{self, panorama_of};
+use organza::{Camera, Error, Result};
 
 use super::frames::IMAGES;
-use super::judge::{Judgment, counted};
+use super::judge::Judgment;
 use super::programs::command;
 use super::{CaptureJob, Matcher};
 use crate::cli::refuse;
@@ -62,18 +66,15 @@ impl<'a> Colmap<'a> {
     }
 
     /// Finds the poses of all images, undistorts these, and judges the poses.
-    pub fn run(&self, images: &[String]) -> Result<Judgment> {
+    pub fn run(&self, names: &[String]) -> Result<Judgment> {
         let job = self.job;
         job.step(FEATURES, |_| self.extract())?;
         let mut matcher = job.args.matcher.unwrap_or_else(|| self.matcher());
         let mut model = self.model(0, matcher)?;
-        let (posed, all) = model.as_ref().map_or((0, self.images), |model| {
-            let counted = counted(images, model).len();
-            (model.cameras.len(), counted)
-        });
+        let posed = model.as_ref().map_or(0, |model| self.joined(model).len());
         let is_choice = job.args.matcher.is_none() && matcher == Matcher::Sequential;
-        if is_choice && self.images <= SOME && (posed as f64) < ENOUGH * all as f64 {
-            let images = self.images;
+        let images = self.images;
+        if is_choice && images <= SOME && (posed as f64) < ENOUGH * images as f64 {
             job.console.note(&format!(
                 "only {posed} of {images} images have a pose, so each is now compared with all others"
             ));
@@ -81,15 +82,30 @@ impl<'a> Colmap<'a> {
             let other = self.model(1, matcher)?;
             model = model.into_iter().chain(other).max_by_key(|model| model.cameras.len());
         }
-        let Some(model) = model else {
+        let Some(mut model) = model else {
             return refuse(format!(
                 "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
                  neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
                 job.path("log.txt").display()
             ));
         };
-        job.step(UNDISTORTED, |folder| self.undistort(&model.folder, folder))?;
-        Ok(Judgment::new(images, &model, matcher == Matcher::Exhaustive))
+        // COLMAP does not know that the views of a panorama share a place.
+        let joined = self.joined(&model);
+        let found = mem::replace(&mut model.cameras, joined);
+        let is_fisheye = job.args.camera_model.as_deref() == Some("OPENCV_FISHEYE");
+        job.step(UNDISTORTED, |folder| match self.are_views || is_fisheye {
+            true => self.keep(&model, folder),
+            false => self.undistort(&model.folder, folder),
+        })?;
+        Ok(Judgment::new(names, &model, &found, matcher == Matcher::Exhaustive))
+    }
+
+    /// The cameras of a model, where the views of a panorama have one place.
+    fn joined(&self, model: &SparseModel) -> Vec<Camera> {
+        match self.are_views {
+            true => panorama::join(&model.cameras),
+            false => model.cameras.clone(),
+        }
     }
 
     /// The matcher that suits the images.
@@ -200,6 +216,43 @@ impl<'a> Colmap<'a> {
         // COLMAP also fails where it finds nothing.
         let finds_nothing = SparseModel::largest(folder)?.is_none();
         if finds_nothing { Ok(()) } else { result }
+    }
+
+    /// Keeps images as they are: views have no distortion, and no plane holds a fisheye's.
+    fn keep(&self, model: &SparseModel, folder: &Path) -> Result<()> {
+        let [images, sparse] = ["images", "sparse"].map(|name| folder.join(name));
+        for path in [&images, &sparse] {
+            fs::create_dir(path).map_err(|source| Error::write(path, source))?;
+        }
+        let copy = |from: &Path, to: &Path| {
+            fs::copy(from, to).map(|_| ()).map_err(|source| Error::read(from, source))
+        };
+        let mut lines = String::new();
+        for (index, camera) in model.cameras.iter().enumerate() {
+            let name = camera.file_path.as_deref().unwrap_or_default();
+            copy(&self.job.path(IMAGES).join(name), &images.join(name))?;
+            let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+            let turn = DMat3::from_cols(right, down, forward).transpose();
+            let [x, y, z, w] = DQuat::from_mat3(&turn).to_array();
+            let [a, b, c] = (-(turn * DVec3::from(camera.eye()))).to_array();
+            writeln!(lines, "{} {w} {x} {y} {z} {a} {b} {c} 1 {name}\n", index + 1)
+                .expect("memory takes it");
+        }
+        if !self.are_views {
+            let files = fs::read_dir(&model.folder).into_iter().flatten().flatten();
+            return files.map(|file| copy(&file.path(), &sparse.join(file.file_name()))).collect();
+        }
+        let [side, half] = [2.0, 1.0].map(|part| part * model.cameras[0].cx);
+        let camera = format!("1 SIMPLE_PINHOLE {side} {side} {half} {half} {half}\n");
+        for (name, text) in [("cameras.txt", camera), ("images.txt", lines)] {
+            let path = sparse.join(name);
+            fs::write(&path, text).map_err(|source| Error::write(&path, source))?;
+        }
+        let mut colmap = command("colmap");
+        colmap.arg("model_converter").arg("--input_path").arg(&model.folder);
+        colmap.arg("--output_path").arg(sparse.join("points3D.ply"));
+        colmap.args(["--output_type", "PLY"]);
+        self.job.programs.run(colmap, |_| {})
     }
 
     fn undistort(&self, model: &Path, folder: &Path) -> Result<()> {

@@ -88,9 +88,10 @@ impl CaptureJob<'_> {
         let side = self.args.side;
         // A panorama's view has a 3.14th part of its columns.
         let wide = if self.args.camera_model.is_some() { side } else { side * 22 / 7 };
-        // The longer side has at most this many pixels, and the other one follows.
+        // Pixels of a video may not be square, and those of its frames are.
+        let most = format!("if(eq(iw,2*ih),{wide},{side})");
         let scale = format!(
-            "scale='if(eq(iw,2*ih),min(iw,{wide}),if(gt(iw,ih),min(iw,{side}),-2))':'if(gt(iw,ih),-2,min(ih,{side}))'"
+            "scale='iw*sar':ih,scale='min(iw,{most})':'min(ih,{most})':force_original_aspect_ratio=decrease"
         );
         let mut ffmpeg = ffmpeg(video);
         ffmpeg.arg("-vf").arg(format!("select='{}',{scale}", select.join("+")));

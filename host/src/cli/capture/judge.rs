@@ -1,11 +1,10 @@
 //! What COLMAP found, judged: whether it can be trained, and what to do if not.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use muslin::glam::DVec3;
 use organza::camera::{Camera, median};
 use organza::data::SparseModel;
-use organza::data::panorama::panorama_of;
 use serde::{Deserialize, Serialize};
 
 use crate::cli::console::Console;
@@ -31,6 +30,9 @@ const JUMP: f64 = 10.0;
 const FAR: f64 = 0.5;
 /// Largest part of the steps that may jump. A camera in a wrong place jumps there and back.
 const JUMPS: f64 = 0.1;
+/// A view stands apart from its panorama beyond this part of the median distance from the middle. Sound views are within
+/// a hundredth.
+const APART: f64 = 0.1;
 /// Names that a message has.
 const NAMES: usize = 5;
 
@@ -49,17 +51,19 @@ pub struct Judgment {
     other_focal: Vec<String>,
     /// Images where the camera jumps to.
     jumps: Vec<String>,
+    /// Views that COLMAP found apart from their panorama.
+    #[serde(default)]
+    apart: Vec<String>,
     /// Whether each image was compared with all others.
     all_pairs: bool,
 }
 
 impl Judgment {
-    /// Judges a model of these images, which are sorted.
-    pub fn new(images: &[String], model: &SparseModel, all_pairs: bool) -> Self {
+    /// Judges a model of these images, which are sorted, whose cameras were `found` elsewhere if they are views of panoramas.
+    pub fn new(images: &[String], model: &SparseModel, found: &[Camera], all_pairs: bool) -> Self {
         let name = |camera: &Camera| camera.file_path.clone().unwrap_or_default();
         let cameras: HashMap<_, _> =
             model.cameras.iter().map(|camera| (name(camera), camera)).collect();
-        let images = &counted(images, model);
         let without_pose = images.iter().filter(|name| !cameras.contains_key(*name));
         Self {
             images: images.len(),
@@ -69,6 +73,7 @@ impl Judgment {
             mean_error: model.mean_error,
             other_focal: other_focal(&model.cameras).into_iter().map(name).collect(),
             jumps: jumps(images, &cameras),
+            apart: apart(found, &cameras),
             all_pairs,
         }
     }
@@ -86,13 +91,13 @@ impl Judgment {
     fn is_trainable(&self) -> bool {
         self.posed() as f64 >= TRAINABLE * self.images as f64
             && self.seen_points() >= SEEN_POINTS
-            && self.jumps.len() as f64 <= JUMPS * self.posed() as f64
+            && self.jumps.len().max(self.apart.len()) as f64 <= JUMPS * self.posed() as f64
     }
 
     /// What is wrong, and what to do.
     fn faults(&self) -> Vec<String> {
         let matcher = if self.all_pairs { "" } else { ", or try `--matcher exhaustive`" };
-        let Self { without_pose, mean_track, mean_error, other_focal, jumps, .. } = self;
+        let Self { without_pose, mean_track, mean_error, other_focal, jumps, apart, .. } = self;
         let seen = self.seen_points();
         let faults = [
             (
@@ -138,6 +143,14 @@ impl Judgment {
                     named(jumps)
                 ),
             ),
+            (
+                !apart.is_empty(),
+                format!(
+                    "views of one panorama stand apart: {}. Their poses are wrong. Take panoramas closer together, of what has \
+                     texture and does not repeat",
+                    named(apart)
+                ),
+            ),
         ];
         faults.into_iter().filter(|fault| fault.0).map(|fault| fault.1).collect()
     }
@@ -169,16 +182,6 @@ impl Judgment {
     }
 }
 
-/// The images that should have a pose. Of a panorama with a pose, views such as the sky may have none.
-pub fn counted(images: &[String], model: &SparseModel) -> Vec<String> {
-    let names: HashSet<_> =
-        model.cameras.iter().filter_map(|camera| camera.file_path.as_deref()).collect();
-    let panoramas: HashSet<_> = names.iter().filter_map(|name| panorama_of(name)).collect();
-    let is_posed = |name: &str| names.contains(name);
-    let is_spare = |name: &str| panorama_of(name).is_some_and(|whole| panoramas.contains(whole));
-    images.iter().filter(|name| is_posed(name) || !is_spare(name)).cloned().collect()
-}
-
 /// Cameras whose focal length is far from the median.
 fn other_focal(cameras: &[Camera]) -> Vec<&Camera> {
     let focal = |camera: &Camera| camera.fl_x / f64::from(camera.width.max(camera.height));
@@ -188,19 +191,32 @@ fn other_focal(cameras: &[Camera]) -> Vec<&Camera> {
     cameras.iter().filter(differs).collect()
 }
 
-/// Images that are far from the one before. Where that has no pose, nothing is known.
+/// Images that are far from the one before. Where that has no pose, nothing is known. Views of a panorama share a place.
 fn jumps(images: &[String], cameras: &HashMap<String, &Camera>) -> Vec<String> {
     let eye = |name: &String| cameras.get(name).map(|camera| DVec3::from(camera.eye()));
     let steps = images.windows(2).filter_map(|pair| {
         let [from, to] = [eye(&pair[0])?, eye(&pair[1])?];
         Some((from.distance(to), &pair[1]))
     });
-    let steps: Vec<_> = steps.collect();
-    let eyes: Vec<_> = images.iter().filter_map(eye).collect();
-    let middle = DVec3::from([0, 1, 2].map(|axis| median(eyes.iter().map(|eye| eye[axis]))));
-    let spread = median(eyes.iter().map(|eye| eye.distance(middle)));
+    let steps: Vec<_> = steps.filter(|step| step.0 > 0.0).collect();
+    let spread = spread(images.iter().filter_map(eye).collect());
     let least = (JUMP * median(steps.iter().map(|step| step.0))).max(FAR * spread);
     steps.into_iter().filter(|step| step.0 > least).map(|step| step.1.clone()).collect()
+}
+
+/// Views that were found far from the place that they have now.
+fn apart(found: &[Camera], cameras: &HashMap<String, &Camera>) -> Vec<String> {
+    let eye = |camera: &Camera| DVec3::from(camera.eye());
+    let most = APART * spread(cameras.values().map(|camera| eye(camera)).collect());
+    let is_apart = |name: &&String, camera| eye(cameras[*name]).distance(eye(camera)) > most;
+    let named = found.iter().filter_map(|camera| Some((camera.file_path.as_ref()?, camera)));
+    named.filter(|(name, camera)| is_apart(name, camera)).map(|(name, _)| name.clone()).collect()
+}
+
+/// The median distance from the middle.
+fn spread(eyes: Vec<DVec3>) -> f64 {
+    let middle = DVec3::from([0, 1, 2].map(|axis| median(eyes.iter().map(|eye| eye[axis]))));
+    median(eyes.iter().map(|eye| eye.distance(middle)))
 }
 
 /// The first names, and how many more there are.

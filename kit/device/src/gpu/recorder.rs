@@ -318,7 +318,7 @@ impl BindGroups {
 }
 
 /// Most dispatches in one submission: each keeps its slot until then. The device works on them while the host records the next.
-pub const SLOTS: u64 = 32;
+pub const SLOTS: u64 = 64;
 
 /// Size of a timestamp, in bytes.
 const STAMP: u64 = size_of::<u64>() as u64;

@@ -424,10 +424,15 @@ impl CapacityPredictor {
         let most = |which: usize| self.seen.iter().map(|seen| seen[which]).reduce(f64::max);
         let capacity = |which| {
             let number = most(which)? * tiles as f64 * (1.0 + MARGIN) + LEAST;
-            (number < MOST).then_some(number as u32)
+            (number < MOST).then(|| rounded_up(number as u32))
         };
         Some(Capacity { pairs: capacity(0)?, members: capacity(1)?, samples: capacity(2)? })
     }
+}
+
+/// With four significant bits. So tables mostly have the size of the last step's, and with it their memory and bind groups.
+fn rounded_up(number: u32) -> u32 {
+    number.next_multiple_of(1 << number.ilog2().saturating_sub(3))
 }
 
 #[cfg(test)]
@@ -449,16 +454,14 @@ mod tests {
             predictor.observe(KIND, 4, needed(8_000));
         }
         let capacity = predictor.predict(KIND, 8).expect("seen");
-        assert_eq!(
-            capacity,
-            Capacity { pairs: 22 + 1024, members: 45 + 1024, samples: 180_000 + 1024 }
-        );
+        // 22, 45 and 180,000, and 1024 more, with four significant bits
+        assert_eq!(capacity, Capacity { pairs: 1152, members: 1152, samples: 196_608 });
         predictor.observe(KIND, 4, needed(8_000));
-        assert_eq!(predictor.predict(KIND, 4).expect("seen").samples, 9_000 + 1024);
+        assert_eq!(predictor.predict(KIND, 4).expect("seen").samples, 10_240);
         // another scene
         assert_eq!(predictor.predict([101, 16], 4), None);
         predictor.observe([101, 16], 4, needed(800));
-        assert_eq!(predictor.predict([101, 16], 4).expect("seen").samples, 900 + 1024);
+        assert_eq!(predictor.predict([101, 16], 4).expect("seen").samples, 2048);
         assert_eq!(predictor.predict(KIND, 4), None);
     }
 

@@ -7,8 +7,6 @@ use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 use super::pipeline::Pipeline;
 use crate::buffer::{Count, Memory, Total};
 use muslin_kernel::KernelInfo;
-use muslin_kernel::count::PLACEMENT_VALUES;
-use wgpu::util::DeviceExt;
 
 /// Number of submissions after which unused memory goes back to the driver.
 pub const SUBMISSIONS: u64 = 64;
@@ -119,11 +117,11 @@ pub struct Fills {
 }
 
 #[derive(Debug)]
-struct Fill {
-    counts: wgpu::Buffer,
-    pipeline: Arc<Pipeline>,
+pub struct Fill {
+    pub counts: wgpu::Buffer,
+    pub pipeline: Arc<Pipeline>,
     /// The placement that [`muslin_kernel::count::count_fill`] reads, without the first row.
-    placement: Vec<u32>,
+    pub placement: Vec<u32>,
 }
 
 impl Fills {
@@ -145,43 +143,8 @@ impl Fills {
         }
     }
 
-    /// A command buffer that fills in all numbers; `None` if there are none.
-    pub fn take(
-        &mut self,
-        device: &wgpu::Device,
-        parameters: &wgpu::Buffer,
-    ) -> Option<wgpu::CommandBuffer> {
-        if self.fills.is_empty() {
-            return None;
-        }
-        let label = Some(COUNT_FILL.name);
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label });
-        for fill in self.fills.drain(..) {
-            let numbers = fill.placement.len() as u32 / PLACEMENT_VALUES;
-            let rows = [&[numbers, 0, 0, 0], &fill.placement[..]].concat();
-            let placement = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label,
-                contents: bytemuck::cast_slice(&rows),
-                usage: wgpu::BufferUsages::STORAGE,
-            });
-            // in the order of its bindings
-            let buffers = [&placement, &fill.counts, parameters];
-            let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label,
-                layout: &fill.pipeline.layout,
-                entries: &buffers
-                    .map(wgpu::Buffer::as_entire_binding)
-                    .into_iter()
-                    .zip(0..)
-                    .map(|(resource, binding)| wgpu::BindGroupEntry { binding, resource })
-                    .collect::<Vec<_>>(),
-            });
-            let mut pass = encoder
-                .begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes: None });
-            pass.set_pipeline(&fill.pipeline.pipeline);
-            pass.set_bind_group(0, &bind_group, &[]);
-            pass.dispatch_workgroups(numbers.div_ceil(COUNT_FILL.workgroup_size[0]), 1, 1);
-        }
-        Some(encoder.finish())
+    /// All of them; afterward there are none.
+    pub fn take(&mut self) -> Vec<Fill> {
+        std::mem::take(&mut self.fills)
     }
 }

@@ -117,7 +117,7 @@ impl Gpu {
         }
         if let Some(memory) = self.memory.take(size) {
             if zeros {
-                self.clear(&memory, 0, size);
+                self.recorder().clear_unused(&self.device, &memory, size);
             }
             return Ok(memory);
         }

@@ -5,14 +5,18 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
+use muslin_kernel::count::PLACEMENT_VALUES;
 use muslin_kernel::{Access, KernelInfo};
 
-use super::memory::{Fills, MemoryPool, SUBMISSIONS};
+use super::memory::{COUNT_FILL, Fill, Fills, MemoryPool, SUBMISSIONS};
 use super::pipeline::Pipeline;
 use crate::buffer::Count;
 
 /// Bytes of a uniform slot: the largest alignment that an adapter may require.
 const SLOT: u64 = 256;
+/// Bytes of the placements of a submission. A dispatch has at most 64 parameters, each takes a row of 16 bytes, and whatever
+/// begins at a multiple of [`SLOT`] takes another row.
+const PLACEMENT: u64 = 5 * SLOT * SLOTS;
 
 /// Parameters of a dispatch that the device fills in.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +30,8 @@ pub struct Counted<'a> {
 /// Command buffers under construction. They are submitted together.
 #[derive(Debug)]
 pub struct Recorder {
+    /// Commands before all others.
+    first: Option<wgpu::CommandEncoder>,
     /// Command buffers before `encoder`.
     finished: Vec<wgpu::CommandBuffer>,
     /// Parameters that the device fills in, between `finished` and `encoder`.
@@ -36,6 +42,10 @@ pub struct Recorder {
     uniforms: wgpu::Buffer,
     /// Content of the slots.
     slots: Vec<u8>,
+    /// What each `count_fill` of a submission reads.
+    placement: wgpu::Buffer,
+    /// Content of it.
+    placements: Vec<u8>,
     /// `None` if the device has no timestamps.
     timer: Option<Timer>,
     /// Whether dispatches are timed.
@@ -46,21 +56,24 @@ pub struct Recorder {
 
 impl Recorder {
     pub fn new(device: &wgpu::Device, memory: &MemoryPool) -> Self {
-        let uniforms = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("uniforms"),
-            size: SLOT * SLOTS,
-            usage: wgpu::BufferUsages::UNIFORM
-                | wgpu::BufferUsages::STORAGE
-                | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
+        let buffer = |label, size, usage| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size,
+                usage: usage | wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
         Self {
+            first: None,
             finished: Vec::new(),
             fills: Fills::default(),
             pass: None,
             encoder: None,
-            uniforms,
+            uniforms: buffer("uniforms", SLOT * SLOTS, wgpu::BufferUsages::UNIFORM),
             slots: Vec::new(),
+            placement: buffer("placement", PLACEMENT, wgpu::BufferUsages::empty()),
+            placements: Vec::new(),
             timer: Timer::new(device),
             times: false,
             memory: memory.clone(),
@@ -99,35 +112,22 @@ impl Recorder {
             }
         }
 
-        let key = buffers.iter().map(|binding| {
-            (binding.buffer.clone(), binding.offset, binding.size.map_or(0, |size| size.get()))
-        });
-        let key = (pipeline.layout.clone(), key.collect());
         let uniforms = wgpu::BufferBinding {
             buffer: &self.uniforms,
             offset: 0,
             size: std::num::NonZero::new((uniform.len() as u64).next_multiple_of(16)),
         };
-        let bind_group = self.bind_groups.get(key, || {
-            let mut buffers = buffers.iter();
-            let resource = |access: Access| match access {
-                Access::Uniform => uniforms.clone(),
-                Access::Read | Access::Write => {
-                    buffers.next().expect("the typed dispatch binds every buffer").clone()
-                }
-            };
-            let resources = kernel.bindings.iter().map(|info| info.access).map(resource);
-            let entry = |(resource, binding)| wgpu::BindGroupEntry {
-                binding,
-                resource: wgpu::BindingResource::Buffer(resource),
-            };
-            device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some(kernel.name),
-                layout: &pipeline.layout,
-                entries: &resources.zip(0..).map(entry).collect::<Vec<_>>(),
-            })
-        });
-        let bind_group = bind_group.clone();
+        let mut buffers = buffers.iter();
+        let resource = |access: Access| match access {
+            Access::Uniform => uniforms.clone(),
+            Access::Read | Access::Write => {
+                buffers.next().expect("the typed dispatch binds every buffer").clone()
+            }
+        };
+        let resources: Vec<_> =
+            kernel.bindings.iter().map(|info| info.access).map(resource).collect();
+        let bind_group =
+            self.bind_groups.get(device, kernel.name, &pipeline.layout, &resources).clone();
         let has_uniform = kernel.bindings.iter().any(|info| info.access == Access::Uniform);
         let slot = [offset as u32];
         let pass = match self.pass.take().filter(|_| !self.times) {
@@ -154,6 +154,12 @@ impl Recorder {
         self.pass.insert(pass.forget_lifetime())
     }
 
+    /// Clears the beginning of a buffer that no recorded command uses. It happens before all of them, so that it ends no pass.
+    pub fn clear_unused(&mut self, device: &wgpu::Device, buffer: &wgpu::Buffer, bytes: u64) {
+        let first = self.first.get_or_insert_with(|| new_encoder(device));
+        first.clear_buffer(buffer, 0, Some(bytes));
+    }
+
     pub fn clear(&mut self, device: &wgpu::Device, buffer: &wgpu::Buffer, bytes: Range<u64>) {
         let size = Some(bytes.end - bytes.start);
         self.encoder(device).clear_buffer(buffer, bytes.start, size);
@@ -176,9 +182,44 @@ impl Recorder {
     pub fn publish_counts(&mut self, device: &wgpu::Device) {
         self.pass = None;
         if let Some(encoder) = self.encoder.take() {
-            self.finished.extend(self.fills.take(device, &self.uniforms));
+            self.fill_in(device);
             self.finished.push(encoder.finish());
         }
+    }
+
+    /// Fills in the parameters of the dispatches in `encoder`. If nothing of the submission comes before these, `first` can do it.
+    fn fill_in(&mut self, device: &wgpu::Device) {
+        let fills = self.fills.take();
+        if fills.is_empty() {
+            return;
+        }
+        let is_first = self.finished.is_empty();
+        let encoder = self.first.take_if(|_| is_first);
+        let mut encoder = encoder.unwrap_or_else(|| new_encoder(device));
+        let label = Some(COUNT_FILL.name);
+        let mut pass = encoder
+            .begin_compute_pass(&wgpu::ComputePassDescriptor { label, timestamp_writes: None });
+        for Fill { counts, pipeline, placement } in fills {
+            let numbers = placement.len() as u32 / PLACEMENT_VALUES;
+            let offset = self.placements.len() as u64;
+            let rows = [&[numbers, 0, 0, 0], &placement[..]].concat();
+            self.placements.extend_from_slice(bytemuck::cast_slice(&rows));
+            let size = std::num::NonZero::new(self.placements.len() as u64 - offset);
+            self.placements.resize(self.placements.len().next_multiple_of(SLOT as usize), 0);
+            // in the order of its bindings
+            let buffers = [
+                wgpu::BufferBinding { buffer: &self.placement, offset, size },
+                wgpu::BufferBinding { buffer: &counts, offset: 0, size: None },
+                wgpu::BufferBinding { buffer: &self.uniforms, offset: 0, size: None },
+            ];
+            let layout = &pipeline.layout;
+            pass.set_pipeline(&pipeline.pipeline);
+            let bind_group = self.bind_groups.get(device, COUNT_FILL.name, layout, &buffers);
+            pass.set_bind_group(0, bind_group, &[]);
+            pass.dispatch_workgroups(numbers.div_ceil(COUNT_FILL.workgroup_size[0]), 1, 1);
+        }
+        drop(pass);
+        self.finished.push(encoder.finish());
     }
 
     /// Submits all commands to the device.
@@ -189,15 +230,20 @@ impl Recorder {
             timer.resolve(device, self.encoder.get_or_insert_with(|| new_encoder(device)));
         }
         self.publish_counts(device);
-        if self.finished.is_empty() {
+        let first = self.first.take().map(wgpu::CommandEncoder::finish);
+        if self.finished.is_empty() && first.is_none() {
             return;
         }
         // happens after earlier submissions and before the next one
-        if !self.slots.is_empty() {
-            queue.write_buffer(&self.uniforms, 0, &self.slots);
-            self.slots.clear();
+        for (buffer, bytes) in
+            [(&self.uniforms, &mut self.slots), (&self.placement, &mut self.placements)]
+        {
+            if !bytes.is_empty() {
+                queue.write_buffer(buffer, 0, bytes);
+                bytes.clear();
+            }
         }
-        queue.submit(self.finished.drain(..));
+        queue.submit(first.into_iter().chain(self.finished.drain(..)));
         self.memory.submitted();
         self.bind_groups.submitted();
     }
@@ -225,7 +271,7 @@ fn new_encoder(device: &wgpu::Device) -> wgpu::CommandEncoder {
 }
 
 /// What a bind group is made of: its layout, and each buffer with an offset and a size.
-type Key = (wgpu::BindGroupLayout, Vec<(wgpu::Buffer, u64, u64)>);
+type Key = (wgpu::BindGroupLayout, Vec<(wgpu::Buffer, u64, Option<wgpu::BufferSize>)>);
 
 /// Bind groups, each with the number of the submission of its last use.
 #[derive(Debug, Default)]
@@ -237,9 +283,23 @@ pub struct BindGroups {
 
 impl BindGroups {
     /// The bind group of these buffers, made if there is none.
-    pub fn get(&mut self, key: Key, make: impl FnOnce() -> wgpu::BindGroup) -> &wgpu::BindGroup {
+    pub fn get(
+        &mut self,
+        device: &wgpu::Device,
+        kernel: &'static str,
+        layout: &wgpu::BindGroupLayout,
+        buffers: &[wgpu::BufferBinding<'_>],
+    ) -> &wgpu::BindGroup {
         let now = self.submissions;
-        let (group, used) = self.made.entry(key).or_insert_with(|| (make(), now));
+        let key = buffers.iter().map(|of| (of.buffer.clone(), of.offset, of.size)).collect();
+        let (group, used) = self.made.entry((layout.clone(), key)).or_insert_with(|| {
+            let resources = buffers.iter().cloned().map(wgpu::BindingResource::Buffer);
+            let entry = |(resource, binding)| wgpu::BindGroupEntry { binding, resource };
+            let entries: Vec<_> = resources.zip(0..).map(entry).collect();
+            let label = Some(kernel);
+            let of = wgpu::BindGroupDescriptor { label, layout, entries: &entries };
+            (device.create_bind_group(&of), now)
+        });
         *used = now;
         group
     }
@@ -258,7 +318,7 @@ impl BindGroups {
 }
 
 /// Most dispatches in one submission: each keeps its slot until then. The device works on them while the host records the next.
-pub const SLOTS: u64 = 32;
+pub const SLOTS: u64 = 64;
 
 /// Size of a timestamp, in bytes.
 const STAMP: u64 = size_of::<u64>() as u64;

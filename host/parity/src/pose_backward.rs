@@ -1,6 +1,6 @@
 //! The case of `pose_backward`.
 
-use glam::DVec3;
+use glam::{DVec3, Vec4};
 use muslin_check::prelude::*;
 use organza_shaders::pose_backward::{BLOCK, PoseBackwardKernel, PoseBackwardParams, VALUES};
 use organza_shaders::project_backward::ProjectBackwardParams;
@@ -64,16 +64,18 @@ impl PoseBackward {
         }))
     }
 
-    /// With gradients that give all pairs terms of one size, or none: those of a needle hide all others.
-    fn balanced(&self) -> Self {
-        let mut balanced = self.clone();
+    /// With gradients of conics alone, which give all pairs terms of one size, or none. Those of means and of needles hide
+    /// all others.
+    fn conics(&self) -> Self {
+        let mut set = self.clone();
         for pair in self.pairs().into_iter().flatten() {
-            let size = self.sizes(pair)[0];
+            let first = 3 * pair[2];
+            set.0.inputs.pair_gradient[first] = Vec4::ZERO;
+            let size = set.sizes(pair)[0];
             let factor = if (1e-9..1e9).contains(&size) { 1.0 / size as f32 } else { 0.0 };
-            let gradient = &mut balanced.0.inputs.pair_gradient[3 * pair[2]..][..2];
-            gradient.iter_mut().for_each(|of| *of *= factor);
+            set.0.inputs.pair_gradient[first + 1] *= factor;
         }
-        balanced
+        set
     }
 
     /// The sizes of the terms that a pair adds to the rotation, and to the shift.
@@ -129,7 +131,7 @@ impl Parity for PoseBackward {
 
     fn sets() -> Vec<(String, Self)> {
         let sets = ProjectBackward::sets().into_iter().map(|(name, set)| (name, Self(set)));
-        sets.flat_map(|(name, set)| [(format!("{name}, balanced"), set.balanced()), (name, set)])
+        sets.flat_map(|(name, set)| [(format!("{name}, conics"), set.conics()), (name, set)])
             .collect()
     }
 

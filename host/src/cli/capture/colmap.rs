@@ -239,8 +239,8 @@ impl<'a> Colmap<'a> {
                 .expect("memory takes it");
         }
         if !self.are_views {
-            let files = fs::read_dir(&model.folder).into_iter().flatten().flatten();
-            return files.map(|file| copy(&file.path(), &sparse.join(file.file_name()))).collect();
+            let mut files = fs::read_dir(&model.folder).into_iter().flatten().flatten();
+            return files.try_for_each(|file| copy(&file.path(), &sparse.join(file.file_name())));
         }
         let [side, half] = [2.0, 1.0].map(|part| part * model.cameras[0].cx);
         let camera = format!("1 SIMPLE_PINHOLE {side} {side} {half} {half} {half}\n");

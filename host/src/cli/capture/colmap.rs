@@ -11,7 +11,7 @@ use organza::data::SparseModel;
 use organza::data::panorama::{self, panorama_of};
 use organza::{Camera, Error, Result};
 
-use super::frames::IMAGES;
+use super::frames::{IMAGES, copy};
 use super::judge::Judgment;
 use super::programs::command;
 use super::{CaptureJob, Matcher};
@@ -224,23 +224,28 @@ impl<'a> Colmap<'a> {
         for path in [&images, &sparse] {
             fs::create_dir(path).map_err(|source| Error::write(path, source))?;
         }
-        let copy = |from: &Path, to: &Path| {
-            fs::copy(from, to).map(|_| ()).map_err(|source| Error::read(from, source))
-        };
+        let names = model.cameras.iter().filter_map(|camera| camera.file_path.as_deref());
+        let files: Vec<_> = names.map(|name| self.job.path(IMAGES).join(name)).collect();
+        copy(&files, &images)?;
+        if self.are_views {
+            return self.write_views(model, &sparse);
+        }
+        let files = fs::read_dir(&model.folder).into_iter().flatten().flatten();
+        let files: Vec<_> = files.map(|file| file.path()).collect();
+        copy(&files, &sparse)
+    }
+
+    /// Writes a model of views: all have one lens, and their cameras are not where COLMAP found them.
+    fn write_views(&self, model: &SparseModel, sparse: &Path) -> Result<()> {
         let mut lines = String::new();
         for (index, camera) in model.cameras.iter().enumerate() {
-            let name = camera.file_path.as_deref().unwrap_or_default();
-            copy(&self.job.path(IMAGES).join(name), &images.join(name))?;
             let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
             let turn = DMat3::from_cols(right, down, forward).transpose();
             let [x, y, z, w] = DQuat::from_mat3(&turn).to_array();
             let [a, b, c] = (-(turn * DVec3::from(camera.eye()))).to_array();
+            let name = camera.file_path.as_deref().unwrap_or_default();
             writeln!(lines, "{} {w} {x} {y} {z} {a} {b} {c} 1 {name}\n", index + 1)
                 .expect("memory takes it");
-        }
-        if !self.are_views {
-            let mut files = fs::read_dir(&model.folder).into_iter().flatten().flatten();
-            return files.try_for_each(|file| copy(&file.path(), &sparse.join(file.file_name())));
         }
         let [side, half] = [2.0, 1.0].map(|part| part * model.cameras[0].cx);
         let camera = format!("1 SIMPLE_PINHOLE {side} {side} {half} {half} {half}\n");

@@ -157,10 +157,10 @@ fn names(folder: &Path) -> Result<Vec<String>> {
     Ok(names)
 }
 
-/// Copies photographs, so that the data set needs no other folder.
-fn copy(files: &[PathBuf], folder: &Path) -> Result<()> {
+/// Copies files, so that the data set needs no other folder.
+pub fn copy(files: &[PathBuf], folder: &Path) -> Result<()> {
     for file in files {
-        let to = folder.join(file.file_name().expect("a photograph has a name"));
+        let to = folder.join(file.file_name().expect("a file has a name"));
         fs::copy(file, &to).map_err(|source| Error::read(file, source))?;
     }
     Ok(())

@@ -5,6 +5,9 @@ use std::fs;
 use std::process::{Command, Stdio};
 
 use glam::{DMat3, DVec3};
+use image::codecs::jpeg::JpegEncoder;
+use image::metadata::Orientation;
+use image::{DynamicImage, ImageDecoder, ImageEncoder, ImageReader};
 use organza::Camera;
 use organza::data::{DatasetOptions, Poses};
 use organza::still_life::StillLife;
@@ -265,7 +268,7 @@ fn frames_keep_the_shape_of_their_video() {
         ("240x180", "4/3", "png", [301, 169]),
         ("640x640", "1", "png", [301, 301]),
         ("90x60", "1", "png", [90, 60]),
-        ("1600x800", "1", "up.png", [301, 301]),
+        ("1600x800", "1", "000.png", [301, 301]),
     ];
     for (size, shape, ending, expected) in films {
         let sandbox = with_programs();
@@ -276,6 +279,7 @@ fn frames_keep_the_shape_of_their_video() {
         write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
         capture(&sandbox, "film.mp4 -o data --side 301").assert_ok();
         for name in names {
+            let name = name.replace("000.png", "up.png");
             let found = image::image_dimensions(sandbox.path("data/images").join(name)).unwrap();
             assert_eq!([found.0, found.1], expected, "{film}");
         }
@@ -382,16 +386,16 @@ fn panoramas_become_views_of_a_known_lens() {
         image::RgbImage::new(64, 32).save(sandbox.path("photos").join(name)).unwrap();
     }
     sandbox.shell("rm photos/09.png photos/1*.png").assert_ok();
-    // The sky and the floor show nothing to match.
+    // A person hides the other half.
     let sides = |name: String| {
-        ["back", "front", "left", "right"].map(|side| name.replace("png", &format!("{side}.png")))
+        ["000", "045", "180", "225"].map(|view| name.replace("png", &format!("{view}.png")))
     };
     let views = |Found { name, eye, focal }| sides(name).map(|name| Found { name, eye, focal });
     let found: Vec<_> = walk(photos(9)).into_iter().flat_map(views).collect();
     write_model(&sandbox, "found-1/0", &found, 0.7, 20);
     let outcome = capture(&sandbox, "photos -o data").assert_ok();
     let words =
-        ["9 images twice as wide as high", "`--camera-model`", "54 of 54 images have a pose"];
+        ["9 images twice as wide as high", "`--camera-model`", "72 of 72 images have a pose"];
     assert_says(&outcome, &words, &["no pose", "have a pose, so each", "apart"]);
     let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
     for call in ["camera_params 10,10,10", "model SIMPLE_PINHOLE", "focal_length 0"] {
@@ -414,7 +418,7 @@ fn panoramas_become_views_of_a_known_lens() {
     fs::remove_file(sandbox.path("calls.txt")).unwrap();
     write_model(&sandbox, "found-1/0", &walk(photos(9).flat_map(sides)), 0.7, 20);
     let outcome = capture(&sandbox, "photos -o torn").assert_ok();
-    assert_says(&outcome, &["stand apart: 00.back.png, ", "next: mend"], &["organza train"]);
+    assert_says(&outcome, &["stand apart: 00.000.png, ", "next: mend"], &["organza train"]);
 
     // They may be flat photographs of that shape.
     fs::remove_file(sandbox.path("calls.txt")).unwrap();
@@ -428,6 +432,34 @@ fn panoramas_become_views_of_a_known_lens() {
     let calls = fs::read_to_string(sandbox.path("calls.txt")).unwrap();
     assert!(!calls.contains("undistorter"), "{calls}");
     assert!(sandbox.path("fisheye/sparse/0/cameras.txt").exists());
+}
+
+#[test]
+fn photographs_that_are_to_be_shown_turned_are_turned() {
+    let sandbox = with_programs();
+    sandbox.shell("rm photos/*").assert_ok();
+    // A TIFF header, and one entry: tag 0x112 (orientation) is one short, 6. The top is at the right.
+    let exif = b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
+    let pixel = |x: u32, _| image::Rgb([255 * u8::from(x >= 16); 3]);
+    for name in ["1.jpg", "2.jpg", "3.jpg"] {
+        let file = fs::File::create(sandbox.path("photos").join(name)).unwrap();
+        let mut encoder = JpegEncoder::new(file);
+        encoder.set_exif_metadata(exif.to_vec()).unwrap();
+        image::RgbImage::from_fn(32, 16, pixel).write_with_encoder(encoder).unwrap();
+    }
+    let names = ["1.jpg", "2.jpg", "3.jpg"].map(str::to_owned);
+    write_model(&sandbox, "found-1/0", &walk(names.into_iter()), 0.7, 6);
+    // Twice as wide as high is not twice as high as wide.
+    let outcome = capture(&sandbox, "photos -o data").assert_ok();
+    assert_says(&outcome, &["3 of 3 images have a pose"], &["panorama"]);
+    let reader = ImageReader::open(sandbox.path("data/images/2.jpg")).unwrap();
+    let mut decoder = reader.into_decoder().unwrap();
+    assert_eq!(decoder.orientation().unwrap(), Orientation::NoTransforms);
+    assert!(decoder.exif_metadata().unwrap().is_some());
+    let turned = DynamicImage::from_decoder(decoder).unwrap().to_rgb8();
+    assert_eq!(turned.dimensions(), (16, 32));
+    let [top, bottom] = [4, 27].map(|y| turned.get_pixel(8, y)[0]);
+    assert!(top < 5 && bottom > 250, "{top} {bottom}");
 }
 
 #[test]

@@ -1,11 +1,13 @@
 //! Cuts photographs that no plane holds into pinhole views: panoramas of 360 degrees, and those of wide fisheyes.
 //!
-//! The views are the faces of a cube around the camera. So the poles are seen, and each direction is seen once: no color
-//! counts twice. In the middle of a view, a pixel is as wide as the photograph's. Elsewhere it is narrower, so it misses
-//! nothing: only near a panorama's poles are columns closer together, and there they repeat one another.
+//! The views to train on are the faces of a cube around the camera. So the poles are seen, and each direction is seen once:
+//! no color counts twice. In the middle of a view, a pixel is as wide as the photograph's. Elsewhere it is narrower, so it
+//! misses nothing: only near a panorama's poles are columns closer together, and there they repeat one another.
+//!
+//! Faces share nothing, so what searches for their poses could not join them. It sees other views, which overlap.
 
 use std::collections::BTreeMap;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 use std::path::Path;
 
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
@@ -18,15 +20,35 @@ use super::{DatasetOptions, Frame, decode};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE, median};
 use organza_core::error::Result;
 
-/// The views of a panorama, and their right, down and forward axes in those of the photograph's camera.
-const FACES: [(&str, [DVec3; 3]); 6] = [
-    ("front", [DVec3::X, DVec3::Y, DVec3::Z]),
-    ("right", [DVec3::NEG_Z, DVec3::Y, DVec3::X]),
-    ("back", [DVec3::NEG_X, DVec3::Y, DVec3::NEG_Z]),
-    ("left", [DVec3::Z, DVec3::Y, DVec3::NEG_X]),
+/// A view of a panorama: its name, and its right, down and forward axes in those of the photograph's camera.
+pub type View = (&'static str, [DVec3; 3]);
+
+/// The views to train on: the faces of a cube.
+pub const FACES: [View; 6] = [
+    ("front", heading(1.0, 0.0)),
+    ("right", heading(0.0, 1.0)),
+    ("back", heading(-1.0, 0.0)),
+    ("left", heading(0.0, -1.0)),
     ("up", [DVec3::X, DVec3::Z, DVec3::NEG_Y]),
     ("down", [DVec3::X, DVec3::NEG_Z, DVec3::Y]),
 ];
+/// The views to find poses with: headings in degrees. Each shares half of what it shows with the next one.
+pub const HEADINGS: [View; 8] = [
+    ("000", heading(1.0, 0.0)),
+    ("045", heading(FRAC_1_SQRT_2, FRAC_1_SQRT_2)),
+    ("090", heading(0.0, 1.0)),
+    ("135", heading(-FRAC_1_SQRT_2, FRAC_1_SQRT_2)),
+    ("180", heading(-1.0, 0.0)),
+    ("225", heading(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2)),
+    ("270", heading(0.0, -1.0)),
+    ("315", heading(FRAC_1_SQRT_2, -FRAC_1_SQRT_2)),
+];
+
+/// The axes of a view to the horizon, by the cosine and the sine of its heading.
+const fn heading(cos: f64, sin: f64) -> [DVec3; 3] {
+    [DVec3::new(cos, 0.0, -sin), DVec3::Y, DVec3::new(sin, 0.0, cos)]
+}
+
 /// Tangent of 60 degrees. A plane that shows more than this stretches a fisheye's edge by 4.
 const WIDE: f64 = 1.732_050_807_568_877_2;
 /// Places on a side of a view at which the photograph is looked for.
@@ -40,51 +62,53 @@ pub fn is_panorama([width, height]: [u32; 2]) -> bool {
     (f64::from(width) - 2.0 * f64::from(height)).abs() <= 0.01 * f64::from(width)
 }
 
-/// The panorama that a view is of, by the view's name; `None` for other images.
+/// The panorama that one of `views` is of, by the view's name; `None` for other images.
 ///
 /// ```
-/// use organza_data::panorama::panorama_of;
+/// use organza_data::panorama::{FACES, HEADINGS, panorama_of};
 ///
-/// assert_eq!(panorama_of("images/7.front.png"), Some("images/7"));
-/// assert_eq!(panorama_of("images/7.png"), None);
+/// assert_eq!(panorama_of("images/7.front.png", &FACES), Some("images/7"));
+/// assert_eq!(panorama_of("images/7.front.png", &HEADINGS), None);
+/// assert_eq!(panorama_of("images/7.png", &FACES), None);
 /// ```
 #[must_use]
-pub fn panorama_of(name: &str) -> Option<&str> {
-    Some(face_of(name)?.0)
+pub fn panorama_of<'n>(name: &'n str, views: &[View]) -> Option<&'n str> {
+    Some(view_of(name, views)?.0)
 }
 
 /// The panorama that a view is of, and the view's axes.
-fn face_of(name: &str) -> Option<(&str, DMat3)> {
-    let (panorama, view) = name.strip_suffix(ENDING)?.rsplit_once('.')?;
-    let (_, [right, down, forward]) = FACES.into_iter().find(|(face, _)| *face == view)?;
-    Some((panorama, DMat3::from_cols(right, down, forward)))
+fn view_of<'n>(name: &'n str, views: &[View]) -> Option<(&'n str, DMat3)> {
+    let (panorama, named) = name.strip_suffix(ENDING)?.rsplit_once('.')?;
+    let (_, [right, down, forward]) = views.iter().find(|(view, _)| *view == named)?;
+    Some((panorama, DMat3::from_cols(*right, *down, *forward)))
 }
 
-/// The six views of each panorama, around one place, sorted by name. The cameras are of views whose poses were found one
-/// by one. The median of what they say of their panorama counts, so some may be wrong or missing.
+/// The `views` of each panorama, around one place, sorted by name. What was `found` are the cameras of [`HEADINGS`], one by
+/// one. The median of what they say of their panorama counts, so some may be wrong or missing.
 #[must_use]
-pub fn join(views: &[Camera]) -> Vec<Camera> {
+pub fn join(found: &[Camera], views: &[View]) -> Vec<Camera> {
     let mut panoramas: BTreeMap<_, Vec<(DVec4, DVec3)>> = BTreeMap::new();
-    for view in views {
-        let Some((panorama, axes)) = view.file_path.as_deref().and_then(face_of) else { continue };
-        let [right, down, forward] = view.world_to_camera_opencv().map(DVec3::from);
+    for camera in found {
+        let view = camera.file_path.as_deref().and_then(|name| view_of(name, &HEADINGS));
+        let Some((panorama, axes)) = view else { continue };
+        let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
         let turn = DMat3::from_cols(right, down, forward) * axes.transpose();
         let turn = DVec4::from(DQuat::from_mat3(&turn));
         let poses = panoramas.entry(panorama).or_default();
         // A quaternion and its negative are the same turn.
         let sign = poses.first().map_or(1.0, |(first, _)| turn.dot(*first).signum());
-        poses.push((sign * turn, DVec3::from(view.eye())));
+        poses.push((sign * turn, DVec3::from(camera.eye())));
     }
     let joined = panoramas.iter().flat_map(|(panorama, poses)| {
         let turn = [0, 1, 2, 3].map(|at| median(poses.iter().map(|(turn, _)| turn[at])));
         let turn = DMat3::from_quat(DQuat::from_array(turn).normalize());
         let eye = [0, 1, 2].map(|axis| median(poses.iter().map(|(_, eye)| eye[axis])));
-        FACES.map(|(face, [right, down, forward])| {
+        views.iter().map(move |&(view, [right, down, forward])| {
             let to_world = turn * DMat3::from_cols(right, -down, -forward);
             let row = |axis: usize| to_world.row(axis).extend(eye[axis]).to_array();
             let camera_to_world = [row(0), row(1), row(2), DVec4::W.to_array()];
-            let file_path = Some(format!("{panorama}.{face}{ENDING}"));
-            Camera { camera_to_world, file_path, ..views[0].clone() }
+            let file_path = Some(format!("{panorama}.{view}{ENDING}"));
+            Camera { camera_to_world, file_path, ..found[0].clone() }
         })
     });
     let mut joined: Vec<_> = joined.collect();
@@ -92,11 +116,17 @@ pub fn join(views: &[Camera]) -> Vec<Camera> {
     joined
 }
 
-/// The views of a panorama's file, each with at most `side` pixels a side.
+/// What the names of a panorama's views begin with, by the name of its file.
+#[must_use]
+pub fn stem(name: &str) -> &str {
+    name.strip_suffix(ENDING).unwrap_or(name)
+}
+
+/// Views of a panorama's file, each with at most `side` pixels a side.
 ///
 /// # Errors
 /// Those of [`Dataset::load`](super::Dataset::load) for a photograph.
-pub fn cut(path: &Path, side: u32) -> Result<Vec<Frame>> {
+pub fn cut(path: &Path, side: u32, views: &[View]) -> Result<Vec<Frame>> {
     let size = decode::size(path)?;
     let pose = DMat4::IDENTITY.to_cols_array_2d();
     let full = f64::from(size[0]) / PI;
@@ -115,16 +145,16 @@ pub fn cut(path: &Path, side: u32) -> Result<Vec<Frame>> {
     let options = DatasetOptions::default();
     let budget = Budget::beside(0);
     let frame = |view: Shot| view.develop(&options, &budget).map(|(frame, _)| frame);
-    views(&shot, side * factor).into_par_iter().map(frame).collect()
+    seen(&shot, side * factor, views).into_par_iter().map(frame).collect()
 }
 
 /// The views of a photograph. One that a plane holds is its only view.
 pub(super) fn views_of(shot: Shot) -> Vec<Shot> {
     let Camera { fl_x, fl_y, width, .. } = shot.camera;
     if shot.lens.panorama {
-        views(&shot, f64::from(width) / PI)
+        seen(&shot, f64::from(width) / PI, &FACES)
     } else if is_wide(&shot) {
-        views(&shot, 2.0 * fl_x.max(fl_y))
+        seen(&shot, 2.0 * fl_x.max(fl_y), &FACES)
     } else {
         vec![shot]
     }
@@ -139,8 +169,8 @@ fn is_wide(shot: &Shot) -> bool {
     shot.lens.fisheye && sides.into_iter().any(is_seen)
 }
 
-/// The views, of `side` pixels a side, that show some of the photograph.
-fn views(shot: &Shot, side: f64) -> Vec<Shot> {
+/// Those of `views`, of `side` pixels a side, that show some of the photograph.
+fn seen(shot: &Shot, side: f64, views: &[View]) -> Vec<Shot> {
     let mut whole = Cut::whole(&shot.camera);
     if shot.lens.panorama {
         let [width, height] = whole.size.map(f64::from);
@@ -148,8 +178,8 @@ fn views(shot: &Shot, side: f64) -> Vec<Shot> {
         whole.center = [width / 2.0, height / 2.0];
     }
     let side = side.round().clamp(1.0, f64::from(MAX_IMAGE_SIDE));
-    let stem = shot.name.strip_suffix(ENDING).unwrap_or(&shot.name);
-    let view = |(face, axes): (&str, [DVec3; 3])| {
+    let stem = stem(&shot.name);
+    let view = |&(view, axes): &View| {
         let [right, down, forward] = axes;
         let turned = |[x, y, z, place]: [f64; 4]| {
             // a file's y and z axes point up and back
@@ -159,7 +189,7 @@ fn views(shot: &Shot, side: f64) -> Vec<Shot> {
         let [x, y, z, last] = shot.pose;
         let pose = [turned(x), turned(y), turned(z), last];
         let mut camera = Camera::pinhole(pose, [side / 2.0; 2], [side / 2.0; 2], [side as u32; 2]);
-        let name = format!("{stem}.{face}{ENDING}");
+        let name = format!("{stem}.{view}{ENDING}");
         camera.file_path = Some(name.clone());
         let lens = Lens { cut: Some(Cut { axes, ..whole }), ..shot.lens };
         let undistortion = Undistortion::new(&camera, &lens);
@@ -168,5 +198,5 @@ fn views(shot: &Shot, side: f64) -> Vec<Shot> {
         let is_seen = places.any(|place| undistortion.source(place).is_some());
         is_seen.then(|| Shot { name, camera, pose, lens, ..shot.clone() })
     };
-    FACES.into_iter().filter_map(view).collect()
+    views.iter().filter_map(view).collect()
 }

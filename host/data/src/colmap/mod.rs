@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use super::find::Access;
 use super::lens::Lens;
-use super::panorama::panorama_of;
+use super::panorama::{FACES, panorama_of};
 use super::{DatasetKind, DatasetOptions, Listing, Point, find, invalid, is_held_out, ply};
 use model::{Image, Intrinsics};
 use organza_core::input::open_regular;
@@ -172,7 +172,7 @@ pub(super) fn list(
     for (camera, lens) in cameras {
         let name = camera.file_path.clone().unwrap_or_default();
         // views of one panorama count once, so that they leave together
-        let whole = Some(panorama_of(&name).unwrap_or(&name).to_owned());
+        let whole = Some(panorama_of(&name, &FACES).unwrap_or(&name).to_owned());
         position += usize::from(last.is_some() && last != whole);
         last = whole;
         let photograph = |name: &str| find::photograph(folder, name, None, options.downscale);

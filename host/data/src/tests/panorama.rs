@@ -1,11 +1,12 @@
 //! Panoramas and wide fisheyes, cut into pinhole views. Their pixels are painted with the directions that they show, by
 //! formulas of their own.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use glam::{DMat3, DVec3};
 
 use super::*;
+use crate::panorama::{self, FACES, HEADINGS};
 
 /// A turned camera, at (5, -2, 1).
 fn pose() -> ([[f64; 4]; 4], DMat3) {
@@ -193,20 +194,27 @@ fn views_that_were_found_one_by_one_join_at_one_place() {
     let frames = load(folder.path()).unwrap().frames;
     let mut truth: Vec<_> = frames.into_iter().map(|frame| frame.camera).collect();
     truth.sort_by(|a, b| a.file_path.cmp(&b.file_path));
-    // Of the first panorama, one view is elsewhere and looks elsewhere, one is missing, and the others are a little off. Of
-    // the second one, a view alone says where it is.
-    let mut found = truth.clone();
-    found[0].camera_to_world = truth[3].camera_to_world;
-    found[0].camera_to_world[1][3] = 70.0;
-    for (view, off) in (1..5).zip([-1e-3, -2e-3, 2e-3, 1e-3]) {
+    // Headings are found, and faces are wanted. Every second heading looks to a side of the cube.
+    let faces = ["front", "right", "back", "left"];
+    let heading = |panorama: usize, side: usize| {
+        let name = format!("images/{panorama}.{}.png", faces[side]);
+        let face = truth.iter().find(|camera| camera.file_path.as_ref() == Some(&name)).unwrap();
+        let name = format!("images/{panorama}.{:03}.png", 90 * side);
+        Camera { file_path: Some(name), ..face.clone() }
+    };
+    // Of the first panorama, one view is elsewhere and looks elsewhere, and the others are a little off. Of the second one,
+    // a view alone says where it is.
+    let mut found: Vec<_> = (0..4).map(|side| heading(0, side)).collect();
+    for (view, off) in found.iter_mut().zip([-1e-3, -2e-3, 2e-3]) {
         let (sin, cos) = f64::sin_cos(off);
-        let rows = truth[view].camera_to_world;
-        found[view].camera_to_world =
-            rows.map(|[x, y, z, place]| [cos * x - sin * y, sin * x + cos * y, z, place + off]);
+        let turned =
+            |[x, y, z, place]: [f64; 4]| [cos * x - sin * y, sin * x + cos * y, z, place + off];
+        view.camera_to_world = view.camera_to_world.map(turned);
     }
-    found.truncate(7);
-    found.remove(5);
-    let joined = crate::panorama::join(&found);
+    found[3].camera_to_world = found[0].camera_to_world;
+    found[3].camera_to_world[1][3] = 70.0;
+    found.push(heading(1, 2));
+    let joined = panorama::join(&found, &FACES);
     assert_eq!(joined.len(), 12);
     for (camera, truth) in joined.iter().zip(&truth) {
         assert_eq!(camera.file_path, truth.file_path);
@@ -216,4 +224,12 @@ fn views_that_were_found_one_by_one_join_at_one_place() {
         camera.validate(0).unwrap();
     }
     assert!(joined[..6].iter().all(|camera| camera.eye() == joined[0].eye()));
+    // The headings are 45 degrees apart, and the faces between them.
+    let headings = panorama::join(&found, &HEADINGS);
+    for (pair, index) in headings.windows(2).zip(0..) {
+        let [a, b] = [0, 1].map(|at| DVec3::from(pair[at].world_to_camera_opencv()[2]));
+        if index != 7 {
+            assert!((a.dot(b) - FRAC_1_SQRT_2).abs() < 1e-9, "{index}");
+        }
+    }
 }

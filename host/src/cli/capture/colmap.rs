@@ -8,7 +8,7 @@ use std::process::Command;
 
 use muslin::glam::{DMat3, DQuat, DVec3};
 use organza::data::SparseModel;
-use organza::data::panorama::{self, panorama_of};
+use organza::data::panorama::{self, FACES, HEADINGS, panorama_of};
 use organza::{Camera, Error, Result};
 
 use super::frames::{IMAGES, copy};
@@ -61,7 +61,8 @@ impl<'a> Colmap<'a> {
         let help = output(command("colmap").arg("help"))?;
         let has_cuda = help.contains("with CUDA");
         let size = one_size(&job.path(IMAGES), images)?;
-        let are_views = size.is_some() && images.iter().all(|name| panorama_of(name).is_some());
+        let are_views =
+            size.is_some() && images.iter().all(|name| panorama_of(name, &HEADINGS).is_some());
         Ok(Self { job, is_video, images: images.len(), size, are_views, has_cuda })
     }
 
@@ -89,21 +90,21 @@ impl<'a> Colmap<'a> {
                 job.path("log.txt").display()
             ));
         };
-        // COLMAP does not know that the views of a panorama share a place.
-        let joined = self.joined(&model);
-        let found = mem::replace(&mut model.cameras, joined);
         let is_fisheye = job.args.camera_model.as_deref() == Some("OPENCV_FISHEYE");
         job.step(UNDISTORTED, |folder| match self.are_views || is_fisheye {
             true => self.keep(&model, folder),
             false => self.undistort(&model.folder, folder),
         })?;
+        // COLMAP does not know that the views of a panorama share a place.
+        let joined = self.joined(&model);
+        let found = mem::replace(&mut model.cameras, joined);
         Ok(Judgment::new(names, &model, &found, matcher == Matcher::Exhaustive))
     }
 
     /// The cameras of a model, where the views of a panorama have one place.
     fn joined(&self, model: &SparseModel) -> Vec<Camera> {
         match self.are_views {
-            true => panorama::join(&model.cameras),
+            true => panorama::join(&model.cameras, &HEADINGS),
             false => model.cameras.clone(),
         }
     }
@@ -163,6 +164,8 @@ impl<'a> Colmap<'a> {
         colmap.args(["--SiftExtraction.max_image_size", &side]);
         if !self.has_cuda {
             colmap.args(["--SiftExtraction.max_num_features", FEATURES_ON_CPU]);
+            // A feature with two orientations counts as one, and is compared twice.
+            colmap.args(["--SiftExtraction.max_num_orientations", "1"]);
         }
         self.choose_cuda(&mut colmap, ["FeatureExtraction.use_gpu", "SiftExtraction.use_gpu"])?;
         let progress = self.job.console.progress(self.images as u64, "images");
@@ -204,11 +207,14 @@ impl<'a> Colmap<'a> {
         colmap.args(["--Mapper.ba_refine_focal_length", if self.are_views { "0" } else { "1" }]);
         let progress = self.job.console.progress(self.images as u64, "images");
         progress.say("finding poses");
+        // COLMAP begins again where it finds few, and keeps the largest model.
+        let mut most = 0;
         let result = self.job.programs.run(colmap, |line| {
             if let Some(place) = line.find("Registering image #") {
                 // `Registering image #12 (34)`: the image, and how many have a pose.
                 if let Some(posed) = number_after(&line[place..], "(") {
-                    progress.set(posed);
+                    most = most.max(posed);
+                    progress.set(most);
                 }
             }
         });
@@ -224,21 +230,23 @@ impl<'a> Colmap<'a> {
         for path in [&images, &sparse] {
             fs::create_dir(path).map_err(|source| Error::write(path, source))?;
         }
+        if self.are_views {
+            let faces = panorama::join(&model.cameras, &FACES);
+            self.write_views(&faces, &model.folder, &sparse)?;
+            return self.job.cut_faces(&faces, &images);
+        }
         let names = model.cameras.iter().filter_map(|camera| camera.file_path.as_deref());
         let files: Vec<_> = names.map(|name| self.job.path(IMAGES).join(name)).collect();
         copy(&files, &images)?;
-        if self.are_views {
-            return self.write_views(model, &sparse);
-        }
         let files = fs::read_dir(&model.folder).into_iter().flatten().flatten();
         let files: Vec<_> = files.map(|file| file.path()).collect();
         copy(&files, &sparse)
     }
 
-    /// Writes a model of views: all have one lens, and their cameras are not where COLMAP found them.
-    fn write_views(&self, model: &SparseModel, sparse: &Path) -> Result<()> {
+    /// Writes a model of views, which all have one lens, with the points that COLMAP found.
+    fn write_views(&self, views: &[Camera], found: &Path, sparse: &Path) -> Result<()> {
         let mut lines = String::new();
-        for (index, camera) in model.cameras.iter().enumerate() {
+        for (index, camera) in views.iter().enumerate() {
             let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
             let turn = DMat3::from_cols(right, down, forward).transpose();
             let [x, y, z, w] = DQuat::from_mat3(&turn).to_array();
@@ -247,14 +255,14 @@ impl<'a> Colmap<'a> {
             writeln!(lines, "{} {w} {x} {y} {z} {a} {b} {c} 1 {name}\n", index + 1)
                 .expect("memory takes it");
         }
-        let [side, half] = [2.0, 1.0].map(|part| part * model.cameras[0].cx);
+        let [side, half] = [2.0, 1.0].map(|part| part * views[0].cx);
         let camera = format!("1 SIMPLE_PINHOLE {side} {side} {half} {half} {half}\n");
         for (name, text) in [("cameras.txt", camera), ("images.txt", lines)] {
             let path = sparse.join(name);
             fs::write(&path, text).map_err(|source| Error::write(&path, source))?;
         }
         let mut colmap = command("colmap");
-        colmap.arg("model_converter").arg("--input_path").arg(&model.folder);
+        colmap.arg("model_converter").arg("--input_path").arg(found);
         colmap.arg("--output_path").arg(sparse.join("points3D.ply"));
         colmap.args(["--output_type", "PLY"]);
         self.job.programs.run(colmap, |_| {})

@@ -1,12 +1,20 @@
 //! The images of a capture: the sharpest frames of a video, or photographs.
 
+use std::collections::HashSet;
 use std::ffi::OsString;
-use std::fs;
+use std::fs::{self, File};
+use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use organza::data::{Frame, panorama};
-use organza::{Error, Result};
+use image::codecs::jpeg::JpegEncoder;
+use image::metadata::Orientation;
+use image::{
+    DynamicImage, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader, ImageResult,
+};
+use organza::data::Frame;
+use organza::data::panorama::{self, FACES, HEADINGS, View, panorama_of};
+use organza::{Camera, Error, Result};
 
 use super::programs::command;
 use super::{CaptureJob, Source};
@@ -15,6 +23,10 @@ use crate::cli::{absolute, refuse};
 
 /// Folder of the images, in the work.
 pub const IMAGES: &str = "images";
+/// Folder of the panoramas, in the work. COLMAP sees views of them in their place.
+pub const PANORAMAS: &str = "panoramas";
+/// JPEG quality of photographs that are turned, out of 100.
+const QUALITY: u8 = 98;
 /// Width and height at which frames are compared. The shape of a video does not matter for that.
 const PROBE: [usize; 2] = [960, 540];
 
@@ -24,14 +36,29 @@ impl CaptureJob<'_> {
         self.step(IMAGES, |folder| {
             match source {
                 Source::Video(video) => self.frames(video, folder)?,
-                Source::Photographs(files) => copy(files, folder)?,
+                Source::Photographs(files) => self.copy_upright(files, folder)?,
             }
             self.cut_panoramas(folder)
         })?;
         names(&self.path(IMAGES))
     }
 
-    /// Replaces panoramas by their views, because COLMAP knows only lenses. A named lens says that there are none.
+    /// Copies photographs. A camera that was held on its side says so in the file, which COLMAP does not read, so the pixels
+    /// of such a photograph are turned.
+    fn copy_upright(&self, files: &[PathBuf], folder: &Path) -> Result<()> {
+        for file in files {
+            self.programs.check()?;
+            let to = folder.join(file.file_name().expect("a file has a name"));
+            let is_turned = turn_upright(file, &to)
+                .or_else(|error| refuse(format!("{}: {error}", file.display())))?;
+            if !is_turned {
+                fs::copy(file, &to).map_err(|source| Error::read(file, source))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Replaces panoramas by views that overlap, because COLMAP knows only lenses. A named lens says that there are none.
     fn cut_panoramas(&self, folder: &Path) -> Result<()> {
         let is_panorama = |name: &String| {
             let size = image::image_dimensions(folder.join(name));
@@ -44,25 +71,44 @@ impl CaptureJob<'_> {
         }
         let images = count(names.len() as u64, "image");
         self.console.note(&format!(
-            "{images} twice as wide as high: cutting each, as a panorama of 360 degrees, into 6 views. If a lens took them, name \
-             it with `--camera-model`"
+            "{images} twice as wide as high: cutting each, as a panorama of 360 degrees, into views. If a lens took them, name it \
+             with `--camera-model`"
         ));
+        let panoramas = self.path(PANORAMAS);
+        fs::create_dir_all(&panoramas).map_err(|source| Error::write(&panoramas, source))?;
+        for name in &names {
+            let to = panoramas.join(name);
+            fs::rename(folder.join(name), &to).map_err(|source| Error::write(&to, source))?;
+        }
+        self.cut(&names, folder, &HEADINGS)
+    }
+
+    /// Cuts panoramas into views.
+    fn cut(&self, names: &[String], folder: &Path, views: &[View]) -> Result<()> {
         let progress = self.console.progress(names.len() as u64, "panoramas");
         progress.say("cutting panoramas");
         for (done, name) in names.iter().enumerate() {
             self.programs.check()?;
-            let path = folder.join(name);
-            for Frame { name, image, .. } in panorama::cut(&path, self.args.side)? {
+            let path = self.path(PANORAMAS).join(name);
+            for Frame { name, image, .. } in panorama::cut(&path, self.args.side, views)? {
                 let to = folder.join(name);
                 let [width, height] = [image.width(), image.height()];
                 let pixels = image.pixels().as_flattened();
                 image::save_buffer(&to, pixels, width, height, image::ColorType::Rgb8)
                     .or_else(|error| refuse(format!("{}: {error}", to.display())))?;
             }
-            fs::remove_file(&path).map_err(|source| Error::write(&path, source))?;
             progress.set(done + 1);
         }
         Ok(())
+    }
+
+    /// Cuts the panoramas of these views into the views to train on.
+    pub fn cut_faces(&self, cameras: &[Camera], folder: &Path) -> Result<()> {
+        let posed = cameras.iter().filter_map(|camera| camera.file_path.as_deref());
+        let posed: HashSet<_> = posed.filter_map(|name| panorama_of(name, &FACES)).collect();
+        let mut names = names(&self.path(PANORAMAS))?;
+        names.retain(|name| posed.contains(panorama::stem(name)));
+        self.cut(&names, folder, &FACES)
     }
 
     /// Writes the sharpest frame of each of N equal parts of a video.
@@ -105,6 +151,28 @@ impl CaptureJob<'_> {
         }
         Ok(())
     }
+}
+
+/// Writes a JPEG file that is to be shown turned with its pixels turned instead; `false` if it is not to be turned. The rest
+/// of what the camera wrote, such as the focal length, stays.
+fn turn_upright(from: &Path, to: &Path) -> ImageResult<bool> {
+    let reader = ImageReader::open(from)?.with_guessed_format()?;
+    if reader.format() != Some(ImageFormat::Jpeg) {
+        return Ok(false);
+    }
+    let mut decoder = reader.into_decoder()?;
+    let orientation = decoder.orientation()?;
+    if orientation == Orientation::NoTransforms {
+        return Ok(false);
+    }
+    let mut exif = decoder.exif_metadata()?.unwrap_or_default();
+    let mut image = DynamicImage::from_decoder(decoder)?;
+    image.apply_orientation(orientation);
+    let _ = Orientation::remove_from_exif_chunk(&mut exif);
+    let mut encoder = JpegEncoder::new_with_quality(BufWriter::new(File::create(to)?), QUALITY);
+    encoder.set_exif_metadata(exif).map_err(ImageError::Unsupported)?;
+    image.write_with_encoder(encoder)?;
+    Ok(true)
 }
 
 /// ffmpeg, reading the first stream of a video.

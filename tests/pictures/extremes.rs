@@ -135,7 +135,7 @@ fn finite() -> Vec<Extreme> {
         }),
         Extreme::new("an eye inside Gaussians", |scene, camera| {
             let eye = camera.eye();
-            let forward = camera.world_to_camera_opencv()[2];
+            let forward = camera.axes()[2];
             let count = scene.gaussians.len();
             for index in 0..count / 2 {
                 // in front of the near plane, on it, and behind

@@ -28,8 +28,8 @@ fn is_there(program: &str) -> bool {
 
 /// World to camera, and the camera's place.
 fn pose(camera: &Camera) -> (DMat3, DVec3) {
-    let rows = camera.world_to_camera_opencv().map(|[x, y, z, ..]| DVec3::new(x, y, z));
-    (DMat3::from_cols(rows[0], rows[1], rows[2]).transpose(), DVec3::from(camera.eye()))
+    let [right, down, forward] = camera.axes();
+    (DMat3::from_cols(right, down, forward).transpose(), DVec3::from(camera.eye()))
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub use orbit::{Orbit, upward};
 pub use path::CameraPath;
 pub use target::{Target, median};
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec2};
 use organza_shaders::camera::Camera as KernelCamera;
 use serde_json::{Map, Value, json};
 
@@ -189,9 +189,7 @@ impl Camera {
     /// The depth of a place along the camera's axis, in world units; negative behind the camera.
     #[must_use]
     pub fn depth(&self, place: [f64; 3]) -> f64 {
-        let eye = self.eye();
-        let [.., axis] = self.world_to_camera_opencv();
-        dot(axis, std::array::from_fn(|at| place[at] - eye[at]))
+        self.axes()[2].dot(DVec3::from(place) - DVec3::from(self.eye()))
     }
 
     /// Where a place is in the camera's image: column, row, and depth as [`Self::depth`]. `None` if it is outside of the
@@ -199,7 +197,7 @@ impl Camera {
     #[must_use]
     pub fn project(&self, place: [f64; 3]) -> Option<[f64; 3]> {
         let offset = DVec3::from(place) - DVec3::from(self.eye());
-        let [x, y, z] = self.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
+        let [x, y, z] = self.axes().map(|axis| axis.dot(offset));
         let column = self.fl_x * x / z + self.cx;
         let row = self.fl_y * y / z + self.cy;
         let is_seen = z > 0.0
@@ -217,21 +215,21 @@ impl Camera {
     /// The camera in the form that kernels read: OpenCV axes, f32.
     #[must_use]
     pub fn for_kernels(&self) -> KernelCamera {
-        let vector = |v: [f64; 3]| Vec3::new(v[0] as f32, v[1] as f32, v[2] as f32);
         KernelCamera {
-            rotation: self.world_to_camera_opencv().map(vector),
-            eye: vector(self.eye()),
+            rotation: self.axes().map(|axis| axis.as_vec3()),
+            eye: DVec3::from(self.eye()).as_vec3(),
             focal: Vec2::new(self.fl_x as f32, self.fl_y as f32),
             center: Vec2::new(self.cx as f32, self.cy as f32),
             size: Vec2::new(self.width as f32, self.height as f32),
         }
     }
 
-    /// The rotation from world axes to OpenCV camera axes (x right, y down, z forward), row by row.
+    /// Right, down and forward in the world: the axes of OpenCV's camera, and the rows of the rotation from world to camera
+    /// axes.
     #[must_use]
-    pub fn world_to_camera_opencv(&self) -> [[f64; 3]; 3] {
+    pub fn axes(&self) -> [DVec3; 3] {
         let column = |axis: usize, sign: f64| {
-            std::array::from_fn(|row| sign * self.camera_to_world[row][axis])
+            sign * DVec3::from_array(std::array::from_fn(|row| self.camera_to_world[row][axis]))
         };
         // The pose is orthonormal, so its transpose is its inverse: columns become rows.
         [column(0, 1.0), column(1, -1.0), column(2, -1.0)]

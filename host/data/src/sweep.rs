@@ -125,7 +125,7 @@ impl View {
 }
 
 fn rotation(camera: &Camera) -> DMat3 {
-    let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+    let [right, down, forward] = camera.axes();
     DMat3::from_cols(right, down, forward).transpose()
 }
 

@@ -316,6 +316,6 @@ fn eye(camera: &Camera) -> DVec3 {
 
 /// The rotation from camera axes (OpenCV) to world axes.
 fn to_world(camera: &Camera) -> DMat3 {
-    let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+    let [right, down, forward] = camera.axes();
     DMat3::from_cols(right, down, forward)
 }

@@ -121,7 +121,7 @@ fn eye(camera: &Camera) -> DVec3 {
 
 /// The direction in which a camera looks, a unit vector.
 fn axis(camera: &Camera) -> DVec3 {
-    DVec3::from(camera.world_to_camera_opencv()[2])
+    camera.axes()[2]
 }
 
 #[cfg(test)]
@@ -140,7 +140,7 @@ mod tests {
             let [x, y, z] = camera.eye();
             // on the sphere, looking at its center
             let eye = DVec3::new(x, y, z) - DVec3::from(orbit.center);
-            let axis = DVec3::from(camera.world_to_camera_opencv()[2]);
+            let axis = camera.axes()[2];
             assert!((eye.length() / radius - 1.0).abs() < 0.1, "{eye} {radius}");
             assert!(axis.dot(-eye.normalize()) > 0.999, "{eye} {axis}");
             eye.y.atan2(eye.x)

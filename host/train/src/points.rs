@@ -122,7 +122,7 @@ mod tests {
             let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 6.0).sin_cos();
             let eye = [3.0 * cos, 3.0 * sin, 4.0];
             let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 0.8, [48, 48]).unwrap();
-            let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+            let [right, down, forward] = camera.axes();
             let pixel = |at: u32| {
                 let x = (f64::from(at % 48) + 0.5 - camera.cx) / camera.fl_x;
                 let y = (f64::from(at / 48) + 0.5 - camera.cy) / camera.fl_y;

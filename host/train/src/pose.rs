@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use glam::DVec3;
+
 use super::config::OptimizerConfig;
 use super::per_photograph::{PerPhotograph, VALUES};
 use organza_core::camera::{Camera, cross, dot, to_rotation_vector, turned};
@@ -121,8 +123,8 @@ impl Motion {
 
     /// The values of a camera with this motion.
     fn values(self, camera: &Camera) -> [f32; VALUES] {
-        let rows = camera.world_to_camera_opencv();
-        let to_camera = |v: [f64; 3]| rows.map(|row| -dot(row, v));
+        let rows = camera.axes();
+        let to_camera = |v: [f64; 3]| rows.map(|row| -row.dot(DVec3::from(v)));
         let w = to_camera(self.turn);
         let [vx, vy, vz] = turned(w, to_camera(self.shift));
         [w[0], w[1], w[2], vx, vy, vz].map(|value| value as f32)
@@ -131,8 +133,8 @@ impl Motion {
 
 /// `W^T v`: transforms a direction from camera space to world space.
 fn to_world(camera: &Camera, [x, y, z]: [f64; 3]) -> [f64; 3] {
-    let [right, down, forward] = camera.world_to_camera_opencv();
-    add(add(right.map(|part| part * x), down, y), forward, z)
+    let [right, down, forward] = camera.axes();
+    (right * x + down * y + forward * z).to_array()
 }
 
 /// `a + factor b`
@@ -151,7 +153,7 @@ mod tests {
 
     /// The rotation and the displacement of a camera's center, in the world.
     fn motion(before: &Camera, after: &Camera) -> [[f64; 3]; 2] {
-        let [old, new] = [before, after].map(Camera::world_to_camera_opencv);
+        let [old, new] = [before, after].map(Camera::axes);
         // R = W'^T W; a small one is 1 + [turn]x
         let entry = |row: usize, column: usize| -> f64 {
             (0..3).map(|axis| new[axis][row] * old[axis][column]).sum()
@@ -236,7 +238,7 @@ mod tests {
         let seen = |values: [f64; VALUES]| {
             let camera = poses.given[2].moved(values);
             let offset = add(place, camera.eye(), -1.0);
-            camera.world_to_camera_opencv().map(|row| dot(row, offset))
+            camera.axes().map(|axis| axis.dot(offset.into()))
         };
         let loss = |values: [f64; VALUES]| dot(slope, seen(values));
         let now = values.map(f64::from);

@@ -224,7 +224,7 @@ fn along_a_ray(target: &Target, cameras: &[Camera], random: &mut Pcg64) -> DVec3
     let x = (random.random::<f64>() * f64::from(camera.width) - camera.cx) / camera.fl_x;
     let y = (random.random::<f64>() * f64::from(camera.height) - camera.cy) / camera.fl_y;
     let depth = target.distance / random.random_range(0.25..1.0);
-    let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+    let [right, down, forward] = camera.axes();
     DVec3::from(camera.eye()) + (right * x + down * y + forward) * depth
 }
 

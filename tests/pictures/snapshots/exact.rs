@@ -62,7 +62,7 @@ pub fn transmittance(scene: &Scene, camera: &Camera, gaussian: usize) -> (u32, f
 /// A camera, for the equations.
 pub fn view(camera: &Camera) -> View {
     View {
-        axes: camera.world_to_camera_opencv(),
+        axes: camera.axes().map(|axis| axis.to_array()),
         eye: camera.eye(),
         focal: [camera.fl_x, camera.fl_y],
         center: [camera.cx, camera.cy],

@@ -23,7 +23,7 @@ fn distance(a: &Camera, b: &Camera) -> f64 {
     let pixel = |camera: &Camera, place: [f64; 3]| {
         let eye = camera.eye();
         let [x, y, z] = camera
-            .world_to_camera_opencv()
+            .axes()
             .map(|row| (0..3).map(|axis| row[axis] * (place[axis] - eye[axis])).sum::<f64>());
         [camera.fl_x * x / z, camera.fl_y * y / z]
     };

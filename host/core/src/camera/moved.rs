@@ -19,7 +19,7 @@ impl Camera {
     #[must_use]
     pub fn moved(&self, [wx, wy, wz, vx, vy, vz]: [f64; 6]) -> Self {
         // rows of W, then of W' = exp([w]x) W: its columns are W's, turned
-        let rows = self.world_to_camera_opencv();
+        let rows = self.axes();
         let columns = [0, 1, 2].map(|axis| turned([wx, wy, wz], rows.map(|row| row[axis])));
         let mut camera = self.clone();
         for (world, [x, y, z]) in columns.into_iter().enumerate() {
@@ -67,6 +67,7 @@ fn coefficients(w: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     fn camera() -> Camera {
         Camera::look_at([0.3, -4.0, 1.0], [0.1, 0.2, 0.0], [0.0, 0.0, 1.0], 0.8, [64, 48]).unwrap()
@@ -74,9 +75,8 @@ mod tests {
 
     /// A place in the camera's OpenCV axes.
     fn seen(camera: &Camera, place: [f64; 3]) -> [f64; 3] {
-        let eye = camera.eye();
-        let offset = std::array::from_fn(|axis| place[axis] - eye[axis]);
-        camera.world_to_camera_opencv().map(|row| dot(row, offset))
+        let offset = DVec3::from(place) - DVec3::from(camera.eye());
+        camera.axes().map(|axis| axis.dot(offset))
     }
 
     #[test]

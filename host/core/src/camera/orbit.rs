@@ -243,7 +243,7 @@ mod tests {
             let offset = DVec3::from(camera.eye()) - center;
             assert!((offset.length() - 5.0).abs() < 1e-12);
             assert!((offset.dot(up) - 5.0 * 0.5_f64.sin()).abs() < 1e-12);
-            let forward = DVec3::from(camera.world_to_camera_opencv()[2]);
+            let forward = camera.axes()[2];
             assert!(forward.distance(-offset / 5.0) < 1e-12);
             // counterclockwise, by 30 degrees each
             let next = DVec3::from(cameras[(index + 1) % 12].eye()) - center;
@@ -388,8 +388,7 @@ mod tests {
                     let place = |axis: usize| corners[corner >> axis & 1][axis];
                     let offset =
                         DVec3::new(place(0), place(1), place(2)) - DVec3::from(camera.eye());
-                    let [x, y, z] =
-                        camera.world_to_camera_opencv().map(|row| DVec3::from(row).dot(offset));
+                    let [x, y, z] = camera.axes().map(|axis| axis.dot(offset));
                     let x = camera.fl_x * x / z + camera.cx;
                     let y = camera.fl_y * y / z + camera.cy;
                     let [width, height] = size.map(f64::from);

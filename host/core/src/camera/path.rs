@@ -163,8 +163,8 @@ impl PathState {
     /// `center` is the place that all keys look at, if there is one.
     fn from_camera(camera: &Camera, center: Option<DVec3>) -> Self {
         let eye = DVec3::from(camera.eye());
-        let axis = camera.world_to_camera_opencv()[2];
-        let distance = center.map_or(0.0, |center| (center - eye).dot(DVec3::from(axis)).max(0.0));
+        let axis = camera.axes()[2];
+        let distance = center.map_or(0.0, |center| (center - eye).dot(axis).max(0.0));
         let rows: [DVec3; 3] =
             std::array::from_fn(|row| DVec3::from_slice(&camera.camera_to_world[row][..3]));
         let rotation = DMat3::from_cols(rows[0], rows[1], rows[2]).transpose();

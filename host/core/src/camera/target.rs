@@ -60,7 +60,7 @@ impl Target {
 
 /// The direction that a camera looks in, a unit vector.
 fn axis(camera: &Camera) -> DVec3 {
-    DVec3::from(camera.world_to_camera_opencv()[2]).normalize_or_zero()
+    camera.axes()[2].normalize_or_zero()
 }
 
 /// The point with the least sum of distances to the axes, by iteratively reweighted least squares (Weiszfeld).

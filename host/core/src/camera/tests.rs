@@ -47,10 +47,7 @@ fn frame_goes_before_file() {
 #[test]
 fn opencv_axes_are_down_and_forward() {
     let camera = &parse(&file()).unwrap()[0];
-    assert_eq!(
-        camera.world_to_camera_opencv(),
-        [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]
-    );
+    assert_eq!(camera.axes(), [DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z]);
 }
 
 /// A point of the scene keeps its place relative to the image's middle, in units of the limiting side.
@@ -78,7 +75,7 @@ fn case_cameras_see_the_origin() {
         for camera in cameras {
             assert!(!camera.distorted);
             let eye = camera.eye();
-            let seen = camera.world_to_camera_opencv().map(|row| -dot(row, eye));
+            let seen = camera.axes().map(|axis| -axis.dot(eye.into()));
             let distance = dot(eye, eye).sqrt();
             assert!(seen[0].abs() < 1e-12 && seen[1].abs() < 1e-12, "{seen:?}");
             assert!((seen[2] - distance).abs() < 1e-12, "{seen:?}");

@@ -2,6 +2,7 @@ use std::fs;
 
 use super::colmap_files::{Model, cameras_txt, sample, write, write_model};
 use super::*;
+use glam::DVec3;
 use organza_core::camera::cross;
 
 fn dataset(model: &Model, binary: bool) -> Dataset {
@@ -13,9 +14,8 @@ fn dataset(model: &Model, binary: bool) -> Dataset {
 /// The pixel position of a point in organza's camera.
 fn project(camera: &Camera, point: [f64; 3]) -> [f64; 2] {
     let eye = camera.eye();
-    let seen = camera.world_to_camera_opencv().map(|row| -> f64 {
-        row.iter().zip(point.iter().zip(eye)).map(|(a, (p, e))| a * (p - e)).sum()
-    });
+    let offset = DVec3::from(point) - DVec3::from(eye);
+    let seen = camera.axes().map(|axis| axis.dot(offset));
     [camera.fl_x * seen[0] / seen[2] + camera.cx, camera.fl_y * seen[1] / seen[2] + camera.cy]
 }
 

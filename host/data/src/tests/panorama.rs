@@ -110,7 +110,7 @@ fn views_equal_the_pinhole_photographs_that_a_panorama_is_made_of() {
             let target_place = (DVec3::from(eye) + target).to_array();
             let up = [target.y, target.z, target.x].map(f64::abs);
             let camera = Camera::look_at(eye, target_place, up, 0.5 * PI, [side; 2]).unwrap();
-            let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+            let [right, down, forward] = camera.axes();
             let wave = |x: u32, y: u32| {
                 let [x, y] = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(side) * 2.0 - 1.0);
                 let wall = forward + x * right + y * down;
@@ -227,7 +227,7 @@ fn views_that_were_found_one_by_one_join_at_one_place() {
     // The headings are 45 degrees apart, and the faces between them.
     let headings = panorama::join(&found, &HEADINGS);
     for (pair, index) in headings.windows(2).zip(0..) {
-        let [a, b] = [0, 1].map(|at| DVec3::from(pair[at].world_to_camera_opencv()[2]));
+        let [a, b] = [0, 1].map(|at| pair[at].axes()[2]);
         if index != 7 {
             assert!((a.dot(b) - FRAC_1_SQRT_2).abs() < 1e-9, "{index}");
         }

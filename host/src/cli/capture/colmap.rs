@@ -111,7 +111,8 @@ impl<'a> Colmap<'a> {
 
     /// The matcher that suits the images.
     fn matcher(&self) -> Matcher {
-        match self.images <= if self.is_video { FEW } else { SOME } {
+        // Panoramas are few places, and views of one place hardly need those of all others.
+        match self.images <= if self.is_video || self.are_views { FEW } else { SOME } {
             true => Matcher::Exhaustive,
             false => Matcher::Sequential,
         }
@@ -247,7 +248,7 @@ impl<'a> Colmap<'a> {
     fn write_views(&self, views: &[Camera], found: &Path, sparse: &Path) -> Result<()> {
         let mut lines = String::new();
         for (index, camera) in views.iter().enumerate() {
-            let [right, down, forward] = camera.world_to_camera_opencv().map(DVec3::from);
+            let [right, down, forward] = camera.axes();
             let turn = DMat3::from_cols(right, down, forward).transpose();
             let [x, y, z, w] = DQuat::from_mat3(&turn).to_array();
             let [a, b, c] = (-(turn * DVec3::from(camera.eye()))).to_array();

@@ -72,7 +72,7 @@ fn keys_that_look_at_one_place_make_an_orbit() {
     for camera in path.cameras(100) {
         let [x, y, z] = camera.eye();
         assert!((x.hypot(y) - 3.0).abs() < 0.01 && (z - 1.0).abs() < 1e-9, "{x} {y} {z}");
-        let forward = DVec3::from(camera.world_to_camera_opencv()[2]);
+        let forward = camera.axes()[2];
         let missed = DVec3::new(-x, -y, 0.0).reject_from_normalized(forward).length();
         assert!(missed < 0.03, "{missed}");
     }

@@ -165,8 +165,6 @@ impl<'a> Colmap<'a> {
         colmap.args(["--SiftExtraction.max_image_size", &side]);
         if !self.has_cuda {
             colmap.args(["--SiftExtraction.max_num_features", FEATURES_ON_CPU]);
-            // A feature with two orientations counts as one, and is compared twice.
-            colmap.args(["--SiftExtraction.max_num_orientations", "1"]);
         }
         self.choose_cuda(&mut colmap, ["FeatureExtraction.use_gpu", "SiftExtraction.use_gpu"])?;
         let progress = self.job.console.progress(self.images as u64, "images");

@@ -124,7 +124,7 @@ fn a_wrong_tensor_leaves_a_picture_and_says_where() {
         "1.250e-1 apart at tile 1, channel green, row 2, column 3",
         "2 of 96 values are beyond",
         "difference x 8",
-        "target/snapshot-failures/machinery_tensor-test.png",
+        "/snapshot-failures/machinery_tensor-test.png",
         "cargo insta review",
     ] {
         assert!(message.contains(part), "`{part}` is not in: {message}");

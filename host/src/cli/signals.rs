@@ -58,9 +58,12 @@ impl Signals {
         &self.stop
     }
 
-    /// Registers a folder that is removed if it stays empty.
-    pub fn has_made(&self, folder: &Folder) {
-        lock(&self.begun).folder = Some((folder.path().to_owned(), folder.made().to_owned()));
+    /// Locks a run's folder, which is removed if it stays empty. A signal waits meanwhile, because it removes a lock by the
+    /// name inside.
+    pub fn lock_run(&self, folder: &Folder, resume: bool) -> Result<RunFolder> {
+        let mut begun = lock(&self.begun);
+        begun.folder = Some((folder.path().to_owned(), folder.made().to_owned()));
+        RunFolder::lock(folder.path(), resume)
     }
 
     /// From now on, a signal keeps the results.

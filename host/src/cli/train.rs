@@ -12,8 +12,7 @@ use organza::scene::Placement;
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
-    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, RunFolder, Session,
-    TrainConfig,
+    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, Session, TrainConfig,
 };
 use organza::view::TrainingView;
 use organza::{Dataset, Result, Scene};
@@ -342,8 +341,7 @@ impl TrainJob<'_> {
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
         let made = Folder::make(self.folder)?;
-        signals.has_made(&made);
-        let folder = RunFolder::lock(self.folder, self.resume)?;
+        let folder = signals.lock_run(&made, self.resume)?;
         let options = device.options()?;
         let of_rank = |rank| match &team {
             Some(team) => team.places().device(options.clone(), rank),

@@ -28,8 +28,7 @@ fn is_there(program: &str) -> bool {
 
 /// World to camera, and the camera's place.
 fn pose(camera: &Camera) -> (DMat3, DVec3) {
-    let [right, down, forward] = camera.axes();
-    (DMat3::from_cols(right, down, forward).transpose(), DVec3::from(camera.eye()))
+    (camera.to_world().transpose(), DVec3::from(camera.eye()))
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub use orbit::{Orbit, upward};
 pub use path::CameraPath;
 pub use target::{Target, median};
 
-use glam::{DVec3, Vec2};
+use glam::{DMat3, DVec3, Vec2};
 use organza_shaders::camera::Camera as KernelCamera;
 use serde_json::{Map, Value, json};
 
@@ -233,6 +233,13 @@ impl Camera {
         };
         // The pose is orthonormal, so its transpose is its inverse: columns become rows.
         [column(0, 1.0), column(1, -1.0), column(2, -1.0)]
+    }
+
+    /// The rotation from OpenCV's camera axes to world axes.
+    #[must_use]
+    pub fn to_world(&self) -> DMat3 {
+        let [right, down, forward] = self.axes();
+        DMat3::from_cols(right, down, forward)
     }
 
     /// The camera's center in world space.

@@ -91,8 +91,7 @@ pub fn join(found: &[Camera], views: &[View]) -> Vec<Camera> {
     for camera in found {
         let view = camera.file_path.as_deref().and_then(|name| view_of(name, &HEADINGS));
         let Some((panorama, axes)) = view else { continue };
-        let [right, down, forward] = camera.axes();
-        let turn = DMat3::from_cols(right, down, forward) * axes.transpose();
+        let turn = camera.to_world() * axes.transpose();
         let turn = DVec4::from(DQuat::from_mat3(&turn));
         let poses = panoramas.entry(panorama).or_default();
         // A quaternion and its negative are the same turn.

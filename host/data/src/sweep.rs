@@ -10,7 +10,7 @@ use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use crate::{Frame, Photograph, Point};
-use organza_core::{Camera, random};
+use organza_core::random;
 
 const SWEEP: u64 = 5;
 
@@ -76,7 +76,7 @@ impl View {
         let (pixels, empty) = places.map(|place| reduce(image, place, factor)).unzip();
         let scale = f64::from(factor);
         Self {
-            rotation: rotation(camera),
+            rotation: camera.to_world().transpose(),
             eye: DVec3::from(camera.eye()),
             focal: [camera.fl_x / scale, camera.fl_y / scale],
             center: [camera.cx / scale, camera.cy / scale],
@@ -122,11 +122,6 @@ impl View {
         let lower = texel(x, y_next)?.lerp(texel(x_next, y_next)?, x_part);
         Some(upper.lerp(lower, y_part))
     }
-}
-
-fn rotation(camera: &Camera) -> DMat3 {
-    let [right, down, forward] = camera.axes();
-    DMat3::from_cols(right, down, forward).transpose()
 }
 
 /// The mean color of a square, and whether the square is empty.
@@ -287,6 +282,7 @@ impl<'v> Ray<'v> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use organza_core::Camera;
 
     /// The color and the position of a ray's hit; `None` if it hits nothing.
     type Scene = fn(DVec3, DVec3) -> Option<(Vec3, DVec3)>;
@@ -321,7 +317,7 @@ mod tests {
         let cameras =
             eyes.map(|eye| Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], angle, [64, 64]));
         let frame = |camera: Camera| {
-            let view = rotation(&camera).transpose();
+            let view = camera.to_world();
             let rays = (0..64 * 64).map(|i| {
                 let x = f64::from(i % 64) + 0.5;
                 let y = f64::from(i / 64) + 0.5;

@@ -297,7 +297,7 @@ impl Similarity {
         let spread_to = pairs.iter().map(|pair| eye(pair.1).distance(to)).sum::<f64>() / count;
         let scale = spread_to / spread_from;
         // every pair of poses has the same rotation
-        let turn = to_world(pairs[0].1) * to_world(pairs[0].0).transpose();
+        let turn = pairs[0].1.to_world() * pairs[0].0.to_world().transpose();
         let similarity = Self { turn, scale, from, to };
         let is_there = |&(a, b): &(&Camera, &Camera)| {
             similarity.apply(a.eye()).distance(eye(b)) <= CLOSE * spread_to
@@ -312,10 +312,4 @@ impl Similarity {
 
 fn eye(camera: &Camera) -> DVec3 {
     DVec3::from(camera.eye())
-}
-
-/// The rotation from camera axes (OpenCV) to world axes.
-fn to_world(camera: &Camera) -> DMat3 {
-    let [right, down, forward] = camera.axes();
-    DMat3::from_cols(right, down, forward)
 }

@@ -132,9 +132,8 @@ impl Motion {
 }
 
 /// `W^T v`: transforms a direction from camera space to world space.
-fn to_world(camera: &Camera, [x, y, z]: [f64; 3]) -> [f64; 3] {
-    let [right, down, forward] = camera.axes();
-    (right * x + down * y + forward * z).to_array()
+fn to_world(camera: &Camera, v: [f64; 3]) -> [f64; 3] {
+    (camera.to_world() * DVec3::from(v)).to_array()
 }
 
 /// `a + factor b`

@@ -6,7 +6,7 @@ use std::mem;
 use std::path::Path;
 use std::process::Command;
 
-use muslin::glam::{DMat3, DQuat, DVec3};
+use muslin::glam::{DQuat, DVec3};
 use organza::data::SparseModel;
 use organza::data::panorama::{self, FACES, HEADINGS, panorama_of};
 use organza::{Camera, Error, Result};
@@ -246,8 +246,7 @@ impl<'a> Colmap<'a> {
     fn write_views(&self, views: &[Camera], found: &Path, sparse: &Path) -> Result<()> {
         let mut lines = String::new();
         for (index, camera) in views.iter().enumerate() {
-            let [right, down, forward] = camera.axes();
-            let turn = DMat3::from_cols(right, down, forward).transpose();
+            let turn = camera.to_world().transpose();
             let [x, y, z, w] = DQuat::from_mat3(&turn).to_array();
             let [a, b, c] = (-(turn * DVec3::from(camera.eye()))).to_array();
             let name = camera.file_path.as_deref().unwrap_or_default();

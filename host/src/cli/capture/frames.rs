@@ -24,7 +24,7 @@ use crate::cli::{absolute, refuse};
 /// Folder of the images, in the work.
 pub const IMAGES: &str = "images";
 /// Folder of the panoramas, in the work. COLMAP sees views of them in their place.
-pub const PANORAMAS: &str = "panoramas";
+const PANORAMAS: &str = "panoramas";
 /// JPEG quality of photographs that are turned, out of 100.
 const QUALITY: u8 = 98;
 /// Width and height at which frames are compared. The shape of a video does not matter for that.

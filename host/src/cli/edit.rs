@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::console::{Console, print, print_json};
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
-use super::output::check_file;
+use super::output::check_scene_file;
 use super::summary::{Table, count, grouped};
 use super::{eval, numbers, refuse};
 
@@ -150,7 +150,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     args.check()?;
     let source = SceneSource::find(&args.scene)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.data.as_deref()).collect();
-    check_file(&args.output, &inputs)?;
+    check_scene_file(&args.output, &inputs)?;
     let scene = source.load(console)?;
     let gaussians_before = scene.gaussians.len();
     // before any view is rendered, so that a box beside the scene costs no time

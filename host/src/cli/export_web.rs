@@ -11,7 +11,7 @@ use organza_core::write_atomic;
 use super::console::{Console, print_as_is};
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::output::{Folder, check_file};
+use super::output::{Folder, check_file, refuse_run};
 use super::{refuse, title};
 
 const USAGE: &str = "organza export-web SCENE CAMERAS -o FOLDER";
@@ -205,8 +205,9 @@ pub fn cameras(
     Ok(Cameras::load(source, named, data, usage, console)?.list)
 }
 
-/// The page's folder. Refuses a folder that holds another page.
+/// The page's folder. Refuses a folder that holds another page, or a training run.
 fn folder(path: &Path) -> Result<Folder> {
+    refuse_run(path)?;
     let folder = Folder::make(path)?;
     let has = |name: &&str| folder.join(name).exists();
     let Some(name) = WebPage::FILES.iter().find(|name| has(name)) else {

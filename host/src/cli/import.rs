@@ -9,7 +9,7 @@ use organza::splats::{self, Fit, Import, Views};
 use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::output::check_file;
+use super::output::check_scene_file;
 use super::summary::count;
 
 /// A scene in fewer of the pixels is seen from too far away, or not at all.
@@ -57,7 +57,7 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = SceneSource::find(&args.file)?;
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
-    check_file(&args.output, &inputs)?;
+    check_scene_file(&args.output, &inputs)?;
     let splats = console.during("reading the Gaussians", || splats::load(source.file()))?;
     console.note(&format!("{} in {}", count(splats.len() as u64, "Gaussian"), args.file.display()));
     let named = args.cameras.as_deref();

@@ -5,18 +5,43 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use organza::splats::Format;
 use organza::train::{self, CONFIG};
 use organza::{Error, Result};
 use organza_core::input::has_extension;
 use organza_core::{FolderLock, hex, write_atomic};
 use sha2::{Digest, Sha256};
 
+use super::inputs::FileKind;
 use super::refuse;
 
 /// Checks that a file can be written, and that it replaces nothing that the command reads: see [`refuse_inputs`].
 pub fn check_file(path: &Path, inputs: &[&Path]) -> Result<()> {
     refuse_inputs(path, inputs)?;
     organza_core::check_writable(path)
+}
+
+/// [`check_file`] for a scene. A name that promises another format is refused.
+pub fn check_scene_file(path: &Path, inputs: &[&Path]) -> Result<()> {
+    if Format::from_path(path).is_ok() {
+        return refuse(format!(
+            "{}: a scene is written as safetensors; choose a name that ends in .safetensors. `organza export` writes files \
+             for other viewers",
+            path.display()
+        ));
+    }
+    check_file(path, inputs)
+}
+
+/// Fails if a folder holds a training run.
+pub fn refuse_run(folder: &Path) -> Result<()> {
+    match FileKind::from_path(folder) {
+        Some(FileKind::Run) => {
+            let folder = folder.display();
+            refuse(format!("{folder} holds a training run; choose another folder"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Fails if writing to a path would replace an input.

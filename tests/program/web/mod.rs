@@ -316,6 +316,11 @@ fn a_page_replaces_no_other() {
     sandbox
         .run("export-web scene.safetensors -o scene.safetensors --single-file")
         .assert_refused(&["would replace the input"]);
+    fs::create_dir(sandbox.path("run")).unwrap();
+    fs::write(sandbox.path("run/config.toml"), "").unwrap();
+    sandbox
+        .run("export-web scene.safetensors -o run")
+        .assert_refused(&["run holds a training run", "choose another folder"]);
     // a page of its own may
     for _ in 0..2 {
         sandbox.run("export-web scene.safetensors -o page --size 64x48").assert_ok();

@@ -16,8 +16,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::console::Console;
-use super::inputs::FileKind;
-use super::output::Folder;
+use super::output::{Folder, refuse_run};
 use super::refuse;
 use super::signals::Signals;
 use super::summary::count;
@@ -112,10 +111,7 @@ struct CaptureJob<'a> {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let source = Source::find(&args.inputs)?;
-    if FileKind::from_path(&args.output) == Some(FileKind::Run) {
-        let output = args.output.display();
-        return refuse(format!("{output} holds a training run; choose another folder"));
-    }
+    refuse_run(&args.output)?;
     let is_video = matches!(source, Source::Video(_));
     let mut needed = vec![programs::COLMAP];
     if is_video {

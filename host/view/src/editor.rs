@@ -32,7 +32,7 @@ pub enum EditRequest {
     /// Changes nothing.
     Look,
     /// Selects what is under a brush.
-    Paint(Stroke),
+    Paint(Box<Stroke>),
     /// Selects nothing.
     Clear,
     /// Removes what is selected.

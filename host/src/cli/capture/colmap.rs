@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::mem;
 use std::path::Path;
 use std::process::Command;
 
@@ -56,6 +55,13 @@ pub struct Colmap<'a> {
     has_cuda: bool,
 }
 
+/// What COLMAP found.
+struct Found {
+    model: SparseModel,
+    /// Its cameras, with one place for the views of a panorama: COLMAP does not know that they share it.
+    joined: Vec<Camera>,
+}
+
 impl<'a> Colmap<'a> {
     pub fn new(job: &'a CaptureJob<'a>, is_video: bool, images: &[String]) -> Result<Self> {
         let help = output(command("colmap").arg("help"))?;
@@ -71,8 +77,8 @@ impl<'a> Colmap<'a> {
         let job = self.job;
         job.step(FEATURES, |_| self.extract())?;
         let mut matcher = job.args.matcher.unwrap_or_else(|| self.matcher());
-        let mut model = self.model(0, matcher)?;
-        let posed = model.as_ref().map_or(0, |model| self.joined(model).len());
+        let mut found = self.model(0, matcher)?;
+        let posed = found.as_ref().map_or(0, |found| found.joined.len());
         let is_choice = job.args.matcher.is_none() && matcher == Matcher::Sequential;
         let images = self.images;
         if is_choice && images <= SOME && (posed as f64) < ENOUGH * images as f64 {
@@ -81,9 +87,9 @@ impl<'a> Colmap<'a> {
             ));
             matcher = Matcher::Exhaustive;
             let other = self.model(1, matcher)?;
-            model = model.into_iter().chain(other).max_by_key(|model| model.cameras.len());
+            found = found.into_iter().chain(other).max_by_key(|found| found.model.cameras.len());
         }
-        let Some(mut model) = model else {
+        let Some(Found { model, joined }) = found else {
             return refuse(format!(
                 "COLMAP found no poses for these images. They need texture, sharpness, and much in common with their \
                  neighbors, from different places: walk around the scene, slowly. The whole output of COLMAP is in {}",
@@ -95,18 +101,7 @@ impl<'a> Colmap<'a> {
             true => self.keep(&model, folder),
             false => self.undistort(&model.folder, folder),
         })?;
-        // COLMAP does not know that the views of a panorama share a place.
-        let joined = self.joined(&model);
-        let found = mem::replace(&mut model.cameras, joined);
-        Ok(Judgment::new(names, &model, &found, matcher == Matcher::Exhaustive))
-    }
-
-    /// The cameras of a model, where the views of a panorama have one place.
-    fn joined(&self, model: &SparseModel) -> Vec<Camera> {
-        match self.are_views {
-            true => panorama::join(&model.cameras, &HEADINGS),
-            false => model.cameras.clone(),
-        }
+        Ok(Judgment::new(names, &model, &joined, matcher == Matcher::Exhaustive))
     }
 
     /// The matcher that suits the images.
@@ -119,10 +114,17 @@ impl<'a> Colmap<'a> {
     }
 
     /// The largest model of an attempt.
-    fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<SparseModel>> {
+    fn model(&self, attempt: usize, matcher: Matcher) -> Result<Option<Found>> {
         self.job.step(MATCHES[attempt], |_| self.compare(matcher))?;
         self.job.step(MODELS[attempt], |folder| self.map(folder))?;
-        SparseModel::largest(&self.job.path(MODELS[attempt]))
+        let Some(model) = SparseModel::largest(&self.job.path(MODELS[attempt]))? else {
+            return Ok(None);
+        };
+        let joined = match self.are_views {
+            true => panorama::join(&model.cameras, &HEADINGS),
+            false => model.cameras.clone(),
+        };
+        Ok(Some(Found { model, joined }))
     }
 
     /// A command of COLMAP on the database.

@@ -6,6 +6,7 @@ use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::slice;
 
 use image::codecs::jpeg::JpegEncoder;
 use image::metadata::Orientation;
@@ -52,7 +53,7 @@ impl CaptureJob<'_> {
             let is_turned = turn_upright(file, &to)
                 .or_else(|error| refuse(format!("{}: {error}", file.display())))?;
             if !is_turned {
-                fs::copy(file, &to).map_err(|source| Error::read(file, source))?;
+                copy(slice::from_ref(file), folder)?;
             }
         }
         Ok(())

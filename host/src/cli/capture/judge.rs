@@ -59,11 +59,10 @@ pub struct Judgment {
 }
 
 impl Judgment {
-    /// Judges a model of these images, which are sorted, whose cameras were `found` elsewhere if they are views of panoramas.
-    pub fn new(images: &[String], model: &SparseModel, found: &[Camera], all_pairs: bool) -> Self {
+    /// Judges a model of these images, which are sorted. Its cameras are `joined` where they are views of a panorama.
+    pub fn new(images: &[String], model: &SparseModel, joined: &[Camera], all_pairs: bool) -> Self {
         let name = |camera: &Camera| camera.file_path.clone().unwrap_or_default();
-        let cameras: HashMap<_, _> =
-            model.cameras.iter().map(|camera| (name(camera), camera)).collect();
+        let cameras: HashMap<_, _> = joined.iter().map(|camera| (name(camera), camera)).collect();
         let without_pose = images.iter().filter(|name| !cameras.contains_key(*name));
         Self {
             images: images.len(),
@@ -71,9 +70,9 @@ impl Judgment {
             points: model.points,
             mean_track: model.mean_track,
             mean_error: model.mean_error,
-            other_focal: other_focal(&model.cameras).into_iter().map(name).collect(),
+            other_focal: other_focal(joined).into_iter().map(name).collect(),
             jumps: jumps(images, &cameras),
-            apart: apart(found, &cameras),
+            apart: apart(&model.cameras, &cameras),
             all_pairs,
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray, PyArray3};
-use organza::data::{Background, Frame};
+use organza::data::{Background, DatasetOptions, Frame};
 use organza::scene::Placement;
 use organza::train::built_in;
 use organza::train::config::DataConfig;
@@ -129,7 +129,7 @@ impl Dataset {
     ) -> PyResult<Self> {
         let dataset = match (data.path.clone(), renderer.cloned()) {
             (Some(path), _) => {
-                let options = data.options().placement(placement);
+                let options = DatasetOptions { placement, ..data.options() };
                 job::run(py, move || organza::Dataset::load(path, &options))?
             }
             (None, Some(renderer)) => {

@@ -13,11 +13,10 @@ use serde::{Deserialize, Serialize};
 /// ```
 /// use organza_data::DatasetOptions;
 ///
-/// let options = DatasetOptions::default().downscale(2).background([1.0; 3]);
+/// let options = DatasetOptions { downscale: 2, ..Default::default() };
 /// assert_eq!((options.downscale, options.hold_out_every), (2, 8));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct DatasetOptions {
     /// Factor by which photographs are reduced, 1 or more. A pixel is the mean of a square of `downscale` x
     /// `downscale` pixels. Pixels that do not fill a square, at the right and lower edges, are cut off. Cameras
@@ -51,55 +50,6 @@ impl Default for DatasetOptions {
 }
 
 impl DatasetOptions {
-    /// Sets [`downscale`](Self::downscale).
-    #[must_use]
-    pub fn downscale(mut self, downscale: u32) -> Self {
-        self.downscale = downscale;
-        self
-    }
-
-    /// Sets [`hold_out_every`](Self::hold_out_every).
-    #[must_use]
-    pub fn hold_out_every(mut self, every: usize) -> Self {
-        self.hold_out_every = every;
-        self
-    }
-
-    /// Sets [`background`](Self::background).
-    #[must_use]
-    pub fn background(mut self, background: impl Into<Background>) -> Self {
-        self.background = background.into();
-        self
-    }
-
-    /// Sets [`alpha`](Self::alpha).
-    #[must_use]
-    pub fn alpha(mut self, alpha: Alpha) -> Self {
-        self.alpha = alpha;
-        self
-    }
-
-    /// Sets [`allow_outside`](Self::allow_outside).
-    #[must_use]
-    pub fn allow_outside(mut self, allow: bool) -> Self {
-        self.allow_outside = allow;
-        self
-    }
-
-    /// Sets [`keep`](Self::keep).
-    #[must_use]
-    pub fn keep(mut self, keep: Keep) -> Self {
-        self.keep = keep;
-        self
-    }
-
-    /// Sets [`placement`](Self::placement).
-    #[must_use]
-    pub fn placement(mut self, placement: impl Into<Option<Placement>>) -> Self {
-        self.placement = placement.into();
-        self
-    }
-
     pub(super) fn check(&self) -> Result<()> {
         let refuse = |reason: String| Err(Error::Argument { reason });
         if self.downscale == 0 {
@@ -149,12 +99,6 @@ pub enum Background {
 enum Written {
     Text(String),
     Color([f32; 3]),
-}
-
-impl From<[f32; 3]> for Background {
-    fn from(color: [f32; 3]) -> Self {
-        Self::Color(color)
-    }
 }
 
 impl Background {

@@ -30,13 +30,15 @@ impl DataConfig {
     /// Options for reading the data set.
     #[must_use]
     pub fn options(&self) -> DatasetOptions {
-        DatasetOptions::default()
-            .downscale(self.downscale)
-            .hold_out_every(self.hold_out_every)
-            .background(self.background)
-            .alpha(self.alpha)
-            .allow_outside(self.allow_outside)
-            .keep(self.keep)
+        DatasetOptions {
+            downscale: self.downscale,
+            hold_out_every: self.hold_out_every,
+            background: self.background,
+            alpha: self.alpha,
+            allow_outside: self.allow_outside,
+            keep: self.keep,
+            placement: None,
+        }
     }
 }
 

@@ -60,7 +60,7 @@ fn nerfstudio_folder(file: &Value) -> TempDir {
 
 /// Options with which cameras and points stay where the files have them.
 fn in_the_world() -> DatasetOptions {
-    DatasetOptions::default().placement(Placement::default())
+    DatasetOptions { placement: Some(Placement::default()), ..Default::default() }
 }
 
 fn load(path: &Path) -> Result<Dataset> {

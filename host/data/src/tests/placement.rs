@@ -52,7 +52,7 @@ fn units_and_origin_of_the_files_do_not_matter() {
 fn a_data_set_takes_the_coordinates_of_a_scene() {
     let files = folder(1.0, 0.0);
     let placement = Placement { offset: [1.0, 2.0, 3.0], scale: 2.0, ..Placement::default() };
-    let options = DatasetOptions::default().placement(placement);
+    let options = DatasetOptions { placement: Some(placement), ..Default::default() };
     let found = Dataset::load(files.path(), &options).unwrap();
     assert_eq!(found.frames[0].camera.eye(), [1.5, -1.0, -1.0]);
     assert_eq!(found.points[0].position, [-0.25, -0.75, -1.25]);

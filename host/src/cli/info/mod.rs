@@ -305,7 +305,8 @@ impl CameraFile {
 
     /// Reads a data set's cameras as training has them, unless an option says otherwise, but in the world.
     pub fn from_data_set(path: &Path) -> Result<Self> {
-        let options = DatasetOptions::default().placement(Placement::default());
+        let placement = Some(Placement::default());
+        let options = DatasetOptions { placement, ..Default::default() };
         let poses = Poses::load(path, &options)?;
         let info = |pose: Pose| CameraInfo {
             held_out: Some(pose.held_out),

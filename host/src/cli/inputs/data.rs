@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use clap::ValueEnum;
-use organza::data::{Background, Dataset, Point, Pose, Poses};
+use organza::data::{Background, Dataset, DatasetOptions, Point, Pose, Poses};
 use organza::scene::Placement;
 use organza::train::config::DataConfig;
 use organza::train::{Checkpoint, built_in};
@@ -140,7 +140,7 @@ impl DataSet {
         placement: impl Into<Option<Placement>>,
         console: Console,
     ) -> Result<Self> {
-        let options = settings.options().placement(placement);
+        let options = DatasetOptions { placement: placement.into(), ..settings.options() };
         let open = |path| Poses::load(path, &options);
         let poses = match &settings.path {
             Some(path) => Some(open(path).map_err(|e| told_apart(e, path, Expected::DataSet))?),

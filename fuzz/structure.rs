@@ -117,6 +117,6 @@ fn stored(data: &[u8]) -> Vec<u8> {
 /// A photograph that the bytes describe.
 pub fn photograph(bytes: &[u8]) {
     if let Ok(photograph) = Photograph::arbitrary_take_rest(Unstructured::new(bytes)) {
-        organza::fuzz::photograph(&photograph.file());
+        organza::data::fuzz::photograph(&photograph.file());
     }
 }

@@ -2,10 +2,8 @@
 //!
 //! Each takes any bytes and returns. A panic, a hang or excessive memory is a bug.
 
-use std::path::Path;
-
 use crate::camera::parse;
-use crate::data::fuzz as data;
+use crate::data::fuzz::{colmap, origin, photograph, ply, transforms};
 use crate::input::parse_json;
 use crate::scene::{Scene, read_tensors_from};
 use crate::tile::TileBatch;
@@ -18,26 +16,34 @@ pub type Target = fn(&[u8]);
 /// The targets by name. The corpus has a folder of the same name for each.
 pub const TARGETS: [(&str, Target); 12] = [
     ("scene", scene),
-    ("cameras", cameras),
-    ("tiles", tiles),
-    ("tensors", tensors),
+    ("cameras", |bytes| {
+        let _ = parse_json(bytes, origin()).map(|file| parse::cameras(&file, origin()));
+    }),
+    ("tiles", |bytes| {
+        let _ = parse_json(bytes, origin()).map(|file| TileBatch::parse(&file, origin()));
+    }),
+    ("tensors", |mut bytes| {
+        let length = bytes.len() as u64;
+        let _ = read_tensors_from(&mut bytes, length, origin());
+    }),
     ("transforms", transforms),
     ("colmap", colmap),
     ("ply", ply),
-    ("splats", splats),
+    ("splats", |bytes| {
+        let _ = read_from(bytes, bytes.len() as u64, origin());
+    }),
     ("photograph", photograph),
     ("config", config),
-    ("checkpoint", checkpoint),
-    ("metrics", log),
+    ("checkpoint", |bytes| {
+        let _ = Checkpoint::from_bytes(bytes, origin());
+    }),
+    ("metrics", |bytes| {
+        let _ = metrics::parse(origin(), bytes);
+    }),
 ];
 
-/// The path that errors name.
-fn origin() -> &'static Path {
-    Path::new("bytes")
-}
-
 /// Reads a scene, and describes it.
-pub fn scene(bytes: &[u8]) {
+fn scene(bytes: &[u8]) {
     if let Ok(scene) = Scene::from_bytes(bytes, origin()) {
         let _ = scene.warnings();
         let again = scene.to_bytes().expect("what was read can be written");
@@ -45,67 +51,12 @@ pub fn scene(bytes: &[u8]) {
     }
 }
 
-/// Reads the cameras of a `transforms.json`.
-pub fn cameras(bytes: &[u8]) {
-    if let Ok(file) = parse_json(bytes, origin()) {
-        let _ = parse::cameras(&file, origin());
-    }
-}
-
-/// Reads a tiles file.
-pub fn tiles(bytes: &[u8]) {
-    if let Ok(file) = parse_json(bytes, origin()) {
-        let _ = TileBatch::parse(&file, origin());
-    }
-}
-
-/// Reads a file of tensors.
-pub fn tensors(mut bytes: &[u8]) {
-    let length = bytes.len() as u64;
-    let _ = read_tensors_from(&mut bytes, length, origin());
-}
-
-/// Reads the frames of nerfstudio's and Blender's data sets.
-pub fn transforms(bytes: &[u8]) {
-    data::transforms(bytes, origin());
-}
-
-/// Reads the files of COLMAP's models.
-pub fn colmap(bytes: &[u8]) {
-    data::colmap(bytes, origin());
-}
-
-/// Reads a point cloud.
-pub fn ply(bytes: &[u8]) {
-    data::ply(bytes, origin());
-}
-
-/// Reads another program's Gaussians.
-pub fn splats(bytes: &[u8]) {
-    let _ = read_from(bytes, bytes.len() as u64, origin());
-}
-
-/// Reads a photograph.
-pub fn photograph(bytes: &[u8]) {
-    data::photograph(bytes, origin());
-}
-
 /// Reads a run's settings, and computes the memory that they need.
-pub fn config(bytes: &[u8]) {
+fn config(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     if let Ok(config) = TrainConfig::parse(text, origin()) {
         let _ = config.check_memory();
         let again = TrainConfig::parse(&config.to_toml(), origin());
         assert!(again.is_ok_and(|read| read == config), "what was read can be written");
     }
-}
-
-/// Reads a checkpoint.
-pub fn checkpoint(bytes: &[u8]) {
-    let _ = Checkpoint::from_bytes(bytes, origin());
-}
-
-/// Reads a log of training.
-pub fn log(bytes: &[u8]) {
-    let _ = metrics::parse(origin(), bytes);
 }

@@ -9,12 +9,18 @@ use super::transforms::{Photographs, add_frames};
 use super::{DatasetKind, DatasetOptions, Listing, colmap, decode, ply};
 use organza_core::input::parse_json;
 
+/// The path that errors name.
+#[must_use]
+pub fn origin() -> &'static Path {
+    Path::new("bytes")
+}
+
 /// Memory that a photograph may take, in bytes.
 const PHOTOGRAPH_BYTES: u64 = 64 << 20;
 
 /// Parses nerfstudio's and Blender's files, as if every photograph existed.
-pub fn transforms(bytes: &[u8], path: &Path) {
-    let Ok(file) = parse_json(bytes, path) else { return };
+pub fn transforms(bytes: &[u8]) {
+    let Ok(file) = parse_json(bytes, origin()) else { return };
     let photographs = Photographs {
         find: |folder, name, _, _| {
             Ok(Found { path: folder.join(name), prepared: false, mask: None })
@@ -24,27 +30,28 @@ pub fn transforms(bytes: &[u8], path: &Path) {
     let Ok(mut access) = Access::new(Path::new("/"), false) else { return };
     let mut listing = Listing { kind: DatasetKind::Nerfstudio, ..Listing::default() };
     let options = DatasetOptions::default();
-    let _ = add_frames(&file, path, &mut listing, |_| false, &options, &mut access, &photographs);
+    let _ =
+        add_frames(&file, origin(), &mut listing, |_| false, &options, &mut access, &photographs);
 }
 
 /// Parses each file of a sparse model, binary and text.
-pub fn colmap(bytes: &[u8], path: &Path) {
-    colmap::fuzz(bytes, path);
+pub fn colmap(bytes: &[u8]) {
+    colmap::fuzz(bytes, origin());
 }
 
 /// Parses a point cloud.
-pub fn ply(bytes: &[u8], path: &Path) {
-    let _ = ply::read_from(bytes, bytes.len() as u64, path);
+pub fn ply(bytes: &[u8]) {
+    let _ = ply::read_from(bytes, bytes.len() as u64, origin());
 }
 
 /// Decodes a photograph, with a camera of its size.
-pub fn photograph(bytes: &[u8], path: &Path) {
+pub fn photograph(bytes: &[u8]) {
     let length = bytes.len() as u64;
-    let Ok(size) = decode::size_from(Cursor::new(bytes), length, path) else { return };
+    let Ok(size) = decode::size_from(Cursor::new(bytes), length, origin()) else { return };
     let budget = Budget::new(PHOTOGRAPH_BYTES);
     let needed = decode::bytes_to_decode(length, size);
     let Ok(_share) = budget.take(needed, String::new) else { return };
-    if let Ok(decoded) = decode::decode(bytes, size, path, decode::PHOTOGRAPH) {
+    if let Ok(decoded) = decode::decode(bytes, size, origin(), decode::PHOTOGRAPH) {
         let _ = decoded.rgba(size[0] - 1, size[1] - 1);
     }
 }

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use serde::Serialize;
+use serde_json::json;
 
 use super::message::{CameraMessage, Mode};
 use crate::film::FilmKind;
@@ -37,39 +38,6 @@ pub struct About {
     pub(super) placement: Placement,
 }
 
-#[derive(Serialize)]
-struct Told<'a> {
-    title: &'a str,
-    version: &'static str,
-    device: &'a str,
-    gaussians: usize,
-    aabb: [[f64; 3]; 2],
-    /// Where the scene lies in the world. The page computes in the scene's coordinates, and shows those of the world.
-    placement: Placement,
-    step: f64,
-    background: [f64; 3],
-    /// A unit vector that points up.
-    up: [f64; 3],
-    /// Center of the camera's orbit.
-    center: [f64; 3],
-    home: CameraMessage,
-    views: Vec<View>,
-    /// Whether there are photographs of the views.
-    photographs: bool,
-    points: usize,
-    purpose: Purpose,
-    /// Formats of films that this machine can write.
-    films: Vec<FilmKind>,
-    modes: Vec<(Mode, Option<Vec<String>>)>,
-}
-
-#[derive(Serialize)]
-struct View {
-    name: String,
-    held_out: bool,
-    camera: CameraMessage,
-}
-
 impl About {
     /// Facts about a scene and its data set. `title` is the path that the user named.
     #[must_use]
@@ -93,35 +61,39 @@ impl About {
         let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
         let among = Orbit::among(&cameras, 2).unwrap_or_default().into_iter().next();
         let home = among.or(cameras.into_iter().next()).unwrap_or_else(|| overview(visible));
-        let view = |(index, pose): (usize, &Pose)| View {
-            name: pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}")),
-            held_out: pose.held_out,
-            camera: CameraMessage::from(&pose.camera),
+        let view = |(index, pose): (usize, &Pose)| {
+            let name = pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}"));
+            let camera = CameraMessage::from(&pose.camera);
+            json!({ "name": name, "held_out": pose.held_out, "camera": camera })
         };
+        let views: Vec<_> = poses.iter().enumerate().map(view).collect();
+        let films = [FilmKind::Mp4, FilmKind::Png].into_iter();
+        let films: Vec<_> = films.filter(|kind| kind.check([2, 2]).is_ok()).collect();
         let (positions, colors) = sample(points);
-        let told = Told {
-            title,
-            version: env!("CARGO_PKG_VERSION"),
-            device: renderer.device().choice(),
-            gaussians: scene.len(),
-            aabb: config.aabb,
-            placement: config.placement,
-            step: config.step,
-            background: config.background,
-            up: up.to_array(),
-            center: center.to_array(),
-            home: CameraMessage::from(&home),
-            views: poses.iter().enumerate().map(view).collect(),
-            photographs,
-            points: colors.len() / 3,
-            purpose,
-            films: [FilmKind::Mp4, FilmKind::Png]
-                .into_iter()
-                .filter(|kind| kind.check([2, 2]).is_ok())
-                .collect(),
-            modes: Mode::ALL.into_iter().map(|mode| (mode, mode.ramp())).collect(),
-        };
-        let json = serde_json::to_string(&told).expect("numbers and names");
+        let told = json!({
+            "title": title,
+            "version": env!("CARGO_PKG_VERSION"),
+            "device": renderer.device().choice(),
+            "gaussians": scene.len(),
+            "aabb": config.aabb,
+            // the page computes in the scene's coordinates, and shows those of the world
+            "placement": config.placement,
+            "step": config.step,
+            "background": config.background,
+            "up": up.to_array(),
+            // of the camera's orbit
+            "center": center.to_array(),
+            "home": CameraMessage::from(&home),
+            "views": views,
+            // whether there are any of the views
+            "photographs": photographs,
+            "points": colors.len() / 3,
+            "purpose": purpose,
+            // formats that this machine can write
+            "films": films,
+            "modes": Mode::ALL.map(|mode| (mode, mode.ramp())),
+        });
+        let json = told.to_string();
         let points = [bytemuck::cast_slice(&positions), &*colors].concat();
         Self { json, points, placement: config.placement }
     }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::message::{Mode, Quality, refuse};
 use super::picture::{self, Range};
@@ -40,30 +40,6 @@ struct Eye {
     version: u64,
     cache: EyeCache,
     pace: Pace,
-}
-
-/// Facts about an image, for the page.
-#[derive(Debug, Serialize)]
-struct About {
-    sequence: u64,
-    quality: Quality,
-    mode: Mode,
-    size: [u32; 2],
-    /// Version of the scene: the number of training steps.
-    version: u64,
-    gaussians: usize,
-    /// Number of (Gaussian, camera) pairs in the image.
-    pairs: u64,
-    members: u64,
-    /// Samples of T that were computed for this image, without those already known.
-    samples: u64,
-    /// Length of T's steps, as a multiple of sigma.
-    steps: u16,
-    /// Gaussians whose values were computed for this image. The others' are of earlier images, or were known.
-    renewed: usize,
-    milliseconds: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    range: Option<[f64; 2]>,
 }
 
 impl FrameRenderer {
@@ -139,21 +115,23 @@ impl FrameRenderer {
             let fields = eye.cache.work();
             eye.pace.learn(fields, seconds - fields.seconds);
         }
-        let about = About {
-            sequence: job.request.sequence,
-            quality: job.request.quality,
-            mode: job.request.mode,
-            size: image.size(),
-            version: stage.version,
-            gaussians: stage.scene.len(),
-            pairs: report.pairs,
-            members: report.members,
-            samples: report.samples,
-            steps,
-            renewed: eye.cache.work().evaluated,
-            milliseconds: 1000.0 * seconds,
-            range: range.map(|Range { low, high }| [low, high]),
-        };
+        let about = json!({
+            "sequence": job.request.sequence,
+            "quality": job.request.quality,
+            "mode": job.request.mode,
+            "size": image.size(),
+            "version": stage.version,
+            "gaussians": stage.scene.len(),
+            "pairs": report.pairs,
+            "members": report.members,
+            // those computed for this image: earlier images made others known
+            "samples": report.samples,
+            "renewed": eye.cache.work().evaluated,
+            // the length of T's steps, as a multiple of sigma
+            "steps": steps,
+            "milliseconds": 1000.0 * seconds,
+            "range": range.map(|Range { low, high }| [low, high]),
+        });
         Ok(Some(rendered_as(kind, bytes, &about)))
     }
 
@@ -202,9 +180,8 @@ fn told(error: error::Error) -> String {
     error::chain(&error)
 }
 
-fn rendered_as(kind: &'static str, bytes: Vec<u8>, about: &impl Serialize) -> Rendered {
-    let about = serde_json::to_string(about).expect("numbers and names");
-    Rendered { kind, bytes, about }
+fn rendered_as(kind: &'static str, bytes: Vec<u8>, about: &Value) -> Rendered {
+    Rendered { kind, bytes, about: about.to_string() }
 }
 
 /// The result of drawing.

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde::Deserialize;
+use serde_json::{Value, json};
 
 use super::message::{CameraMessage, checked, refuse};
 use organza_core::camera::{Camera, CameraPath, encode, parse};
@@ -15,11 +15,6 @@ const MAX_KEYFRAMES: usize = 1000;
 
 /// Most cameras in a path.
 const MAX_FRAMES: usize = 10_000;
-
-#[derive(Serialize)]
-struct Cameras {
-    cameras: Vec<CameraMessage>,
-}
 
 /// A request for a path.
 #[derive(Debug, Deserialize)]
@@ -50,9 +45,9 @@ impl PathRequest {
 }
 
 /// Cameras in the page's form.
-pub fn listed(cameras: &[Camera]) -> Result<Vec<u8>> {
-    let cameras = Cameras { cameras: cameras.iter().map(CameraMessage::from).collect() };
-    serde_json::to_vec(&cameras).or_else(|error| refuse(error.to_string()))
+pub fn listed(cameras: &[Camera]) -> Vec<u8> {
+    let cameras: Vec<_> = cameras.iter().map(CameraMessage::from).collect();
+    json!({ "cameras": cameras }).to_string().into_bytes()
 }
 
 /// Writes keyframes as a file, in the world where a scene lies.
@@ -71,5 +66,5 @@ pub fn read(file: &Value, placement: &Placement) -> Result<Vec<u8>> {
         ));
     }
     let own: Vec<_> = cameras.iter().map(|camera| placement.own_camera(camera)).collect();
-    listed(&own)
+    Ok(listed(&own))
 }

@@ -8,7 +8,6 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::message::CameraMessage;
@@ -53,20 +52,6 @@ pub struct Facts {
     pub kernels: usize,
     /// Number of cameras for which the plans' capacities were measured.
     pub measured: usize,
-}
-
-/// Data for the page besides its plans.
-#[derive(Serialize)]
-struct About<'a> {
-    title: &'a str,
-    version: &'static str,
-    gaussians: usize,
-    aabb: [[f64; 3]; 2],
-    up: [f64; 3],
-    center: [f64; 3],
-    home: CameraMessage,
-    /// The eyes of a slow turn, which begins and ends at home and looks at the center.
-    way: Vec<[f64; 3]>,
 }
 
 /// Number of cameras on an orbit for which capacities are measured.
@@ -122,20 +107,25 @@ impl WebPage {
         let ladder = measure(measuring, &there, &measured, options.size)?;
         let frames = write_frames(&planner, &planned, &ladder, buffers.len() as u32)?;
         let kernels = kernels_of(&frames)?;
-        let about = About {
-            title: &options.title,
-            version: env!("CARGO_PKG_VERSION"),
-            gaussians: scene.gaussians.len(),
-            aabb: scene.config.aabb,
-            up: orbit.up,
-            center: orbit.center,
-            home: CameraMessage::from(&home),
-            way: way.iter().map(Camera::eye).collect(),
-        };
         let poster = measuring.render_view(&there, &within(&home, options.size))?;
         let poster = encode_jpeg(&poster)?;
         let facts = Facts { plans: frames.len(), kernels: kernels.len(), measured: measured.len() };
-        let payload = pack(&about, &buffers, &frames, &kernels);
+        let header = json!({
+            "title": options.title,
+            "version": env!("CARGO_PKG_VERSION"),
+            "gaussians": scene.gaussians.len(),
+            "aabb": scene.config.aabb,
+            "up": orbit.up,
+            "center": orbit.center,
+            "home": CameraMessage::from(&home),
+            // the eyes of a slow turn, which begins and ends at home and looks at the center
+            "way": way.iter().map(Camera::eye).collect::<Vec<_>>(),
+            // the length of each buffer of the scene, in bytes
+            "buffers": buffers.iter().map(|buffer| buffer.bytes).collect::<Vec<_>>(),
+            "kernels": kernels,
+            "plans": frames,
+        });
+        let payload = pack(&header, &buffers);
         Ok(Self { title: options.title.clone(), payload, poster, facts })
     }
 
@@ -179,26 +169,9 @@ fn within(camera: &Camera, size: [u32; 2]) -> Camera {
 // the buffers of the scene. The bytes of a buffer are sorted by their place in a 32-bit word, because the high bytes
 // of floats are similar.
 
-#[derive(Serialize)]
-struct Header<'a> {
-    #[serde(flatten)]
-    about: &'a About<'a>,
-    /// Length of each buffer of the scene, in bytes.
-    buffers: Vec<u64>,
-    kernels: &'a [Kernel],
-    plans: &'a [PlannedFrame],
-}
-
 /// Packs a page's data.
-fn pack(
-    about: &About<'_>,
-    buffers: &[PlannedBuffer],
-    plans: &[PlannedFrame],
-    kernels: &[Kernel],
-) -> String {
-    let sizes = buffers.iter().map(|buffer| buffer.bytes).collect();
-    let header = Header { about, buffers: sizes, kernels, plans };
-    let mut json = serde_json::to_vec(&header).expect("numbers and names");
+fn pack(header: &Value, buffers: &[PlannedBuffer]) -> String {
+    let mut json = serde_json::to_vec(header).expect("numbers and names");
     let length = json.len() as u32;
     json.resize(json.len().next_multiple_of(4), 0);
     let mut packed = GzEncoder::new(Vec::new(), Compression::best());
@@ -331,35 +304,6 @@ const LEVELS: [f64; 3] = [1.2, 3.0, 8.0];
 /// Added to every capacity.
 const LEAST: u32 = 1024;
 
-/// A frame in the form that the page replays.
-#[derive(Debug, Serialize)]
-struct PlannedFrame {
-    tiles: u32,
-    side: u32,
-    steps: u16,
-    /// Capacities for pairs, members and samples.
-    capacity: [u32; 3],
-    /// Length of each of the plan's own buffers, in bytes. Their numbers follow those of the scene's buffers.
-    buffers: Vec<u64>,
-    /// Buffers with initial content, as words.
-    contents: Vec<(u32, Vec<u32>)>,
-    camera: u32,
-    tile: u32,
-    counts: u32,
-    image: u32,
-    /// Steps in the form of [`step`].
-    frame: Vec<Value>,
-}
-
-/// A kernel that a page compiles.
-#[derive(Debug, Serialize)]
-struct Kernel {
-    name: &'static str,
-    /// Access of each binding: `uniform`, `read` or `write`.
-    access: Vec<&'static str>,
-    code: &'static str,
-}
-
 /// Measures the capacities of a page's frames: each size with each length of steps, from small to large capacities.
 fn measure(
     renderer: &Renderer,
@@ -404,11 +348,11 @@ fn write_frames(
     scene: &DeviceScene,
     shapes: &[FrameShape],
     scene_buffers: u32,
-) -> Result<Vec<PlannedFrame>> {
+) -> Result<Vec<Value>> {
     let mut frames = Vec::new();
     for (index, shape) in shapes.iter().enumerate() {
         match planner.plan_frame(scene, shape) {
-            Ok(frame) => frames.push(PlannedFrame::new(shape, &frame, scene_buffers)),
+            Ok(frame) => frames.push(replayed(shape, &frame, scene_buffers)),
             // frames above the measured capacity are only a reserve
             Err(error) if error.is_out_of_memory() && index % LEVELS.len() > 0 => {}
             Err(error) => return Err(error),
@@ -417,33 +361,34 @@ fn write_frames(
     Ok(frames)
 }
 
-impl PlannedFrame {
-    /// `scene_buffers` is the number of the scene's buffers, which the planner made first.
-    fn new(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Self {
-        let plan = &frame.plan;
-        let number = |buffer: u32| match buffer.checked_sub(plan.first_buffer) {
-            Some(own) => scene_buffers + own,
-            None => buffer,
-        };
-        let contents = plan.buffers.iter().zip(plan.first_buffer..).filter_map(|(buffer, at)| {
-            let words = bytemuck::pod_collect_to_vec(buffer.contents.as_deref()?);
-            Some((number(at), words))
-        });
-        let Capacity { pairs, members, samples } = shape.capacity;
-        Self {
-            tiles: shape.tiles,
-            side: shape.side,
-            steps: shape.steps,
-            capacity: [pairs, members, samples],
-            buffers: plan.buffers.iter().map(|buffer| buffer.bytes).collect(),
-            contents: contents.collect(),
-            camera: number(frame.camera),
-            tile: number(frame.tiles),
-            counts: number(frame.counts),
-            image: number(frame.image),
-            frame: plan.steps.iter().map(|planned| step(planned, &number)).collect(),
-        }
-    }
+/// A frame in the form that the page replays. `scene_buffers` is the number of the scene's buffers, which the planner
+/// made first.
+fn replayed(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Value {
+    let plan = &frame.plan;
+    let number = |buffer: u32| match buffer.checked_sub(plan.first_buffer) {
+        Some(own) => scene_buffers + own,
+        None => buffer,
+    };
+    let contents = plan.buffers.iter().zip(plan.first_buffer..).filter_map(|(buffer, at)| {
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(buffer.contents.as_deref()?);
+        Some((number(at), words))
+    });
+    let Capacity { pairs, members, samples } = shape.capacity;
+    json!({
+        "tiles": shape.tiles,
+        "side": shape.side,
+        "steps": shape.steps,
+        "capacity": [pairs, members, samples],
+        // lengths of the plan's own buffers, in bytes; their numbers follow those of the scene's buffers
+        "buffers": plan.buffers.iter().map(|buffer| buffer.bytes).collect::<Vec<_>>(),
+        // buffers with initial content, as words
+        "contents": contents.collect::<Vec<_>>(),
+        "camera": number(frame.camera),
+        "tile": number(frame.tiles),
+        "counts": number(frame.counts),
+        "image": number(frame.image),
+        "frame": plan.steps.iter().map(|planned| step(planned, &number)).collect::<Vec<_>>(),
+    })
 }
 
 /// A step in the form that the page reads:
@@ -473,8 +418,11 @@ fn step(step: &Step, number: &impl Fn(u32) -> u32) -> Value {
 }
 
 /// The kernels of some frames, in WGSL, and the kernel that fills in counts.
-fn kernels_of(frames: &[PlannedFrame]) -> Result<Vec<Kernel>> {
-    let names = frames.iter().flat_map(|frame| &frame.frame).filter_map(|step| step[0].as_str());
+///
+/// Each has its name, its code, and the access of each binding: `uniform`, `read` or `write`.
+fn kernels_of(frames: &[Value]) -> Result<Vec<Value>> {
+    let steps = frames.iter().filter_map(|frame| frame["frame"].as_array()).flatten();
+    let names = steps.filter_map(|step| step[0].as_str());
     let names: BTreeSet<_> = names.chain(["count_fill"]).collect();
     let kernel = |info: &'static KernelInfo| {
         let compiled = MODULES.compiled_kernel(info, &info.plain())?;
@@ -482,8 +430,9 @@ fn kernels_of(frames: &[PlannedFrame]) -> Result<Vec<Kernel>> {
             let reason = format!("`{}` is not there in WGSL", info.name);
             return Err(muslin_device::Error::StaleKernels { reason }.into());
         };
-        let access = info.bindings.iter().map(|binding| binding.access.as_str()).collect();
-        Ok(Kernel { name: info.name, access, code })
+        let access = info.bindings.iter().map(|binding| binding.access.as_str());
+        let access: Vec<_> = access.collect();
+        Ok(json!({ "name": info.name, "access": access, "code": code }))
     };
     let used = muslin::kernels().filter(|info| names.contains(info.name));
     used.map(kernel).collect()

@@ -22,15 +22,25 @@ fn pages_of_others_are_refused() {
     let status = |head: &str| viewer.ask(head, b"").status;
     let host = &viewer.host;
     let port = host.split(':').nth(1).unwrap();
+    let local = format!("localhost.example.com:{port}");
+    for name in ["localhost", "localhost:1", "127.0.0.1:9", "[::1]:1", "[::1]"] {
+        let head = format!("GET /?token={} HTTP/1.1\r\nHost: {name}\r\n", viewer.token);
+        assert_eq!(status(&head), 200, "{name}");
+        assert_eq!(status(&format!("{head}Origin: http://{name}\r\n")), 200, "{name}");
+    }
     for path in ["/", "/scene.json", "/main.js", "/points"] {
         assert_eq!(status(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n")), 200, "{path}");
         assert_eq!(status(&format!("GET {path} HTTP/1.1\r\nHost: localhost:1\r\n")), 200, "{path}");
         let same = format!("Host: {host}\r\nOrigin: http://{host}\r\n");
         assert_eq!(status(&format!("GET {path} HTTP/1.1\r\n{same}")), 200, "{path}");
-        for foreign in ["Host: evil.example", &format!("Host: evil.example:{port}")] {
-            assert_eq!(status(&format!("GET {path} HTTP/1.1\r\n{foreign}\r\n")), 403, "{path}");
+        let evil = format!("evil.example:{port}");
+        for foreign in ["evil.example", &evil, &local, "127.0.0.1.example.com", ""] {
+            let head = format!("GET {path} HTTP/1.1\r\nHost: {foreign}\r\n");
+            assert_eq!(status(&head), 403, "{path} for {foreign}");
         }
-        for origin in ["http://evil.example", "null", &format!("http://localhost:{port}")] {
+        let other = format!("http://localhost:{port}");
+        for origin in ["http://evil.example", "null", &other, "http://127.0.0.1:1", host, "\u{e9}"]
+        {
             let head = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nOrigin: {origin}\r\n");
             assert_eq!(status(&head), 403, "{path} from {origin}");
         }
@@ -75,15 +85,18 @@ fn a_page_that_renders_by_itself_is_given_out() {
 fn every_address_needs_a_token() {
     let sandbox = Sandbox::new("tiny");
     let viewer = Viewer::start(&sandbox, VIEW);
-    // another user of this machine
-    let head =
-        format!("GET /scene.json HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", viewer.host);
-    // no `send`: the server need not answer a client that has closed its side
-    let mut stream = viewer.connect();
-    stream.write_all(head.as_bytes()).unwrap();
-    let mut answer = String::new();
-    stream.read_to_string(&mut answer).unwrap();
-    assert!(answer.starts_with("HTTP/1.1 403"), "{answer:?}");
+    // another user of this machine, and a client that names no host
+    let page = format!("/?token={}", viewer.token);
+    let named = format!("Host: {}\r\n", viewer.host);
+    for (path, lines) in [("/scene.json", &*named), (&*page, "")] {
+        let head = format!("GET {path} HTTP/1.1\r\n{lines}Connection: close\r\n\r\n");
+        // no `send`: the server need not answer a client that has closed its side
+        let mut stream = viewer.connect();
+        stream.write_all(head.as_bytes()).unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        assert!(answer.starts_with("HTTP/1.1 403"), "{answer:?}");
+    }
     let mut command = sandbox.command(&format!("{VIEW} --bind 0.0.0.0"));
     let mut child = command.stderr(std::process::Stdio::piped()).spawn().expect("it starts");
     let mut said = String::new();
@@ -96,7 +109,7 @@ fn every_address_needs_a_token() {
     let url = said.split("http://0.0.0.0:").nth(1).expect("an address");
     let (port, rest) = url.split_once('/').expect("a path");
     let token = rest.split_once("?token=").unwrap().1.split_whitespace().next().unwrap();
-    let status = |path: &str, more: &str| {
+    let answer = |path: &str, more: &str| {
         let mut stream = std::net::TcpStream::connect(format!("127.0.0.1:{port}")).unwrap();
         let head = format!(
             "GET {path} HTTP/1.1\r\nHost: machine:{port}\r\n{more}Connection: close\r\n\r\n"
@@ -104,12 +117,28 @@ fn every_address_needs_a_token() {
         stream.write_all(head.as_bytes()).unwrap();
         let mut back = String::new();
         stream.read_to_string(&mut back).unwrap();
-        back.split(' ').nth(1).unwrap().to_owned()
+        back
     };
-    assert_eq!(status("/", ""), "403");
-    assert_eq!(status("/scene.json", &format!("Cookie: organza-token-{port}=0\r\n")), "403");
-    assert_eq!(status(&format!("/?token={token}"), ""), "200");
-    assert_eq!(status("/scene.json", &format!("Cookie: organza-token-{port}={token}\r\n")), "200");
+    assert_eq!(token.len(), 32);
+    for query in ["", "?token=", "?token=0", &format!("?token={}", &token[..31]), "?a=b"] {
+        let answer = answer(&format!("/{query}"), "");
+        assert!(answer.starts_with("HTTP/1.1 403"), "{query}: {answer}");
+    }
+    let given = answer(&format!("/?a=b&token={token}"), "");
+    assert!(given.starts_with("HTTP/1.1 200"), "{given}");
+    let cookie = format!("set-cookie: organza-token-{port}={token}; HttpOnly; SameSite=Strict;");
+    assert!(given.contains(&cookie), "{given}");
+    let cookie = |port: &str, token: &str| format!("Cookie: x=y; organza-token-{port}={token}\r\n");
+    let foreign = cookie(port, token) + "Origin: http://evil.example\r\n";
+    for (lines, status) in [
+        (cookie(port, "0"), 403),
+        (cookie("1", token), 403),
+        (foreign, 403),
+        (cookie(port, token), 200),
+    ] {
+        let answer = answer("/scene.json", &lines);
+        assert!(answer.starts_with(&format!("HTTP/1.1 {status}")), "{lines}: {answer}");
+    }
     signal(&child, "INT");
     wait_for_end(&mut child);
 }

@@ -89,14 +89,26 @@ impl<'a> TrainingView<'a> {
     /// # Errors
     /// The same errors as [`Server::start`].
     pub fn see(&mut self, event: &Event<'_>, steps: u32) -> Result<()> {
+        let mut state = self.training_status.state();
         match event {
-            Event::Begin(step) => self.training_status.begin(u64::from(*step), u64::from(steps)),
-            Event::Planned(steps) => self.training_status.planned(u64::from(*steps)),
-            Event::Evaluated(evaluation) => self.training_status.evaluated(evaluation.mean.psnr),
+            Event::Begin(step) => {
+                state.step = u64::from(*step);
+                state.steps = u64::from(steps);
+            }
+            Event::Planned(steps) => state.steps = u64::from(*steps),
+            Event::Evaluated(evaluation) => {
+                let step = state.step;
+                state.evaluations.step.push(step);
+                state.evaluations.psnr.push(evaluation.mean.psnr);
+            }
             Event::Step { step, seconds, report, scene: Some(scene), .. } => {
-                let share = self.clock.share();
-                let losses = [report.loss, report.psnr];
-                self.training_status.step(u64::from(*step), *seconds, losses, scene.len(), share);
+                state.step = u64::from(*step);
+                state.seconds = *seconds;
+                state.gaussians = scene.len();
+                state.share = self.clock.share();
+                state.wanted = state.wanted.saturating_sub(1);
+                state.curve.push(u64::from(*step), [report.loss, report.psnr]);
+                drop(state);
                 self.serve(scene, u64::from(*step))?;
             }
             _ => {}
@@ -117,7 +129,7 @@ impl<'a> TrainingView<'a> {
         while self.training_status.is_paused() && !self.stop.load(Ordering::Relaxed) {
             self.frame_renderer.serve(stage, PATIENCE);
         }
-        if self.training_status.is_stopping() {
+        if self.training_status.state().stopping {
             self.stop.store(true, Ordering::Relaxed);
         }
         self.clock.since = Instant::now();
@@ -243,44 +255,6 @@ impl TrainingStatus {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Training begins or continues after `step` steps.
-    pub fn begin(&self, step: u64, steps: u64) {
-        let mut state = self.state();
-        state.step = step;
-        state.steps = steps;
-    }
-
-    /// The total number of steps was chosen.
-    pub fn planned(&self, steps: u64) {
-        self.state().steps = steps;
-    }
-
-    /// A step is done; `share` is the part of the time that images took.
-    pub fn step(
-        &self,
-        step: u64,
-        seconds: f64,
-        [loss, psnr]: [f64; 2],
-        gaussians: usize,
-        share: f64,
-    ) {
-        let mut state = self.state();
-        state.step = step;
-        state.seconds = seconds;
-        state.gaussians = gaussians;
-        state.share = share;
-        state.wanted = state.wanted.saturating_sub(1);
-        state.curve.push(step, [loss, psnr]);
-    }
-
-    /// Held-out views were measured.
-    pub fn evaluated(&self, psnr: Option<f64>) {
-        let mut state = self.state();
-        let step = state.step;
-        state.evaluations.step.push(step);
-        state.evaluations.psnr.push(psnr);
-    }
-
     /// Executes a command of the page.
     pub fn command(&self, command: Command) {
         let mut state = self.state();
@@ -299,11 +273,6 @@ impl TrainingStatus {
     pub fn is_paused(&self) -> bool {
         let state = self.state();
         state.paused && state.wanted == 0 && !state.stopping
-    }
-
-    /// Whether to save and stop.
-    pub fn is_stopping(&self) -> bool {
-        self.state().stopping
     }
 
     /// The whole state as JSON.

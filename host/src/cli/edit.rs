@@ -15,7 +15,7 @@ use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::check_scene_file;
 use super::summary::{Table, count, grouped};
-use super::{eval, numbers, refuse};
+use super::{eval, number_in, numbers, refuse};
 
 const USAGE: &str = "organza edit SCENE DATA -o NEW";
 
@@ -57,20 +57,22 @@ pub struct Args {
     outside: bool,
     /// Remove Gaussians that contribute no more than this to all views together, in pixels. With 0, the views stay as
     /// they are, to the bit
-    #[arg(long, value_name = "PIXELS", value_parser = parse_pixels, num_args = 0..=1, require_equals = true)]
-    #[arg(default_missing_value = "0")]
+    #[arg(long, value_name = "PIXELS", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "0", value_parser = number_in(0.0.., "pixels, 0 or more"))]
     least_contribution: Option<f64>,
     /// Remove haze: Gaussians that are mostly in front of surfaces and that at most VIEWS views see [default: a
     /// tenth of the views, but 3 at least]
-    #[arg(long, value_name = "VIEWS", value_parser = parse_views, num_args = 0..=1, require_equals = true)]
+    #[arg(long, value_name = "VIEWS", num_args = 0..=1, require_equals = true)]
+    #[arg(value_parser = number_in(1.0.., "a number of views, 1 or more"))]
     haze: Option<Option<f64>>,
     /// Keep only the largest cluster of Gaussians that are close to each other: within about REACH standard deviations of
     /// the larger one [default: 2]
-    #[arg(long, value_name = "REACH", value_parser = parse_reach, num_args = 0..=1, require_equals = true)]
-    #[arg(default_missing_value = "2")]
+    #[arg(long, value_name = "REACH", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "2", value_parser = number_in(1e-3..=1e3, "a number from 0.001 to 1000"))]
     keep_largest: Option<f64>,
     /// The scene's scale: meters in one unit of its data set. Exported files are then in meters
-    #[arg(long, value_name = "METERS", value_parser = parse_meters, conflicts_with = "measured")]
+    #[arg(long, value_name = "METERS", conflicts_with = "measured")]
+    #[arg(value_parser = number_in(f64::MIN_POSITIVE.., "meters above 0"))]
     scale: Option<f64>,
     /// The scene's scale, from two points of the data set's space and their distance in meters
     #[arg(long, value_name = "X,Y,Z,X,Y,Z,METERS", value_parser = parse_measured, allow_hyphen_values = true)]
@@ -96,11 +98,6 @@ fn parse_sphere(text: &str) -> Result<([f64; 3], f64), String> {
     }
 }
 
-fn parse_meters(text: &str) -> Result<f64, String> {
-    let meters = numbers(text).filter(|[meters]: &[f64; 1]| meters.is_normal() && *meters > 0.0);
-    meters.map(|[meters]| meters).ok_or_else(|| "expected meters above 0".to_owned())
-}
-
 /// Meters in one unit, given two points and the meters between them.
 fn parse_measured(text: &str) -> Result<f64, String> {
     let scale = numbers(text).map(|[a, b, c, d, e, f, meters]: [f64; 7]| {
@@ -110,21 +107,6 @@ fn parse_measured(text: &str) -> Result<f64, String> {
         "expected two different points and their distance X,Y,Z,X,Y,Z,METERS such as 0,0,0,1,0,0,0.25"
             .to_owned()
     })
-}
-
-fn parse_pixels(text: &str) -> Result<f64, String> {
-    let pixels = numbers(text).filter(|[pixels]| *pixels >= 0.0);
-    pixels.map(|[pixels]| pixels).ok_or_else(|| "expected pixels, 0 or more".to_owned())
-}
-
-fn parse_views(text: &str) -> Result<f64, String> {
-    let views = numbers(text).filter(|[views]| *views >= 1.0);
-    views.map(|[views]| views).ok_or_else(|| "expected a number of views, 1 or more".to_owned())
-}
-
-fn parse_reach(text: &str) -> Result<f64, String> {
-    let reach = numbers(text).filter(|[reach]| (1e-3..=1e3).contains(reach));
-    reach.map(|[reach]| reach).ok_or_else(|| "expected a number from 0.001 to 1000".to_owned())
 }
 
 /// The Gaussians that a rule has removed.

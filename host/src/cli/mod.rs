@@ -33,7 +33,7 @@ mod train_all;
 mod view;
 mod views;
 
-use std::ops::RangeInclusive;
+use std::ops::{RangeBounds, RangeInclusive};
 use std::panic;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -208,6 +208,17 @@ fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let number = |text: &str| text.trim().parse().ok().filter(|value: &f64| value.is_finite());
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     numbers?.try_into().ok()
+}
+
+/// Parses one finite number in a range; `expected` names the range in the error.
+fn number_in(
+    range: impl RangeBounds<f64> + Clone + Send + Sync + 'static,
+    expected: &'static str,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+    move |text: &str| match numbers(text) {
+        Some([number]) if range.contains(&number) => Ok(number),
+        _ => Err(format!("expected {expected}")),
+    }
 }
 
 /// An error about an argument.

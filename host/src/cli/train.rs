@@ -27,7 +27,7 @@ use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
 use super::signals::Signals;
 use super::view::ServerArgs;
-use super::{absolute, refuse, title};
+use super::{absolute, number_in, refuse, title};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -126,7 +126,8 @@ pub struct SettingsArgs {
     /// Choose the number of steps so that the run takes this many minutes, evaluations included. config.toml keeps the
     /// number
     #[arg(long, value_name = "M", conflicts_with = "run.steps")]
-    #[arg(value_parser = minutes)]
+    // a hundredth is enough for a few steps of anything, and nothing is trained for a year
+    #[arg(value_parser = number_in(0.01..=500_000.0, "a number of minutes, such as 10 or 0.5"))]
     minutes: Option<f64>,
 }
 
@@ -492,10 +493,4 @@ impl SettingsArgs {
     pub fn planned(&self) -> Option<f64> {
         self.minutes.map(|minutes| 60.0 * minutes)
     }
-}
-
-/// Parses a number of minutes. A minute is enough for a few steps of anything, and nothing is trained for a year.
-fn minutes(text: &str) -> Result<f64, String> {
-    let value = text.parse().ok().filter(|value| (0.01..=500_000.0).contains(value));
-    value.ok_or_else(|| "expected a number of minutes, such as 10 or 0.5".to_owned())
 }

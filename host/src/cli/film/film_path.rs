@@ -1,6 +1,5 @@
 //! The path of a film's camera.
 
-use std::ops::RangeInclusive;
 use std::path::Path;
 
 use organza::camera::{CameraPath, Orbit};
@@ -11,7 +10,7 @@ use crate::cli::console::Console;
 use crate::cli::inputs::{Cameras, DataArgs, SceneSource};
 use crate::cli::summary::count;
 use crate::cli::views::ViewList;
-use crate::cli::{image_size, numbers, refuse};
+use crate::cli::{image_size, number_in, numbers, refuse};
 
 const USAGE: &str = "organza film SCENE CAMERAS -o FILE";
 /// Longer side of a film by default, in pixels: photographs may be several times as large.
@@ -42,13 +41,16 @@ pub struct PathArgs {
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true, requires = "orbit")]
     up: Option<[f64; 3]>,
     /// Distance from the center, in world units [default: the cameras' median]
-    #[arg(long, value_name = "D", value_parser = distance, requires = "orbit")]
+    #[arg(long, value_name = "D", requires = "orbit")]
+    #[arg(value_parser = number_in(Orbit::DISTANCES, "a number above 0"))]
     distance: Option<f64>,
     /// Angle above the horizon, in degrees, -89 to 89 [default: the cameras' median]
-    #[arg(long, value_name = "DEGREES", value_parser = elevation, allow_hyphen_values = true, requires = "orbit")]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, requires = "orbit")]
+    #[arg(value_parser = number_in(Orbit::ELEVATIONS, "degrees from -89 to 89"))]
     elevation: Option<f64>,
     /// Horizontal field of view of an orbit, in degrees, 1 to 170 [default: that of the first camera]
-    #[arg(long, value_name = "DEGREES", value_parser = field_of_view, requires = "orbit")]
+    #[arg(long, value_name = "DEGREES", requires = "orbit")]
+    #[arg(value_parser = number_in(Orbit::FIELDS_OF_VIEW, "degrees from 1 to 170"))]
     field_of_view: Option<f64>,
     /// Width and height in pixels, such as 1280x720 [default: the first camera's, if that has at most 1920 pixels a side]
     #[arg(long, value_name = "WxH", value_parser = image_size)]
@@ -185,22 +187,6 @@ fn vector(text: &str) -> Result<[f64; 3], String> {
     numbers(text).ok_or_else(|| "expected three numbers X,Y,Z such as 0,0,1.5".to_owned())
 }
 
-fn distance(text: &str) -> Result<f64, String> {
-    within(text, Orbit::DISTANCES).ok_or_else(|| "expected a number above 0".to_owned())
-}
-
-fn elevation(text: &str) -> Result<f64, String> {
-    within(text, Orbit::ELEVATIONS).ok_or_else(|| "expected degrees from -89 to 89".to_owned())
-}
-
-fn field_of_view(text: &str) -> Result<f64, String> {
-    within(text, Orbit::FIELDS_OF_VIEW).ok_or_else(|| "expected degrees from 1 to 170".to_owned())
-}
-
-fn within(text: &str, range: RangeInclusive<f64>) -> Option<f64> {
-    text.trim().parse().ok().filter(|value| range.contains(value))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -215,9 +201,14 @@ mod tests {
         for bad in ["", "640", "640x", "0x480", "70000x8", "-1x4", "1.5x2", "6 40x2"] {
             assert!(image_size(bad).is_err(), "{bad}");
         }
-        assert!(elevation("90").is_err() && elevation("-89").is_ok() && elevation("nan").is_err());
-        assert!(distance("0").is_err() && distance("inf").is_err() && distance("0.1").is_ok());
-        assert!(field_of_view("0.5").is_err() && field_of_view("170").is_ok());
+        for (range, good, bad) in [
+            (Orbit::ELEVATIONS, "-89", ["90", "nan"]),
+            (Orbit::DISTANCES, "0.1", ["0", "inf"]),
+            (Orbit::FIELDS_OF_VIEW, "170", ["0.5", ""]),
+        ] {
+            let parse = number_in(range, "a number");
+            assert!(parse(good).is_ok() && bad.into_iter().all(|bad| parse(bad).is_err()));
+        }
     }
 
     #[test]

@@ -8,9 +8,7 @@ use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use organza::data::{Point, Pose};
-use organza::view::{
-    About, Address, Editor, FrameRenderer, Photographs, Purpose, Queue, Server, Stage,
-};
+use organza::view::{About, Editor, FrameRenderer, Photographs, Purpose, Queue, Server, Stage};
 use organza::web::PageOptions;
 use organza::{Camera, Result};
 
@@ -86,7 +84,7 @@ impl ServerArgs {
 
     /// Opens the port.
     pub fn listen(&self, console: Console) -> Result<Server> {
-        let server = Server::listen(Address { bind: self.bind, port: self.port })?;
+        let server = Server::listen(self.bind, self.port)?;
         if self.port.is_none() && server.port() != Server::PORT {
             let [wanted, port] = [Server::PORT, server.port()];
             console.note(&format!(
@@ -130,7 +128,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.client {
         return serve_client(args, &source, console);
     }
-    let Surroundings { poses, photographs, points } = surroundings(args, &source, console)?;
+    let (poses, photographs, points) = surroundings(args, &source, console)?;
     let scene = source.load(console)?;
     let server = args.server.listen(console)?;
     let renderer = args.device.open(console)?;
@@ -192,23 +190,18 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
     Ok(())
 }
 
-/// Everything known about a scene besides its file.
-struct Surroundings {
-    poses: Vec<Pose>,
-    photographs: Photographs,
-    points: Vec<Point>,
-}
-
-/// The data set that the user named, or that of the run. A scene's file alone has none.
-fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<Surroundings> {
+/// Cameras, photographs and points of the data set that the user named, or of that of the run. A scene's file alone has none.
+fn surroundings(
+    args: &Args,
+    source: &SceneSource,
+    console: Console,
+) -> Result<(Vec<Pose>, Photographs, Vec<Point>)> {
     let named = args.data.as_deref();
-    let nothing =
-        || Surroundings { poses: vec![], photographs: Photographs::none(), points: vec![] };
     if named.is_none() && source.settings()?.is_none() {
         if args.data_args.is_given() {
             return refuse("options of a data set were given, but no data set");
         }
-        return Ok(nothing());
+        return Ok(Default::default());
     }
     let usage = "organza view SCENE DATA";
     if let Some(file) = named.filter(|file| !args.data_args.names_photographs(file)) {
@@ -222,14 +215,14 @@ fn surroundings(args: &Args, source: &SceneSource, console: Console) -> Result<S
                 distorted: false,
             };
             let poses = cameras.list.into_iter().map(pose).collect();
-            return Ok(Surroundings { poses, ..nothing() });
+            return Ok((poses, Photographs::default(), Vec::new()));
         }
     }
     let settings = args.data_args.settings(source, named, usage)?;
     let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
     let poses = data.cameras()?;
     let (photographs, points) = data.photographs();
-    Ok(Surroundings { poses, photographs, points })
+    Ok((poses, photographs, points))
 }
 
 fn at_signals(handler: impl FnMut() + Send + 'static) -> Result<()> {

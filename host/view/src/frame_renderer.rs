@@ -63,7 +63,8 @@ impl FrameRenderer {
         let stage = Stage { scene, version: stage.version + changes, ..stage };
         match job {
             NextJob::Question(question, reply) => {
-                let _ = reply.send(self.answer(stage, &question).map_err(told));
+                let _ =
+                    reply.send(self.answer(stage, &question).map_err(|error| error::chain(&error)));
             }
             NextJob::Frame(job) => {
                 let begin = Instant::now();
@@ -75,7 +76,7 @@ impl FrameRenderer {
                     }
                     Ok(None) => self.queue.put_back(job),
                     Err(error) => {
-                        let _ = job.reply.send(Err(told(error)));
+                        let _ = job.reply.send(Err(error::chain(&error)));
                     }
                 }
             }
@@ -173,11 +174,6 @@ impl FrameRenderer {
             }
         }
     }
-}
-
-/// Describes an error in words.
-fn told(error: error::Error) -> String {
-    error::chain(&error)
 }
 
 fn rendered_as(kind: &'static str, bytes: Vec<u8>, about: &Value) -> Rendered {

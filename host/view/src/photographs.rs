@@ -12,21 +12,28 @@ use organza_render::{DeviceScene, Renderer};
 /// Number of photographs that are kept after reading.
 const KEPT: usize = 4;
 
-/// The source of photographs.
+/// Photographs of a data set's views.
+#[derive(Default)]
 pub struct Photographs {
-    source: Source,
+    source: PhotographSource,
+    /// The built-in scene, once one of its views was rendered.
+    scene: Option<DeviceScene>,
     /// The photographs used last, newest first.
     kept: VecDeque<(usize, Arc<Photograph>)>,
 }
 
-enum Source {
+/// The source of photographs.
+#[derive(Default)]
+pub enum PhotographSource {
+    /// There are none.
+    #[default]
     None,
     /// A training's photographs, in memory.
     Dataset(Arc<Dataset>),
     /// Photographs in files.
     Poses(Box<Poses>),
     /// Views of the built-in scene, rendered on demand.
-    BuiltIn(Vec<Camera>, Option<Box<DeviceScene>>),
+    BuiltIn(Vec<Camera>),
 }
 
 impl fmt::Debug for Photographs {
@@ -37,38 +44,16 @@ impl fmt::Debug for Photographs {
 }
 
 impl Photographs {
-    fn from(source: Source) -> Self {
-        Self { source, kept: VecDeque::new() }
-    }
-
-    /// No photographs.
+    /// Photographs of a source.
     #[must_use]
-    pub fn none() -> Self {
-        Self::from(Source::None)
-    }
-
-    /// A training's photographs, in memory.
-    #[must_use]
-    pub fn from_dataset(dataset: Arc<Dataset>) -> Self {
-        Self::from(Source::Dataset(dataset))
-    }
-
-    /// Photographs in files.
-    #[must_use]
-    pub fn from_poses(poses: Poses) -> Self {
-        Self::from(Source::Poses(Box::new(poses)))
-    }
-
-    /// Views of the built-in scene.
-    #[must_use]
-    pub fn built_in(cameras: Vec<Camera>) -> Self {
-        Self::from(Source::BuiltIn(cameras, None))
+    pub fn new(source: PhotographSource) -> Self {
+        Self { source, ..Self::default() }
     }
 
     /// Whether there are any.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        matches!(self.source, Source::None)
+        matches!(self.source, PhotographSource::None)
     }
 
     /// The photograph of a view in the data set.
@@ -77,21 +62,21 @@ impl Photographs {
             return Ok(Arc::clone(found));
         }
         let none = || refuse(format!("there is no photograph of view {view}"));
-        let photograph = match &mut self.source {
-            Source::None => return none(),
-            Source::Dataset(dataset) => match dataset.frames.get(view) {
+        let photograph = match &self.source {
+            PhotographSource::None => return none(),
+            PhotographSource::Dataset(dataset) => match dataset.frames.get(view) {
                 Some(frame) => frame.image.clone(),
                 None => return none(),
             },
-            Source::Poses(poses) => match poses.photograph(view)? {
+            PhotographSource::Poses(poses) => match poses.photograph(view)? {
                 Some(frame) => frame.image,
                 None => return none(),
             },
-            Source::BuiltIn(cameras, scene) => {
+            PhotographSource::BuiltIn(cameras) => {
                 let Some(camera) = cameras.get(view) else { return none() };
-                let scene = match scene {
+                let scene = match &mut self.scene {
                     Some(scene) => scene,
-                    None => scene.insert(Box::new(renderer.upload(&demo::scene())?)),
+                    None => self.scene.insert(renderer.upload(&demo::scene())?),
                 };
                 Photograph::from(&renderer.render_view(scene, camera)?)
             }

@@ -37,36 +37,6 @@ const MAX_FILMS: usize = 2;
 /// Longest time until a request has arrived, and until a client takes a part of an answer.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// The address at which a server listens.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Address {
-    /// Address of this machine. Without it, only this machine is served.
-    pub bind: Option<IpAddr>,
-    /// Port. Without it, the default port or a free one.
-    pub port: Option<u16>,
-}
-
-impl Address {
-    fn listen(self) -> Result<TcpListener> {
-        let ip = self.bind.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
-        let listen = |port| TcpListener::bind(SocketAddr::new(ip, port));
-        let (port, listener) = match self.port {
-            Some(port) => (port, listen(port)),
-            None => (Server::PORT, listen(Server::PORT).or_else(|_| listen(0))),
-        };
-        listener.map_err(|error| {
-            let reason = match error.kind() {
-                io::ErrorKind::AddrInUse => format!(
-                    "port {port} of {ip} is taken by another program; choose another with `--port`, or 0 for \
-                     one that is free"
-                ),
-                _ => format!("cannot listen at port {port} of {ip}: {error}"),
-            };
-            Error::Invalid { origin: "".into(), reason }
-        })
-    }
-}
-
 /// A server that listens, on its own thread, until the program ends.
 #[derive(Debug)]
 pub struct Server {
@@ -99,12 +69,28 @@ impl Server {
     /// Default port.
     pub const PORT: u16 = 4747;
 
-    /// Opens the port, without answering yet.
+    /// Opens a port, without answering yet: the default one or a free one, if `port` names none. Without an address of this
+    /// machine in `bind`, only this machine is served.
     ///
     /// # Errors
     /// [`Error::Invalid`] if the port is taken, or the address is not one of this machine.
-    pub fn listen(address: Address) -> Result<Self> {
-        let listener = address.listen()?;
+    pub fn listen(bind: Option<IpAddr>, port: Option<u16>) -> Result<Self> {
+        let ip = bind.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
+        let listen = |port| TcpListener::bind(SocketAddr::new(ip, port));
+        let (port, listener) = match port {
+            Some(port) => (port, listen(port)),
+            None => (Self::PORT, listen(Self::PORT).or_else(|_| listen(0))),
+        };
+        let listener = listener.map_err(|error| {
+            let reason = match error.kind() {
+                io::ErrorKind::AddrInUse => format!(
+                    "port {port} of {ip} is taken by another program; choose another with `--port`, or 0 for \
+                     one that is free"
+                ),
+                _ => format!("cannot listen at port {port} of {ip}: {error}"),
+            };
+            Error::Invalid { origin: "".into(), reason }
+        })?;
         let found = listener.local_addr().map_err(broken)?;
         Ok(Self { listener, guard: Guard::new(found) })
     }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::server::{Films, Server};
-use crate::{About, FrameRenderer, Photographs, Purpose, Queue};
+use crate::{About, FrameRenderer, PhotographSource, Photographs, Purpose, Queue};
 use organza_core::error::Result;
 use organza_data::{Dataset, Pose};
 use organza_render::{DeviceScene, Renderer};
@@ -63,8 +63,8 @@ impl<'a> TrainingView<'a> {
         title: String,
     ) -> Self {
         let queue = Arc::new(Queue::default());
-        let photographs = Photographs::from_dataset(Arc::clone(dataset));
-        let frame_renderer = FrameRenderer::new(Arc::clone(&queue), photographs);
+        let photographs = PhotographSource::Dataset(Arc::clone(dataset));
+        let frame_renderer = FrameRenderer::new(Arc::clone(&queue), Photographs::new(photographs));
         let clock = Clock { training: 0.0, images: 0.0, since: Instant::now() };
         let server = Some(server);
         let training_status = Arc::default();

@@ -8,7 +8,7 @@ use organza::data::{Background, Dataset, DatasetOptions, Point, Pose, Poses};
 use organza::scene::Placement;
 use organza::train::config::DataConfig;
 use organza::train::{Checkpoint, built_in};
-use organza::view::Photographs;
+use organza::view::{PhotographSource, Photographs};
 use organza::{Camera, Error, Renderer, Result};
 
 use super::SceneSource;
@@ -239,11 +239,12 @@ impl DataSet {
         match self.poses {
             Some(poses) => {
                 let points = poses.points().to_vec();
-                (Photographs::from_poses(poses), points)
+                (Photographs::new(PhotographSource::Poses(Box::new(poses))), points)
             }
             None => {
                 let cameras = built_in_cameras(&self.settings).into_iter().map(|pose| pose.camera);
-                (Photographs::built_in(cameras.collect()), Vec::new())
+                let source = PhotographSource::BuiltIn(cameras.collect());
+                (Photographs::new(source), Vec::new())
             }
         }
     }

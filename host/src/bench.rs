@@ -40,14 +40,9 @@ pub struct Benchmark {
     pub tiles: usize,
     /// S, in pixels.
     pub side: u32,
-    /// Number of parts in which the batch was rendered.
-    pub parts: usize,
-    /// Number of (Gaussian, camera) pairs whose color and transmittance were evaluated.
-    pub pairs: u64,
-    /// Number of (Gaussian, tile) memberships.
-    pub members: u64,
-    /// Number of samples of the transmittance network.
-    pub samples: u64,
+    /// The work of rendering the batch.
+    #[serde(flatten)]
+    pub report: RenderReport,
     /// Seconds from the scene on the device to the tiles on the host, or to the image.
     pub forward_s: f64,
     /// Seconds from the scene on the device to the gradients of all its tensors on the device, for dL/dY = 1 at
@@ -115,10 +110,7 @@ pub fn measure(
         gaussians: scene.len(),
         tiles: batch.tiles.len(),
         side: batch.side,
-        parts: report.parts,
-        pairs: report.pairs,
-        members: report.members,
-        samples: report.samples,
+        report,
         forward_s: forward.seconds,
         forward_backward_s: backward.as_ref().map(|timed| timed.seconds),
         forward_peak_memory_bytes,

@@ -73,7 +73,7 @@ fn a_batch_is_measured() {
     let sandbox = Sandbox::new("crowded");
     let found = json(sandbox.run(&format!("{BENCH} --backend cpu --json")));
     let keys: Vec<_> = found.as_object().unwrap().keys().map(String::as_str).collect();
-    let expected = "device forward_backward_s forward_kernels forward_peak_memory_bytes forward_s \
+    let expected = "degenerate device forward_backward_s forward_kernels forward_peak_memory_bytes forward_s \
         gaussians kernels members pairs parts peak_gbs peak_gflops peak_memory_bytes repeat \
         samples side tiles";
     assert_eq!(keys, expected.split_whitespace().collect::<Vec<_>>());

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use muslin_device::memory;
+use serde::Serialize;
 
 use crate::{Result, TileBatch};
 
@@ -60,7 +61,7 @@ pub struct RenderedTiles {
 }
 
 /// The work of rendering a batch.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RenderReport {
     /// Parts that the batch was rendered in.
     pub parts: usize,

@@ -171,13 +171,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// The measurements in lines, and the kernels as a table.
 fn text(benchmark: &Benchmark) -> String {
+    let report = &benchmark.report;
     let batch = [
         count(benchmark.gaussians as u64, "Gaussian"),
         format!("{0} of {1} x {1}", count(benchmark.tiles as u64, "tile"), benchmark.side),
-        count(benchmark.parts as u64, "part"),
-        count(benchmark.pairs, "pair"),
-        count(benchmark.members, "member"),
-        count(benchmark.samples, "sample"),
+        count(report.parts as u64, "part"),
+        count(report.pairs, "pair"),
+        count(report.members, "member"),
+        count(report.samples, "sample"),
     ];
     let mut text = format!("{}\n{}\n\n", benchmark.device, batch.join(", "));
     let mut whole = Table::new(1, ["median", "seconds", "peak memory"]);

@@ -13,11 +13,8 @@ use super::console::Console;
 pub struct Cost {
     device: String,
     seconds: f64,
-    parts: usize,
-    pairs: u64,
-    members: u64,
-    samples: u64,
-    degenerate: u64,
+    #[serde(flatten)]
+    report: RenderReport,
     not_finite: u64,
 }
 
@@ -35,24 +32,15 @@ impl Summary {
     }
 
     pub fn add(&mut self, report: &RenderReport) {
-        self.report.parts += report.parts;
-        self.report.pairs += report.pairs;
-        self.report.members += report.members;
-        self.report.samples += report.samples;
-        self.report.degenerate += report.degenerate;
+        self.report.add(report);
     }
 
     /// All numbers. `not_finite` values were NaN or infinite.
     pub fn cost(&self, renderer: &Renderer, not_finite: u64) -> Cost {
-        let report = &self.report;
         Cost {
             device: renderer.device().choice().to_owned(),
             seconds: self.start.elapsed().as_secs_f64(),
-            parts: report.parts,
-            pairs: report.pairs,
-            members: report.members,
-            samples: report.samples,
-            degenerate: report.degenerate,
+            report: self.report,
             not_finite,
         }
     }

@@ -83,15 +83,17 @@ impl TryFrom<GridFile> for GridConfig {
 }
 
 /// Place of a level in the table, and its mapping from positions to cells.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct GridLevelGeometry {
-    /// `position = x' * scale + 0.5`, in cells, for x' in the unit cube.
-    pub scale: f64,
     /// Stride of a dense index, in cells per axis.
     pub resolution: u32,
+    /// `position = x' * scale + 0.5`, in cells, for x' in the unit cube.
+    pub scale: f64,
     /// The level's first entry in the table of all levels.
+    #[serde(skip)]
     pub first: u32,
     /// The level's number of entries.
+    #[serde(rename = "entries")]
     pub count: u32,
     /// Whether cells are hashed to entries rather than numbered.
     pub hashed: bool,

@@ -4,7 +4,9 @@ use std::fmt;
 use std::path::Path;
 
 use organza::error::format_bytes;
-use organza::scene::{Contraction, GridConfig, Placement, SceneConfig, TensorSpec};
+use organza::scene::{
+    Contraction, GridConfig, GridLevelGeometry, Placement, SceneConfig, TensorSpec,
+};
 use organza::{DeviceScene, Result, Scene};
 use serde::Serialize;
 
@@ -24,20 +26,11 @@ pub struct SceneInfo {
     corners: [[f64; 3]; 2],
     color_network: Vec<usize>,
     transmittance_network: Vec<usize>,
-    color_levels: Vec<Level>,
-    transmittance_levels: Vec<Level>,
+    color_levels: Vec<GridLevelGeometry>,
+    transmittance_levels: Vec<GridLevelGeometry>,
     tensors: Vec<TensorInfo>,
     warnings: Vec<String>,
     unused_tensors: Vec<String>,
-}
-
-/// One level of a hash grid.
-#[derive(Debug, Serialize)]
-struct Level {
-    resolution: u32,
-    scale: f64,
-    entries: u32,
-    hashed: bool,
 }
 
 impl SceneInfo {
@@ -55,8 +48,8 @@ impl SceneInfo {
             device_bytes: DeviceScene::bytes_of(scene),
             color_network: config.color_widths(),
             transmittance_network: config.transmittance_widths(),
-            color_levels: levels(&config.color_grid),
-            transmittance_levels: levels(&config.transmittance_grid),
+            color_levels: config.color_grid.levels_geometry(),
+            transmittance_levels: config.transmittance_grid.levels_geometry(),
             tensors: tensors.iter().map(info).collect(),
             warnings: scene.warnings(),
             unused_tensors: Scene::unused_tensors(path)?,
@@ -69,16 +62,6 @@ impl SceneInfo {
 /// Whether a tensor of a checkpoint is for resuming the training.
 fn is_state(name: &str) -> bool {
     ["adam.", "train."].iter().any(|prefix| name.starts_with(prefix))
-}
-
-fn levels(grid: &GridConfig) -> Vec<Level> {
-    let level = |level: &organza::scene::GridLevelGeometry| Level {
-        resolution: level.resolution,
-        scale: level.scale,
-        entries: level.count,
-        hashed: level.hashed,
-    };
-    grid.levels_geometry().iter().map(level).collect()
 }
 
 impl fmt::Display for SceneInfo {
@@ -178,7 +161,7 @@ fn write_grid(
     f: &mut fmt::Formatter<'_>,
     name: &str,
     grid: &GridConfig,
-    levels: &[Level],
+    levels: &[GridLevelGeometry],
 ) -> fmt::Result {
     let entries = grouped(grid.entries() as u64);
     let features = grid.features;
@@ -189,7 +172,7 @@ fn write_grid(
         table.row([
             index.to_string(),
             level.resolution.to_string(),
-            level.entries.to_string(),
+            level.count.to_string(),
             hashed.to_owned(),
         ]);
     }

@@ -25,12 +25,8 @@ use std::collections::HashMap;
 use std::fs;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
-
-use rayon::prelude::*;
 
 pub use colmap::SparseModel;
-use decode::Budget;
 use develop::Shot;
 pub use develop::mean;
 use find::{Access, Found, invalid};
@@ -228,82 +224,7 @@ impl Dataset {
     /// to train on, or if a file is outside of the data set's folder and must not be;
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
     pub fn load(path: impl AsRef<Path>, options: &DatasetOptions) -> Result<Self> {
-        Self::load_with_progress(path, options, &mut |_, _| {})
-    }
-
-    /// Like [`Dataset::load`], but calls `progress` with the number of finished photographs and of all photographs.
-    /// The first call is before the first photograph.
-    ///
-    /// # Errors
-    /// The same errors as [`Dataset::load`].
-    pub fn load_with_progress(
-        path: impl AsRef<Path>,
-        options: &DatasetOptions,
-        progress: &mut (dyn FnMut(usize, usize) + Send),
-    ) -> Result<Self> {
-        Poses::load(path.as_ref(), options)?.photographs(progress)
-    }
-
-    fn develop(poses: Poses, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Self> {
-        let background = poses.background()?;
-        let Poses { missing, outside, kind, path, placement, .. } = poses;
-        let Poses { fingerprint, listing, options, is_part, .. } = poses;
-        let mut notes = poses.notes;
-        let Listing { points, points_file, shots, prepared, .. } = listing;
-        let options = DatasetOptions { background: Background::Color(background), ..options };
-        let count = shots.len();
-        let bytes = bytes_of(&shots);
-        // checked before hours of reading
-        let store = options.keep.store(bytes)?;
-        let budget = Budget::beside(if store.is_some() { 0 } else { bytes });
-        progress(0, count);
-        let progress = Mutex::new((0, progress));
-        let develop = |shot: &Shot| {
-            let (mut frame, digest) = shot.develop(&options, &budget)?;
-            if let Some(store) = &store {
-                frame.image = frame.image.moved(store)?;
-            }
-            let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
-            progress.0 += 1;
-            let done = progress.0;
-            (progress.1)(done, count);
-            Ok((frame, digest))
-        };
-        let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
-        let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
-        let seen = (0..count).filter(|&index| !frames[index].image.is_hidden());
-        let (held_out, train): (Vec<_>, Vec<_>) = seen.partition(|&index| shots[index].held_out);
-        if train.is_empty() && !is_part {
-            let reason = format!(
-                "all {count} photographs that are there are held out, so none is left to train on; \
-                 add photographs, or hold none out"
-            );
-            return invalid(&path, reason);
-        }
-        let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
-        let fingerprint = fingerprint.with_photographs(&digests);
-        notes.extend(repeated(&shots, &digests));
-        let background = background.map(f64::from);
-        let poses = shots.iter().map(|shot| shot.pose).collect();
-        Ok(Self {
-            frames,
-            train,
-            held_out,
-            background,
-            points,
-            points_file,
-            missing,
-            masked,
-            prepared,
-            outside,
-            notes,
-            kept_in: store.map(|store| store.folder().to_owned()),
-            fingerprint,
-            kind,
-            path,
-            placement,
-            poses,
-        })
+        Poses::load(path.as_ref(), options)?.photographs(&mut |_, _| {})
     }
 
     /// The data set in the coordinates of a scene with this placement.

@@ -2,11 +2,14 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
+use rayon::prelude::*;
+
+use super::decode::Budget;
 use super::{
-    Access, Background, Budget, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout,
-    Listing, Point, Shot, folder_of, hint, invalid, list,
+    Access, Background, Dataset, DatasetKind, DatasetOptions, Fingerprint, Frame, Layout, Listing,
+    Point, Shot, bytes_of, folder_of, hint, invalid, list, repeated,
 };
 use organza_core::scene::Placement;
 use organza_core::{Camera, Error, Result};
@@ -168,12 +171,70 @@ impl Poses {
         &self.listing.points
     }
 
-    /// Reads the photographs. `progress` is that of [`Dataset::load_with_progress`].
+    /// Reads the photographs. Calls `progress` with the number of finished photographs and of all photographs. The first
+    /// call is before the first photograph.
     ///
     /// # Errors
     /// The same errors as [`Dataset::load`].
     pub fn photographs(self, progress: &mut (dyn FnMut(usize, usize) + Send)) -> Result<Dataset> {
-        Dataset::develop(self, progress)
+        let background = self.background()?;
+        let Self { missing, outside, kind, path, placement, .. } = self;
+        let Self { fingerprint, listing, options, is_part, mut notes, .. } = self;
+        let Listing { points, points_file, shots, prepared, .. } = listing;
+        let options = DatasetOptions { background: Background::Color(background), ..options };
+        let count = shots.len();
+        let bytes = bytes_of(&shots);
+        // checked before hours of reading
+        let store = options.keep.store(bytes)?;
+        let budget = Budget::beside(if store.is_some() { 0 } else { bytes });
+        progress(0, count);
+        let progress = Mutex::new((0, progress));
+        let develop = |shot: &Shot| {
+            let (mut frame, digest) = shot.develop(&options, &budget)?;
+            if let Some(store) = &store {
+                frame.image = frame.image.moved(store)?;
+            }
+            let mut progress = progress.lock().unwrap_or_else(PoisonError::into_inner);
+            progress.0 += 1;
+            let done = progress.0;
+            (progress.1)(done, count);
+            Ok((frame, digest))
+        };
+        let developed = shots.par_iter().map(develop).collect::<Result<Vec<_>>>()?;
+        let (frames, digests): (Vec<_>, Vec<_>) = developed.into_iter().unzip();
+        let seen = (0..count).filter(|&index| !frames[index].image.is_hidden());
+        let (held_out, train): (Vec<_>, Vec<_>) = seen.partition(|&index| shots[index].held_out);
+        if train.is_empty() && !is_part {
+            let reason = format!(
+                "all {count} photographs that are there are held out, so none is left to train on; \
+                 add photographs, or hold none out"
+            );
+            return invalid(&path, reason);
+        }
+        let masked = shots.iter().filter(|shot| shot.mask.is_some()).count();
+        let fingerprint = fingerprint.with_photographs(&digests);
+        notes.extend(repeated(&shots, &digests));
+        let background = background.map(f64::from);
+        let poses = shots.iter().map(|shot| shot.pose).collect();
+        Ok(Dataset {
+            frames,
+            train,
+            held_out,
+            background,
+            points,
+            points_file,
+            missing,
+            masked,
+            prepared,
+            outside,
+            notes,
+            kept_in: store.map(|store| store.folder().to_owned()),
+            fingerprint,
+            kind,
+            path,
+            placement,
+            poses,
+        })
     }
 }
 

@@ -99,7 +99,8 @@ fn progress_counts_every_photograph() {
     let folder = nerfstudio_folder(&transforms(5));
     let mut calls = Vec::new();
     let mut progress = |done, all| calls.push((done, all));
-    Dataset::load_with_progress(folder.path(), &DatasetOptions::default(), &mut progress).unwrap();
+    let poses = Poses::load(folder.path(), &DatasetOptions::default()).unwrap();
+    poses.photographs(&mut progress).unwrap();
     assert_eq!(calls, [(0, 5), (1, 5), (2, 5), (3, 5), (4, 5), (5, 5)]);
 }
 

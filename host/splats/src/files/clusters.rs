@@ -1,7 +1,7 @@
 //! Replaces many values by a few: vector quantization by repeated halving. Orders Gaussians for files that compress neighbors together.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
 use super::{Splat, ends, level};
 
@@ -48,25 +48,10 @@ impl<const D: usize> Cell<D> {
         let error = if is_one_value { 0.0 } else { squares.iter().sum() };
         Self { begin, end, mean, axis, error }
     }
-}
 
-impl<const D: usize> PartialEq for Cell<D> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl<const D: usize> Eq for Cell<D> {}
-
-impl<const D: usize> PartialOrd for Cell<D> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<const D: usize> Ord for Cell<D> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.error.total_cmp(&other.error).then(other.begin.cmp(&self.begin))
+    /// The cell with its key: the last of all is the one to split. Errors are at least 0, so their bits have their order.
+    fn keyed(self) -> ((u64, Reverse<usize>), Self) {
+        ((self.error.to_bits(), Reverse(self.begin)), self)
     }
 }
 
@@ -74,25 +59,25 @@ impl<const D: usize> Ord for Cell<D> {
 /// across the axis of the largest variance, until there are enough. Equal values are always in one cluster.
 pub fn clusters<const D: usize>(values: &[[f32; D]], most: usize) -> Clusters<D> {
     let mut indices: Vec<u32> = (0..values.len() as u32).collect();
-    let mut cells = BinaryHeap::new();
+    let mut cells: BTreeMap<_, Cell<D>> = BTreeMap::new();
     if !values.is_empty() {
-        cells.push(Cell::new(values, &indices, 0, values.len()));
+        cells.extend([Cell::new(values, &indices, 0, values.len()).keyed()]);
     }
-    while cells.len() < most && cells.peek().is_some_and(|cell| cell.error > 0.0) {
-        let cell = cells.pop().expect("there is one");
+    while cells.len() < most && cells.last_key_value().is_some_and(|(_, cell)| cell.error > 0.0) {
+        let (_, cell) = cells.pop_last().expect("there is one");
         let middle = cell.mean[cell.axis];
         let part = &mut indices[cell.begin..cell.end];
         let is_low = |index: &u32| f64::from(values[*index as usize][cell.axis]) <= middle;
         part.sort_by_key(|index| !is_low(index));
         let split = cell.begin + part.partition_point(is_low);
         if split == cell.end {
-            cells.push(Cell { error: 0.0, ..cell });
+            cells.extend([Cell { error: 0.0, ..cell }.keyed()]);
             continue;
         }
-        cells.push(Cell::new(values, &indices, cell.begin, split));
-        cells.push(Cell::new(values, &indices, split, cell.end));
+        let halves = [(cell.begin, split), (split, cell.end)];
+        cells.extend(halves.map(|(begin, end)| Cell::new(values, &indices, begin, end).keyed()));
     }
-    let mut cells = cells.into_vec();
+    let mut cells: Vec<_> = cells.into_values().collect();
     cells.sort_by_key(|cell| cell.begin);
     let mut labels = vec![0; values.len()];
     for (label, cell) in cells.iter().enumerate() {

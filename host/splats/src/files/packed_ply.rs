@@ -8,6 +8,7 @@ use muslin::math::sigmoid;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
 use super::clusters::along_a_curve;
+use super::ply::row;
 use super::{Splat, ends, invalid, level, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
 use organza_core::error::Result;
@@ -168,30 +169,6 @@ impl Ranges {
 fn value(level: u32, [low, high]: [f32; 2], most: u32) -> f32 {
     let part = level as f32 / most as f32;
     low * (1.0 - part) + high * part
-}
-
-/// The numbers of an element whose properties have known names.
-macro_rules! row {
-    ($name:ident, $value:ty, $count:expr, $place:expr) => {
-        struct $name([$value; $count]);
-
-        impl PropertyAccess for $name {
-            fn new() -> Self {
-                Self([Default::default(); $count])
-            }
-
-            fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
-                let place: Option<usize> = $place(key);
-                if let Some(place) = place.filter(|place| *place < $count) {
-                    let Some(value) = number(&property) else {
-                        return PropertyAccessResult::UnsupportedType;
-                    };
-                    self.0[place] = value as $value;
-                }
-                PropertyAccessResult::Set
-            }
-        }
-    };
 }
 
 row!(Chunk, f32, RANGES.len(), |key: &str| RANGES.iter().position(|name| *name == key));

@@ -57,32 +57,45 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// The values of a vertex: position, f_dc, f_rest, opacity, scale, rot.
-struct Row([f32; OPACITY + 8]);
+/// The numbers of an element whose properties have known names.
+macro_rules! row {
+    ($name:ident, $value:ty, $count:expr, $place:expr) => {
+        struct $name([$value; $count]);
 
-impl PropertyAccess for Row {
-    fn new() -> Self {
-        Self([0.0; OPACITY + 8])
-    }
+        impl PropertyAccess for $name {
+            fn new() -> Self {
+                Self([Default::default(); $count])
+            }
 
-    fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
-        let place = match key {
-            "x" => Some(0),
-            "y" => Some(1),
-            "z" => Some(2),
-            "opacity" => Some(OPACITY),
-            _ => NUMBERED.iter().find_map(|(name, count, first)| {
-                let index: usize = key.strip_prefix(name)?.parse().ok()?;
-                (index < *count).then(|| first + index)
-            }),
-        };
-        if let Some(place) = place {
-            let Some(value) = number(&property) else {
-                return PropertyAccessResult::UnsupportedType;
-            };
-            self.0[place] = value as f32;
+            fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
+                let place: Option<usize> = $place(key);
+                if let Some(place) = place.filter(|place| *place < $count) {
+                    let Some(value) = number(&property) else {
+                        return PropertyAccessResult::UnsupportedType;
+                    };
+                    self.0[place] = value as $value;
+                }
+                PropertyAccessResult::Set
+            }
         }
-        PropertyAccessResult::Set
+    };
+}
+pub(super) use row;
+
+// The values of a vertex: position, f_dc, f_rest, opacity, scale, rot.
+row!(Row, f32, OPACITY + 8, place);
+
+/// The index of a property in a [`Row`].
+fn place(key: &str) -> Option<usize> {
+    match key {
+        "x" => Some(0),
+        "y" => Some(1),
+        "z" => Some(2),
+        "opacity" => Some(OPACITY),
+        _ => NUMBERED.iter().find_map(|(name, count, first)| {
+            let index: usize = key.strip_prefix(name)?.parse().ok()?;
+            (index < *count).then(|| first + index)
+        }),
     }
 }
 

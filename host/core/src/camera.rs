@@ -17,6 +17,7 @@ pub use target::{Target, median};
 
 use glam::{DMat3, DVec3, Vec2};
 use organza_shaders::camera::Camera as KernelCamera;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
 use crate::atomic_file::write_atomic;
@@ -45,7 +46,10 @@ const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
 /// assert_eq!(Camera::load_all(&path)?, [camera]);
 /// # Ok::<(), organza_core::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Serde's form of it is that of the viewer's page. [`Self::validate`] checks what was read.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Camera {
     /// Camera-to-world matrix as in the file, row-major. Axes are OpenGL's: x right, y up, looking along -z. The last
     /// column is the translation, in world units.
@@ -59,13 +63,17 @@ pub struct Camera {
     /// Principal point in y, in pixels from the image's upper edge.
     pub cy: f64,
     /// Image width in pixels.
+    #[serde(rename = "w")]
     pub width: u32,
     /// Image height in pixels.
+    #[serde(rename = "h")]
     pub height: u32,
     /// Path of the frame's image, relative to the file. `None` if the file names none.
+    #[serde(skip)]
     pub file_path: Option<String>,
     /// Whether the file describes a lens other than a pinhole. Organza renders the undistorted pinhole image in any
     /// case.
+    #[serde(skip)]
     pub distorted: bool,
 }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde::Serialize;
 use serde_json::json;
 
-use super::message::{CameraMessage, Mode};
+use super::message::Mode;
 use crate::film::FilmKind;
 use organza_core::camera::{Camera, Orbit, upward};
 use organza_core::demo;
@@ -63,8 +63,7 @@ impl About {
         let home = among.or(cameras.into_iter().next()).unwrap_or_else(|| overview(visible));
         let view = |(index, pose): (usize, &Pose)| {
             let name = pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}"));
-            let camera = CameraMessage::from(&pose.camera);
-            json!({ "name": name, "held_out": pose.held_out, "camera": camera })
+            json!({ "name": name, "held_out": pose.held_out, "camera": pose.camera })
         };
         let views: Vec<_> = poses.iter().enumerate().map(view).collect();
         let films = [FilmKind::Mp4, FilmKind::Png].into_iter();
@@ -83,7 +82,7 @@ impl About {
             "up": up.to_array(),
             // of the camera's orbit
             "center": center.to_array(),
-            "home": CameraMessage::from(&home),
+            "home": home,
             "views": views,
             // whether there are any of the views
             "photographs": photographs,

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-use super::message::{CameraMessage, MAX_SIDE, checked, refuse};
+use super::message::{MAX_SIDE, check, refuse};
 use super::training::Stage;
 use organza_core::edit::Region;
 use organza_core::image::{ChannelImage, TILE_SIDE};
@@ -51,7 +51,7 @@ pub enum EditRequest {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stroke {
-    camera: CameraMessage,
+    camera: Camera,
     /// Columns and rows in the camera's image, in pixels.
     places: Vec<[f64; 2]>,
     /// In pixels.
@@ -182,14 +182,15 @@ impl Editor {
 
     /// Selects what is under a brush: before the surface that the image shows, or not far behind it.
     fn paint(&mut self, stage: Stage<'_>, stroke: &Stroke) -> Result<()> {
-        let camera = checked(&stroke.camera)?;
+        let camera = &stroke.camera;
+        check(camera)?;
         if stroke.places.len() > MAX_STROKE {
             return refuse(format!("a stroke has {MAX_STROKE} places at most"));
         }
         if !(0.0..=f64::from(MAX_SIDE)).contains(&stroke.radius) {
             return refuse(format!("a brush has a radius of 0 to {MAX_SIDE} pixels"));
         }
-        let depth = depth(stage, &camera)?;
+        let depth = depth(stage, camera)?;
         let [width, height] = depth.size();
         let scale = f64::from(width) / f64::from(camera.width);
         let world_units = self.scene.config.placement.scale;

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use tokio::sync::oneshot;
 
 use super::keyframes::PathRequest;
-use super::message::{CameraMessage, FrameRequest, Mode, Quality, checked_background, refuse};
+use super::message::{FrameRequest, Mode, Quality, checked_background, refuse};
 use super::queue::{FrameJob, Queue};
 use crate::film::{FilmKind, Frames};
 use organza_core::camera::Camera;
@@ -136,13 +136,13 @@ async fn render(
     let request = FrameRequest {
         client,
         sequence: frame as u64,
-        camera: CameraMessage::from(&camera),
+        camera,
         mode: request.mode,
         quality: Quality::Exact,
         background: request.background,
         view: None,
     };
-    queue.post(Box::new(FrameJob { request, camera, reply }));
+    queue.post(Box::new(FrameJob { request, reply }));
     match answer.await {
         Ok(Ok(rendered)) => Ok(rendered.bytes),
         Ok(Err(reason)) => Err(End::Error(reason)),

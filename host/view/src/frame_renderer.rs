@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::message::{Mode, Quality, refuse};
+use super::message::{FrameRequest, Mode, Quality, refuse};
 use super::picture::{self, Range};
 use super::queue::{FrameJob, NextJob, Question, Queue, Rendered};
 use crate::{Editor, Photographs, Stage};
@@ -96,7 +96,7 @@ impl FrameRenderer {
         };
         let queue = Arc::clone(&self.queue);
         let eye = self.eye(job.request.client, stage.version);
-        let canvas = draw(stage, job, eye, truth.as_deref(), &|slices| {
+        let canvas = draw(stage, &job.request, eye, truth.as_deref(), &|slices| {
             let quality = job.request.quality;
             let outdated = quality != Quality::Moving && queue.is_outdated(job);
             // every turn must make progress, or it would never end
@@ -191,7 +191,7 @@ struct Canvas {
 /// Draws an image. `is_cancelled` is called before each slice of the Gaussians, with the number of finished slices.
 fn draw(
     Stage { renderer, scene, .. }: Stage<'_>,
-    FrameJob { request, camera, .. }: &FrameJob,
+    request: &FrameRequest,
     Eye { cache, pace, .. }: &mut Eye,
     truth: Option<&Photograph>,
     is_cancelled: &(dyn Fn(usize) -> bool + Sync),
@@ -202,7 +202,7 @@ fn draw(
         Quality::Exact => (1, 1, None),
     };
     // errors are compared at the photograph's own pixels
-    let camera = &camera.shrunk(if truth.is_some() { 1 } else { shrink });
+    let camera = &request.camera.shrunk(if truth.is_some() { 1 } else { shrink });
     let size = [camera.width, camera.height];
     let batch = TileBatch::cover(0, size[0], size[1], TILE_SIDE)?;
     let slices = AtomicUsize::new(0);

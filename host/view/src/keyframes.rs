@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::message::{CameraMessage, checked, refuse};
+use super::message::{check, refuse};
 use organza_core::camera::{Camera, CameraPath, encode, parse};
 use organza_core::error::Result;
 use organza_core::scene::Placement;
@@ -20,7 +20,7 @@ const MAX_FRAMES: usize = 10_000;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PathRequest {
-    keyframes: Vec<CameraMessage>,
+    keyframes: Vec<Camera>,
     #[serde(rename = "loop")]
     is_closed: bool,
     frames: usize,
@@ -35,7 +35,7 @@ impl PathRequest {
                 "a path has at most {MAX_KEYFRAMES} keyframes and {MAX_FRAMES} cameras"
             ));
         }
-        let keyframes = keyframes.iter().map(checked).collect::<Result<Vec<_>>>()?;
+        keyframes.iter().try_for_each(check)?;
         let Some(first) = keyframes.first() else { return refuse("a path has keyframes".into()) };
         let size = [first.width, first.height];
         let size = if is_even { size.map(|side| side.next_multiple_of(2)) } else { size };
@@ -46,14 +46,14 @@ impl PathRequest {
 
 /// Cameras in the page's form.
 pub fn listed(cameras: &[Camera]) -> Vec<u8> {
-    let cameras: Vec<_> = cameras.iter().map(CameraMessage::from).collect();
     json!({ "cameras": cameras }).to_string().into_bytes()
 }
 
 /// Writes keyframes as a file, in the world where a scene lies.
-pub fn write(keyframes: &[CameraMessage], placement: &Placement) -> Result<Vec<u8>> {
-    let world = |keyframe| Ok(placement.world_camera(&checked(keyframe)?));
-    encode(&keyframes.iter().map(world).collect::<Result<Vec<_>>>()?)
+pub fn write(keyframes: &[Camera], placement: &Placement) -> Result<Vec<u8>> {
+    keyframes.iter().try_for_each(check)?;
+    let world = keyframes.iter().map(|keyframe| placement.world_camera(keyframe));
+    encode(&world.collect::<Vec<_>>())
 }
 
 /// Reads the keyframes of a file: cameras of the world, in any form of a `transforms.json`.

@@ -9,36 +9,6 @@ use organza_core::{Camera, Error, Result};
 /// Largest side of an image, in pixels.
 pub const MAX_SIDE: u32 = 4096;
 
-/// A camera in the page's form: see [`Camera`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CameraMessage {
-    pub camera_to_world: [[f64; 4]; 4],
-    pub fl_x: f64,
-    pub fl_y: f64,
-    pub cx: f64,
-    pub cy: f64,
-    pub w: u32,
-    pub h: u32,
-}
-
-impl From<&Camera> for CameraMessage {
-    fn from(camera: &Camera) -> Self {
-        let Camera { camera_to_world, fl_x, fl_y, cx, cy, width: w, height: h, .. } = *camera;
-        Self { camera_to_world, fl_x, fl_y, cx, cy, w, h }
-    }
-}
-
-impl CameraMessage {
-    /// The camera, checked like a camera from a file.
-    pub fn camera(&self) -> Result<Camera> {
-        let Self { camera_to_world, fl_x, fl_y, cx, cy, w, h } = *self;
-        let camera = Camera::pinhole(camera_to_world, [fl_x, fl_y], [cx, cy], [w, h]);
-        camera.validate(0)?;
-        Ok(camera)
-    }
-}
-
 /// The content of an image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -76,7 +46,7 @@ pub struct FrameRequest {
     pub client: u64,
     /// Number of the request on the page: a higher one is newer.
     pub sequence: u64,
-    pub camera: CameraMessage,
+    pub camera: Camera,
     pub mode: Mode,
     pub quality: Quality,
     /// Replaces the scene's background.
@@ -91,14 +61,14 @@ pub struct FrameRequest {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PixelRequest {
-    pub camera: CameraMessage,
+    pub camera: Camera,
     /// Column and row of the pixel.
     pub pixel: [i32; 2],
 }
 
 /// Checks a camera, and its image's size.
-pub fn checked(message: &CameraMessage) -> Result<Camera> {
-    let camera = message.camera()?;
+pub fn check(camera: &Camera) -> Result<()> {
+    camera.validate(0)?;
     if camera.width.max(camera.height) > MAX_SIDE {
         let width = camera.width;
         let height = camera.height;
@@ -106,14 +76,14 @@ pub fn checked(message: &CameraMessage) -> Result<Camera> {
             "an image of {width} x {height} pixels is too large to view: {MAX_SIDE} a side are allowed"
         ));
     }
-    Ok(camera)
+    Ok(())
 }
 
 impl FrameRequest {
-    /// The camera, after everything else was checked.
-    pub fn check(&self) -> Result<Camera> {
+    /// Checks the background, and then the camera.
+    pub fn check(&self) -> Result<()> {
         checked_background(self.background)?;
-        checked(&self.camera)
+        check(&self.camera)
     }
 }
 

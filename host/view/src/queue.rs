@@ -32,7 +32,6 @@ pub struct Rendered {
 #[derive(Debug)]
 pub struct FrameJob {
     pub request: FrameRequest,
-    pub camera: Camera,
     /// Closed if the client no longer waits for the image.
     pub reply: oneshot::Sender<Answer>,
 }
@@ -45,7 +44,7 @@ pub enum Question {
     /// The photograph of a view in the data set.
     Photograph(usize),
     /// A change to the scene.
-    Edit(EditRequest),
+    Edit(Box<EditRequest>),
 }
 
 /// The next request to handle.
@@ -217,23 +216,22 @@ impl QueueState {
 
 #[cfg(test)]
 mod tests {
-    use super::super::message::{CameraMessage, Mode};
+    use super::super::message::Mode;
     use super::*;
 
     /// Adds a request of a client. Its answer is awaited until the receiver is dropped.
     fn post(queue: &Queue, client: u64, sequence: u64) -> oneshot::Receiver<Answer> {
-        let camera = organza_core::demo::turntable(1, 16).remove(0);
         let (reply, answer) = oneshot::channel();
         let request = FrameRequest {
             client,
             sequence,
-            camera: CameraMessage::from(&camera),
+            camera: organza_core::demo::turntable(1, 16).remove(0),
             mode: Mode::Color,
             quality: Quality::Still,
             background: None,
             view: None,
         };
-        queue.post(Box::new(FrameJob { request, camera, reply }));
+        queue.post(Box::new(FrameJob { request, reply }));
         answer
     }
 

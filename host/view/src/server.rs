@@ -24,9 +24,10 @@ use super::connections::{Connections, Place};
 use super::films::{self, FilmRequest};
 use super::guard::{Access, Guard};
 use super::keyframes::{self, PathRequest};
-use super::message::{CameraMessage, FrameRequest, PixelRequest, checked};
+use super::message::{FrameRequest, PixelRequest, check};
 use super::queue::{Answer, FrameJob, Question, Queue, Rendered};
 use super::training::{Command, TrainingStatus};
+use organza_core::Camera;
 use organza_core::error::{self, Error, Result};
 use organza_report::{UPLOT_SCRIPT, UPLOT_STYLE};
 
@@ -283,22 +284,22 @@ async fn route(viewer: &Viewer, request: Request<Incoming>) -> Result<Reply, Ref
         }
         (&Method::POST, "/frame") => {
             let request: FrameRequest = parsed(&body(request).await?)?;
-            let camera = request.check().map_err(refused)?;
+            request.check().map_err(refused)?;
             let (reply, answer) = oneshot::channel();
-            viewer.queue.post(Box::new(FrameJob { request, camera, reply }));
+            viewer.queue.post(Box::new(FrameJob { request, reply }));
             rendered(answer).await
         }
         (&Method::POST, "/explain") => {
             let request: PixelRequest = parsed(&body(request).await?)?;
-            let camera = checked(&request.camera).map_err(refused)?;
-            ask(viewer, Question::Pixel(request.pixel, Box::new(camera))).await
+            check(&request.camera).map_err(refused)?;
+            ask(viewer, Question::Pixel(request.pixel, Box::new(request.camera))).await
         }
         (&Method::POST, "/edit") => {
             let request = parsed(&body(request).await?)?;
             ask(viewer, Question::Edit(request)).await
         }
         (&Method::POST, "/cameras.json") => {
-            let keyframes: Vec<CameraMessage> = parsed(&body(request).await?)?;
+            let keyframes: Vec<Camera> = parsed(&body(request).await?)?;
             json(&keyframes::write(&keyframes, &viewer.about.placement).map_err(refused)?)
         }
         (&Method::POST, "/path") => {

@@ -10,7 +10,6 @@ use flate2::write::GzEncoder;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
-use crate::message::CameraMessage;
 use crate::picture::encode_jpeg;
 use muslin::KernelInfo;
 use muslin_device::{Device, Part, PlannedBuffer, Step};
@@ -117,7 +116,7 @@ impl WebPage {
             "aabb": scene.config.aabb,
             "up": orbit.up,
             "center": orbit.center,
-            "home": CameraMessage::from(&home),
+            "home": home,
             // the eyes of a slow turn, which begins and ends at home and looks at the center
             "way": way.iter().map(Camera::eye).collect::<Vec<_>>(),
             // the length of each buffer of the scene, in bytes

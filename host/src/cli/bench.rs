@@ -131,8 +131,7 @@ impl Args {
         let scene = self.scene_args.upload(&renderer, &{ scene })?;
         let backward = !self.forward && !self.frame;
         let options = BenchOptions { repeat: self.repeat as usize, backward, frame: self.frame };
-        let progress = console.progress(passes(renderer.device(), options) as u64, "passes");
-        progress.say("measuring");
+        let progress = console.progress("measuring", passes(renderer.device(), options), "passes");
         let cameras = &workload.cameras;
         let batch = &workload.batch;
         measure(&renderer, &scene, cameras, batch, options, &mut || progress.advance(1))

@@ -99,10 +99,11 @@ impl Console {
         line("warning", text);
     }
 
-    /// A bar over `len` steps.
-    pub fn progress(self, len: u64, unit: &str) -> Progress {
+    /// A bar over `steps` of a task.
+    pub fn progress(self, what: &str, steps: usize, unit: &str) -> Progress {
         let template = format!("{{msg}} [{{wide_bar}}] {{pos}}/{{len}} {unit}{{left}}");
-        let mut progress = self.show(ProgressBar::new(len), &template);
+        let mut progress = self.show(ProgressBar::new(steps as u64), &template);
+        progress.say(what);
         if self.level >= Level::Normal && !self.has_terminal() {
             let unit = unit.to_owned();
             progress.log = Some(Log { unit, begin: Instant::now(), last: Mutex::default() });

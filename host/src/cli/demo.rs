@@ -138,7 +138,7 @@ fn render(
     let mut images = Vec::new();
     let mut not_finite = 0;
     {
-        let progress = console.progress(pictures.tiles(&views), "tiles");
+        let progress = console.progress("rendering", pictures.tiles(&views), "tiles");
         for view in views {
             progress.say(&format!("rendering {}", names[view]));
             let image = pictures.render(view, &mut summary, &progress)?;
@@ -260,8 +260,7 @@ fn write_photographs(args: &Args, console: Console) -> Result<()> {
     let mut cameras = Vec::new();
     let mut pictures = Vec::new();
     {
-        let progress = console.progress(walk.cameras().len() as u64, "photographs");
-        progress.say("ray tracing");
+        let progress = console.progress("ray tracing", walk.cameras().len(), "photographs");
         for (index, camera) in walk.cameras().iter().enumerate() {
             let name = format!("{index:05}.jpg");
             write_jpeg(&walk.photograph(index)?, &unfinished.join(&name))?;

@@ -234,8 +234,7 @@ impl Args {
     ) -> Result<()> {
         let uploaded = renderer.upload(scene)?;
         let mut found = Contributions::new(scene.gaussians.len());
-        let bar = console.progress(cameras.len() as u64, "views");
-        bar.say("measuring what Gaussians contribute");
+        let bar = console.progress("measuring what Gaussians contribute", cameras.len(), "views");
         for (done, camera) in cameras.iter().enumerate() {
             renderer.add_contributions(&uploaded, camera, self.haze.is_some(), &mut found)?;
             bar.set_of(done + 1, cameras.len());

@@ -148,7 +148,7 @@ pub fn measure(
 ) -> Result<Evaluation> {
     let start = Instant::now();
     let evaluation = {
-        let progress = console.progress(0, "tiles");
+        let progress = console.progress("measuring", 0, "tiles");
         let say = |name: &str| progress.say(&format!("measuring {name}"));
         say(&frames[0].name);
         evaluate_measures(renderer, scene, frames, measures, &mut |event| match event {

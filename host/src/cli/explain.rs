@@ -264,8 +264,7 @@ fn summarize(
     json: bool,
     console: Console,
 ) -> Result<()> {
-    let bar = console.progress(views.len() as u64, "views");
-    bar.say("summing up");
+    let bar = console.progress("summing up", views.len(), "views");
     let measure = |(done, &view): (usize, &usize)| {
         let leakage = renderer.leakage(scene, cameras, view, PIXELS)?;
         bar.set_of(done + 1, views.len());

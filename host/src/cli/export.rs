@@ -80,8 +80,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let uploaded = renderer.upload(&scene)?;
     let fit = announced(Fit { steps: args.steps, side: args.side }, console);
     let distilled = {
-        let progress = console.progress(u64::from(args.steps), "steps");
-        progress.say("fitting");
+        let progress = console.progress("fitting", args.steps as usize, "steps");
         let mut progress = |step| {
             progress.set(step);
             Ok(())

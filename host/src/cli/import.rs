@@ -71,8 +71,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let background = args.background.unwrap_or(Background::Auto).color();
     let options = Import { steps: args.steps, side: args.side, background };
     let imported = {
-        let progress = console.progress(u64::from(args.steps), "steps");
-        progress.say("training");
+        let progress = console.progress("training", args.steps as usize, "steps");
         let mut progress = |step| {
             progress.set(step);
             Ok(())

@@ -130,7 +130,6 @@ fn measured(
     what: &str,
     measure: impl FnOnce(&mut dyn FnMut(&'static str)) -> Result<Report>,
 ) -> Result<Report> {
-    let progress = console.progress(cases().len() as u64, "kernels");
-    progress.say(what);
+    let progress = console.progress(what, cases().len(), "kernels");
     measure(&mut |_| progress.advance(1))
 }

@@ -34,8 +34,8 @@ pub struct Pictures<'a> {
 
 impl Pictures<'_> {
     /// Number of tiles in some views, for a progress bar.
-    pub fn tiles(&self, views: &[usize]) -> u64 {
-        let across = |pixels: u32| u64::from(pixels.div_ceil(self.tile_size));
+    pub fn tiles(&self, views: &[usize]) -> usize {
+        let across = |pixels: u32| pixels.div_ceil(self.tile_size) as usize;
         let tiles = |&view: &usize| {
             let camera = &self.cameras[view];
             across(camera.width) * across(camera.height)

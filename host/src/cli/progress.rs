@@ -37,10 +37,9 @@ impl TrainingProgress {
     pub fn new(console: Console, steps: u32, time_limit: Option<f64>) -> Self {
         // a log has lines of its own
         let bar = match console.has_terminal() {
-            true => console.progress(u64::from(steps), "steps"),
+            true => console.progress("training", steps as usize, "steps"),
             false => console.hidden(),
         };
-        bar.say("training");
         let pace = Pace::default();
         let lines = Lines::default();
         let step = 0;

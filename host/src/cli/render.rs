@@ -242,7 +242,7 @@ fn write_all(
     let mut not_finite_channels = 0;
     let mut clipped = 0;
     {
-        let progress = console.progress(pictures.tiles(&views), "tiles");
+        let progress = console.progress("rendering", pictures.tiles(&views), "tiles");
         for &(view, paths) in todo {
             progress.say(&format!("rendering {}", name(&paths[0])));
             let (image, beside) =

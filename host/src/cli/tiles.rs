@@ -173,8 +173,7 @@ fn tiles(args: &Args, job: &TilesJob, rank: Option<Member<'_>>, console: Console
         if let Some(output) = output {
             let mut summary = Summary::start();
             let tiles = {
-                let progress = console.progress(batch.tiles.len() as u64, "tiles");
-                progress.say("rendering");
+                let progress = console.progress("rendering", batch.tiles.len(), "tiles");
                 let mut advance = |done, total| progress.set_of(done, total);
                 renderer.render_channels(scene, cameras, batch, &channels, &mut advance)?
             };

@@ -169,8 +169,7 @@ impl<'a> Colmap<'a> {
             colmap.args(["--SiftExtraction.max_num_features", FEATURES_ON_CPU]);
         }
         self.choose_cuda(&mut colmap, ["FeatureExtraction.use_gpu", "SiftExtraction.use_gpu"])?;
-        let progress = self.job.console.progress(self.images as u64, "images");
-        progress.say("looking for features");
+        let progress = self.job.console.progress("looking for features", self.images, "images");
         self.job.programs.run(colmap, |line| {
             if let Some(done) = number_after(line, "Processed file [") {
                 progress.set(done);
@@ -192,8 +191,7 @@ impl<'a> Colmap<'a> {
         let mut colmap = self.on_database(name);
         colmap.args(option);
         self.choose_cuda(&mut colmap, ["FeatureMatching.use_gpu", "SiftMatching.use_gpu"])?;
-        let progress = self.job.console.progress(self.images as u64, unit);
-        progress.say("comparing images");
+        let progress = self.job.console.progress("comparing images", self.images, unit);
         self.job.programs.run(colmap, |line| {
             if let Some([done, all]) = compared(line) {
                 progress.set_of(done, all);
@@ -206,8 +204,7 @@ impl<'a> Colmap<'a> {
         colmap.arg("--image_path").arg(self.job.path(IMAGES));
         colmap.arg("--output_path").arg(folder);
         colmap.args(["--Mapper.ba_refine_focal_length", if self.are_views { "0" } else { "1" }]);
-        let progress = self.job.console.progress(self.images as u64, "images");
-        progress.say("finding poses");
+        let progress = self.job.console.progress("finding poses", self.images, "images");
         // COLMAP begins again where it finds few, and keeps the largest model.
         let mut most = 0;
         let result = self.job.programs.run(colmap, |line| {

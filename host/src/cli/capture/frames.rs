@@ -86,8 +86,7 @@ impl CaptureJob<'_> {
 
     /// Cuts panoramas into views.
     fn cut(&self, names: &[String], folder: &Path, views: &[View]) -> Result<()> {
-        let progress = self.console.progress(names.len() as u64, "panoramas");
-        progress.say("cutting panoramas");
+        let progress = self.console.progress("cutting panoramas", names.len(), "panoramas");
         for (done, name) in names.iter().enumerate() {
             self.programs.check()?;
             let path = self.path(PANORAMAS).join(name);

@@ -191,8 +191,7 @@ impl Film<'_> {
         let cost = self.render(&files, &todo, &signals, console)?;
         let Some(cost) = cost else { return stopped(&files, &folder) };
         if kind != FilmKind::Frames {
-            let progress = console.progress(files.len() as u64, "frames");
-            progress.say("encoding");
+            let progress = console.progress("encoding", files.len(), "frames");
             let kept = format!("the frames are kept in {}", folder.path().display());
             let frames = Frames {
                 files: &files,
@@ -231,8 +230,7 @@ impl Film<'_> {
         let mut summary = Summary::start();
         let mut not_finite = 0;
         {
-            let progress = console.progress(todo.len() as u64, "frames");
-            progress.say("rendering");
+            let progress = console.progress("rendering", todo.len(), "frames");
             // the bar counts frames, not tiles
             let silent = console.hidden();
             for &frame in todo {

@@ -267,8 +267,7 @@ impl DataSet {
     pub fn read(mut self, renderer: &Renderer, console: Console) -> Result<Dataset> {
         let Some(poses) = self.poses.take() else {
             let data = &self.settings;
-            let bar = console.progress(0, "views");
-            bar.say("rendering the built-in scene");
+            let bar = console.progress("rendering the built-in scene", 0, "views");
             let views = data.built_in_views;
             let side = data.built_in_side;
             let every = data.hold_out_every;
@@ -278,8 +277,7 @@ impl DataSet {
             self.move_built_in(dataset.frames.iter_mut().map(|frame| &mut frame.camera));
             return Ok(dataset);
         };
-        let bar = console.progress(0, "photographs");
-        bar.say("reading");
+        let bar = console.progress("reading", 0, "photographs");
         let known = poses.notes.len();
         let dataset = poses.photographs(&mut |done, all| bar.set_of(done, all))?;
         drop(bar);

@@ -6,53 +6,30 @@
 
 use std::collections::HashMap;
 
-use anyhow::{Context, Result};
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
+use crate::module::rewrite;
+
 /// Copies the arguments of all these instructions that were computed in another block.
-pub fn copy(module: &mut Module) -> Result<()> {
-    let mut bound = module.header.as_ref().context("the module has no header")?.bound;
-    for function in &mut module.functions {
-        // the block that computes each value; parameters and constants are in scope everywhere
-        let mut computed: HashMap<Word, (usize, Word)> = HashMap::new();
-        for (at, block) in function.blocks.iter().enumerate() {
-            for instruction in &block.instructions {
-                if let (Some(id), Some(kind)) = (instruction.result_id, instruction.result_type) {
-                    computed.insert(id, (at, kind));
-                }
+pub fn copy(module: &mut Module) {
+    // the block that computes each value; parameters and constants are in scope everywhere
+    let mut computed = HashMap::new();
+    let blocks = module.functions.iter().flat_map(|function| &function.blocks);
+    for (number, block) in blocks.enumerate() {
+        let value = |of: &Instruction| Some((of.result_id?, (number, of.result_type?)));
+        computed.extend(block.instructions.iter().filter_map(value));
+    }
+    rewrite(module, |writer, mut instruction| {
+        for argument in arguments(&mut instruction) {
+            if let Some(&(number, kind)) = computed.get(argument)
+                && number != writer.block
+            {
+                *argument = writer.add(Op::CopyObject, kind, &[*argument]);
             }
         }
-        for (at, block) in function.blocks.iter_mut().enumerate() {
-            let mut instructions = Vec::with_capacity(block.instructions.len());
-            for mut instruction in block.instructions.drain(..) {
-                for argument in arguments(&mut instruction) {
-                    match computed.get(argument) {
-                        Some(&(place, kind)) if place != at => {
-                            let operand = Operand::IdRef(*argument);
-                            let kind = Some(kind);
-                            let id = Some(bound);
-                            instructions.push(Instruction::new(
-                                Op::CopyObject,
-                                kind,
-                                id,
-                                vec![operand],
-                            ));
-                            *argument = bound;
-                            bound += 1;
-                        }
-                        _ => {}
-                    }
-                }
-                instructions.push(instruction);
-            }
-            block.instructions = instructions;
-        }
-    }
-    if let Some(header) = &mut module.header {
-        header.bound = bound;
-    }
-    Ok(())
+        writer.instructions.push(instruction);
+    });
 }
 
 /// The arguments of an atomic, after its pointer, or of a subgroup's operation, after its scope.
@@ -69,23 +46,15 @@ fn arguments(instruction: &mut Instruction) -> impl Iterator<Item = &mut Word> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lower::bytes;
+    use crate::lower::{bytes, count_fill};
     use rspirv::dr::Builder;
-    use rspirv::spirv::{
-        AddressingModel, Capability, Decoration, ExecutionMode, ExecutionModel, FunctionControl,
-        GroupOperation, LoopControl, MemoryModel, StorageClass,
-    };
+    use rspirv::spirv::{Capability, Decoration, GroupOperation, LoopControl, StorageClass};
 
     /// A kernel that adds `n` to a counter, which a loop has counted up to 3; or the sum of a subgroup's `n`.
     fn counted_in_a_loop(by_subgroup: bool) -> Module {
         let mut b = Builder::new();
-        b.set_version(1, 5);
-        b.capability(Capability::Shader);
-        b.memory_model(AddressingModel::Logical, MemoryModel::GLSL450);
-        let void = b.type_void();
         let uint = b.type_int(32, 0);
         let bool = b.type_bool();
-        let kind = b.type_function(void, []);
         let block = b.type_struct([uint]);
         let storage = b.type_pointer(None, StorageClass::StorageBuffer, block);
         let element = b.type_pointer(None, StorageClass::StorageBuffer, uint);
@@ -95,47 +64,43 @@ mod tests {
         b.decorate(counter, Decoration::DescriptorSet, [Operand::LiteralBit32(0)]);
         b.decorate(counter, Decoration::Binding, [Operand::LiteralBit32(0)]);
         let [zero, one, three] = [0, 1, 3].map(|value| b.constant_bit32(uint, value));
-        let main = b.begin_function(void, None, FunctionControl::NONE, kind).unwrap();
-        let [entry, head, body, next, end] = [(); 5].map(|()| b.id());
-        let n = b.id();
-        let more = b.id();
-        b.begin_block(Some(entry)).unwrap();
-        b.branch(head).unwrap();
-        b.begin_block(Some(head)).unwrap();
-        let before = b.phi(uint, None, [(zero, entry), (n, next)]).unwrap();
-        b.loop_merge(end, next, LoopControl::NONE, []).unwrap();
-        b.branch(body).unwrap();
-        b.begin_block(Some(body)).unwrap();
-        b.i_add(uint, Some(n), before, one).unwrap();
-        b.u_less_than(bool, Some(more), n, three).unwrap();
-        b.branch_conditional(more, next, end, []).unwrap();
-        b.begin_block(Some(next)).unwrap();
-        b.branch(head).unwrap();
-        b.begin_block(Some(end)).unwrap();
-        let at = b.access_chain(element, None, counter, [zero]).unwrap();
-        if by_subgroup {
-            b.capability(Capability::GroupNonUniformArithmetic);
-            let sum = b.group_non_uniform_i_add(uint, None, three, GroupOperation::Reduce, n, None);
-            b.store(at, sum.unwrap(), None, []).unwrap();
-        } else {
-            b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
-        }
-        b.ret().unwrap();
-        b.end_function().unwrap();
-        b.entry_point(ExecutionModel::GLCompute, main, "main", []);
-        b.execution_mode(main, ExecutionMode::LocalSize, [1, 1, 1]);
-        b.module()
+        count_fill(b, &[], |b| {
+            let [entry, head, body, next, end, n, more] = [(); 7].map(|()| b.id());
+            b.branch(entry).unwrap();
+            b.begin_block(Some(entry)).unwrap();
+            b.branch(head).unwrap();
+            b.begin_block(Some(head)).unwrap();
+            let before = b.phi(uint, None, [(zero, entry), (n, next)]).unwrap();
+            b.loop_merge(end, next, LoopControl::NONE, []).unwrap();
+            b.branch(body).unwrap();
+            b.begin_block(Some(body)).unwrap();
+            b.i_add(uint, Some(n), before, one).unwrap();
+            b.u_less_than(bool, Some(more), n, three).unwrap();
+            b.branch_conditional(more, next, end, []).unwrap();
+            b.begin_block(Some(next)).unwrap();
+            b.branch(head).unwrap();
+            b.begin_block(Some(end)).unwrap();
+            let at = b.access_chain(element, None, counter, [zero]).unwrap();
+            if by_subgroup {
+                b.capability(Capability::GroupNonUniformArithmetic);
+                let sum = GroupOperation::Reduce;
+                let sum = b.group_non_uniform_i_add(uint, None, three, sum, n, None);
+                b.store(at, sum.unwrap(), None, []).unwrap();
+            } else {
+                b.atomic_i_add(uint, None, at, one, zero, n).unwrap();
+            }
+        })
     }
 
     /// Copies one value, after which naga takes the module.
     fn assert_copied(mut module: Module) {
-        copy(&mut module).unwrap();
+        copy(&mut module);
         crate::validate::check(&bytes(&module)).unwrap();
         let count = |op| module.all_inst_iter().filter(|i| i.class.opcode == op).count();
         assert_eq!(count(Op::CopyObject), 1);
         // a second run finds nothing to copy
         let once = bytes(&module);
-        copy(&mut module).unwrap();
+        copy(&mut module);
         assert_eq!(bytes(&module), once);
     }
 

@@ -143,40 +143,30 @@ pub fn renumber(module: &mut Module) {
 mod tests {
     use rspirv::binary::Assemble;
     use rspirv::dr::Builder;
-    use rspirv::spirv::{Capability, Decoration, FunctionControl, StorageClass};
+    use rspirv::spirv::{Decoration, StorageClass};
 
     use super::*;
+    use crate::lower::count_fill;
 
     /// A module that adds a number to itself. Other kernels have left declarations, and the order is theirs.
     fn module(of_another: bool) -> Module {
         let mut b = Builder::new();
-        b.capability(Capability::Shader);
         let early = of_another.then(|| b.type_int(32, 1));
         let float = b.type_float(32, None);
-        let [void, number] = match of_another {
-            true => {
-                let number = b.constant_bit32(float, 2.0_f32.to_bits());
-                [b.type_void(), number]
-            }
-            false => {
-                let void = b.type_void();
-                [void, b.constant_bit32(float, 2.0_f32.to_bits())]
-            }
-        };
+        if !of_another {
+            b.type_void();
+        }
+        let number = b.constant_bit32(float, 2.0_f32.to_bits());
         let pointer = b.type_pointer(None, StorageClass::Private, float);
         let variable = b.variable(pointer, None, StorageClass::Private, None);
         if let Some(early) = early {
             b.decorate(early, Decoration::RelaxedPrecision, []);
         }
         b.decorate(variable, Decoration::RelaxedPrecision, []);
-        let ty = b.type_function(void, []);
-        b.begin_function(void, None, FunctionControl::NONE, ty).unwrap();
-        b.begin_block(None).unwrap();
-        let sum = b.f_add(float, None, number, number).unwrap();
-        b.store(variable, sum, None, []).unwrap();
-        b.ret().unwrap();
-        b.end_function().unwrap();
-        b.module()
+        count_fill(b, &[], |b| {
+            let sum = b.f_add(float, None, number, number).unwrap();
+            b.store(variable, sum, None, []).unwrap();
+        })
     }
 
     #[test]

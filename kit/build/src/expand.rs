@@ -197,23 +197,15 @@ fn opposite(op: Op) -> Option<Op> {
 
 #[cfg(test)]
 mod tests {
-    use rspirv::spirv::{Capability, FunctionControl};
-
     use super::*;
+    use crate::lower::count_fill;
 
     /// The operations of a function of integers x, y and z, once they are expanded.
     fn expanded(write: impl Fn(&mut Builder, [Word; 2], [Word; 3])) -> Vec<Op> {
         let mut b = Builder::new();
-        b.capability(Capability::Shader);
-        let [void, int, bool] = [b.type_void(), b.type_int(32, 1), b.type_bool()];
-        let kind = b.type_function(void, [int; 3]);
-        b.begin_function(void, None, FunctionControl::NONE, kind).unwrap();
-        let values = [(); 3].map(|()| b.function_parameter(int).unwrap());
-        b.begin_block(None).unwrap();
-        write(&mut b, [int, bool], values);
-        b.ret().unwrap();
-        b.end_function().unwrap();
-        let mut module = b.module();
+        let [int, bool] = [b.type_int(32, 1), b.type_bool()];
+        let values = [0; 3].map(|usual| b.spec_constant_bit32(int, usual));
+        let mut module = count_fill(b, &[], |b| write(b, [int, bool], values));
         expand(&mut module);
         let blocks = module.functions.iter().flat_map(|function| &function.blocks);
         blocks.flat_map(|block| &block.instructions).map(|i| i.class.opcode).collect()

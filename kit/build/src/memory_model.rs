@@ -11,7 +11,7 @@
 use std::collections::BTreeSet;
 
 use anyhow::{Context, Result, bail};
-use rspirv::dr::{Instruction, Module, Operand};
+use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{
     AddressingModel, Capability, Decoration, MemoryAccess, MemoryModel, MemorySemantics, Op, Scope,
     StorageClass, Word,
@@ -43,7 +43,7 @@ pub fn lower(module: &mut Module) -> Result<()> {
         )
     });
     refuse_without_equivalent(module)?;
-    widen_scopes(module)?;
+    widen_scopes(module);
     if has_storage_barrier(module) {
         decorate_coherent(module);
     }
@@ -85,50 +85,25 @@ fn decorate_coherent(module: &mut Module) {
 }
 
 /// GLSL's model has no scope of a queue family. `Device` contains them all, and replaces it.
-fn widen_scopes(module: &mut Module) -> Result<()> {
-    // Constants of several types may have the number of a scope.
-    while let Some(narrow) = find_scope(module, Scope::QueueFamily) {
-        let wide = device_scope(module, narrow)?;
-        for instruction in module.all_inst_iter_mut() {
-            for operand in &mut instruction.operands {
-                if *operand == Operand::IdScope(narrow) {
-                    *operand = Operand::IdScope(wide);
-                }
-            }
+fn widen_scopes(module: &mut Module) {
+    let mut builder = Builder::new_from_module(std::mem::take(module));
+    let word = builder.type_int(32, 0);
+    let constants = |scope: Scope| {
+        let number = [Operand::LiteralBit32(scope as u32)];
+        let all = builder.module_ref().types_global_values.iter();
+        all.filter(move |of| of.class.opcode == Op::Constant && of.operands == number)
+    };
+    let narrow: BTreeSet<_> = constants(Scope::QueueFamily).filter_map(|of| of.result_id).collect();
+    let wide = constants(Scope::Device).find(|of| of.result_type == Some(word));
+    let wide = wide.and_then(|of| of.result_id);
+    let wide = wide.unwrap_or_else(|| builder.constant_bit32(word, Scope::Device as u32));
+    *module = builder.module();
+    for operand in module.all_inst_iter_mut().flat_map(|of| &mut of.operands) {
+        match operand {
+            Operand::IdScope(scope) if narrow.contains(scope) => *scope = wide,
+            _ => {}
         }
     }
-    Ok(())
-}
-
-/// A constant that is used as a given scope.
-fn find_scope(module: &Module, scope: Scope) -> Option<Word> {
-    let mut operands = module.all_inst_iter().flat_map(|instruction| &instruction.operands);
-    operands.find_map(|operand| match *operand {
-        Operand::IdScope(id) if constant(module, id) == Some(scope as u32) => Some(id),
-        _ => None,
-    })
-}
-
-/// A constant `Device`, of the same type as another scope.
-fn device_scope(module: &mut Module, like: Word) -> Result<Word> {
-    let at = module.types_global_values.iter().position(|i| i.result_id == Some(like));
-    let at = at.context("a scope is a constant")?;
-    let kind = module.types_global_values[at].result_type;
-    let device = vec![Operand::LiteralBit32(Scope::Device as u32)];
-    let is_device = |instruction: &&Instruction| {
-        instruction.class.opcode == Op::Constant
-            && instruction.result_type == kind
-            && instruction.operands == device
-    };
-    if let Some(found) = module.types_global_values.iter().find(is_device) {
-        return found.result_id.context("a constant has an id");
-    }
-    let header = module.header.as_mut().context("the module has no header")?;
-    let id = header.bound;
-    header.bound += 1;
-    let instruction = Instruction::new(Op::Constant, kind, Some(id), device);
-    module.types_global_values.insert(at, instruction);
-    Ok(id)
 }
 
 fn refuse_without_equivalent(module: &Module) -> Result<()> {
@@ -162,33 +137,26 @@ fn constant(module: &Module, id: Word) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rspirv::dr::{self, Builder};
+    use crate::lower::count_fill;
+    use rspirv::dr;
 
     fn lower(spirv: &[u8]) -> Result<Vec<u8>> {
         crate::lower::lower(spirv, true, [1; 3])
     }
 
-    /// A module with one atomic addition, in Rust-GPU's style.
+    /// A module with one atomic addition.
     fn module(semantics: MemorySemantics) -> Vec<u8> {
         let mut b = Builder::new();
-        b.set_version(1, 5);
-        b.capability(Capability::Shader);
-        b.capability(Capability::VulkanMemoryModel);
-        b.memory_model(AddressingModel::Logical, MemoryModel::Vulkan);
-        let void = b.type_void();
         let uint = b.type_int(32, 0);
-        let function = b.type_function(void, []);
-        let pointer = b.type_pointer(None, rspirv::spirv::StorageClass::Workgroup, uint);
-        let counter = b.variable(pointer, None, rspirv::spirv::StorageClass::Workgroup, None);
+        let pointer = b.type_pointer(None, StorageClass::Workgroup, uint);
+        let counter = b.variable(pointer, None, StorageClass::Workgroup, None);
         let scope = b.constant_bit32(uint, Scope::QueueFamily as u32);
         let semantics = b.constant_bit32(uint, semantics.bits());
-        b.begin_function(void, None, rspirv::spirv::FunctionControl::NONE, function).unwrap();
-        b.begin_block(None).unwrap();
-        // The number five is also added: that must not change.
-        b.atomic_i_add(uint, None, counter, scope, semantics, scope).unwrap();
-        b.ret().unwrap();
-        b.end_function().unwrap();
-        crate::lower::bytes(&b.module())
+        let module = count_fill(b, &[], |b| {
+            // The number five is also added: that must not change.
+            b.atomic_i_add(uint, None, counter, scope, semantics, scope).unwrap();
+        });
+        crate::lower::bytes(&module)
     }
 
     #[test]
@@ -218,11 +186,7 @@ mod tests {
     /// Decorations of members, in a module with two buffers, of which one is written, and one barrier.
     fn member_decorations(semantics: MemorySemantics) -> Vec<Vec<Operand>> {
         let mut b = Builder::new();
-        b.set_version(1, 5);
-        b.memory_model(AddressingModel::Logical, MemoryModel::Vulkan);
-        let void = b.type_void();
         let uint = b.type_int(32, 0);
-        let function = b.type_function(void, []);
         for is_read_only in [true, false] {
             let values = b.type_runtime_array(uint);
             // each is a type of its own
@@ -235,12 +199,9 @@ mod tests {
         }
         let scope = b.constant_bit32(uint, Scope::Workgroup as u32);
         let semantics = b.constant_bit32(uint, semantics.bits());
-        b.begin_function(void, None, rspirv::spirv::FunctionControl::NONE, function).unwrap();
-        b.begin_block(None).unwrap();
-        b.control_barrier(scope, scope, semantics).unwrap();
-        b.ret().unwrap();
-        b.end_function().unwrap();
-        let mut module = b.module();
+        let mut module = count_fill(b, &[], |b| {
+            b.control_barrier(scope, scope, semantics).unwrap();
+        });
         super::lower(&mut module).unwrap();
         let members =
             module.annotations.into_iter().filter(|i| i.class.opcode == Op::MemberDecorate);

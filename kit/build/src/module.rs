@@ -207,14 +207,21 @@ fn stride(module: &Module, variable: &Instruction) -> Option<u32> {
 #[derive(Default)]
 pub struct Writer {
     bound: Word,
+    /// The number of the block among those of all functions.
+    pub block: usize,
     pub instructions: Vec<Instruction>,
 }
 
 impl Writer {
+    /// A new id.
+    pub fn id(&mut self) -> Word {
+        self.bound += 1;
+        self.bound - 1
+    }
+
     /// Adds an instruction, and returns its result.
     pub fn add(&mut self, op: Op, kind: Word, operands: &[Word]) -> Word {
-        let id = self.bound;
-        self.bound += 1;
+        let id = self.id();
         self.push(op, kind, id, operands);
         id
     }
@@ -230,7 +237,9 @@ impl Writer {
 pub fn rewrite(module: &mut Module, mut write: impl FnMut(&mut Writer, Instruction)) {
     let Some(header) = &mut module.header else { return };
     let mut writer = Writer { bound: header.bound, ..Writer::default() };
-    for block in module.functions.iter_mut().flat_map(|function| &mut function.blocks) {
+    let blocks = module.functions.iter_mut().flat_map(|function| &mut function.blocks);
+    for (number, block) in blocks.enumerate() {
+        writer.block = number;
         block.instructions.drain(..).for_each(|instruction| write(&mut writer, instruction));
         block.instructions.append(&mut writer.instructions);
     }

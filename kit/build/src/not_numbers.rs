@@ -4,62 +4,45 @@
 
 use std::collections::HashMap;
 
-use anyhow::{Context, Result};
-use rspirv::dr::{Instruction, Module, Operand};
+use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{Op, StorageClass, Word};
 
-use crate::declarations::{merge_types, rename};
+use crate::declarations::rename;
 
-/// Replaces constants that are infinite or NaN, and vectors of them. Only what functions use is declared.
-pub fn replace(module: &mut Module) -> Result<()> {
-    let mut bound = module.header.as_ref().context("the module has no header")?.bound;
-    let mut id = || {
-        bound += 1;
-        bound - 1
-    };
-    let [word, pointer] = [id(), id()];
-    let integer = [32, 0].map(Operand::LiteralBit32);
-    let in_function = || Operand::StorageClass(StorageClass::Function);
-    let mut declared = vec![
-        Instruction::new(Op::TypeInt, None, Some(word), integer.into()),
-        Instruction::new(
-            Op::TypePointer,
-            None,
-            Some(pointer),
-            vec![in_function(), Operand::IdRef(word)],
-        ),
-    ];
-    let types: HashMap<_, _> =
-        module.types_global_values.iter().map(|of| (of.result_id, of.class.opcode)).collect();
-    for function in &mut module.functions {
+/// Replaces constants that are infinite or NaN, and vectors of them.
+pub fn replace(module: &mut Module) {
+    let mut builder = Builder::new_from_module(std::mem::take(module));
+    let [float, word] = [builder.type_float(32, None), builder.type_int(32, 0)];
+    let pointer = builder.type_pointer(None, StorageClass::Function, word);
+    let mut functions = std::mem::take(&mut builder.module_mut().functions);
+    let constants = builder.module_ref().types_global_values.clone();
+    for function in &mut functions {
         let mut names = HashMap::new();
         let mut variables = Vec::new();
         let mut values = Vec::new();
         // what a vector consists of is declared before it
-        for constant in &module.types_global_values {
+        for constant in &constants {
             let kind = constant.result_type;
             match (constant.class.opcode, &constant.operands[..]) {
                 (Op::Constant, &[Operand::LiteralBit32(bits)])
-                    if types.get(&kind) == Some(&Op::TypeFloat)
-                        && !f32::from_bits(bits).is_finite() =>
+                    if kind == Some(float) && !f32::from_bits(bits).is_finite() =>
                 {
-                    let [literal, variable, loaded] = [id(), id(), id()];
-                    let bits = Operand::LiteralBit32(bits);
-                    let first = vec![in_function(), Operand::IdRef(literal)];
+                    let literal = builder.constant_bit32(word, bits);
+                    let [variable, loaded, value] = [(); 3].map(|()| builder.id());
+                    let first = Operand::StorageClass(StorageClass::Function);
+                    let first = vec![first, Operand::IdRef(literal)];
                     let [load, cast] = [variable, loaded].map(|id| vec![Operand::IdRef(id)]);
                     let new = Instruction::new;
-                    declared.push(new(Op::Constant, Some(word), Some(literal), vec![bits]));
-                    let pointer = Some(pointer);
-                    variables.push(new(Op::Variable, pointer, Some(variable), first));
+                    variables.push(new(Op::Variable, Some(pointer), Some(variable), first));
                     values.push(new(Op::Load, Some(word), Some(loaded), load));
-                    values.push(new(Op::Bitcast, kind, Some(id()), cast));
+                    values.push(new(Op::Bitcast, kind, Some(value), cast));
                 }
                 (Op::ConstantComposite, operands)
                     if operands.iter().any(|of| is_renamed(of, &names)) =>
                 {
                     let operands = operands.to_vec();
                     let vector = Op::CompositeConstruct;
-                    let mut vector = Instruction::new(vector, kind, Some(id()), operands);
+                    let mut vector = Instruction::new(vector, kind, Some(builder.id()), operands);
                     rename([&mut vector], &names);
                     values.push(vector);
                 }
@@ -75,14 +58,8 @@ pub fn replace(module: &mut Module) -> Result<()> {
             first.instructions.splice(end..end, variables.into_iter().chain(values));
         }
     }
-    if declared.len() > 2 {
-        module.types_global_values.extend(declared);
-        merge_types(module);
-        if let Some(header) = &mut module.header {
-            header.bound = bound;
-        }
-    }
-    Ok(())
+    builder.module_mut().functions = functions;
+    *module = builder.module();
 }
 
 fn is_renamed(operand: &Operand, names: &HashMap<Word, Word>) -> bool {

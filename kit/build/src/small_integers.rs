@@ -6,11 +6,12 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use anyhow::{Context, Result, bail, ensure};
-use rspirv::dr::{Instruction, Module, Operand};
+use anyhow::{Result, bail, ensure};
+use rspirv::dr::{Builder, Instruction, Module, Operand};
 use rspirv::spirv::{Capability, Op, StorageClass, Word};
 
 use crate::declarations::{merge_types, rename};
+use crate::module::{Writer, rewrite};
 
 /// The capabilities of the integers that are widened.
 pub const CAPABILITIES: [Capability; 2] = [Capability::Int8, Capability::Int16];
@@ -33,18 +34,22 @@ pub fn widen(module: &mut Module) -> Result<()> {
         return Ok(());
     }
     refuse_in_buffers(module, &small)?;
-    let mut widening = Widening::new(module, &small)?;
-    for function in &mut module.functions {
-        for block in &mut function.blocks {
-            let mut written = Vec::with_capacity(block.instructions.len());
-            for instruction in block.instructions.drain(..) {
-                widening.write(instruction, &mut written)?;
-            }
-            block.instructions = written;
+    let mut builder = Builder::new_from_module(std::mem::take(module));
+    let wide = [0, 1].map(|sign| builder.type_int(32, sign));
+    let numbers = small.values().flat_map(|of| [of.mask(), of.shift()]);
+    let constants = numbers.map(|number| (number, builder.constant_bit32(wide[0], number)));
+    let constants = constants.collect();
+    *module = builder.module();
+    let value = |of: &Instruction| Some((of.result_id?, *small.get(&of.result_type?)?));
+    let values = module.all_inst_iter().filter_map(value).collect();
+    let widening = Widening { small: &small, values, wide, constants };
+    let mut result = Ok(());
+    rewrite(module, |writer, instruction| {
+        if result.is_ok() {
+            result = widening.write(instruction, writer);
         }
-    }
-    let Widening { bound, wide, declared, .. } = widening;
-    module.types_global_values.extend(declared);
+    });
+    result?;
     let is_small = |of: &Instruction| of.result_id.is_some_and(|id| small.contains_key(&id));
     module.types_global_values.retain(|of| !is_small(of));
     for constant in &mut module.types_global_values {
@@ -56,9 +61,6 @@ pub fn widen(module: &mut Module) -> Result<()> {
     let both = small.iter().map(|(id, of)| (*id, wide[usize::from(of.is_signed)]));
     rename(module.all_inst_iter_mut(), &both.collect());
     merge_types(module);
-    if let Some(header) = &mut module.header {
-        header.bound = bound;
-    }
     Ok(())
 }
 
@@ -73,6 +75,11 @@ impl Integer {
     /// The bits of a widened value that can be set.
     fn mask(self) -> u32 {
         (1 << self.bits) - 1
+    }
+
+    /// The number of the others.
+    fn shift(self) -> u32 {
+        32 - self.bits
     }
 }
 
@@ -114,107 +121,36 @@ fn refuse_in_buffers(module: &Module, small: &HashMap<Word, Integer>) -> Result<
     Ok(())
 }
 
-/// What the pass knows of a module, and what it adds.
+/// What the pass knows of a module.
 struct Widening<'a> {
     small: &'a HashMap<Word, Integer>,
     /// The small integers among the values.
     values: HashMap<Word, Integer>,
-    bound: Word,
     /// The types `u32` and `i32`.
     wide: [Word; 2],
+    /// The masks and shifts of the small integers.
     constants: HashMap<u32, Word>,
-    declared: Vec<Instruction>,
 }
 
-impl<'a> Widening<'a> {
-    fn new(module: &Module, small: &'a HashMap<Word, Integer>) -> Result<Self> {
-        let value = |of: &Instruction| Some((of.result_id?, *small.get(&of.result_type?)?));
-        let values = module.all_inst_iter().filter_map(value).collect();
-        let bound = module.header.as_ref().context("the module has no header")?.bound;
-        let constants = HashMap::new();
-        let mut widening =
-            Self { small, values, bound, wide: [0; 2], constants, declared: Vec::new() };
-        for is_signed in [false, true] {
-            let mut integers = module.types_global_values.iter().filter_map(integer);
-            let found = integers.find(|(_, of)| of.bits == 32 && of.is_signed == is_signed);
-            let operands = [32, u32::from(is_signed)].map(Operand::LiteralBit32);
-            widening.wide[usize::from(is_signed)] = match found {
-                Some((id, _)) => id,
-                None => widening.declare(Op::TypeInt, None, operands.into()),
-            };
-        }
-        Ok(widening)
-    }
-
-    fn id(&mut self) -> Word {
-        self.bound += 1;
-        self.bound - 1
-    }
-
-    fn declare(&mut self, op: Op, ty: Option<Word>, operands: Vec<Operand>) -> Word {
-        let id = self.id();
-        self.declared.push(Instruction::new(op, ty, Some(id), operands));
-        id
-    }
-
-    fn constant(&mut self, value: u32) -> Operand {
-        let ty = self.wide[0];
-        let known = self.constants.get(&value).copied();
-        let id = known.unwrap_or_else(|| {
-            self.declare(Op::Constant, Some(ty), vec![Operand::LiteralBit32(value)])
-        });
-        self.constants.insert(value, id);
-        Operand::IdRef(id)
-    }
-
-    /// Writes an operation; returns its result.
-    fn operation(
-        &mut self,
-        written: &mut Vec<Instruction>,
-        op: Op,
-        ty: Word,
-        operands: Vec<Operand>,
-    ) -> Operand {
-        let id = self.id();
-        written.push(Instruction::new(op, Some(ty), Some(id), operands));
-        Operand::IdRef(id)
-    }
-
+impl Widening<'_> {
     /// Extends the sign of an operand, if it is a small integer.
-    fn extend(&mut self, operand: &mut Operand, written: &mut Vec<Instruction>) {
-        let Some(of) = operand.id_ref_any().and_then(|id| self.values.get(&id)).copied() else {
-            return;
-        };
+    fn extend(&self, operand: &mut Operand, writer: &mut Writer) {
+        let Operand::IdRef(id) = operand else { return };
+        let Some(of) = self.values.get(id) else { return };
         let int = self.wide[1];
-        let shift = self.constant(32 - of.bits);
-        let value = self.operation(written, Op::Bitcast, int, vec![operand.clone()]);
-        let up = vec![value, shift.clone()];
-        let upper = self.operation(written, Op::ShiftLeftLogical, int, up);
-        *operand = self.operation(written, Op::ShiftRightArithmetic, int, vec![upper, shift]);
-    }
-
-    /// Writes an operation whose result has other bits than its type, and then masks them.
-    fn write_masked(
-        &mut self,
-        mut instruction: Instruction,
-        of: Integer,
-        written: &mut Vec<Instruction>,
-    ) {
-        let id = instruction.result_id.replace(self.id());
-        let unmasked = instruction.result_id.into_iter().map(Operand::IdRef);
-        let ty = instruction.result_type;
-        let operands = unmasked.chain([self.constant(of.mask())]).collect();
-        written.push(instruction);
-        written.push(Instruction::new(Op::BitwiseAnd, ty, id, operands));
+        let shift = self.constants[&of.shift()];
+        let value = writer.add(Op::Bitcast, int, &[*id]);
+        let upper = writer.add(Op::ShiftLeftLogical, int, &[value, shift]);
+        *id = writer.add(Op::ShiftRightArithmetic, int, &[upper, shift]);
     }
 
     /// Writes an instruction in its wide form.
-    fn write(&mut self, mut of: Instruction, written: &mut Vec<Instruction>) -> Result<()> {
+    fn write(&self, mut of: Instruction, writer: &mut Writer) -> Result<()> {
         let ids = of.operands.iter().filter_map(Operand::id_ref_any);
         let operand = ids.filter_map(|id| self.values.get(&id)).next().copied();
         let result = of.result_type.and_then(|ty| self.small.get(&ty)).copied();
         let Some(either) = result.or(operand) else {
-            written.push(of);
+            writer.instructions.push(of);
             return Ok(());
         };
         let function = match of.operands.get(1) {
@@ -256,16 +192,21 @@ impl<'a> Widening<'a> {
             }
         };
         for operand in of.operands.iter_mut().take(needs_sign) {
-            self.extend(operand, written);
+            self.extend(operand, writer);
         }
         // a conversion between integers is a copy, but for its mask
         if matches!(of.class.opcode, Op::UConvert | Op::SConvert) {
             let ty = of.result_type;
             of = Instruction::new(Op::Bitcast, ty, of.result_id, of.operands);
         }
-        match result.filter(|_| sets_bits) {
-            Some(result) => self.write_masked(of, result, written),
-            None => written.push(of),
+        let masked = result.filter(|_| sets_bits).zip(of.result_type.zip(of.result_id));
+        if let Some((result, (kind, id))) = masked {
+            let unmasked = writer.id();
+            of.result_id = Some(unmasked);
+            writer.instructions.push(of);
+            writer.push(Op::BitwiseAnd, kind, id, &[unmasked, self.constants[&result.mask()]]);
+        } else {
+            writer.instructions.push(of);
         }
         Ok(())
     }
@@ -274,25 +215,17 @@ impl<'a> Widening<'a> {
 // what the pass computes is in the case of organza's kernel `core_functions`
 #[cfg(test)]
 mod tests {
-    use rspirv::dr::Builder;
-    use rspirv::spirv::{ExecutionModel, FunctionControl};
-
     use super::*;
+    use crate::lower::count_fill;
 
     /// A module with a buffer of a struct of an integer.
     fn module(bits: u32) -> Module {
         let mut b = Builder::new();
-        let [void, integer] = [b.type_void(), b.type_int(bits, 0)];
+        let integer = b.type_int(bits, 0);
         let block = b.type_struct([integer]);
         let pointer = b.type_pointer(None, StorageClass::StorageBuffer, block);
         let buffer = b.variable(pointer, None, StorageClass::StorageBuffer, None);
-        let ty = b.type_function(void, []);
-        let function = b.begin_function(void, None, FunctionControl::NONE, ty).unwrap();
-        b.begin_block(None).unwrap();
-        b.ret().unwrap();
-        b.end_function().unwrap();
-        b.entry_point(ExecutionModel::GLCompute, function, "blur", [buffer]);
-        b.module()
+        count_fill(b, &[buffer], |_| {})
     }
 
     #[test]

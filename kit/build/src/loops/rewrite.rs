@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use rspirv::dr::{Function, Instruction, Operand};
 use rspirv::spirv::{Op, Word};
 
+use crate::declarations::rename;
+
 use super::exits::{Exit, Path};
 use super::{Loop, block, block_mut, find, id, label, sources, targets, terminator};
 
@@ -200,17 +202,7 @@ fn carry_out(
         new.insert(chosen.value, *bound);
         *bound += 1;
     }
-    rename(function, &new, |_| true);
-}
-
-/// Replaces ids in the operands of some instructions.
-fn rename(function: &mut Function, new: &HashMap<Word, Word>, of: impl Fn(&Instruction) -> bool) {
-    let all = function.blocks.iter_mut().flat_map(|block| &mut block.instructions);
-    for operand in all.filter(|i| of(i)).flat_map(|i| &mut i.operands) {
-        if let Operand::IdRef(id) = operand {
-            *id = new.get(id).copied().unwrap_or(*id);
-        }
-    }
+    rename(function.all_inst_iter_mut(), &new);
 }
 
 /// If the loop can end before it does anything else, moves that decision to its first block. This is the form of a
@@ -237,5 +229,6 @@ fn join_head(function: &mut Function, cycle: &Loop) {
     head.instructions.pop();
     head.instructions.splice(merge..merge, moved);
     head.instructions.push(branch);
-    rename(function, &HashMap::from([(first, cycle.head)]), |i| i.class.opcode == Op::Phi);
+    let phis = function.all_inst_iter_mut().filter(|i| i.class.opcode == Op::Phi);
+    rename(phis, &HashMap::from([(first, cycle.head)]));
 }

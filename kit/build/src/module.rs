@@ -1,35 +1,42 @@
 //! Compares a compiled module with its kernel's declaration, and writes instructions anew for passes that put some in the place of others.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use anyhow::{Context, Result, anyhow, bail, ensure};
+use anyhow::{Result, anyhow, bail, ensure};
 use muslin_kernel::{EntryPoint, KernelInfo};
+use naga::{AddressSpace, GlobalVariable, ShaderStage, StorageAccess, TypeInner};
 use rspirv::dr::{self, Instruction, Module, Operand};
-use rspirv::spirv::{
-    Capability, Decoration, ExecutionMode, ExecutionModel, Op, StorageClass, Word,
-};
+use rspirv::spirv::{Capability, Op, Word};
 
-use crate::lower;
+use crate::{lower, validate};
 
 /// Checks that a module has only this entry point of the kernel, with its workgroup size, and no buffers besides the
 /// kernel's bindings.
 pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()> {
-    ensure!(spirv.len().is_multiple_of(4), "the module is no sequence of words");
-    let module = dr::load_bytes(spirv).map_err(|error| anyhow!("the module is broken: {error}"))?;
-    let (id, name) = entry_point(&module)?;
-    ensure!(name == point.name, "the module's entry point is `{name}`");
-    let size = local_size(&module, id)?;
+    let module = load(spirv)?;
+    check_subgroups(kernel, &module)?;
+    check_wide(point, &module)?;
+    check_loops(kernel, &module)?;
+    let module = validate::read(spirv)?;
+    let [entry_point] = module.entry_points.as_slice() else {
+        bail!("the module has {} entry points", module.entry_points.len());
+    };
+    ensure!(
+        entry_point.stage == ShaderStage::Compute,
+        "the module's entry point is no compute shader"
+    );
+    ensure!(entry_point.name == point.name, "the module's entry point is `{}`", entry_point.name);
+    let size = entry_point.workgroup_size;
     ensure!(
         size == kernel.workgroup_size,
         "the module's workgroup is {size:?}, the kernel declares {:?}",
         kernel.workgroup_size
     );
-    for buffer in buffers(&module)? {
-        check_buffer(kernel, point, &buffer)?;
-    }
-    check_subgroups(kernel, &module)?;
-    check_wide(point, &module)?;
-    check_loops(kernel, &module)
+    let mut variables = module.global_variables.iter();
+    variables.try_for_each(|(_, variable)| check_buffer(kernel, point, &module, variable))
+}
+
+fn load(spirv: &[u8]) -> Result<Module> {
+    ensure!(spirv.len().is_multiple_of(4), "the module is no sequence of words");
+    dr::load_bytes(spirv).map_err(|error| anyhow!("the module is broken: {error}"))
 }
 
 /// Whether a module has one of these capabilities.
@@ -70,137 +77,56 @@ fn check_loops(kernel: &KernelInfo, module: &Module) -> Result<()> {
     Ok(())
 }
 
-/// A buffer that a module uses.
-struct Buffer {
-    set: u32,
-    binding: u32,
-    class: StorageClass,
-    read_only: bool,
-    /// Bytes from one element to the next, of a storage buffer.
-    stride: Option<u32>,
-}
-
-fn check_buffer(kernel: &KernelInfo, point: &EntryPoint, buffer: &Buffer) -> Result<()> {
-    let Buffer { set, binding, class, read_only, stride } = *buffer;
-    ensure!(set == 0, "the module uses descriptor set {set}");
+/// Compares a buffer with the kernel's binding.
+fn check_buffer(
+    kernel: &KernelInfo,
+    point: &EntryPoint,
+    module: &naga::Module,
+    buffer: &GlobalVariable,
+) -> Result<()> {
+    let space = buffer.space;
+    // Everything but workgroup memory and builtins comes from the host.
+    if matches!(space, AddressSpace::WorkGroup | AddressSpace::Private) {
+        return Ok(());
+    }
+    let Some(place) = buffer.binding else {
+        bail!("the module has a variable in {space:?} that is no binding");
+    };
+    ensure!(place.group == 0, "the module uses descriptor set {}", place.group);
+    let binding = place.binding;
     let Some(declared) = kernel.bindings.get(binding as usize) else {
         bail!("the module uses binding {binding}, the kernel declares {}", kernel.bindings.len());
     };
+    let found = match space {
+        AddressSpace::Uniform => "uniform",
+        AddressSpace::Storage { access } if access.contains(StorageAccess::STORE) => "write",
+        AddressSpace::Storage { .. } => "read",
+        _ => bail!("the module has binding {binding} in {space:?}"),
+    };
     let access = declared.access.as_str();
-    let want =
-        if access == "uniform" { StorageClass::Uniform } else { StorageClass::StorageBuffer };
     ensure!(
-        class == want,
-        "the module has binding {binding} as a {class:?}, the kernel declares `{}` as {access}",
+        found == access,
+        "the kernel declares `{}` as {access}, the module as {found}",
         declared.name
     );
-    // Uniform buffers are always read-only.
-    ensure!(
-        access == "uniform" || read_only == (access == "read"),
-        "the kernel declares `{}` as {access}, the module does not",
-        declared.name
-    );
+    let members = match &module.types[buffer.ty].inner {
+        TypeInner::Struct { members, .. } => members.as_slice(),
+        _ => &[],
+    };
+    let stride = match members.first().map(|member| &module.types[member.ty].inner) {
+        Some(&TypeInner::Array { stride, .. }) => stride,
+        _ => 0,
+    };
     // small integers are packed into words
     let bytes = if point.sums.contains(&declared.name) { 8 } else { declared.device_bytes.max(4) };
     let element = declared.element;
     ensure!(
-        access == "uniform" || stride == Some(bytes),
-        "the elements of `{}` are `{element}` of {bytes} bytes in Rust, and the module has them {} bytes apart: use \
-         elements of `u32`, `i32`, `f32`, `Vec2` or `Vec4`",
-        declared.name,
-        stride.unwrap_or(0)
+        access == "uniform" || stride == bytes,
+        "the elements of `{}` are `{element}` of {bytes} bytes in Rust, and the module has them {stride} bytes apart: \
+         use elements of `u32`, `i32`, `f32`, `Vec2` or `Vec4`",
+        declared.name
     );
     Ok(())
-}
-
-fn entry_point(module: &Module) -> Result<(Word, &str)> {
-    let [instruction] = module.entry_points.as_slice() else {
-        bail!("the module has {} entry points", module.entry_points.len());
-    };
-    match instruction.operands.as_slice() {
-        [
-            Operand::ExecutionModel(ExecutionModel::GLCompute),
-            Operand::IdRef(id),
-            Operand::LiteralString(name),
-            ..,
-        ] => Ok((*id, name)),
-        _ => bail!("the module's entry point is no compute shader"),
-    }
-}
-
-fn local_size(module: &Module, entry_point: Word) -> Result<[u32; 3]> {
-    let size = |mode: &Instruction| match *mode.operands.as_slice() {
-        [
-            Operand::IdRef(id),
-            Operand::ExecutionMode(ExecutionMode::LocalSize),
-            Operand::LiteralBit32(x),
-            Operand::LiteralBit32(y),
-            Operand::LiteralBit32(z),
-        ] if id == entry_point => Some([x, y, z]),
-        _ => None,
-    };
-    module.execution_modes.iter().find_map(size).context("the module has no workgroup size")
-}
-
-fn buffers(module: &Module) -> Result<Vec<Buffer>> {
-    let mut sets = BTreeMap::new();
-    let mut bindings = BTreeMap::new();
-    let mut read_only = BTreeSet::new();
-    for annotation in &module.annotations {
-        use Decoration::{Binding, DescriptorSet, NonWritable};
-        match *annotation.operands.as_slice() {
-            [Operand::IdRef(id), Operand::Decoration(NonWritable)] => {
-                read_only.insert(id);
-            }
-            [Operand::IdRef(id), Operand::Decoration(Binding), Operand::LiteralBit32(number)] => {
-                bindings.insert(id, number);
-            }
-            [
-                Operand::IdRef(id),
-                Operand::Decoration(DescriptorSet),
-                Operand::LiteralBit32(set),
-            ] => {
-                sets.insert(id, set);
-            }
-            _ => {}
-        }
-    }
-    let mut buffers = Vec::new();
-    for variable in &module.types_global_values {
-        let Some((Op::Variable, id)) = variable.result_id.map(|id| (variable.class.opcode, id))
-        else {
-            continue;
-        };
-        let Some(&Operand::StorageClass(class)) = variable.operands.first() else {
-            continue;
-        };
-        // Everything but workgroup memory and builtins comes from the host.
-        if matches!(class, StorageClass::Workgroup | StorageClass::Private | StorageClass::Input) {
-            continue;
-        }
-        let (Some(&set), Some(&binding)) = (sets.get(&id), bindings.get(&id)) else {
-            bail!("the module has a {class:?} variable that is no binding");
-        };
-        let stride = stride(module, variable);
-        buffers.push(Buffer { set, binding, class, read_only: read_only.contains(&id), stride });
-    }
-    Ok(buffers)
-}
-
-/// Bytes from one element to the next, of a variable that points to a struct with an array alone.
-fn stride(module: &Module, variable: &Instruction) -> Option<u32> {
-    let declared = |id: Word| module.types_global_values.iter().find(|i| i.result_id == Some(id));
-    let pointer = declared(variable.result_type?)?;
-    let block = declared(pointer.operands.get(1)?.id_ref_any()?)?;
-    let array = block.operands.first()?.id_ref_any()?;
-    module.annotations.iter().find_map(|annotation| match *annotation.operands.as_slice() {
-        [
-            Operand::IdRef(id),
-            Operand::Decoration(Decoration::ArrayStride),
-            Operand::LiteralBit32(stride),
-        ] if id == array => Some(stride),
-        _ => None,
-    })
 }
 
 /// The instructions of a block, as they are written.
@@ -249,7 +175,7 @@ pub fn rewrite(module: &mut Module, mut write: impl FnMut(&mut Writer, Instructi
 #[cfg(test)]
 mod tests {
     use rspirv::dr::Builder;
-    use rspirv::spirv::{Capability, FunctionControl, LoopControl};
+    use rspirv::spirv::{Decoration, LoopControl, StorageClass};
 
     use super::*;
     use crate::lower::bytes;
@@ -257,8 +183,7 @@ mod tests {
     /// The module of `count_fill`, with a buffer whose elements are `stride` bytes apart, and maybe with a loop.
     fn module(stride: u32, has_loop: bool) -> Vec<u8> {
         let mut b = Builder::new();
-        b.capability(Capability::Shader);
-        let [void, word] = [b.type_void(), b.type_int(32, 0)];
+        let word = b.type_int(32, 0);
         let array = b.type_runtime_array(word);
         b.decorate(array, Decoration::ArrayStride, [Operand::LiteralBit32(stride)]);
         let block = b.type_struct([array]);
@@ -267,20 +192,15 @@ mod tests {
         b.decorate(placement, Decoration::DescriptorSet, [Operand::LiteralBit32(0)]);
         b.decorate(placement, Decoration::Binding, [Operand::LiteralBit32(0)]);
         b.decorate(placement, Decoration::NonWritable, []);
-        let ty = b.type_function(void, []);
-        let function = b.begin_function(void, None, FunctionControl::NONE, ty).unwrap();
-        b.begin_block(None).unwrap();
-        if has_loop {
-            let [merge, next] = [b.id(), b.id()];
-            b.loop_merge(merge, next, LoopControl::NONE, []).unwrap();
-            b.branch(merge).unwrap();
-            b.begin_block(Some(merge)).unwrap();
-        }
-        b.ret().unwrap();
-        b.end_function().unwrap();
-        b.entry_point(ExecutionModel::GLCompute, function, "count_fill", [placement]);
-        b.execution_mode(function, ExecutionMode::LocalSize, [64, 1, 1]);
-        bytes(&b.module())
+        let module = lower::count_fill(b, &[placement], |b| {
+            if has_loop {
+                let [merge, next] = [b.id(), b.id()];
+                b.loop_merge(merge, next, LoopControl::NONE, []).unwrap();
+                b.branch(merge).unwrap();
+                b.begin_block(Some(merge)).unwrap();
+            }
+        });
+        bytes(&module)
     }
 
     /// A mistake in a module.

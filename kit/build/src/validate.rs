@@ -50,7 +50,8 @@ const OFFERED: Capabilities = Capabilities::SHADER_FLOAT16
     .union(Capabilities::SHADER_INT64)
     .union(Capabilities::SHADER_INT64_ATOMIC_ALL_OPS);
 
-fn read(spirv: &[u8]) -> Result<Module> {
+/// Reads a module.
+pub fn read(spirv: &[u8]) -> Result<Module> {
     match spv::parse_u8_slice(spirv, &spv::Options::default()) {
         Ok(module) => Ok(module),
         Err(error) => bail!("naga cannot read the module: {error}"),

@@ -55,7 +55,7 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
         let driver = device.arithmetic();
         println!("{}", Report { adapter, driver, path: device.backend(), kernels: rows });
     }
-    let mut lines = without_case(cases);
+    let mut lines = missing(cases);
     lines.extend(failures.iter().map(ToString::to_string));
     if !lines.is_empty() && modules.manifest().is_stale {
         lines.insert(0, format!("GPUs run old kernels: {STALE}"));
@@ -170,13 +170,18 @@ fn uncompared(case: &Case, measure: &Measure) -> Vec<String> {
     failures
 }
 
-/// Kernels without a case, in packages with at least one case.
-fn without_case(cases: &[Case]) -> Vec<String> {
+/// Lists the kernels without a case, in packages with at least one case, and says what to do.
+#[must_use]
+pub fn missing(cases: &[Case]) -> Vec<String> {
     let has_case = |kernel: &&KernelInfo| cases.iter().any(|case| case.kernel == kernel.name);
     let packages: BTreeSet<_> = kernels().filter(has_case).map(|kernel| kernel.package).collect();
     let without = kernels().filter(|kernel| !has_case(kernel) && packages.contains(kernel.package));
     let message = |kernel: &KernelInfo| {
-        format!("{}: the kernel `{}` has no parity case", kernel.source(), kernel.name)
+        format!(
+            "{}: the kernel `{}` has no parity case: implement `Parity` for its inputs, and add the case to `cases()`",
+            kernel.source(),
+            kernel.name
+        )
     };
     without.map(message).collect()
 }

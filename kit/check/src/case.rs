@@ -2,7 +2,6 @@
 
 use crate::{Bound, Canary, KernelRunner, Measure, Output, Values};
 use muslin_device::{Device, Result};
-use muslin_kernel::KernelInfo;
 
 /// A kernel's case, without the type of its inputs.
 #[derive(Clone, Copy, Debug)]
@@ -87,34 +86,6 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
         }
     }
     Ok(measure)
-}
-
-/// Lists what to do so that each of some kernels has a case, and each case a kernel. `folder` is the place for cases.
-///
-/// A program passes its own kernels, [`kernels_of`](muslin_kernel::kernels_of): kernels of its dependencies are
-/// linked in, too.
-#[must_use]
-pub fn missing(
-    kernels: impl Iterator<Item = &'static KernelInfo>,
-    cases: &[Case],
-    folder: &str,
-) -> Vec<String> {
-    let kernels: Vec<_> = kernels.collect();
-    let without_case =
-        kernels.iter().filter(|kernel| cases.iter().all(|c| c.kernel != kernel.name));
-    let without_kernel = cases.iter().filter(|c| kernels.iter().all(|k| k.name != c.kernel));
-    let add = without_case.map(|kernel| {
-        let stage = kernel.file.rsplit(['/', '\\']).next().unwrap_or(kernel.file);
-        format!(
-            "the kernel `{}` has no parity case: implement `Parity` for its inputs in \
-             {folder}/{stage} and add it to `cases()` in {folder}/mod.rs",
-            kernel.name
-        )
-    });
-    let remove = without_kernel.map(|case| {
-        format!("the parity case `{}` has no kernel: take it out of `cases()`", case.kernel)
-    });
-    add.chain(remove).collect()
 }
 
 /// Runs all sets and compares them with [`Parity::exact`].

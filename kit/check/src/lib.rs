@@ -79,8 +79,8 @@ pub mod runner;
 #[cfg(feature = "snapshots")]
 pub mod snapshot;
 
-pub use assert::assert_parity;
-pub use case::{Case, missing};
+pub use assert::{assert_parity, missing};
+pub use case::Case;
 // the result type of cases
 pub use muslin_device::Result;
 

@@ -133,15 +133,14 @@ impl Cpu {
         buffers: &[&RawBuffer],
         workgroups: Workgroups,
     ) -> Result<()> {
-        let failed = |reason| Error::Kernel { kernel: info.name.into(), reason };
-        let bindings = bind(info, uniform, buffers).map_err(failed)?;
+        let bindings = bind(info, uniform, buffers);
         let job = KernelJob { info, bindings, buffers, workgroups };
         let mode = RunMode { is_flushing: self.flush_denormals, ..RunMode::default() };
         let result = match self.thorough {
             Some(seed) => thorough::run(self, &job, seed),
             None => self.run_once(&job, mode).map(drop),
         };
-        result.map_err(failed)
+        result.map_err(|reason| Error::Kernel { kernel: info.name.into(), reason })
     }
 
     /// Runs a kernel once. Returns what has watched its bindings.

@@ -154,7 +154,7 @@ impl Device {
         let info = kernel.info();
         refuse_too_many(info, needed)?;
         refuse_partial(info, &buffers)?;
-        refuse_twice(info, &buffers)?;
+        refuse_mixed_up(info, &buffers)?;
         let counts = kernel.counts();
         let uniform = self.fill_in(kernel.uniform(), counts);
         let uniform = &*uniform;
@@ -169,11 +169,8 @@ impl Device {
                 let size = Workgroups { all: workgroups, needed };
                 let result = cpu.dispatch(info, uniform, &buffers, size);
                 // the device's time
-                self.timings.add(
-                    info.name,
-                    start.elapsed() / cpu::Cpu::concurrent_threads(),
-                    work(),
-                );
+                let time = start.elapsed() / cpu::Cpu::concurrent_threads();
+                self.timings.add(info.name, 1, time, work());
                 result
             }
             DeviceKind::Gpu(gpu) if times && self.waits.load(Ordering::Relaxed) => {
@@ -182,14 +179,14 @@ impl Device {
                 let start = Instant::now();
                 gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 gpu.wait()?;
-                self.timings.add(info.name, start.elapsed(), work());
+                self.timings.add(info.name, 1, start.elapsed(), work());
                 Ok(())
             }
             DeviceKind::Gpu(gpu) => {
                 gpu.dispatch(info, uniform, counts, &buffers, workgroups)?;
                 if times {
                     // its time is known later
-                    self.timings.add(info.name, Duration::ZERO, work());
+                    self.timings.add(info.name, 1, Duration::ZERO, work());
                 }
                 Ok(())
             }
@@ -344,7 +341,7 @@ impl Device {
     pub fn take_timings(&self) -> Vec<KernelTime> {
         if let DeviceKind::Gpu(gpu) = &self.kind {
             for (kernel, time) in gpu.take_times() {
-                self.timings.add_time(kernel, time);
+                self.timings.add(kernel, 0, time, Work::default());
             }
         }
         self.timings.take()
@@ -405,18 +402,27 @@ fn refuse_too_many(info: &KernelInfo, workgroups: [u32; 3]) -> Result<()> {
     Err(Error::Kernel { kernel: info.name.into(), reason })
 }
 
-/// Fails if a buffer that is written is bound twice: then invocations race. wgpu also refuses it if one binding reads, even if the bound
-/// parts do not overlap.
-fn refuse_twice(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
+/// Fails if a buffer that is written is bound twice, or if two buffers are bound in each other's place.
+fn refuse_mixed_up(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<()> {
     for (at, (binding, buffer)) in bound(info, buffers).enumerate() {
         for (other, other_buffer) in bound(info, buffers).take(at) {
+            let [first, second] = [other.name, binding.name];
+            // invocations race; wgpu also refuses it if one binding reads, even if the bound parts do not overlap
             let is_written = [binding, other].iter().any(|of| of.access == Access::Write);
-            if is_written && buffer.memory.is(&other_buffer.memory) {
-                let names = [other.name, binding.name];
-                let reason =
-                    format!("`{}` and `{}` are one buffer, and it is written", names[0], names[1]);
-                return Err(Error::Kernel { kernel: info.name.into(), reason });
-            }
+            let are_one = is_written && buffer.memory.is(&other_buffer.memory);
+            // in passes that take turns, one's output is the other's input
+            let are_alike = binding.access == other.access;
+            let are_swapped = buffer.label == first && other_buffer.label == second;
+            let reason = if are_one {
+                format!("`{first}` and `{second}` are one buffer, and it is written")
+            } else if are_alike && are_swapped {
+                format!(
+                    "`{first}` is the buffer `{second}`, and `{second}` is the buffer `{first}`: they are swapped"
+                )
+            } else {
+                continue;
+            };
+            return Err(Error::Kernel { kernel: info.name.into(), reason });
         }
     }
     Ok(())
@@ -467,46 +473,27 @@ pub struct KernelTime {
     pub work: Work,
 }
 
-/// Sums over dispatches.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    dispatches: u64,
-    time: Duration,
-    work: Work,
-}
-
-/// Sums over the dispatches of each kernel.
+/// The costs of kernels, by name.
 #[derive(Debug, Default)]
-pub struct Timings(Mutex<BTreeMap<&'static str, Sums>>);
+pub struct Timings(Mutex<BTreeMap<&'static str, KernelTime>>);
 
 impl Timings {
-    fn sums(&self) -> MutexGuard<'_, BTreeMap<&'static str, Sums>> {
+    fn kernels(&self) -> MutexGuard<'_, BTreeMap<&'static str, KernelTime>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Adds a dispatch.
-    pub fn add(&self, kernel: &'static str, time: Duration, work: Work) {
-        let mut sums = self.sums();
-        let sums = sums.entry(kernel).or_default();
-        sums.dispatches += 1;
-        sums.time += time;
-        sums.work += work;
+    /// Adds dispatches, or what is known later of some that were counted before.
+    pub fn add(&self, kernel: &'static str, dispatches: u64, time: Duration, work: Work) {
+        let none = KernelTime { kernel, dispatches: 0, seconds: 0.0, work: Work::default() };
+        let mut kernels = self.kernels();
+        let total = kernels.entry(kernel).or_insert(none);
+        total.dispatches += dispatches;
+        total.seconds += time.as_secs_f64();
+        total.work += work;
     }
 
-    /// Adds the time of a dispatch that was counted before.
-    pub fn add_time(&self, kernel: &'static str, time: Duration) {
-        self.sums().entry(kernel).or_default().time += time;
-    }
-
-    /// Returns all sums, and resets them.
+    /// Returns all costs, and forgets them.
     pub fn take(&self) -> Vec<KernelTime> {
-        let sums = std::mem::take(&mut *self.sums());
-        let time = |(kernel, Sums { dispatches, time, work }): (&'static str, Sums)| KernelTime {
-            kernel,
-            dispatches,
-            seconds: time.as_secs_f64(),
-            work,
-        };
-        sums.into_iter().map(time).collect()
+        std::mem::take(&mut *self.kernels()).into_values().collect()
     }
 }

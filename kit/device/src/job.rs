@@ -5,7 +5,7 @@ use muslin_kernel::memory::AccessMonitor;
 
 use crate::buffer::{Memory, RawBuffer};
 use crate::cpu_memory::Written;
-use crate::races::{Elements, Races, Reads};
+use crate::races::{Elements, Races};
 
 /// A kernel and its bindings.
 pub struct KernelJob<'a> {
@@ -87,12 +87,7 @@ fn random(state: &mut u64) -> u64 {
 }
 
 /// The memory of every binding, in order.
-pub fn bind(
-    info: &KernelInfo,
-    uniform: &[u8],
-    buffers: &[&RawBuffer],
-) -> Result<Vec<CpuBinding<'static>>, String> {
-    refuse_swapped(info, buffers)?;
+pub fn bind(info: &KernelInfo, uniform: &[u8], buffers: &[&RawBuffer]) -> Vec<CpuBinding<'static>> {
     let mut buffers = buffers.iter();
     let mut bindings = Vec::with_capacity(info.bindings.len());
     for binding in info.bindings {
@@ -108,39 +103,20 @@ pub fn bind(
         };
         bindings.push(CpuBinding { data, bytes, monitor: None });
     }
-    Ok(bindings)
-}
-
-/// Fails if two buffers are bound in each other's place: each has the other binding's name as its label.
-fn refuse_swapped(info: &KernelInfo, buffers: &[&RawBuffer]) -> Result<(), String> {
-    let bindings = || info.bindings.iter().filter(|info| info.access != Access::Uniform);
-    for (at, (info, buffer)) in bindings().zip(buffers).enumerate() {
-        for (other, other_buffer) in bindings().zip(buffers).take(at) {
-            let are_swapped = buffer.label == other.name && other_buffer.label == info.name;
-            // in passes that take turns, one's output is the other's input
-            if are_swapped && info.access == other.access {
-                let first = other.name;
-                let second = info.name;
-                return Err(format!(
-                    "`{first}` is the buffer `{second}`, and `{second}` is the buffer `{first}`: they are swapped"
-                ));
-            }
-        }
-    }
-    Ok(())
+    bindings
 }
 
 /// Watches the accesses to a binding.
 pub enum Monitor<'a> {
     Written(Races<'a>),
-    Read(Reads<'a>),
+    Read(Elements<'a>),
 }
 
 impl Monitor<'_> {
     pub fn as_dyn(&self) -> &dyn AccessMonitor {
         match self {
             Self::Written(races) => races,
-            Self::Read(reads) => reads,
+            Self::Read(elements) => elements,
         }
     }
 }
@@ -162,13 +138,13 @@ pub fn monitors<'a>(
             Memory::Cpu(memory) => (memory.written(), buffer.begin as usize),
             _ => (None, 0),
         };
+        let elements = written.map(|written| Elements::new(binding_info, written, begin));
         if binding_info.access != Access::Write {
-            return Some(Monitor::Read(Reads::new(binding_info, written?, begin)));
+            return elements.map(Monitor::Read);
         }
         if let Some(written) = written {
             written.set_kernel(info.name, binding_info.name);
         }
-        let elements = written.map(|written| Elements::new(binding_info, written, begin));
         let len = binding.bytes / binding_info.element_bytes as usize;
         Some(Monitor::Written(Races::new(info, len, workgroups, elements)))
     };

@@ -234,9 +234,9 @@ mod tests {
 
     /// What every device refuses, not only the CPU.
     #[test]
-    fn a_dispatch_has_one_limit_and_its_outputs_are_bound_once() {
+    fn a_dispatch_has_one_limit_and_each_buffer_its_place() {
         let device = Device::planner();
-        let numbers = device.zeros::<u32>("numbers", 128).unwrap();
+        let numbers = device.zeros::<u32>("placement", 128).unwrap();
         let output = device.zeros::<u32>("output", 128).unwrap();
         let counts = device.zeros::<u32>("counts", 4).unwrap();
         let right = CountFillKernel { placement: &numbers, counts: &counts, parameters: &output };
@@ -244,10 +244,14 @@ mod tests {
         let error = device.run_over(&right, [65_535 * 64 + 1, 1, 1]).unwrap_err().to_string();
         assert!(error.contains("65536 x 1 x 1 workgroups"), "{error}");
         assert!(device.run(&right, 1, 65_536).is_err());
-        let tail = numbers.tail(64);
-        let wrong = CountFillKernel { placement: &numbers, counts: &counts, parameters: &tail };
-        let error = device.run(&wrong, 1, 1).unwrap_err().to_string();
-        assert!(error.contains("`placement` and `parameters` are one buffer"), "{error}");
+        for part in [&numbers, &numbers.tail(64), &numbers.view::<f32>().view()] {
+            let wrong = CountFillKernel { placement: &numbers, counts: &counts, parameters: part };
+            let error = device.run(&wrong, 1, 1).unwrap_err().to_string();
+            assert!(error.contains("`placement` and `parameters` are one buffer"), "{error}");
+        }
+        let swapped = CountFillKernel { placement: &counts, counts: &numbers, parameters: &output };
+        let error = device.run(&swapped, 1, 1).unwrap_err().to_string();
+        assert!(error.contains("they are swapped"), "{error}");
     }
 
     #[test]

@@ -15,33 +15,6 @@ use muslin_kernel::{BindingInfo, KernelInfo};
 use crate::cpu_memory::Written;
 use crate::job::Workgroups;
 
-/// Monitors a binding that is only read: parts of the buffer may be unwritten.
-pub struct Reads<'a> {
-    written: Elements<'a>,
-}
-
-impl<'a> Reads<'a> {
-    /// `begin` is the offset of the binding's first byte in the buffer.
-    pub fn new(info: &BindingInfo, written: &'a Written, begin: usize) -> Self {
-        Self { written: Elements::new(info, written, begin) }
-    }
-}
-
-impl AccessMonitor for Reads<'_> {
-    fn touch(
-        &self,
-        name: &str,
-        index: u32,
-        _: Touch,
-        _: &'static Location<'static>,
-    ) -> Result<(), String> {
-        match self.written.has(index) {
-            true => Ok(()),
-            false => Err(unwritten("reads", index, name)),
-        }
-    }
-}
-
 /// The written elements of a binding.
 pub struct Elements<'a> {
     written: &'a Written,
@@ -68,6 +41,22 @@ impl<'a> Elements<'a> {
         match is_additional {
             true => self.written.set_additional(self.range(index)),
             false => self.written.set(self.range(index), true),
+        }
+    }
+}
+
+/// Monitors a binding that is only read: parts of the buffer may be unwritten.
+impl AccessMonitor for Elements<'_> {
+    fn touch(
+        &self,
+        name: &str,
+        index: u32,
+        _: Touch,
+        _: &'static Location<'static>,
+    ) -> Result<(), String> {
+        match self.has(index) {
+            true => Ok(()),
+            false => Err(unwritten("reads", index, name)),
         }
     }
 }

@@ -18,13 +18,6 @@ pub fn missing_barrier(id: Invocation, output: Write<u32>, values: Shared<u32, 6
     output.write(id.index(), values.read(below));
 }
 
-/// A barrier that guards nothing.
-#[kernel(threads(64))]
-pub fn barrier_alone(id: Invocation, output: Write<u32>) {
-    id.barrier();
-    output.write(id.index(), 0);
-}
-
 /// Not broken: passes on the next invocation's number through workgroup memory.
 #[kernel(threads(64))]
 pub fn neighbor(id: Invocation, output: Write<u32>, values: Shared<u32, 64>) {

@@ -1,7 +1,5 @@
 //! One kernel in several sizes: a generic function, and a kernel for each size. docs/kernels.md shows one.
 
-extern crate muslin_kernel as muslin;
-
 use muslin::prelude::*;
 use muslin_check::{KernelRunner, devices};
 

@@ -1,10 +1,10 @@
 //! Storage barriers order what a workgroup does to buffers, and plain barriers do not.
 
-extern crate muslin_kernel as muslin;
-
 use muslin::prelude::*;
 use muslin_check::devices;
 use muslin_device::Device;
+
+use crate::{assert_contains, failure, line};
 
 const WORKGROUPS: u32 = 4;
 const VALUES: u32 = 64 * WORKGROUPS;
@@ -42,7 +42,7 @@ pub fn last_one_is_plain(id: Invocation, data: Write<u32>, unused: Shared<u32, 6
 
 /// Does not declare its barrier.
 #[kernel(threads(64))]
-pub fn undeclared(id: Invocation, data: Write<u32>) {
+pub fn undeclared_barrier(id: Invocation, data: Write<u32>) {
     data.write(id.index(), 1);
     id.storage_barrier();
 }
@@ -72,14 +72,13 @@ fn accesses_ordered_by_a_storage_barrier_are_no_race() {
 fn a_plain_barrier_after_storage_barriers_orders_no_storage() {
     for device in watchful() {
         let data = device.unwritten("data", VALUES as usize).unwrap();
-        let message = device.run(&LastOneIsPlainKernel { data: &data }, VALUES, 1).unwrap_err();
-        let message = message.to_string();
-        assert!(message.contains("in the same dispatch, and no storage barrier lies between"));
-        let line = 1 + include_str!("storage_barriers.rs")
-            .lines()
-            .position(|line| line.ends_with("// another one's element"))
-            .unwrap();
-        assert!(message.contains(&format!("storage_barriers.rs:{line}:")), "{message}");
+        let message = failure(&device, &LastOneIsPlainKernel { data: &data }, VALUES);
+        let source = ["storage_barriers.rs", include_str!("storage_barriers.rs")];
+        let parts = [
+            "in the same dispatch, and no storage barrier lies between",
+            &line(source, "// another one's element"),
+        ];
+        assert_contains(&message, &parts);
     }
 }
 
@@ -87,6 +86,11 @@ fn a_plain_barrier_after_storage_barriers_orders_no_storage() {
 fn storage_barriers_are_declared() {
     let device = devices::checked();
     let data = device.unwritten("data", 64).unwrap();
-    let message = device.run(&UndeclaredKernel { data: &data }, 64, 1).unwrap_err();
-    assert!(message.to_string().contains("`#[kernel(.., storage_barriers)]`"), "{message}");
+    let message = failure(&device, &UndeclaredBarrierKernel { data: &data }, 64);
+    let parts = [
+        "a barrier in a kernel without workgroup memory",
+        "`#[kernel(.., storage_barriers)]`",
+        "invocation [0, 0, 0]",
+    ];
+    assert_contains(&message, &parts);
 }

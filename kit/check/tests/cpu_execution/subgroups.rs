@@ -1,11 +1,11 @@
 //! Subgroups of every size: what they compute, and what is said of wrong ones.
 
-extern crate muslin_kernel as muslin;
-
 use muslin::prelude::*;
 use muslin::subgroup::SIZES;
 use muslin_check::devices;
 use muslin_device::{Device, DeviceOptions, Error, Modules};
+
+use crate::{assert_contains, failure, line};
 
 const INVOCATIONS: u32 = 96;
 
@@ -113,43 +113,34 @@ fn a_subgroup_may_go_its_own_way() {
     }
 }
 
-/// The line of this file that ends with a text.
-fn line(end: &str) -> String {
-    let mut lines = include_str!("subgroups.rs").lines();
-    format!("subgroups.rs:{}:", 1 + lines.position(|line| line.ends_with(end)).unwrap())
-}
-
 #[test]
 fn lanes_that_wait_elsewhere_are_named() {
     let options = DeviceOptions::checked().subgroup_size(16);
     let device = Device::open(&options, Modules::none()).unwrap();
     let output = device.unwritten("output", 64).unwrap();
-    let error = device.run(&OperationOrBarrierKernel { output: &output }, 64, 1).unwrap_err();
-    let message = error.to_string();
-    let [barrier, operation] = [line("// one half"), line("// the other half")];
-    for part in [
+    let message = failure(&device, &OperationOrBarrierKernel { output: &output }, 64);
+    let source = ["subgroups.rs", include_str!("subgroups.rs")];
+    let parts = [
         "`operation_or_barrier`: a subgroup's operation in divergent control flow: ",
         "invocation [0, 0, 0] (with 7 more) waits at the barrier of ",
         "while invocation [1, 0, 0] (with 7 more) waits at the operation of ",
         "in a subgroup of 16, in workgroup [0, 0, 0]",
-        &barrier,
-        &operation,
-    ] {
-        assert!(message.contains(part), "no {part:?} in: {message}");
-    }
+        &line(source, "// one half"),
+        &line(source, "// the other half"),
+    ];
+    assert_contains(&message, &parts);
 }
 
 #[test]
 fn subgroups_are_declared() {
     let device = devices::checked();
     let output = device.unwritten("output", 64).unwrap();
-    let errors = [
-        device.run(&UndeclaredKernel { output: &output }, 64, 1),
-        device.run(&UndeclaredLaneKernel { output: &output }, 64, 1),
+    let messages = [
+        failure(&device, &UndeclaredKernel { output: &output }, 64),
+        failure(&device, &UndeclaredLaneKernel { output: &output }, 64),
     ];
-    for error in errors {
-        let message = error.unwrap_err().to_string();
-        assert!(message.contains("`#[kernel(.., subgroups)]`, at "), "{message}");
+    for message in messages {
+        assert_contains(&message, &["`#[kernel(.., subgroups)]`, at "]);
     }
 }
 

@@ -28,9 +28,9 @@ pub struct Args {
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let list = List::new(|kernel, point| {
-        MODULES.compiled_kernel(kernel, point).map(|module| module.spirv_words())
+        MODULES.compiled_kernel(kernel, point).map(|module| module.entry())
     })?;
     let number = count(list.len() as u64, "kernel");
-    console.detail(&format!("{number}, {} of SPIR-V", format_bytes(list.bytes() as u64)));
+    console.detail(&format!("{number}, {} of SPIR-V", format_bytes(list.bytes())));
     if args.json { print_json(&list) } else { print(&list.to_string()) }
 }

@@ -237,7 +237,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
             true => validate::to_wgsl(&spirv).with_context(context)?,
             false => None,
         };
-        let entry = entry(kernel, &point, &spirv, wgsl.as_deref());
+        let entry = entry(kernel, &point, &spirv, wgsl.as_deref())?;
         if let (Some(translation), Some(text)) = (&entry.wgsl, wgsl) {
             files.insert(translation.file.clone(), text.into_bytes());
         }
@@ -297,19 +297,27 @@ pub fn build(
     paths.into_iter().map(read).collect()
 }
 
-fn entry(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8], wgsl: Option<&str>) -> KernelEntry {
+fn entry(
+    kernel: &KernelInfo,
+    point: &EntryPoint,
+    spirv: &[u8],
+    wgsl: Option<&str>,
+) -> Result<KernelEntry> {
     let translation = |text: &str| Translation {
         file: format!("{}.wgsl", point.name),
         sha256: manifest::sha256(text.as_bytes()),
     };
-    KernelEntry {
+    let [instructions, loops] = module::size(spirv)?;
+    Ok(KernelEntry {
         name: point.name.to_owned(),
         package: kernel.package.to_owned(),
         file: kernel.source(),
         spirv: format!("{}.spv", point.name),
         spirv_bytes: spirv.len() as u64,
         spirv_sha256: manifest::sha256(spirv),
+        instructions,
+        loops,
         wgsl: wgsl.map(translation),
         interface: Interface::new(kernel, point),
-    }
+    })
 }

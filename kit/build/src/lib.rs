@@ -21,15 +21,13 @@ mod small_integers;
 mod tool;
 mod validate;
 
-use std::borrow::Cow;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser};
-use muslin_manifest::List;
+use muslin_manifest::{List, Manifest};
 
 pub use artifacts::Artifacts;
 pub use compiler::{Compiler, build, compile, isolate};
@@ -156,13 +154,11 @@ pub fn main(project: &Project, kernels: &str) -> ExitCode {
 
 /// Lists the kernels, with the modules that are compiled.
 fn list(project: &Project) -> Result<()> {
-    let folder = project.root.join(&project.kernels);
+    let manifest = Manifest::load(&project.root.join(&project.kernels));
+    let manifest = manifest.context("the kernels are not compiled: run `cargo xtask kernels`")?;
     let list = List::new(|_, point| {
-        let file = folder.join(format!("{}.spv", point.name));
-        let bytes = fs::read(&file)
-            .with_context(|| format!("{}: run `cargo xtask kernels`", file.display()))?;
-        let (words, _) = bytes.as_chunks();
-        anyhow::Ok(words.iter().map(|word| u32::from_le_bytes(*word)).collect::<Cow<'_, [u32]>>())
+        let entry = manifest.find(point.name);
+        entry.with_context(|| format!("{}: run `cargo xtask kernels`", point.name))
     })?;
     print!("{list}");
     Ok(())

@@ -21,7 +21,7 @@ pub use source::{STALE, embed, embed_compiled, locked_version, source_hash};
 pub use table::{Table, grouped};
 
 /// Version of the manifest's layout that this crate reads and writes.
-pub const FORMAT_VERSION: u32 = 3;
+pub const FORMAT_VERSION: u32 = 4;
 
 /// Name of the manifest's file, in the folder of the modules.
 pub const FILE_NAME: &str = "manifest.json";
@@ -98,6 +98,10 @@ pub struct KernelEntry {
     pub spirv_bytes: u64,
     /// SHA-256 of the module, in lower-case hexadecimal.
     pub spirv_sha256: String,
+    /// Number of instructions in functions, without labels and others that compute nothing.
+    pub instructions: u32,
+    /// Number of loops.
+    pub loops: u32,
     /// The module in WGSL, for browsers; `None` if the project has none, or if WebGPU lacks a feature that the kernel
     /// needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -267,6 +271,8 @@ mod tests {
             spirv: format!("{name}.spv"),
             spirv_bytes: 4,
             spirv_sha256: sha256(b"test"),
+            instructions: 9,
+            loops: 0,
             wgsl: None,
             interface: Interface {
                 workgroup_size: [64, 1, 1],

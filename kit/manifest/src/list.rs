@@ -1,47 +1,12 @@
 //! Lists kernels: their bindings, workgroups, code and loops.
 
-use std::borrow::Cow;
 use std::fmt;
 
 use muslin_kernel::kernel::workgroup_bytes;
 use muslin_kernel::{EntryPoint, KernelInfo, MAX_ITERATIONS};
 use serde::Serialize;
 
-use crate::Table;
-
-/// The size of a module's code.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-struct CodeSize {
-    /// Number of instructions in functions, without labels and others that compute nothing.
-    instructions: u32,
-    /// Number of loops.
-    loops: u32,
-}
-
-impl CodeSize {
-    /// Counts the instructions of a module. Each begins with its length and its opcode.
-    fn from_spirv(spirv: &[u32]) -> Self {
-        const HEADER: usize = 5;
-        const FUNCTION: u32 = 54;
-        const FUNCTION_END: u32 = 56;
-        const LOOP_MERGE: u32 = 246;
-        // line, no line, parameter, variable, selection merge, label
-        const SILENT: [u32; 6] = [8, 317, 55, 59, 247, 248];
-        let mut size = Self::default();
-        let mut at = HEADER;
-        let mut inside = false;
-        while let Some(word) = spirv.get(at) {
-            match word & 0xffff {
-                FUNCTION => inside = true,
-                FUNCTION_END => inside = false,
-                LOOP_MERGE => size.loops += 1,
-                number => size.instructions += u32::from(inside && !SILENT.contains(&number)),
-            }
-            at += (word >> 16).max(1) as usize;
-        }
-        size
-    }
-}
+use crate::{KernelEntry, Table};
 
 /// A kernel in the list.
 #[derive(Debug, Serialize)]
@@ -51,9 +16,9 @@ struct Listed {
     workgroup_size: [u32; 3],
     fused: bool,
     shared_bytes: u32,
-    spirv_bytes: usize,
-    #[serde(flatten)]
-    code: CodeSize,
+    spirv_bytes: u64,
+    instructions: u32,
+    loops: u32,
     /// Upper limit for the iterations of one invocation, over all its loops.
     worst_case_iterations: u32,
     bindings: Vec<BindingRow>,
@@ -74,12 +39,12 @@ struct BindingRow {
 pub struct List(Vec<Listed>);
 
 impl List {
-    /// Lists the kernels. `spirv` finds the compiled module of an entry point.
+    /// Lists the kernels. `entry` finds an entry point in the manifest.
     ///
     /// # Errors
-    /// The first error of `spirv`.
+    /// The first error of `entry`.
     pub fn new<'a, E>(
-        spirv: impl Fn(&KernelInfo, &EntryPoint) -> Result<Cow<'a, [u32]>, E>,
+        entry: impl Fn(&KernelInfo, &EntryPoint) -> Result<&'a KernelEntry, E>,
     ) -> Result<Self, E> {
         let mut kernels: Vec<_> = muslin_kernel::kernels().collect();
         kernels.sort_by_key(|kernel| kernel.name);
@@ -87,7 +52,7 @@ impl List {
             .into_iter()
             .flat_map(|kernel| kernel.entry_points().map(move |of| (kernel, of)));
         let listed =
-            all.map(|(kernel, point)| Ok(Listed::new(kernel, &point, &spirv(kernel, &point)?)));
+            all.map(|(kernel, point)| Ok(Listed::new(kernel, &point, entry(kernel, &point)?)));
         listed.collect::<Result<_, _>>().map(Self)
     }
 
@@ -105,7 +70,7 @@ impl List {
 
     /// Bytes of all modules.
     #[must_use]
-    pub fn bytes(&self) -> usize {
+    pub fn bytes(&self) -> u64 {
         self.0.iter().map(|kernel| kernel.spirv_bytes).sum()
     }
 }
@@ -117,7 +82,7 @@ impl fmt::Display for List {
 }
 
 impl Listed {
-    fn new(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u32]) -> Self {
+    fn new(kernel: &KernelInfo, point: &EntryPoint, entry: &KernelEntry) -> Self {
         let bindings = kernel.bindings.iter().enumerate().map(|(binding, info)| BindingRow {
             binding,
             name: info.name,
@@ -131,8 +96,9 @@ impl Listed {
             workgroup_size: kernel.workgroup_size,
             fused: kernel.fused,
             shared_bytes: workgroup_bytes(point.shared),
-            spirv_bytes: size_of_val(spirv),
-            code: CodeSize::from_spirv(spirv),
+            spirv_bytes: entry.spirv_bytes,
+            instructions: entry.instructions,
+            loops: entry.loops,
             worst_case_iterations: kernel.iterations.unwrap_or(0),
             bindings: bindings.collect(),
         }
@@ -149,8 +115,8 @@ fn code(listed: &[Listed]) -> String {
             format!("{x} x {y} x {z}"),
             kernel.shared_bytes.to_string(),
             kernel.spirv_bytes.to_string(),
-            kernel.code.instructions.to_string(),
-            kernel.code.loops.to_string(),
+            kernel.instructions.to_string(),
+            kernel.loops.to_string(),
             kernel.worst_case_iterations.to_string(),
         ]);
     }
@@ -175,27 +141,4 @@ fn bindings(listed: &[Listed]) -> String {
         }
     }
     table.to_string()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn code_is_counted_in_functions_alone() {
-        let word = |number: u32, length: u32| length << 16 | number;
-        // a constant; a function with a label, a loop's merge and branch, a return
-        let module = [
-            &[0x0723_0203, 0x10500, 0, 9, 0][..],
-            &[word(43, 4), 1, 2, 246],
-            &[word(54, 5), 1, 3, 0, 4],
-            &[word(248, 2), 5],
-            &[word(246, 4), 6, 7, 0],
-            &[word(249, 2), 5],
-            &[word(253, 1)],
-            &[word(56, 1)],
-        ]
-        .concat();
-        assert_eq!(CodeSize::from_spirv(&module), CodeSize { instructions: 2, loops: 1 });
-    }
 }

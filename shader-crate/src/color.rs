@@ -5,7 +5,7 @@ use glam::Vec4;
 use crate::camera::{Camera, read3};
 #[cfg(not(target_arch = "spirv"))]
 use crate::dense::head_work;
-use crate::dense::{DenseParams, column};
+use crate::dense::{HeadParams, column};
 #[cfg(not(target_arch = "spirv"))]
 use crate::hash_grid::POINT;
 use crate::hash_grid::write_point;
@@ -91,7 +91,7 @@ pub fn color_inputs(
 
 /// Operations and bytes of [`color_head`].
 #[cfg(not(target_arch = "spirv"))]
-fn color_head_work(params: &ColorHeadParams, _: Shape<'_>) -> Work {
+fn color_head_work(params: &HeadParams, _: Shape<'_>) -> Work {
     head_work(params.samples, params.inputs, 3, 3)
 }
 
@@ -99,7 +99,7 @@ fn color_head_work(params: &ColorHeadParams, _: Shape<'_>) -> Work {
 #[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples), work(color_head_work))]
 pub fn color_head(
     id: Invocation,
-    params: &ColorHeadParams,
+    params: &HeadParams,
     parameters: Read<Vec4>,
     input: Read<f32>,
     color: Write<f32>,
@@ -107,40 +107,9 @@ pub fn color_head(
     let sample = id.index();
     if sample < params.samples {
         let logits = column::<f32>(&params.layer(), parameters, input, sample);
-        let first = (params.first_pair + sample) * 3;
+        let first = (params.first + sample) * 3;
         color.write(first, sigmoid(logits.x));
         color.write(first + 1, sigmoid(logits.y));
         color.write(first + 2, sigmoid(logits.z));
-    }
-}
-
-/// Parameters of [`color_head`].
-#[params]
-pub struct ColorHeadParams {
-    /// Pairs in this chunk.
-    pub samples: u32,
-    /// First pair of this chunk.
-    pub first_pair: u32,
-    /// See [`DenseParams::stride`].
-    pub stride: u32,
-    /// See [`DenseParams::inputs`].
-    pub inputs: u32,
-    /// See [`DenseParams::weight`].
-    pub weight: u32,
-    /// See [`DenseParams::bias`].
-    pub bias: u32,
-}
-
-impl ColorHeadParams {
-    #[inline(always)]
-    fn layer(&self) -> DenseParams {
-        DenseParams {
-            samples: self.samples,
-            stride: self.stride,
-            inputs: self.inputs,
-            columns: 1,
-            weight: self.weight,
-            bias: self.bias,
-        }
     }
 }

@@ -36,6 +36,38 @@ pub struct DenseParams {
     pub bias: u32,
 }
 
+/// Parameters of a network's last layer, in the kernels that also have what comes after it.
+#[params]
+pub struct HeadParams {
+    /// Samples in this chunk.
+    pub samples: u32,
+    /// First sample of this chunk, among all in the output.
+    pub first: u32,
+    /// See [`DenseParams::stride`].
+    pub stride: u32,
+    /// See [`DenseParams::inputs`].
+    pub inputs: u32,
+    /// See [`DenseParams::weight`].
+    pub weight: u32,
+    /// See [`DenseParams::bias`].
+    pub bias: u32,
+}
+
+impl HeadParams {
+    /// The layer.
+    #[inline(always)]
+    pub fn layer(&self) -> DenseParams {
+        DenseParams {
+            samples: self.samples,
+            stride: self.stride,
+            inputs: self.inputs,
+            columns: 1,
+            weight: self.weight,
+            bias: self.bias,
+        }
+    }
+}
+
 /// The four outputs of a layer that has no more, for each lane's sample, before the activation: `b + sum_i W_i x_i`.
 ///
 /// Inputs are summed in ascending order on every device.

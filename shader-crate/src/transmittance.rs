@@ -4,7 +4,7 @@ use glam::Vec4;
 
 #[cfg(not(target_arch = "spirv"))]
 use crate::dense::head_work;
-use crate::dense::{DenseParams, column};
+use crate::dense::{HeadParams, column};
 #[cfg(not(target_arch = "spirv"))]
 use crate::hash_grid::POINT;
 use crate::hash_grid::{POINT_ROWS, write_point};
@@ -175,48 +175,22 @@ fn write_inputs<L: Lane>(
     }
 }
 
-/// Parameters of [`transmittance_head`] and of
-/// [`transmittance_head_backward`](crate::transmittance_backward::transmittance_head_backward()).
-#[params]
-pub struct TransmittanceHeadParams {
-    /// Samples in this chunk.
-    pub samples: u32,
-    /// First sample of this chunk.
-    pub first_sample: u32,
-    /// See [`DenseParams::stride`].
-    pub stride: u32,
-    /// See [`DenseParams::inputs`].
-    pub inputs: u32,
-    /// See [`DenseParams::weight`].
-    pub weight: u32,
-    /// See [`DenseParams::bias`].
-    pub bias: u32,
-}
-
 /// a_k, the output of the scalar network's last layer, and the `s_factor` of the sample's segment.
 #[inline(always)]
 pub fn logit_and_factor<L: Lane>(
-    params: &TransmittanceHeadParams,
+    params: &HeadParams,
     parameters: Read<Vec4>,
     point: Read<f32>,
     input: Read<f32>,
     sample: u32,
 ) -> (L, L) {
-    let layer = DenseParams {
-        samples: params.samples,
-        stride: params.stride,
-        inputs: params.inputs,
-        columns: 1,
-        weight: params.weight,
-        bias: params.bias,
-    };
-    let a = column::<L>(&layer, parameters, input, sample).x;
+    let a = column::<L>(&params.layer(), parameters, input, sample).x;
     (a, L::read(point, POINT_ROWS * params.stride + sample))
 }
 
 /// Operations and bytes of [`transmittance_head`].
 #[cfg(not(target_arch = "spirv"))]
-fn transmittance_head_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
+fn transmittance_head_work(params: &HeadParams, _: Shape<'_>) -> Work {
     head_work(params.samples, params.inputs, 1, 2)
 }
 
@@ -225,7 +199,7 @@ fn transmittance_head_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Wo
 #[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_work))]
 pub fn transmittance_head<L: Lane>(
     id: Invocation,
-    params: &TransmittanceHeadParams,
+    params: &HeadParams,
     parameters: Read<Vec4>,
     point: Read<f32>,
     input: Read<f32>,
@@ -234,7 +208,7 @@ pub fn transmittance_head<L: Lane>(
     let sample = id.index();
     if sample < params.samples {
         let (a, factor) = logit_and_factor::<L>(params, parameters, point, input, sample);
-        (factor * log_sigmoid(a)).write(log_rho, params.first_sample + sample);
+        (factor * log_sigmoid(a)).write(log_rho, params.first + sample);
     }
 }
 

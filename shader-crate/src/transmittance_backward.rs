@@ -2,11 +2,12 @@
 
 use glam::Vec4;
 
+use crate::dense::HeadParams;
 #[cfg(not(target_arch = "spirv"))]
 use crate::dense::head_work;
 use crate::limits::{MAX_HIDDEN_WIDTH, MAX_SAMPLES};
 use crate::splat::VECTORS;
-use crate::transmittance::{TransmittanceHeadParams, logit_and_factor};
+use crate::transmittance::logit_and_factor;
 use muslin::math::sigmoid;
 use muslin::prelude::*;
 #[cfg(not(target_arch = "spirv"))]
@@ -67,7 +68,7 @@ pub fn segment_product_backward(
 
 /// Operations and bytes of [`transmittance_head_backward`].
 #[cfg(not(target_arch = "spirv"))]
-fn transmittance_head_backward_work(params: &TransmittanceHeadParams, _: Shape<'_>) -> Work {
+fn transmittance_head_backward_work(params: &HeadParams, _: Shape<'_>) -> Work {
     head_work(params.samples, params.inputs, 1, 3)
 }
 
@@ -79,7 +80,7 @@ fn transmittance_head_backward_work(params: &TransmittanceHeadParams, _: Shape<'
 #[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_backward_work))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
-    params: &TransmittanceHeadParams,
+    params: &HeadParams,
     parameters: Read<Vec4>,
     point: Read<f32>,
     input: Read<f32>,

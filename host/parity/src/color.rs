@@ -3,10 +3,7 @@
 use glam::{DVec3, Vec3};
 use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
-use organza_shaders::color::{
-    ColorHeadKernel, ColorHeadParams, ColorInputsInputs, ColorInputsParams,
-};
-use organza_shaders::dense::DenseParams;
+use organza_shaders::color::{ColorHeadKernel, ColorInputsInputs, ColorInputsParams};
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::unit_cube::SceneBox;
 
@@ -234,10 +231,9 @@ impl Parity for ColorHead {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let DenseParams { samples, stride, inputs, weight, bias, .. } = self.0.params;
-        let first_pair = FIRST_PAIR;
+        let samples = self.0.params.samples;
         let kernel = ColorHeadKernel {
-            params: ColorHeadParams { samples, first_pair, stride, inputs, weight, bias },
+            params: self.0.head_params(FIRST_PAIR),
             parameters: &self.0.parameters,
             input: &self.0.input,
             color: &unwritten(3 * (FIRST_PAIR + samples) as usize),

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 use muslin_check::prelude::*;
-use organza_shaders::dense::{DenseInputs, DenseParams, OUTPUTS_PER_INVOCATION};
+use organza_shaders::dense::{DenseInputs, DenseParams, HeadParams, OUTPUTS_PER_INVOCATION};
 
 use super::exact::dense::{affine, relu};
 
@@ -23,6 +23,12 @@ impl Dense {
             input: fill.values(random, (inputs * stride) as usize, [-1.0, 1.0], 1e15),
             output: unwritten((4 * columns * stride) as usize),
         })
+    }
+
+    /// The layer as a network's last one, for a chunk of samples that begins at `first`.
+    pub fn head_params(&self, first: u32) -> HeadParams {
+        let DenseParams { samples, stride, inputs, weight, bias, .. } = self.params;
+        HeadParams { samples, first, stride, inputs, weight, bias }
     }
 
     /// Weight of an input in an output, or the output's bias behind the last input.

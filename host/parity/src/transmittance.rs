@@ -2,12 +2,11 @@
 
 use glam::{DVec3, Vec4};
 use muslin_check::prelude::*;
-use organza_shaders::dense::DenseParams;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::segment::SEGMENT_VECTORS;
 use organza_shaders::transmittance::{
-    SegmentProductInputs, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
-    TransmittanceInputsInputs, TransmittanceInputsParams,
+    SegmentProductInputs, SegmentProductParams, TransmittanceHeadKernel, TransmittanceInputsInputs,
+    TransmittanceInputsParams,
 };
 use organza_shaders::unit_cube::Split;
 
@@ -234,12 +233,6 @@ impl Parity for TransmittanceInputs {
     }
 }
 
-/// The scalar network's last layer.
-pub(super) fn head_params(layer: &Dense) -> TransmittanceHeadParams {
-    let DenseParams { samples, stride, inputs, weight, bias, .. } = layer.params;
-    TransmittanceHeadParams { samples, first_sample: FIRST_SAMPLE, stride, inputs, weight, bias }
-}
-
 /// The layers whose logits are of all sizes, and samples of every kind.
 pub(super) fn head_sets<S>(new: impl Fn(Dense, Fill, &mut Random) -> S) -> Vec<(String, S)> {
     let mut sets =
@@ -285,7 +278,7 @@ impl Parity for TransmittanceHead {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let kernel = TransmittanceHeadKernel {
-            params: head_params(layer),
+            params: layer.head_params(FIRST_SAMPLE),
             parameters: &layer.parameters,
             point: &points(layer, &self.factor),
             input: &layer.input,

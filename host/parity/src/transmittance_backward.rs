@@ -10,9 +10,7 @@ use organza_shaders::transmittance_backward::{
 use super::dense::Dense;
 use super::exact::numeric::{Dual, gradient};
 use super::exact::transmittance::{log_rho, transmittance};
-use super::transmittance::{
-    FIRST_SAMPLE, head_params, head_sets, long_pairs, owner, points, some_pairs,
-};
+use super::transmittance::{FIRST_SAMPLE, head_sets, long_pairs, owner, points, some_pairs};
 
 /// Samples behind the chunk.
 const AFTER: u32 = 2;
@@ -138,7 +136,7 @@ impl Parity for TransmittanceHeadBackward {
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let layer = &self.layer;
         let kernel = TransmittanceHeadBackwardKernel {
-            params: head_params(layer),
+            params: layer.head_params(FIRST_SAMPLE),
             parameters: &layer.parameters,
             point: &points(layer, &self.factor),
             input: &layer.input,

@@ -3,9 +3,7 @@
 use std::sync::Mutex;
 
 use glam::Vec4;
-use organza_shaders::color::{
-    ColorHeadKernel, ColorHeadParams, ColorInputsKernel, ColorInputsParams,
-};
+use organza_shaders::color::{ColorHeadKernel, ColorInputsKernel, ColorInputsParams};
 use organza_shaders::color_backward::{
     ColorHeadBackwardKernel, ColorHeadBackwardParams, MaterialBackwardKernel,
     MaterialBackwardParams,
@@ -48,21 +46,13 @@ impl Color {
         let ends = pairs.chunk_ends(keep);
         let blocks = Blocks::new(device, config.color_inputs(), pairs.count.clone(), keep, ends)?;
         let scratches = Mutex::default();
-        let head = field.head();
         for block in blocks.iter() {
             encode(scene, pairs, &block)?;
             block.chunks().try_for_each(|chunk| visit(&chunk))?;
             let new = || Scratch::new(device, field, blocks.layout());
             device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
                 let kernel = ColorHeadKernel {
-                    params: ColorHeadParams {
-                        samples: chunk.samples,
-                        first_pair: chunk.first,
-                        stride: chunk.stride,
-                        inputs: head.inputs,
-                        weight: head.weight,
-                        bias: head.bias,
-                    },
+                    params: field.head_params(&chunk),
                     parameters: &field.parameters,
                     input: field.hidden(device, scratch, &chunk)?,
                     color: &color,

@@ -6,8 +6,8 @@ use glam::Vec4;
 use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams, contracted_place};
 use organza_shaders::transmittance::{
-    SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceHeadParams,
-    TransmittanceInputsKernel, TransmittanceInputsParams,
+    SegmentProductKernel, SegmentProductParams, TransmittanceHeadKernel, TransmittanceInputsKernel,
+    TransmittanceInputsParams,
 };
 use organza_shaders::transmittance_backward::{
     ExtraBackwardKernel, ExtraBackwardParams, SegmentProductBackwardKernel,
@@ -170,7 +170,7 @@ fn log_rho(
         let new = || Scratch::new(device, field, blocks.layout());
         device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
             let kernel = TransmittanceHeadKernel {
-                params: head_params(field, &chunk),
+                params: field.head_params(&chunk),
                 parameters: &field.parameters,
                 point: &chunk.point,
                 input: field.hidden(device, scratch, &chunk)?,
@@ -180,19 +180,6 @@ fn log_rho(
         })?;
     }
     Ok(log_rho)
-}
-
-/// The last layer's parameters, for a chunk of samples.
-fn head_params(field: &DeviceField, chunk: &Chunk) -> TransmittanceHeadParams {
-    let head = field.head();
-    TransmittanceHeadParams {
-        samples: chunk.samples,
-        first_sample: chunk.first,
-        stride: chunk.stride,
-        inputs: head.inputs,
-        weight: head.weight,
-        bias: head.bias,
-    }
 }
 
 /// The network's input, for a block of samples.
@@ -318,7 +305,7 @@ impl Transmittance {
         device.run(&kernel.counted(&owners.pairs, &chunk.count), owners.pairs.upper_bound(), 1)?;
         let field = &scene.transmittance;
         let kernel = TransmittanceHeadBackwardKernel {
-            params: head_params(field, chunk),
+            params: field.head_params(chunk),
             parameters: &field.parameters,
             point: &chunk.point,
             input: scratch.network.last_hidden(chunk),

@@ -4,7 +4,7 @@ pub mod backward;
 pub mod hash_grid;
 pub mod samples;
 
-use organza_shaders::dense::{DenseKernel, DenseParams, OUTPUTS_PER_INVOCATION};
+use organza_shaders::dense::{DenseKernel, DenseParams, HeadParams, OUTPUTS_PER_INVOCATION};
 use organza_shaders::hash_grid::{HashGridKernel, HashGridParams};
 use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
@@ -51,6 +51,19 @@ impl DeviceField {
                 let kernel = HashGridHalfKernel { params, levels, table, position, output };
                 device.run(&kernel.counted(&piece.count()), samples, layers)
             }
+        }
+    }
+
+    /// The last layer's parameters, for a chunk of samples.
+    pub fn head_params(&self, chunk: &Chunk) -> HeadParams {
+        let head = self.head();
+        HeadParams {
+            samples: chunk.samples,
+            first: chunk.first,
+            stride: chunk.stride,
+            inputs: head.inputs,
+            weight: head.weight,
+            bias: head.bias,
         }
     }
 

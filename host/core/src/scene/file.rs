@@ -1,13 +1,13 @@
 //! Scenes as safetensors files.
 
-use std::collections::{HashMap, HashSet};
-use std::io::{BufReader, Read};
+use std::collections::HashSet;
+use std::io::{BufReader, Cursor};
 use std::path::Path;
 
 use super::config::SceneConfig;
 use super::tensor_file::{Header, TensorRef, encode, write_tensors};
 use super::tensors::TensorSpec;
-use super::{Scene, validate};
+use super::{Scene, SceneShard};
 use crate::error::{Error, Result};
 use crate::input::open_regular;
 
@@ -26,9 +26,7 @@ impl Scene {
     /// [`Error::MissingTensor`], [`Error::WrongDtype`], [`Error::WrongShape`], [`Error::TooManyValues`],
     /// [`Error::NotFinite`]. All but the last are found before any tensor is read.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
-        let (file, length) = open_regular(path)?;
-        read_scene(&mut BufReader::new(file), length, path)
+        SceneShard::load(path, 0, 1).map(|shard| shard.scene)
     }
 
     /// [`Self::load`] from memory. Errors name the bytes `origin`.
@@ -36,7 +34,9 @@ impl Scene {
     /// # Errors
     /// The same errors as [`Self::load`].
     pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
-        read_scene(&mut &bytes[..], bytes.len() as u64, origin.as_ref())
+        let place = (bytes.len() as u64, origin.as_ref());
+        let (shard, ..) = SceneShard::read_with(&mut Cursor::new(bytes), place, (0, 1), [], None)?;
+        Ok(shard.scene)
     }
 
     /// Validates the scene and writes it atomically. The same scene gives the same bytes.
@@ -96,26 +96,6 @@ impl Scene {
 /// The metadata of a scene file. `config` is the text of [`SceneConfig::to_json`].
 pub fn scene_metadata(config: &str) -> [(&'static str, &str); 3] {
     [("format", FORMAT), ("version", VERSION), ("config", config)]
-}
-
-/// [`Scene::load`] from a reader of `length` bytes. Errors name `origin`.
-fn read_scene(reader: &mut impl Read, length: u64, origin: &Path) -> Result<Scene> {
-    let header = Header::read(reader, length, origin)?;
-    let config = read_config(&header, origin)?;
-    let gaussians = count_gaussians(&header, &config, origin)?;
-    let specs = config.tensors(gaussians);
-    for spec in &specs {
-        check_declared(&header, spec, origin)?;
-    }
-    validate::check_sizes(specs.iter(), origin)?;
-    // Every tensor allocated here is declared in the file with this size, so no header can request more memory than
-    // the file is long. A tensor that may be absent has no values.
-    let mut scene = Scene::zeros(config, gaussians)?;
-    let slices: HashMap<_, _> =
-        scene.tensors_mut().into_iter().map(|(spec, data)| (spec.name, data)).collect();
-    header.read_into(reader, slices, origin)?;
-    scene.validate_at(origin)?;
-    Ok(scene)
 }
 
 /// Reads format, version and configuration, in that order: a later version may have another configuration.

@@ -216,26 +216,10 @@ impl Header {
         }
     }
 
-    /// Reads the data into the slice for each name, and skips tensors without a slice.
+    /// Reads the data into the slice for each name, and skips tensors without a slice. Each slice comes with the number of
+    /// the tensor's values before it.
     ///
-    /// The tensors must be F32 and have as many values as their slices.
-    pub fn read_into(
-        &self,
-        reader: &mut impl Read,
-        mut slices: HashMap<String, &mut [f32]>,
-        origin: &Path,
-    ) -> Result<()> {
-        for name in &self.names {
-            match slices.remove(name) {
-                Some(slice) => read_values(reader, slice, origin)?,
-                None => self.skip(reader, name).map_err(|source| Error::read(origin, source))?,
-            }
-        }
-        Ok(())
-    }
-
-    /// Like [`Header::read_into`], for parts of tensors. Each slice comes with the number of the tensor's values
-    /// before it.
+    /// The tensors must be F32 and may not end before their slices.
     pub fn read_ranges(
         &self,
         reader: &mut (impl Read + Seek),
@@ -255,12 +239,6 @@ impl Header {
             read_values(reader, values, origin)?;
             seek(reader, after)?;
         }
-        Ok(())
-    }
-
-    fn skip(&self, reader: &mut impl Read, name: &str) -> io::Result<()> {
-        let (start, end) = self.header.info(name).map_or((0, 0), |info| info.data_offsets);
-        io::copy(&mut reader.take((end - start) as u64), &mut io::sink())?;
         Ok(())
     }
 }

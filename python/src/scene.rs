@@ -1,12 +1,13 @@
 //! Scenes, and their tensors as numpy arrays.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use numpy::ndarray::{ArrayViewD, ArrayViewMutD};
 use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use organza::DeviceOptions;
 use organza::camera::Orbit;
+use organza::error::IN_MEMORY;
 use organza::scene::{SceneConfig, TensorSpec};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
@@ -160,16 +161,10 @@ pub fn array<'py>(
     let value = numpy.call_method1("ascontiguousarray", (value, "float32"))?;
     let array: PyReadonlyArrayDyn<'py, f32> = value.extract()?;
     // numpy turns a number into [1]
-    if array.shape() == spec.shape || (spec.values() == 1 && array.len() == 1) {
-        return Ok(array);
+    if !(spec.values() == 1 && array.len() == 1) {
+        spec.check_shape(Some(array.shape()), Path::new(IN_MEMORY)).map_err(raise)?;
     }
-    Err(raise(organza::Error::WrongShape {
-        origin: PathBuf::new(),
-        tensor: spec.name.clone(),
-        found: array.shape().to_vec(),
-        expected: spec.shape.clone(),
-        why: spec.why,
-    }))
+    Ok(array)
 }
 
 /// Keeps the memory of arrays alive.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use muslin_device::memory;
-use organza::scene::{TensorRef, read_tensors, write_tensors};
+use organza::scene::{TensorRef, TensorSpec, read_tensors, write_tensors};
 use organza::{Camera, Error, Gradient, RenderedTiles, Renderer, Result, TileBatch};
 use serde::Serialize;
 
@@ -208,23 +208,19 @@ struct Rendered<'a> {
 
 /// Reads `grad_tiles` from a file. It must have the batch's shape.
 fn read_grad_tiles(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
-    const NAME: &str = "grad_tiles";
-    const WHY: &str = "a value for each of `tiles`, the rendered batch";
-    let origin = path.to_owned();
-    let expected = batch.output_shape().to_vec();
-    let tensor = NAME.to_owned();
-    match read_tensors(path)?.remove(NAME) {
-        None => Err(Error::MissingTensor { origin, tensor, expected, why: WHY }),
-        Some(found) if found.shape != expected => {
-            let found = found.shape;
-            Err(Error::WrongShape { origin, tensor, found, expected, why: WHY })
-        }
-        Some(found) if !found.data.iter().all(|value| value.is_finite()) => {
-            let reason = format!("`{NAME}` has values that are NaN or infinite");
-            Err(Error::Invalid { origin, reason })
-        }
-        Some(found) => Ok(found.data),
+    let spec = TensorSpec {
+        name: "grad_tiles".to_owned(),
+        shape: batch.output_shape().to_vec(),
+        why: "a value for each of `tiles`, the rendered batch",
+    };
+    let found = read_tensors(path)?.remove(&spec.name);
+    spec.check_shape(found.as_ref().map(|found| &found.shape[..]), path)?;
+    let values = found.unwrap_or_default().data;
+    if values.iter().all(|value| value.is_finite()) {
+        return Ok(values);
     }
+    let reason = "`grad_tiles` has values that are NaN or infinite".to_owned();
+    Err(Error::Invalid { origin: path.to_owned(), reason })
 }
 
 fn write_tiles(

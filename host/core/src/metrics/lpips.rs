@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use crate::error::{Error, Result};
 use crate::input::open_regular;
-use crate::scene::{Tensor, read_metadata, read_tensors};
+use crate::scene::{TensorSpec, read_metadata, read_tensors};
 use muslin_device::memory;
 
 /// The value of `format` in a weights file's metadata.
@@ -126,17 +126,11 @@ impl Lpips {
             _ => return Err(no_weights("its `network` is neither `alex` nor `vgg`".to_owned())),
         };
         let mut tensors = read_tensors(path)?;
-        let mut take = |tensor: String, expected: &[usize]| {
-            let why = "a layer of the network";
-            let origin = path.to_owned();
-            let expected = expected.to_vec();
-            match tensors.remove(&tensor) {
-                None => Err(Error::MissingTensor { origin, tensor, expected, why }),
-                Some(Tensor { shape: found, .. }) if found != expected => {
-                    Err(Error::WrongShape { origin, tensor, found, expected, why })
-                }
-                Some(Tensor { data, .. }) => Ok(data),
-            }
+        let mut take = |name: String, shape: &[usize]| -> Result<_> {
+            let found = tensors.remove(&name);
+            let spec = TensorSpec { name, shape: shape.to_vec(), why: "a layer of the network" };
+            spec.check_shape(found.as_ref().map(|found| &found.shape[..]), path)?;
+            Ok(found.unwrap_or_default().data)
         };
         let mut convolutions = Vec::new();
         let mut weights = Vec::new();

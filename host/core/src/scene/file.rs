@@ -138,24 +138,10 @@ pub(super) fn count_gaussians(
 
 /// Checks that a tensor is in the header, with the right type and shape.
 pub(super) fn check_declared(header: &Header, spec: &TensorSpec, origin: &Path) -> Result<()> {
-    let tensor = &spec.name;
-    let why = spec.why;
-    match header.shape(tensor) {
-        // A tensor of vectors without elements may be absent.
-        None if spec.values() == 0 => Ok(()),
-        None => Err(Error::MissingTensor {
-            origin: origin.to_owned(),
-            tensor: tensor.clone(),
-            expected: spec.shape.clone(),
-            why,
-        }),
-        Some(found) if found != spec.shape => Err(Error::WrongShape {
-            origin: origin.to_owned(),
-            tensor: tensor.clone(),
-            found: found.to_vec(),
-            expected: spec.shape.clone(),
-            why,
-        }),
-        Some(_) => header.require_f32(tensor, origin),
+    let found = header.shape(&spec.name);
+    // A tensor of vectors without elements may be absent.
+    if found.is_some() || spec.values() > 0 {
+        spec.check_shape(found, origin)?;
     }
+    header.require_f32(&spec.name, origin)
 }

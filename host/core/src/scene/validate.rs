@@ -7,11 +7,27 @@ use super::tensors::{MAX_VALUES, TensorSpec};
 use crate::error::{Error, IN_MEMORY, Result};
 
 impl TensorSpec {
+    /// Checks the shape that the tensor has in the file `origin`, if it is there.
+    ///
+    /// # Errors
+    /// [`Error::MissingTensor`]; [`Error::WrongShape`].
+    pub fn check_shape(&self, found: Option<&[usize]>, origin: &Path) -> Result<()> {
+        let Self { name: tensor, shape: expected, why } = self.clone();
+        let origin = origin.to_owned();
+        match found.map(<[usize]>::to_vec) {
+            None => Err(Error::MissingTensor { origin, tensor, expected, why }),
+            Some(found) if found != expected => {
+                Err(Error::WrongShape { origin, tensor, found, expected, why })
+            }
+            Some(_) => Ok(()),
+        }
+    }
+
     /// Checks that the number of values is right and that all are finite.
     pub fn check(&self, values: &[f32]) -> Result<()> {
         let origin = Path::new(IN_MEMORY);
         if values.len() != self.values() {
-            return Err(wrong_shape(self, vec![values.len()], origin));
+            self.check_shape(Some(&[values.len()]), origin)?;
         }
         check_finite(self, values, origin)
     }
@@ -37,7 +53,7 @@ impl Scene {
         let tensors = self.tensors();
         for (spec, data) in &tensors {
             if data.len() != spec.values() {
-                return Err(wrong_shape(spec, vec![data.len()], origin));
+                spec.check_shape(Some(&[data.len()]), origin)?;
             }
         }
         check_sizes(tensors.iter().map(|(spec, _)| spec), origin)?;
@@ -54,22 +70,10 @@ impl Scene {
                 let found = layer.map_or(Vec::new(), |layer| vec![layer.outputs, layer.inputs]);
                 let pair = field.widths.get(index..index + 2);
                 let expected = pair.map_or(Vec::new(), |pair| vec![pair[1], pair[0]]);
-                if found != expected {
-                    return Err(wrong_shape(&field.weight(index, expected), found, origin));
-                }
+                field.weight(index, expected).check_shape(Some(&found), origin)?;
             }
         }
         Ok(())
-    }
-}
-
-fn wrong_shape(spec: &TensorSpec, found: Vec<usize>, origin: &Path) -> Error {
-    Error::WrongShape {
-        origin: origin.to_owned(),
-        tensor: spec.name.clone(),
-        found,
-        expected: spec.shape.clone(),
-        why: spec.why,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use ::ndarray::{Array4, ArrayView4, ArrayViewD, ArrayViewMutD};
 
-use crate::{Error, Gradient, RenderedTiles, Result, Scene};
+use crate::{Error, RenderedTiles, Result, Scene};
 
 impl Scene {
     /// The tensor named `name`, as in [`Scene::tensors`]: `gaussians.position`, for example.
@@ -17,15 +17,6 @@ impl Scene {
     pub fn array_mut(&mut self, name: &str) -> Option<ArrayViewMutD<'_, f32>> {
         let (spec, values) = self.tensors_mut().into_iter().find(|(spec, _)| spec.name == name)?;
         ArrayViewMutD::from_shape(spec.shape, values).ok()
-    }
-}
-
-impl Gradient {
-    /// The gradient of the tensor named `name`, as in [`Gradient::tensors`]: `gaussians.position`, for example.
-    #[must_use]
-    pub fn array(&self, name: &str) -> Option<ArrayViewD<'_, f32>> {
-        let (spec, values) = self.tensors().into_iter().find(|(spec, _)| spec.name == name)?;
-        ArrayViewD::from_shape(spec.shape, values).ok()
     }
 }
 

@@ -111,7 +111,7 @@ fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
             assert!(*rendered == expected.data, "{what}: the tiles");
             let expected = renderer.gradient(&scene, &cameras, batch, &found.grad_tiles).unwrap();
             assert!(gradients[0] == expected, "{what}: the gradient");
-            assert!(expected.gaussians().opacity.iter().any(|&slope| slope != 0.0), "{what}");
+            assert!(expected.gaussians.opacity.iter().any(|&slope| slope != 0.0), "{what}");
             // the squares that the loss sums
             let squared = f64::powf(10.0, -report.psnr / 10.0);
             let values = 2.0 * found.loss / squared;

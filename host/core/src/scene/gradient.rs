@@ -1,21 +1,27 @@
 //! The gradient of a loss with respect to every tensor of a scene.
 
+use std::ops::Deref;
 use std::path::Path;
 
-use super::gaussians::Gaussians;
-use super::network::Field;
+use super::Scene;
 use super::tensor_file::write_tensors;
-use super::tensors::TensorSpec;
-use super::{Scene, SceneConfig};
 use crate::error::{Error, Result};
 use crate::ranks::Ranks;
 
 /// Prefix of gradients' names in a file.
 const PREFIX: &str = "grad.";
 
-/// dL/dtensor for every tensor of a scene, in the shape of the scene.
+/// dL/dtensor for every tensor of a scene. It reads like the scene: `gradient.gaussians.position`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient(Scene);
+
+impl Deref for Gradient {
+    type Target = Scene;
+
+    fn deref(&self) -> &Scene {
+        &self.0
+    }
+}
 
 impl Gradient {
     /// A gradient from values in the shape of a scene.
@@ -57,36 +63,6 @@ impl Gradient {
         whole.color = self.0.color;
         whole.transmittance = self.0.transmittance;
         Ok(Some(Self(whole)))
-    }
-
-    /// The configuration of the scene.
-    #[must_use]
-    pub fn config(&self) -> &SceneConfig {
-        &self.0.config
-    }
-
-    /// The gradient of the Gaussians.
-    #[must_use]
-    pub fn gaussians(&self) -> &Gaussians {
-        &self.0.gaussians
-    }
-
-    /// The gradient of the color grid and network.
-    #[must_use]
-    pub fn color(&self) -> &Field {
-        &self.0.color
-    }
-
-    /// The gradient of the transmittance grid and network.
-    #[must_use]
-    pub fn transmittance(&self) -> &Field {
-        &self.0.transmittance
-    }
-
-    /// The name and shape of every tensor of the scene, and its gradient, row-major.
-    #[must_use]
-    pub fn tensors(&self) -> Vec<(TensorSpec, &[f32])> {
-        self.0.tensors()
     }
 
     /// The gradient of the tensor named `name`, such as `gaussians.position`, row-major.

@@ -27,7 +27,7 @@ use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
 /// let recording = renderer.record(&scene, &cameras, &batch)?;
 /// // the loss is half the sum of squares, so dL/dY is Y
 /// let gradient = recording.backward(&recording.tiles().data)?;
-/// assert_eq!(gradient.gaussians().position.len(), scene.len());
+/// assert_eq!(gradient.gaussians.position.len(), scene.len());
 /// # Ok::<(), organza_core::Error>(())
 /// ```
 ///
@@ -171,7 +171,7 @@ impl Renderer {
     /// // the loss is the sum of all values, so dL/dY is 1 everywhere
     /// let ones = vec![1.0; batch.output_shape().iter().product()];
     /// let gradient = renderer.gradient(&scene, &cameras, &batch, &ones)?;
-    /// assert_eq!(gradient.gaussians().position.len(), scene.len());
+    /// assert_eq!(gradient.gaussians.position.len(), scene.len());
     /// assert!(gradient.tensor("gaussians.opacity").is_some_and(|g| g.iter().any(|&g| g != 0.0)));
     /// # Ok::<(), organza_core::Error>(())
     /// ```

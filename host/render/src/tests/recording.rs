@@ -103,7 +103,7 @@ fn longer_steps_have_gradients_of_their_own() {
         let recording = record(&renderer, &uploaded).expect("a recording");
         let slopes = slopes(recording.tiles().data.len());
         let gradient = recording.backward(&slopes).expect("a gradient");
-        let slope = gradient.transmittance().network.layers.last().expect("a layer").bias[0];
+        let slope = gradient.transmittance.network.layers.last().expect("a layer").bias[0];
         let difference = (loss(STEP, ray_steps) - loss(-STEP, ray_steps)) / f64::from(2.0 * STEP);
         let error = (f64::from(slope) - difference).abs();
         assert!(error < 2e-3 * difference.abs(), "{ray_steps}: {slope} {difference}");

@@ -131,9 +131,12 @@ impl Camera {
         angle_x: f64,
         [width, height]: [u32; 2],
     ) -> Result<Self> {
-        let back = normalized(std::array::from_fn(|axis| eye[axis] - target[axis]));
-        let right = normalized(cross(up, back));
-        let up = cross(back, right);
+        let [eye, target, up] = [eye, target, up].map(DVec3::from);
+        // `DVec3::normalize` multiplies by the reciprocal, which rounds once more
+        let normalized = |vector: DVec3| vector / vector.length();
+        let back = normalized(eye - target);
+        let right = normalized(up.cross(back));
+        let up = back.cross(right);
         let row = |axis: usize| [right[axis], up[axis], back[axis], eye[axis]];
         let focal = parse::focal_length(f64::from(width), angle_x)
             .map_err(|reason| camera_error(Path::new(IN_MEMORY), 0, reason))?;
@@ -306,9 +309,8 @@ impl Camera {
                 pose[3]
             ));
         }
-        let axis = |column: usize| -> [f64; 3] { std::array::from_fn(|row| pose[row][column]) };
-        let axes = [axis(0), axis(1), axis(2)];
-        let determinant = dot(cross(axes[0], axes[1]), axes[2]);
+        let axes = [0, 1, 2].map(|column| DVec3::from([0, 1, 2].map(|row| pose[row][column])));
+        let determinant = axes[0].cross(axes[1]).dot(axes[2]);
         if determinant.abs() < 1e-9 {
             return Err(
                 "`transform_matrix` is a singular pose: its 3x3 block has determinant 0".into()
@@ -317,7 +319,7 @@ impl Camera {
         let mut off = 0.0_f64;
         for (i, a) in axes.iter().enumerate() {
             for (j, b) in axes.iter().enumerate() {
-                off = off.max((dot(*a, *b) - f64::from(u8::from(i == j))).abs());
+                off = off.max((a.dot(*b) - f64::from(u8::from(i == j))).abs());
             }
         }
         if off > ORTHONORMAL_TOLERANCE {
@@ -380,25 +382,4 @@ pub fn encode(cameras: &[Camera]) -> Result<Vec<u8>> {
 #[must_use]
 pub fn camera_error(origin: &Path, frame: usize, reason: String) -> Error {
     Error::Camera { origin: origin.to_owned(), frame, reason }
-}
-
-/// The dot product.
-#[must_use]
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// The cross product.
-#[must_use]
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| {
-        let j = (i + 1) % 3;
-        let k = (i + 2) % 3;
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-fn normalized(vector: [f64; 3]) -> [f64; 3] {
-    let length = dot(vector, vector).sqrt();
-    vector.map(|value| value / length)
 }

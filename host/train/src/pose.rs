@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::config::OptimizerConfig;
 use super::per_photograph::{PerPhotograph, VALUES};
-use organza_core::camera::{Camera, cross, dot, to_rotation_vector, turned};
+use organza_core::camera::{Camera, to_rotation_vector, turned};
 use organza_core::error::Result;
 
 /// The poses of all training photographs.
@@ -51,10 +51,10 @@ impl PoseSet {
             let [wx, wy, wz, vx, vy, vz] = self.learned.values[photograph].map(f64::from);
             let [ax, ay, az, bx, by, bz] = gradients[photograph].map(f64::from);
             // t' = exp([w]x) t + v: w turns only t' - v, but the gradient is by a turn of all of t'
-            let lever = cross([vx, vy, vz], [bx, by, bz]);
-            let turn = [ax - lever[0], ay - lever[1], az - lever[2]];
-            let [gx, gy, gz] = to_rotation_vector([wx, wy, wz], turn);
-            (photograph, [gx, gy, gz, bx, by, bz])
+            let lever = DVec3::new(vx, vy, vz).cross(DVec3::new(bx, by, bz));
+            let turn = DVec3::new(ax, ay, az) - lever;
+            let g = to_rotation_vector(DVec3::new(wx, wy, wz), turn);
+            (photograph, [g.x, g.y, g.z, bx, by, bz])
         };
         let gradients: BTreeMap<_, _> = shown.map(of).collect();
         let turn = rate;
@@ -72,32 +72,26 @@ impl PoseSet {
     /// To first order, this changes no image of a scene that moves along.
     fn center(&mut self) {
         let count = self.given.len() as f64;
-        let mean = |of: &dyn Fn(usize) -> [f64; 3]| {
-            let sum = (0..self.given.len()).map(of).fold([0.0; 3], |sum, of| add(sum, of, 1.0));
-            sum.map(|sum| sum / count)
-        };
+        let mean =
+            |of: &dyn Fn(usize) -> DVec3| (0..self.given.len()).map(of).sum::<DVec3>() / count;
         let motions: Vec<_> = self
             .given
             .iter()
             .zip(&self.learned.values)
             .map(|(camera, &values)| Motion::new(camera, values))
             .collect();
-        let middle = mean(&|at| self.given[at].eye());
-        let arms: Vec<_> =
-            self.given.iter().map(|camera| add(camera.eye(), middle, -1.0)).collect();
+        let eye = |at: usize| DVec3::from(self.given[at].eye());
+        let middle = mean(&eye);
+        let arms: Vec<_> = (0..self.given.len()).map(|at| eye(at) - middle).collect();
         let turn = mean(&|at| motions[at].turn);
         let shift = mean(&|at| motions[at].shift);
-        let spread: f64 = arms.iter().map(|arm| dot(*arm, *arm)).sum();
-        let along: f64 =
-            arms.iter().zip(&motions).map(|(arm, motion)| dot(*arm, motion.shift)).sum();
+        let spread: f64 = arms.iter().map(|arm| arm.length_squared()).sum();
+        let along: f64 = arms.iter().zip(&motions).map(|(arm, motion)| arm.dot(motion.shift)).sum();
         // one camera, or all in one place, have no spread
         let scale = if spread > 0.0 { along / spread } else { 0.0 };
         for (at, motion) in motions.into_iter().enumerate() {
-            let common = add(add(shift, cross(turn, arms[at]), 1.0), arms[at], scale);
-            let own = Motion {
-                turn: add(motion.turn, turn, -1.0),
-                shift: add(motion.shift, common, -1.0),
-            };
+            let common = shift + turn.cross(arms[at]) + scale * arms[at];
+            let own = Motion { turn: motion.turn - turn, shift: motion.shift - common };
             self.learned.values[at] = own.values(&self.given[at]);
         }
     }
@@ -107,38 +101,28 @@ impl PoseSet {
 #[derive(Clone, Copy, Debug)]
 struct Motion {
     /// Rotation vector of the camera's axes.
-    turn: [f64; 3],
+    turn: DVec3,
     /// Displacement of the camera's center, in world units.
-    shift: [f64; 3],
+    shift: DVec3,
 }
 
 impl Motion {
     /// `W' = exp([w]x) W`, so the axes W^T turn by `exp([-W^T w]x)`; the center moves by `-W'^T v`.
     fn new(camera: &Camera, values: [f32; VALUES]) -> Self {
         let [wx, wy, wz, vx, vy, vz] = values.map(f64::from);
-        let turn = to_world(camera, [-wx, -wy, -wz]);
-        let unturned = turned([-wx, -wy, -wz], [-vx, -vy, -vz]);
-        Self { turn, shift: to_world(camera, unturned) }
+        let [w, v] = [DVec3::new(wx, wy, wz), DVec3::new(vx, vy, vz)];
+        let to_world = camera.to_world();
+        Self { turn: to_world * -w, shift: to_world * turned(-w, -v) }
     }
 
     /// The values of a camera with this motion.
     fn values(self, camera: &Camera) -> [f32; VALUES] {
         let rows = camera.axes();
-        let to_camera = |v: [f64; 3]| rows.map(|row| -row.dot(DVec3::from(v)));
+        let to_camera = |vector: DVec3| DVec3::from(rows.map(|row| -row.dot(vector)));
         let w = to_camera(self.turn);
-        let [vx, vy, vz] = turned(w, to_camera(self.shift));
-        [w[0], w[1], w[2], vx, vy, vz].map(|value| value as f32)
+        let v = turned(w, to_camera(self.shift));
+        [w.x, w.y, w.z, v.x, v.y, v.z].map(|value| value as f32)
     }
-}
-
-/// `W^T v`: transforms a direction from camera space to world space.
-fn to_world(camera: &Camera, v: [f64; 3]) -> [f64; 3] {
-    (camera.to_world() * DVec3::from(v)).to_array()
-}
-
-/// `a + factor b`
-fn add(a: [f64; 3], b: [f64; 3], factor: f64) -> [f64; 3] {
-    std::array::from_fn(|axis| a[axis] + factor * b[axis])
 }
 
 #[cfg(test)]
@@ -151,7 +135,7 @@ mod tests {
     }
 
     /// The rotation and the displacement of a camera's center, in the world.
-    fn motion(before: &Camera, after: &Camera) -> [[f64; 3]; 2] {
+    fn motion(before: &Camera, after: &Camera) -> [DVec3; 2] {
         let [old, new] = [before, after].map(Camera::axes);
         // R = W'^T W; a small one is 1 + [turn]x
         let entry = |row: usize, column: usize| -> f64 {
@@ -159,7 +143,7 @@ mod tests {
         };
         let half = |a: [usize; 2], b: [usize; 2]| 0.5 * (entry(a[0], a[1]) - entry(b[0], b[1]));
         let turn = [half([2, 1], [1, 2]), half([0, 2], [2, 0]), half([1, 0], [0, 1])];
-        [turn, add(after.eye(), before.eye(), -1.0)]
+        [turn.into(), DVec3::from(after.eye()) - DVec3::from(before.eye())]
     }
 
     #[test]
@@ -182,12 +166,8 @@ mod tests {
         // each camera's own motion remains: relative to other cameras, only the common motion was removed
         let common: Vec<_> =
             before.iter().zip(poses.cameras()).map(|(a, b)| motion(a, &b)[0]).collect();
-        for turn in &common {
-            for axis in 0..3 {
-                assert!((turn[axis] - common[0][axis]).abs() < 1e-5, "{common:?}");
-            }
-        }
-        assert!(common[0].iter().any(|part| part.abs() > 1e-5), "{common:?}");
+        assert!(common.iter().all(|turn| turn.abs_diff_eq(common[0], 1e-5)), "{common:?}");
+        assert!(common[0].abs().max_element() > 1e-5, "{common:?}");
         let again = poses.clone();
         poses.center();
         for (a, b) in again.learned.values.iter().flatten().zip(poses.learned.values.as_flattened())
@@ -200,12 +180,12 @@ mod tests {
     #[test]
     fn a_motion_of_the_world_is_taken_out_whole() {
         let mut poses = poses();
-        let turn = [1e-3, -2e-3, 5e-4];
-        let shift = [3e-3, 1e-3, -2e-3];
+        let turn = DVec3::new(1e-3, -2e-3, 5e-4);
+        let shift = DVec3::new(3e-3, 1e-3, -2e-3);
         let scale = 1e-3;
         for (camera, values) in poses.given.iter().zip(&mut poses.learned.values) {
-            let eye = camera.eye();
-            let shift = add(add(shift, cross(turn, eye), 1.0), eye, scale);
+            let eye = DVec3::from(camera.eye());
+            let shift = shift + turn.cross(eye) + scale * eye;
             *values = Motion { turn, shift }.values(camera);
         }
         poses.center();
@@ -232,18 +212,19 @@ mod tests {
         }
         poses.learned.values[2] = values;
         // the loss is linear in the place as the camera sees it
-        let place = [0.3, -0.2, 0.5];
-        let slope = [0.4, -1.0, 0.7];
+        let place = DVec3::new(0.3, -0.2, 0.5);
+        let slope = DVec3::new(0.4, -1.0, 0.7);
         let seen = |values: [f64; VALUES]| {
             let camera = poses.given[2].moved(values);
-            let offset = add(place, camera.eye(), -1.0);
-            camera.axes().map(|axis| axis.dot(offset.into()))
+            let offset = place - DVec3::from(camera.eye());
+            DVec3::from(camera.axes().map(|axis| axis.dot(offset)))
         };
-        let loss = |values: [f64; VALUES]| dot(slope, seen(values));
+        let loss = |values: [f64; VALUES]| slope.dot(seen(values));
         let now = values.map(f64::from);
-        let [x, y, z] = cross(seen(now), slope);
+        let turn = seen(now).cross(slope);
         let mut gradients = [[0.0; VALUES]; 5];
-        gradients[2] = [x, y, z, slope[0], slope[1], slope[2]].map(|value| value as f32);
+        gradients[2] =
+            [turn.x, turn.y, turn.z, slope.x, slope.y, slope.z].map(|value| value as f32);
         let expected: Vec<_> = (0..VALUES)
             .map(|at| {
                 let mut moved = [now; 2];

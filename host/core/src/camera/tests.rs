@@ -76,7 +76,7 @@ fn case_cameras_see_the_origin() {
             assert!(!camera.distorted);
             let eye = camera.eye();
             let seen = camera.axes().map(|axis| -axis.dot(eye.into()));
-            let distance = dot(eye, eye).sqrt();
+            let distance = DVec3::from(eye).length();
             assert!(seen[0].abs() < 1e-12 && seen[1].abs() < 1e-12, "{seen:?}");
             assert!((seen[2] - distance).abs() < 1e-12, "{seen:?}");
         }

@@ -3,7 +3,6 @@ use std::fs;
 use super::colmap_files::{Model, cameras_txt, sample, write, write_model};
 use super::*;
 use glam::DVec3;
-use organza_core::camera::cross;
 
 fn dataset(model: &Model, binary: bool) -> Dataset {
     let folder = tempfile::tempdir().unwrap();
@@ -28,11 +27,9 @@ fn colmap_project(
 ) -> [f64; 2] {
     let length = quaternion.iter().map(|value| value * value).sum::<f64>().sqrt();
     let [w, x, y, z] = quaternion.map(|value| value / length);
-    let axis = [x, y, z];
-    let twice = cross(axis, point).map(|value| 2.0 * value);
-    let turn = cross(axis, twice);
-    let seen: [f64; 3] =
-        std::array::from_fn(|i| point[i] + w * twice[i] + turn[i] + translation[i]);
+    let [axis, point, translation] = [[x, y, z], point, translation].map(DVec3::from);
+    let twice = 2.0 * axis.cross(point);
+    let seen = point + w * twice + axis.cross(twice) + translation;
     [f_x * seen[0] / seen[2] + cx, f_y * seen[1] / seen[2] + cy]
 }
 

@@ -20,7 +20,7 @@ pub fn raise(error: organza::Error) -> PyErr {
     let text = chain(&error);
     match &error {
         organza::Error::ReadFile { source, .. } | organza::Error::WriteFile { source, .. } => {
-            match source.io().kind() {
+            match source.kind() {
                 ErrorKind::NotFound => PyFileNotFoundError::new_err(text),
                 ErrorKind::PermissionDenied => PyPermissionError::new_err(text),
                 _ => PyOSError::new_err(text),

@@ -5,7 +5,7 @@
 #[cfg(test)]
 mod tests;
 
-use std::fmt::{self, Write as _};
+use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,7 @@ pub enum Error {
         /// The file.
         path: PathBuf,
         /// Why, and what to do about it.
-        source: FileError,
+        source: io::Error,
     },
 
     /// A file could not be written. An old file of that name is untouched.
@@ -38,7 +38,7 @@ pub enum Error {
         /// The file.
         path: PathBuf,
         /// Why, and what to do about it.
-        source: FileError,
+        source: io::Error,
     },
 
     /// A file is not safetensors, or was cut short or damaged.
@@ -244,29 +244,6 @@ pub enum Error {
     Device(#[from] muslin_device::Error),
 }
 
-/// Why a file could not be read or written, and what to do about it.
-#[derive(Debug)]
-pub struct FileError {
-    text: String,
-    source: io::Error,
-}
-
-impl FileError {
-    /// The error of the operating system. [`Display`](std::fmt::Display) puts it in other words.
-    #[must_use]
-    pub fn io(&self) -> &io::Error {
-        &self.source
-    }
-}
-
-impl fmt::Display for FileError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&self.text)
-    }
-}
-
-impl std::error::Error for FileError {}
-
 /// Joins the messages of an error and of its sources.
 ///
 /// ```
@@ -307,15 +284,15 @@ impl Error {
     /// A failure to read `path`.
     #[must_use]
     pub fn read(path: &Path, source: io::Error) -> Self {
-        let text = describe_read(&source);
-        Self::ReadFile { path: path.to_owned(), source: FileError { text, source } }
+        let source = io::Error::new(source.kind(), describe_read(&source));
+        Self::ReadFile { path: path.to_owned(), source }
     }
 
     /// A failure to write `path`.
     #[must_use]
     pub fn write(path: &Path, source: io::Error) -> Self {
-        let text = describe_write(path, &source);
-        Self::WriteFile { path: path.to_owned(), source: FileError { text, source } }
+        let source = io::Error::new(source.kind(), describe_write(path, &source));
+        Self::WriteFile { path: path.to_owned(), source }
     }
 
     /// Wraps an error of `serde_json` about `text`, which is `what` of `origin`.

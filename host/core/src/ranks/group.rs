@@ -169,8 +169,12 @@ mod tests {
                         let first = ranks.rank() / shards * shards;
                         let row: Vec<_> = (first..first + shards).collect();
                         let column: Vec<_> = (rank % shards..6).step_by(shards).collect();
-                        assert_calls(rank, grid.row(), &row);
-                        assert_calls(rank, grid.column(), &column);
+                        // a call must not disturb the next
+                        for _ in 0..8 {
+                            assert_calls(rank, grid.row(), &row);
+                            assert_calls(rank, grid.column(), &column);
+                            assert_eq!(ranks.broadcast(vec![rank as u8]).unwrap(), [0]);
+                        }
                     });
                 }
             });

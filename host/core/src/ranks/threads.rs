@@ -193,31 +193,6 @@ mod tests {
     }
 
     #[test]
-    fn collective_calls_combine_all_ranks() {
-        let found = together(3, |ranks| {
-            let rank = ranks.rank();
-            let mut max = [rank as u32, 5 - rank as u32];
-            let mut or = [1_u32 << rank];
-            let mut sum = [1 << (40 + rank), -1];
-            for _ in 0..50 {
-                ranks.max(&mut max).unwrap();
-                ranks.or(&mut or).unwrap();
-            }
-            ranks.sum(&mut sum).unwrap();
-            let gathered = ranks.gather(vec![rank as u8; rank]).unwrap();
-            let sent = (0..3).map(|to| vec![10 * rank as u8 + to]).collect();
-            let exchanged = ranks.exchange(sent).unwrap();
-            let broadcast = ranks.broadcast(vec![rank as u8]).unwrap();
-            (max, or, sum, gathered, exchanged, broadcast)
-        });
-        for (rank, found) in (0..).zip(found) {
-            let gathered = vec![vec![], vec![1], vec![2, 2]];
-            let exchanged = [0, 10, 20].map(|from| vec![from + rank]).to_vec();
-            assert_eq!(found, ([2, 5], [7], [7 << 40, -3], gathered, exchanged, vec![0]));
-        }
-    }
-
-    #[test]
     fn a_rank_that_fails_ends_the_others() {
         let found = together(3, |ranks| match ranks.rank() {
             1 => {

@@ -21,15 +21,6 @@ fn memory_error_gives_both_sizes() {
 }
 
 #[test]
-fn full_disk_is_named() {
-    let source = io::Error::from(io::ErrorKind::StorageFull);
-    let error = Error::write(Path::new("/out/a.safetensors"), source);
-    assert_eq!(error.to_string(), "cannot write /out/a.safetensors");
-    let text = chain(&error);
-    assert!(text.contains("/out/a.safetensors") && text.contains("disk is full"), "{text}");
-}
-
-#[test]
 fn json_error_points_at_the_text() {
     let text = b"{\n  \"levels\": [1, x]\n}";
     let error = serde_json::from_slice::<serde_json::Value>(text).unwrap_err();

@@ -63,12 +63,29 @@ impl TileBatch {
     /// the output is out of range; [`Error::Tile`] for the first element that is no tile.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        parse_batch(&read_json(path)?, path)
+        Self::parse(&read_json(path)?, path)
     }
 
     /// [`Self::load`] from parsed JSON. Errors name `origin`.
     pub fn parse(file: &Value, origin: &Path) -> Result<Self> {
-        parse_batch(file, origin)
+        let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
+        let side = file.get("side").ok_or_else(|| invalid("`side` is missing".to_owned()))?;
+        let side = integer(side)
+            .and_then(|side| u32::try_from(side).ok())
+            .ok_or_else(|| invalid(side_range(&side.to_string())))?;
+        // Checked before the tiles: a wrong side affects all of them.
+        check_side(side, origin)?;
+        let tiles = file.get("tiles").ok_or_else(|| invalid("`tiles` is missing".to_owned()))?;
+        let tiles = tiles
+            .as_array()
+            .ok_or_else(|| invalid(format!("`tiles` is {}, expected an array", kind(tiles))))?;
+        let parse = |(index, tile): (usize, &Value)| {
+            parse_tile(tile).map_err(|reason| tile_error(origin, index, reason))
+        };
+        let tiles = tiles.iter().enumerate().map(parse).collect::<Result<_>>()?;
+        let batch = Self { side, tiles };
+        batch.check(origin)?;
+        Ok(batch)
     }
 
     /// Writes a file that [`Self::load`] reads, atomically.
@@ -198,27 +215,6 @@ fn origin_range(found: &str) -> String {
 
 fn tile_error(origin: &Path, tile: usize, reason: String) -> Error {
     Error::Tile { origin: origin.to_owned(), tile, reason }
-}
-
-fn parse_batch(file: &Value, origin: &Path) -> Result<TileBatch> {
-    let invalid = |reason| Error::Invalid { origin: origin.to_owned(), reason };
-    let side = file.get("side").ok_or_else(|| invalid("`side` is missing".to_owned()))?;
-    let side = integer(side)
-        .and_then(|side| u32::try_from(side).ok())
-        .ok_or_else(|| invalid(side_range(&side.to_string())))?;
-    // Checked before the tiles: a wrong side affects all of them.
-    check_side(side, origin)?;
-    let tiles = file.get("tiles").ok_or_else(|| invalid("`tiles` is missing".to_owned()))?;
-    let tiles = tiles
-        .as_array()
-        .ok_or_else(|| invalid(format!("`tiles` is {}, expected an array", kind(tiles))))?;
-    let parse = |(index, tile): (usize, &Value)| {
-        parse_tile(tile).map_err(|reason| tile_error(origin, index, reason))
-    };
-    let tiles = tiles.iter().enumerate().map(parse).collect::<Result<_>>()?;
-    let batch = TileBatch { side, tiles };
-    batch.check(origin)?;
-    Ok(batch)
 }
 
 fn parse_tile(tile: &Value) -> Result<Tile, String> {

@@ -13,7 +13,7 @@ fn file() -> Value {
 fn assert_error(edit: impl FnOnce(&mut Value), facts: &[&str]) {
     let mut value = file();
     edit(&mut value);
-    let text = parse_batch(&value, Path::new("tiles.json")).unwrap_err().to_string();
+    let text = TileBatch::parse(&value, Path::new("tiles.json")).unwrap_err().to_string();
     for fact in facts.iter().chain(&["tiles.json"]) {
         assert!(text.contains(fact), "no {fact:?} in: {text}");
     }
@@ -38,7 +38,7 @@ fn cases_load_and_fit_their_cameras() {
 fn save_and_load() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("tiles.json");
-    let batch = parse_batch(&file(), Path::new("tiles.json")).unwrap();
+    let batch = TileBatch::parse(&file(), Path::new("tiles.json")).unwrap();
     batch.save(&path).unwrap();
     assert_eq!(TileBatch::load(&path).unwrap(), batch);
     assert!(TileBatch { side: 0, ..batch }.save(&path).is_err());
@@ -115,7 +115,7 @@ proptest! {
     fn nasty_values_load_validly_or_fail(place in any::<Index>(), nasty in nasty_value()) {
         let mut value = file();
         replace_value(&mut value, place, nasty);
-        if let Ok(batch) = parse_batch(&value, Path::new("tiles.json")) {
+        if let Ok(batch) = TileBatch::parse(&value, Path::new("tiles.json")) {
             prop_assert!(batch.check(Path::new("tiles.json")).is_ok());
         }
     }

@@ -9,8 +9,8 @@ use muslin_kernel::kernel::Storage;
 
 use crate::cpu_memory::CpuMemory;
 
-/// `len` values of `T` on a device.
-#[derive(Debug)]
+/// `len` values of `T` on a device. A clone is the same memory.
+#[derive(Clone, Debug)]
 pub struct Buffer<T> {
     raw: RawBuffer,
     element: PhantomData<T>,

@@ -118,8 +118,8 @@ impl Renderer {
         };
         Ok(Recording {
             renderer: self.clone(),
-            fields: scene.fields.view(),
-            blocks: scene.blocks.iter().map(DeviceScene::view).collect(),
+            fields: scene.fields.clone(),
+            blocks: scene.blocks.to_vec(),
             is_shard: scene.is_shard,
             version,
             cameras: cameras.to_vec(),

@@ -13,8 +13,8 @@ use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Scene, SceneConfig, Tensors};
 
-/// A scene whose tensors lie on a device.
-#[derive(Debug)]
+/// A scene whose tensors lie on a device. A clone is the same scene, on the same memory.
+#[derive(Clone, Debug)]
 pub struct DeviceScene {
     pub(super) device: Arc<Device>,
     pub(crate) config: SceneConfig,
@@ -158,7 +158,7 @@ impl DeviceScene {
 
     /// The same scene, on the same memory, with steps of T that are `ray_steps` times as long as sigma.
     pub(crate) fn with_ray_steps(&self, ray_steps: u32) -> Self {
-        Self { ray_steps, ..self.view() }
+        Self { ray_steps, ..self.clone() }
     }
 
     /// The same scene, on the same memory, as early steps of a training see it: in images that are `factor` times
@@ -171,22 +171,5 @@ impl DeviceScene {
         let mut seen = self.with_ray_steps(ray_steps);
         seen.config.blur = (self.config.blur + (square - 1.0) / 12.0) / square;
         seen
-    }
-
-    /// The same scene, on the same memory.
-    pub(crate) fn view(&self) -> Self {
-        Self {
-            device: Arc::clone(&self.device),
-            config: self.config.clone(),
-            gaussians: self.gaussians,
-            divide_above: self.divide_above,
-            ray_steps: self.ray_steps,
-            scene_box: self.scene_box.view(),
-            tensors: self.tensors.as_ref().map(|_, buffer| buffer.view()),
-            color: self.color.view(),
-            transmittance: self.transmittance.view(),
-            occupancy: self.occupancy.view(),
-            version: Arc::clone(&self.version),
-        }
     }
 }

@@ -167,7 +167,7 @@ pub fn read_blocks<'a>(
 impl DeviceScene {
     /// Other Gaussians, with the same fields on the same memory.
     pub(crate) fn with_gaussians(&self, device: &Device, gaussians: &Gaussians) -> Result<Self> {
-        let mut scene = self.view();
+        let mut scene = self.clone();
         scene.gaussians = gaussians.len() as u32;
         let tensors = gaussians.tensors();
         scene.tensors.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;

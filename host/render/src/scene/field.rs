@@ -11,7 +11,7 @@ use organza_core::halves::pack_halves;
 use organza_core::scene::{Field, FieldTensors, GridConfig};
 
 /// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct DeviceField {
     pub(crate) levels: Buffer<GridLevel>,
     pub(crate) table: Buffer<f32>,
@@ -42,24 +42,12 @@ impl DeviceField {
         };
         Ok(Self {
             levels: device.upload("grid levels", &grid.levels_for_kernels())?,
-            table: tensors.grid.view(),
+            table: tensors.grid.clone(),
             half_table: options.half_grids.then(half_table).transpose()?,
             parameters: tensors.network.view(),
             features: grid.features,
             layers: LayerPlace::from_network(&field.network),
         })
-    }
-
-    /// The same field, on the same memory.
-    pub(crate) fn view(&self) -> Self {
-        Self {
-            levels: self.levels.view(),
-            table: self.table.view(),
-            half_table: self.half_table.as_ref().map(Buffer::view),
-            parameters: self.parameters.view(),
-            features: self.features,
-            layers: self.layers.clone(),
-        }
     }
 
     /// Memory beside the tensors.

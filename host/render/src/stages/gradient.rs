@@ -48,7 +48,7 @@ pub struct TensorGradient {
 }
 
 /// Gradients of a hash grid and its network.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct FieldGradient {
     /// Packed as [`DeviceField::parameters`].
     pub network: BinnedGradient,
@@ -70,11 +70,10 @@ impl SceneGradient {
 
     /// Zeros, for other Gaussians of the same fields and cameras, whose gradients are those of this.
     pub(crate) fn zeros_for_block(&self, device: &Device, block: &DeviceScene) -> Result<Self> {
-        let fields = [&self.color, &self.transmittance].map(FieldGradient::view);
-        let [color, transmittance] = fields;
-        let mut gradient = Self::with_fields(device, block, color, transmittance)?;
+        let color = self.color.clone();
+        let mut gradient = Self::with_fields(device, block, color, self.transmittance.clone())?;
         gradient.has_transmittance = self.has_transmittance;
-        gradient.poses = self.poses.as_ref().map(BinnedGradient::view);
+        gradient.poses = self.poses.clone();
         Ok(gradient)
     }
 
@@ -95,7 +94,7 @@ impl SceneGradient {
             }
             let range = end..end + len;
             end += len;
-            Ok::<_, Error>(TensorGradient { buffer: geometry.view(), range, touched: None })
+            Ok::<_, Error>(TensorGradient { buffer: geometry.clone(), range, touched: None })
         })?;
         Ok(Self {
             tensors: Tensors {
@@ -355,22 +354,17 @@ impl FieldGradient {
         })
     }
 
-    /// The same gradient, on the same memory.
-    fn view(&self) -> Self {
-        Self { network: self.network.view(), table: self.table.view() }
-    }
-
     fn tensors(&self) -> FieldTensors<TensorGradient> {
-        let touched = Some(self.table.touched.view());
+        let touched = Some(self.table.touched.clone());
         FieldTensors {
-            grid: TensorGradient::whole(self.table.gradient.view(), touched),
-            network: TensorGradient::whole(self.network.values.view(), None),
+            grid: TensorGradient::whole(self.table.gradient.clone(), touched),
+            network: TensorGradient::whole(self.network.values.clone(), None),
         }
     }
 }
 
 /// A gradient, and the [binned](muslin::binned) sums that become part of it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct BinnedGradient {
     /// [`BinnedGradient::finish`] adds to it.
     pub values: Buffer<f32>,
@@ -383,11 +377,6 @@ impl BinnedGradient {
     pub fn new(device: &Device, label: &'static str, values: usize) -> muslin_device::Result<Self> {
         let sum = device.zeros("sums of a gradient", 2 * ROWS as usize * values)?;
         Ok(Self { values: device.zeros(label, values)?, sum })
-    }
-
-    /// The same gradient, on the same memory.
-    pub fn view(&self) -> Self {
-        Self { values: self.values.view(), sum: self.sum.view() }
     }
 
     /// Adds the sums to the gradient, and clears them.

@@ -16,7 +16,7 @@ use organza_core::scene::SceneConfig;
 pub const OCCUPANCY: &str = "occupancy grid";
 
 /// The occupancy grid of a scene.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Occupancy {
     /// Length of a cell's side in world units.
     cell: f32,
@@ -55,11 +55,6 @@ impl Occupancy {
     /// Bytes that the grid takes on a device.
     pub fn bytes(config: &SceneConfig) -> usize {
         Self::entries(config) * (size_of::<u32>() + size_of::<f32>())
-    }
-
-    /// The same grid, on the same memory.
-    pub fn view(&self) -> Self {
-        Self { cell: self.cell, counts: self.counts.view(), table: self.table.view() }
     }
 }
 

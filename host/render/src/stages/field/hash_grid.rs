@@ -22,7 +22,7 @@ const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 /// For each part of a batch: [`raise_bound`](Self::raise_bound), [`set_scale`](Self::set_scale), then
 /// [`accumulate`](Self::accumulate) for each block, then [`finish`](Self::finish).  Nothing of it waits for the device.
 /// Several parts can share a scale: each of them raises the bound before it is set.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct HashGridGradient {
     /// `[entries, features]`; [`HashGridGradient::finish`] adds to it.
     pub gradient: Buffer<f32>,
@@ -56,18 +56,6 @@ impl HashGridGradient {
             bound: device.zeros("bounds of a gradient", 1 + field.layers.len())?,
             scale: device.zeros("scale of a gradient", SCALE_VALUES as usize)?,
         })
-    }
-
-    /// The same gradient, on the same memory.
-    pub(crate) fn view(&self) -> Self {
-        Self {
-            gradient: self.gradient.view(),
-            touched: self.touched.view(),
-            status: self.status.view(),
-            sum: self.sum.view(),
-            bound: self.bound.view(),
-            scale: self.scale.view(),
-        }
     }
 
     /// Raises the bound of what is added until the next [`finish`](Self::finish).

@@ -6,9 +6,9 @@ use std::sync::OnceLock;
 use glam::Vec4;
 
 use super::ranks::Rows;
-use crate::stages::channels::{ChannelSums, Seen};
+use crate::stages::channels::ChannelSums;
 use crate::stages::color::Color;
-use crate::stages::composite::Composite;
+use crate::stages::composite::{Composite, Seen};
 use crate::stages::cut::PartTiles;
 use crate::stages::distortion::Distortion;
 use crate::stages::pairs::PairVectors;
@@ -53,15 +53,19 @@ impl Part {
         let count_samples = |first: &_| bins.count_samples(scene.device(), first);
         let transmittance = Transmittance::evaluate(scene, &bins.pairs, keep, count_samples)?;
         let color = Color::evaluate(scene, &bins.pairs, keep)?;
-        let composite = Composite::new(
+        let seen = Seen {
             scene,
-            scene.config.background,
-            plan.side,
-            &bins,
-            &transmittance.transmittance,
-            &color.color,
-        )?;
+            side: plan.side,
+            bins: &bins,
+            transmittance: &transmittance.transmittance,
+        };
+        let composite = Composite::new(seen, scene.config.background, &color.color)?;
         Ok(Self { bins, transmittance, color, composite, needed: OnceLock::new() })
+    }
+
+    /// Of tiles of this side.
+    pub fn seen<'a>(&'a self, scene: &'a DeviceScene, side: u32) -> Seen<'a> {
+        Seen { scene, side, bins: &self.bins, transmittance: &self.transmittance.transmittance }
     }
 
     /// Reads buffers, and the capacity that the part needed: nothing if that was more than it had. Waits once, or not
@@ -97,17 +101,8 @@ impl Part {
         side: u32,
         of_tiles: &TileGradient,
     ) -> Result<Buffer<Vec4>> {
-        let transmittance = &self.transmittance.transmittance;
         let TileGradient { grad_tiles, distortion } = of_tiles;
-        let distortion = distortion.as_ref();
-        Ok(self.composite.backward(
-            scene,
-            side,
-            &self.bins,
-            transmittance,
-            grad_tiles,
-            distortion,
-        )?)
+        Ok(self.composite.backward(self.seen(scene, side), grad_tiles, distortion.as_ref())?)
     }
 
     /// The other stages, of a part whose hash grids share their scale with no other.
@@ -238,17 +233,16 @@ pub struct ReadTiles {
 impl ReadTiles {
     /// Reads the tiles of a part and their channels with `read`, which is [`Part::read`].
     pub fn new(
-        scene: &DeviceScene,
-        side: u32,
-        channels: &[Channel],
         seen: Seen<'_>,
+        composite: &Composite,
+        channels: &[Channel],
         read: impl FnOnce(Vec<Buffer<u32>>) -> Result<Option<(Vec<Vec<u32>>, Capacity)>>,
     ) -> Result<Option<(Self, Capacity)>> {
-        let mut buffers = vec![seen.composite.image.view(), seen.bins.degenerate.view()];
-        let sums = ChannelSums::new(scene, side, seen, channels)?;
+        let mut buffers = vec![composite.image.view(), seen.bins.degenerate.view()];
+        let sums = ChannelSums::new(seen, composite, channels)?;
         buffers.extend(sums.buffers());
         let Some((mut values, needed)) = read(buffers)? else { return Ok(None) };
-        let channels = sums.resolve(&values.split_off(2), side, channels);
+        let channels = sums.resolve(&values.split_off(2), seen.side, channels);
         let report = report_of_part(values[1][0], needed);
         let pixels = bytemuck::cast_vec(values.swap_remove(0));
         Ok(Some((Self { pixels, channels, report }, needed)))

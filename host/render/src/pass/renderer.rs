@@ -7,7 +7,6 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::part::{ReadTiles, report_of_part};
 use super::pass::{CapacityPredictor, Parts, Pass};
 use crate::scene::device_shard::{DeviceShard, SceneBlocks, WHOLE};
-use crate::stages::channels::Seen;
 use crate::stages::composite::pixels;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::{Capacity, DeviceScene, UploadOptions};
@@ -253,10 +252,9 @@ impl Pass<'_> {
         let mut tiles = RenderedTiles::new(batch, channels)?;
         let mut done = 0;
         self.forward(parts, keep, |plan, part| {
-            let transmittance = &part.transmittance.transmittance;
-            let seen = Seen { bins: &part.bins, transmittance, composite: &part.composite };
+            let seen = part.seen(self.scene.fields, plan.side);
             let read = |buffers| part.read(device, buffers);
-            let read = || ReadTiles::new(self.scene.fields, plan.side, channels, seen, read);
+            let read = || ReadTiles::new(seen, &part.composite, channels, read);
             let Some((found, needed)) = device.run_in_pool(read)? else { return Ok(None) };
             place(&mut tiles, plan, found, channels)?;
             done += plan.tiles.len();

@@ -4,9 +4,7 @@ use glam::Vec3;
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 use organza_shaders::composite::SUM_PLANES;
 
-use super::composite::{Composite, weighted_sum};
-use super::tiles::Bins;
-use crate::scene::device_scene::DeviceScene;
+use super::composite::{Composite, Seen, weighted_sum};
 use muslin_device::{Buffer, Result};
 use organza_core::Channel;
 use organza_core::scene::Placement;
@@ -67,15 +65,6 @@ fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) ->
     }
 }
 
-/// The outputs of a part's stages that channels need.
-#[derive(Clone, Copy)]
-pub struct Seen<'a> {
-    pub bins: &'a Bins,
-    /// `[pairs]`
-    pub transmittance: &'a Buffer<f32>,
-    pub composite: &'a Composite,
-}
-
 /// The sums of a part's tiles that its channels need, on the device: `[tiles, 4, S, S]` each.
 pub struct ChannelSums {
     sums: Vec<(Source, Buffer<u32>)>,
@@ -83,12 +72,8 @@ pub struct ChannelSums {
 }
 
 impl ChannelSums {
-    pub fn new(
-        scene: &DeviceScene,
-        side: u32,
-        Seen { bins, transmittance, composite }: Seen<'_>,
-        channels: &[Channel],
-    ) -> Result<Self> {
+    pub fn new(seen: Seen<'_>, composite: &Composite, channels: &[Channel]) -> Result<Self> {
+        let Seen { scene, bins, transmittance, .. } = seen;
         let device = scene.device();
         let placement = scene.config.placement;
         let is_needed = |wanted: &Source| channels.iter().any(|c| source(*c) == *wanted);
@@ -119,7 +104,7 @@ impl ChannelSums {
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         let sources = [(Source::Measure, &measure), (Source::Normals, &normals)];
         for (source, values) in sources.into_iter().filter(|(source, _)| is_needed(source)) {
-            let (sum, _) = weighted_sum(scene, side, bins, transmittance, values)?;
+            let (sum, _) = weighted_sum(seen, values)?;
             sums.push((source, sum.view()));
         }
         Ok(Self { sums, placement })

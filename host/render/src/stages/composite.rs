@@ -20,6 +20,17 @@ use super::tiles::Bins;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device, Error, Result};
 
+/// The pairs of a part, and the tiles that show them.
+#[derive(Clone, Copy)]
+pub struct Seen<'a> {
+    pub scene: &'a DeviceScene,
+    /// Side of a tile, in pixels.
+    pub side: u32,
+    pub bins: &'a Bins,
+    /// `[pairs]`
+    pub transmittance: &'a Buffer<f32>,
+}
+
 /// The composited tiles of a part.
 #[derive(Debug)]
 pub struct Composite {
@@ -32,17 +43,11 @@ pub struct Composite {
 }
 
 impl Composite {
-    pub fn new(
-        scene: &DeviceScene,
-        background: [f64; 3],
-        side: u32,
-        bins: &Bins,
-        transmittance: &Buffer<f32>,
-        color: &Buffer<f32>,
-    ) -> Result<Self> {
-        let device = scene.device();
-        let (sum, splat) = weighted_sum(scene, side, bins, transmittance, color)?;
-        let image = resolve(device, background, scene.divide_above, side, &bins.tile, &sum)?;
+    pub fn new(seen: Seen<'_>, background: [f64; 3], color: &Buffer<f32>) -> Result<Self> {
+        let Seen { scene, side, bins, .. } = seen;
+        let (sum, splat) = weighted_sum(seen, color)?;
+        let divide_above = scene.divide_above;
+        let image = resolve(scene.device(), background, divide_above, side, &bins.tile, &sum)?;
         Ok(Self { sum, image, splat })
     }
 
@@ -50,13 +55,11 @@ impl Composite {
     /// `grad_tiles [tiles, 3, S, S]`, dL/dY, and of the term of the loss beside the image.
     pub fn backward(
         &self,
-        scene: &DeviceScene,
-        side: u32,
-        bins: &Bins,
-        transmittance: &Buffer<f32>,
+        seen: Seen<'_>,
         grad_tiles: &Buffer<f32>,
         distortion: Option<&Distortion>,
     ) -> Result<Buffer<Vec4>> {
+        let Seen { scene, side, bins, transmittance } = seen;
         let device = scene.device();
         let tiles = bins.tiles;
         let sum_gradient = device.unwritten("gradient of the sums", self.sum.len())?;
@@ -69,10 +72,10 @@ impl Composite {
         };
         device.run_over(&kernel, [side, side, tiles])?;
         let member_gradient = members_gradient(device, bins)?;
-        add_members(scene, side, bins, (&self.splat, true), &sum_gradient, &member_gradient)?;
+        add_members(seen, (&self.splat, true), &sum_gradient, &member_gradient)?;
         if let Some(distortion) = distortion {
-            let (sum_gradient, splat) = distortion.backward(scene, side, bins, transmittance)?;
-            add_members(scene, side, bins, (&splat, false), &sum_gradient, &member_gradient)?;
+            let (sum_gradient, splat) = distortion.backward(seen)?;
+            add_members(seen, (&splat, false), &sum_gradient, &member_gradient)?;
         }
 
         let pairs = &bins.pairs;
@@ -114,9 +117,7 @@ fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
 /// Adds the gradients of each tile's members, summed over its pixels: in bands of rows if a tile is large. Splats come with
 /// whether the gradient of their colors is wanted.
 fn add_members(
-    scene: &DeviceScene,
-    side: u32,
-    bins: &Bins,
+    Seen { scene, side, bins, .. }: Seen<'_>,
     (splat, colors): (&Buffer<Vec4>, bool),
     sum_gradient: &Buffer<f32>,
     member_gradient: &Buffer<Vec4>,
@@ -149,10 +150,7 @@ fn add_members(
 /// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they
 /// are the sums of.
 pub fn weighted_sum(
-    scene: &DeviceScene,
-    side: u32,
-    bins: &Bins,
-    transmittance: &Buffer<f32>,
+    Seen { scene, side, bins, transmittance }: Seen<'_>,
     color: &Buffer<f32>,
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
     let device = scene.device();

@@ -5,9 +5,7 @@ use organza_shaders::distortion::{
     PairInverseDistanceParams,
 };
 
-use super::composite::weighted_sum;
-use super::tiles::Bins;
-use crate::scene::device_scene::DeviceScene;
+use super::composite::{Seen, weighted_sum};
 use glam::Vec4;
 use muslin_device::{Buffer, Result};
 
@@ -22,15 +20,10 @@ pub struct Distortion {
 
 impl Distortion {
     /// The derivative: `sum_gradient [tiles, 4, S, S]`, and the splats of the [`sums`] that it belongs to.
-    pub fn backward(
-        &self,
-        scene: &DeviceScene,
-        side: u32,
-        bins: &Bins,
-        transmittance: &Buffer<f32>,
-    ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    pub fn backward(&self, seen: Seen<'_>) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+        let Seen { scene, side, bins, .. } = seen;
         let device = scene.device();
-        let (sum, splat) = sums(scene, side, bins, transmittance)?;
+        let (sum, splat) = sums(seen)?;
         let sum_gradient = device.unwritten("gradient of the distortion's sums", sum.len())?;
         let kernel = DistortionBackwardKernel {
             params: DistortionParams { side, scale: self.scale },
@@ -46,12 +39,8 @@ impl Distortion {
 
 /// M_1, M_2, 0 and S of each pixel, `[tiles, 4, S, S]`; and the splats `[pairs, 3]` that they are the sums of, with u, u^2 and 0
 /// in the place of a color.
-pub fn sums(
-    scene: &DeviceScene,
-    side: u32,
-    bins: &Bins,
-    transmittance: &Buffer<f32>,
-) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+pub fn sums(seen: Seen<'_>) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
+    let Seen { scene, bins, .. } = seen;
     let device = scene.device();
     let pairs = &bins.pairs;
     let capacity = pairs.count.upper_bound();
@@ -64,5 +53,5 @@ pub fn sums(
         power: &power,
     };
     device.run(&kernel.counted(&pairs.count), capacity, 1)?;
-    weighted_sum(scene, side, bins, transmittance, &power)
+    weighted_sum(seen, &power)
 }

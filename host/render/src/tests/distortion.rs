@@ -26,8 +26,7 @@ fn distortion(renderer: &Renderer, scene: &Scene) -> f64 {
     let [plan] = &plans[..] else { panic!("one part") };
     let cameras = demo::turntable(2, 64);
     let part = Part::evaluate(&scene, &cameras, plan, false, None).expect("a part");
-    let transmittance = &part.transmittance.transmittance;
-    let (sum, _) = sums(&scene, plan.side, &part.bins, transmittance).expect("sums");
+    let (sum, _) = sums(part.seen(&scene, plan.side)).expect("sums");
     let sum: Vec<f32> = device.read(&sum).expect("numbers");
     let valid = valid();
     let mut total = 0.0;

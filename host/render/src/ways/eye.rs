@@ -11,9 +11,8 @@ use rayon::prelude::*;
 
 use crate::pass::part::ReadTiles;
 use crate::pass::renderer::{Renderer, place};
-use crate::stages::channels::Seen;
 use crate::stages::color::Color;
-use crate::stages::composite::Composite;
+use crate::stages::composite::{Composite, Seen};
 use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
@@ -204,14 +203,12 @@ impl EyeCache {
         let Some(samples) = samples else { return Ok(None) };
         let (transmittance, color) = self.gather(device, &gaussians)?;
         let background = options.background.unwrap_or(scene.config.background);
-        let side = plan.side;
-        let transmittance = &transmittance;
-        let composite = &Composite::new(scene, background, side, &bins, transmittance, &color)?;
-        let seen = Seen { bins: &bins, transmittance, composite };
+        let seen = Seen { scene, side: plan.side, bins: &bins, transmittance: &transmittance };
+        let composite = Composite::new(seen, background, &color)?;
         let pairs = gaussians.len() as u32;
         let needed = Capacity { pairs, members: bins.members.upper_bound(), samples: 0 };
         let read = |buffers: Vec<_>| Ok(Some((device.read_all(&buffers)?, needed)));
-        let found = ReadTiles::new(scene, side, options.channels, seen, read)?;
+        let found = ReadTiles::new(seen, &composite, options.channels, read)?;
         Ok(found.map(|(mut found, _)| {
             found.report.samples = samples;
             found

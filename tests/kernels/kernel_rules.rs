@@ -11,26 +11,10 @@ use muslin::{EntryPoint, KernelInfo, kernels as declared};
 use organza::MODULES;
 use organza_shaders::transmittance::{SegmentProductKernel, SegmentProductParams};
 use organza_tests::devices::{self, skip};
+use rspirv::binary::Assemble;
+use rspirv::dr::{Instruction, Module, Operand, load_words};
+use rspirv::spirv::{Capability, Decoration, GlslStd450Op, Op, StorageClass};
 use wgpu::naga;
-
-/// Opcodes from the SPIR-V specification.
-mod op {
-    pub const EXTENDED: u32 = 12;
-    pub const CAPABILITY: u32 = 17;
-    pub const TYPE_FLOAT: u32 = 22;
-    pub const TYPE_ARRAY: u32 = 28;
-    pub const TYPE_POINTER: u32 = 32;
-    pub const CONSTANT: u32 = 43;
-    pub const BARRIER: u32 = 224;
-    pub const FUNCTION: u32 = 54;
-    pub const VARIABLE: u32 = 59;
-    pub const LOOP_MERGE: u32 = 246;
-    pub const LABEL: u32 = 248;
-    pub const BRANCH: u32 = 249;
-    pub const DECORATE: u32 = 71;
-    pub const RETURNS: [u32; 2] = [253, 254];
-    pub const FLOAT_ATOMICS: [u32; 3] = [5614, 5615, 6035];
-}
 
 /// Runs code that panics, without printing the panic. Panics in other tests' threads are still printed.
 fn silently<R>(run: impl FnOnce() -> R + UnwindSafe) -> thread::Result<R> {
@@ -58,6 +42,10 @@ fn page(name: &str) -> String {
 /// Every entry point of every kernel.
 fn entry_points() -> impl Iterator<Item = (&'static KernelInfo, EntryPoint)> {
     declared().flat_map(|kernel| kernel.entry_points().map(move |point| (kernel, point)))
+}
+
+fn loaded(words: &[u32]) -> Module {
+    load_words(words).expect("a module")
 }
 
 fn naga_module(words: &[u32]) -> Result<naga::Module, String> {
@@ -96,42 +84,41 @@ fn every_kernel_is_in_the_glossary() {
 
 #[test]
 fn modules_keep_the_rules() {
-    const VULKAN_MEMORY_MODEL: u32 = 5345;
-    const POW: u32 = 26;
-    const FUNCTION_STORAGE: u32 = 7;
-    const FLOAT16: u32 = 9;
-    const STORAGE_16_BIT: u32 = 4433;
     for kernel in MODULES.all() {
         let name = &kernel.entry().name;
-        let words = kernel.spirv_words();
-        let all: Vec<_> = instructions(&words).collect();
-        let count = |opcodes: &[u32]| all.iter().filter(|i| opcodes.contains(&i.opcode)).count();
-        let functions = count(&[op::FUNCTION]);
-        assert_eq!(count(&op::RETURNS), functions, "{name}: a function has one exit");
-        assert_eq!(count(&op::FLOAT_ATOMICS), 0, "{name}: float sums depend on their order");
-        let vulkan = |i: &&_| is(i, op::CAPABILITY) && i.operands[0] == VULKAN_MEMORY_MODEL;
-        assert_eq!(all.iter().filter(vulkan).count(), 0, "{name}: Vulkan's memory model");
-        let of_halves =
-            |i: &&_| is(i, op::CAPABILITY) && [FLOAT16, STORAGE_16_BIT].contains(&i.operands[0]);
-        assert_eq!(all.iter().filter(of_halves).count(), 0, "{name}: asks for halves");
-        let pow = |i: &&_| is(i, op::EXTENDED) && i.operands[3] == POW;
-        assert_eq!(all.iter().filter(pow).count(), 0, "{name}: `pow` differs between devices");
+        let module = loaded(&kernel.spirv_words());
+        let all = |opcode: Op| module.all_inst_iter().filter(move |i| i.class.opcode == opcode);
+        let count = |opcodes: &[Op]| -> usize { opcodes.iter().map(|&op| all(op).count()).sum() };
+        let returns = count(&[Op::Return, Op::ReturnValue]);
+        assert_eq!(returns, count(&[Op::Function]), "{name}: a function has one exit");
+        let atomics = count(&[Op::AtomicFAddEXT, Op::AtomicFMinEXT, Op::AtomicFMaxEXT]);
+        assert_eq!(atomics, 0, "{name}: float sums depend on their order");
+        for (capability, what) in [
+            (Capability::VulkanMemoryModel, "Vulkan's memory model"),
+            (Capability::Float16, "halves"),
+            (Capability::StorageBuffer16BitAccess, "halves in buffers"),
+        ] {
+            let operand = Operand::Capability(capability);
+            let asks = all(Op::Capability).any(|i| i.operands[0] == operand);
+            assert!(!asks, "{name}: asks for {what}");
+        }
+        let pow = Operand::LiteralExtInstInteger(GlslStd450Op::Pow as u32);
+        let has_pow = all(Op::ExtInst).any(|i| i.operands[1] == pow);
+        assert!(!has_pow, "{name}: `pow` differs between devices");
         // a local array is a variable whose type is a pointer to an array
-        let arrays: Vec<_> =
-            all.iter().filter(|i| is(i, op::TYPE_ARRAY)).map(|i| i.operands[0]).collect();
-        let pointers: Vec<_> = all
-            .iter()
-            .filter(|i| is(i, op::TYPE_POINTER) && arrays.contains(&i.operands[2]))
-            .map(|i| i.operands[0])
+        let arrays: Vec<_> = all(Op::TypeArray).filter_map(|i| i.result_id).collect();
+        let to_array = |of: &Operand| of.id_ref_any().is_some_and(|id| arrays.contains(&id));
+        let pointers: Vec<_> = all(Op::TypePointer)
+            .filter(|i| to_array(&i.operands[1]))
+            .filter_map(|i| i.result_id)
             .collect();
-        let local = all.iter().filter(|i| {
-            is(i, op::VARIABLE)
-                && i.operands[2] == FUNCTION_STORAGE
-                && pointers.contains(&i.operands[0])
+        let has_local = all(Op::Variable).any(|i| {
+            i.operands[0] == Operand::StorageClass(StorageClass::Function)
+                && i.result_type.is_some_and(|id| pointers.contains(&id))
         });
         // one kernel has them on purpose: it loops over arrays
         let is_allowed = name == "core_functions";
-        assert!(local.count() == 0 || is_allowed, "{name}: a local array stays in memory");
+        assert!(!has_local || is_allowed, "{name}: a local array stays in memory");
     }
 }
 
@@ -139,14 +126,14 @@ fn modules_keep_the_rules() {
 #[test]
 fn loops_end_at_their_conditions() {
     for kernel in MODULES.all() {
-        let words = kernel.spirv_words();
-        let all: Vec<_> = instructions(&words).collect();
-        for merge in all.iter().filter(|i| is(i, op::LOOP_MERGE)) {
-            let is_last =
-                |i: &Instruction<'_>| is(i, op::LABEL) && i.operands[0] == merge.operands[1];
-            let last = all.iter().position(is_last).expect("a loop has a last block");
+        let module = loaded(&kernel.spirv_words());
+        let blocks = || module.functions.iter().flat_map(|function| &function.blocks);
+        for merge in module.all_inst_iter().filter(|i| i.class.opcode == Op::LoopMerge) {
+            let label = merge.operands[1].id_ref_any();
+            let last = blocks().find(|block| block.label_id() == label);
+            let end = &last.expect("a loop has a last block").instructions[0];
             let name = &kernel.entry().name;
-            assert!(is(&all[last + 1], op::BRANCH), "{name}: docs/kernels.md#loops");
+            assert_eq!(end.class.opcode, Op::Branch, "{name}: docs/kernels.md#loops");
         }
     }
 }
@@ -155,8 +142,8 @@ fn loops_end_at_their_conditions() {
 #[test]
 fn only_kernels_that_wait_have_barriers() {
     for (kernel, point) in entry_points() {
-        let words = MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words();
-        let barriers = instructions(&words).any(|i| is(&i, op::BARRIER));
+        let module = loaded(&MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words());
+        let barriers = module.all_inst_iter().any(|i| i.class.opcode == Op::ControlBarrier);
         let waits = matches!(kernel.run, CpuRun::Invocation(_)) || !point.shared.is_empty();
         assert_eq!(barriers, waits, "{}", point.name);
     }
@@ -171,48 +158,20 @@ fn naga_takes_every_entry_point() {
     }
 }
 
-/// One instruction of a module.
-#[derive(Clone, Copy, Debug)]
-struct Instruction<'a> {
-    /// Index of its first word in the module.
-    at: usize,
-    /// Opcode in the specification.
-    opcode: u32,
-    /// Words after the first one.
-    operands: &'a [u32],
-}
-
-/// The instructions of a module.
-fn instructions(words: &[u32]) -> impl Iterator<Item = Instruction<'_>> {
-    const HEADER: usize = 5;
-    let mut at = HEADER;
-    std::iter::from_fn(move || {
-        let length = (words.get(at)? >> 16) as usize;
-        let opcode = words[at] & 0xffff;
-        let found = Instruction { at, opcode, operands: &words[at + 1..at + length] };
-        at += length;
-        Some(found)
-    })
-}
-
-fn is(instruction: &Instruction<'_>, opcode: u32) -> bool {
-    instruction.opcode == opcode
-}
-
 /// The trap: NaN and infinity as literals.
 #[test]
 fn naga_refuses_literals_that_are_no_numbers() {
-    let module = MODULES.find("project").unwrap().spirv_words().into_owned();
-    naga_module(&module).expect("a module as it is");
-    let float = instructions(&module).find(|i| i.opcode == op::TYPE_FLOAT).unwrap().operands[0];
-    let constant = instructions(&module)
-        .find(|i| i.opcode == op::CONSTANT && i.operands[0] == float)
-        .expect("a constant")
-        .at;
+    let mut module = loaded(&MODULES.find("project").unwrap().spirv_words());
+    naga_module(&module.assemble()).expect("a module as it is");
+    let globals = &module.types_global_values;
+    let float = globals.iter().find(|i| i.class.opcode == Op::TypeFloat).unwrap().result_id;
+    let is_float = |i: &Instruction| i.class.opcode == Op::Constant && i.result_type == float;
+    let constant = globals.iter().position(is_float).expect("a constant");
     for value in [f32::NAN, f32::INFINITY] {
-        let mut broken = module.clone();
-        broken[constant + 3] = value.to_bits();
-        let error = naga_module(&broken).expect_err("naga takes it now: docs/kernels.md");
+        let bits = Operand::LiteralBit32(value.to_bits());
+        module.types_global_values[constant].operands = vec![bits];
+        let error =
+            naga_module(&module.assemble()).expect_err("naga takes it now: docs/kernels.md");
         assert!(error.contains("NaN") || error.contains("Inf"), "{error}");
     }
 }
@@ -220,16 +179,15 @@ fn naga_refuses_literals_that_are_no_numbers() {
 /// The trap: naga drops the decoration that forbids drivers to fuse operations.
 #[test]
 fn naga_drops_no_contraction() {
-    const NO_CONTRACTION: u32 = 42;
-    let decorated = |words: &[u32]| {
-        instructions(words)
-            .filter(|i| i.opcode == op::DECORATE && i.operands[1] == NO_CONTRACTION)
-            .count()
+    const ARITHMETIC: [Op; 4] = [Op::FAdd, Op::FSub, Op::FMul, Op::FDiv];
+    let is_decorated = |module: &Module| {
+        let decoration = Operand::Decoration(Decoration::NoContraction);
+        module.annotations.iter().any(|i| i.operands.contains(&decoration))
     };
     for (kernel, point) in entry_points() {
-        let words = MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words();
-        let arithmetic = instructions(&words).any(|i| matches!(i.opcode, 129 | 131 | 133 | 136));
-        assert_eq!(decorated(&words) > 0, !kernel.fused && arithmetic, "{}", point.name);
+        let module = loaded(&MODULES.compiled_kernel(kernel, &point).unwrap().spirv_words());
+        let computes = module.all_inst_iter().any(|i| ARITHMETIC.contains(&i.class.opcode));
+        assert_eq!(is_decorated(&module), !kernel.fused && computes, "{}", point.name);
     }
     let words = MODULES.find("project").unwrap().spirv_words();
     let module = naga_module(&words).unwrap();
@@ -241,7 +199,10 @@ fn naga_drops_no_contraction() {
     .unwrap();
     let options = naga::back::spv::Options::default();
     let written = naga::back::spv::write_vec(&module, &info, &options, None).unwrap();
-    assert_eq!(decorated(&written), 0, "naga keeps it now: docs/kernels.md, docs/correctness.md");
+    assert!(
+        !is_decorated(&loaded(&written)),
+        "naga keeps it now: docs/kernels.md, docs/correctness.md"
+    );
 }
 
 /// The trap: Rust-GPU's own library panics on a CPU.

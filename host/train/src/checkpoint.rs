@@ -232,9 +232,6 @@ impl Checkpoint {
     }
 
     /// The same of poses.
-    ///
-    /// # Errors
-    /// The same errors as [`Self::exposures_of`].
     pub(super) fn poses_of(&self, photographs: usize) -> Result<PerPhotograph> {
         per_photograph_or_start(self.poses.as_ref(), photographs, "poses")
     }

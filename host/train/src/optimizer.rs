@@ -24,9 +24,6 @@ pub struct Optimizer {
 
 impl Optimizer {
     /// From the moments of a shard's tensors, of an earlier run or zeros.
-    ///
-    /// # Errors
-    /// The same errors as [`Device::upload`].
     pub fn new(device: &Device, shard: &DeviceShard, moments: &[Scene; 2]) -> Result<Self> {
         let block = shard.block();
         let fields = |moment: &Scene| -> Result<_> {
@@ -44,9 +41,6 @@ impl Optimizer {
     }
 
     /// The moments of the Gaussians are these from now on.
-    ///
-    /// # Errors
-    /// The same errors as [`Device::upload`].
     pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
         let upload = |moment: &Gaussians| {
             moment.tensors().try_map(|name, values| device.upload(name, values))
@@ -62,9 +56,6 @@ impl Optimizer {
     }
 
     /// The moments as they are now, as scenes.
-    ///
-    /// # Errors
-    /// The same errors as [`Device::read`].
     pub fn moments(&self, device: &Device, shard: &DeviceShard) -> Result<[Scene; 2]> {
         let read = |place: usize| -> Result<Scene> {
             let moment = self.fields[place].as_ref();
@@ -82,9 +73,6 @@ impl Optimizer {
 
     /// Moves every parameter that has a gradient, and clears the gradient.  `step` counts from 0; `fraction` is the part of the run that is
     /// done.
-    ///
-    /// # Errors
-    /// The same errors as [`Device::dispatch`].
     pub fn step(
         &self,
         device: &Device,

@@ -150,9 +150,6 @@ impl Exposures {
     }
 
     /// Takes one step of Adam with the gradients of a batch's tiles, in the order of the tiles.
-    ///
-    /// # Errors
-    /// The same errors as [`PerPhotograph::adam`].
     pub fn step(
         &mut self,
         tiles: &[ExposureGradient],

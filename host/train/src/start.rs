@@ -30,16 +30,11 @@ const BEHIND: f64 = 0.25;
 /// Last bias of the transmittance network: a large logit, because space is empty at first.
 const TRANSMITTANCE_BIAS: f32 = 5.0;
 
-/// The scene before the first step of a run.
+/// The scene before the first step of a run. Calls `warn` if training does not start from the data set's points.
 ///
 /// # Errors
 /// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
-pub fn first_scene(config: &TrainConfig, dataset: &Dataset) -> Result<Scene> {
-    first_scene_with(config, dataset, &mut |_| Ok(()))
-}
-
-/// Like [`first_scene`], but calls `warn` if training does not start from the data set's points.
-pub(super) fn first_scene_with(
+pub(super) fn first_scene(
     config: &TrainConfig,
     dataset: &Dataset,
     warn: &mut dyn FnMut(&str) -> Result<()>,
@@ -73,9 +68,6 @@ pub(super) fn first_scene_with(
 ///
 /// Gaussians lie at `points`, or near the cameras' target if there are none. Their scale is the distance to their
 /// neighbors. With the transmittance network's last bias, T starts near 1. Otherwise everything would be dark.
-///
-/// # Errors
-/// The same errors as [`Scene::zeros`].
 pub fn start(
     config: &TrainConfig,
     background: [f64; 3],
@@ -128,9 +120,6 @@ pub fn start_from(
 }
 
 /// [`start_from`], with Gaussians already read from a file.
-///
-/// # Errors
-/// The same errors as [`Scene::zeros`].
 pub fn from_splats(
     splats: &[Splat],
     config: &TrainConfig,

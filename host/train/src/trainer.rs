@@ -92,7 +92,8 @@ impl Trainer {
         dataset: impl Into<Arc<Dataset>>,
     ) -> Result<Self> {
         let dataset = dataset.into();
-        let checkpoint = Checkpoint::begin(start::first_scene(&config, &dataset)?, &config)?;
+        let scene = start::first_scene(&config, &dataset, &mut |_| Ok(()))?;
+        let checkpoint = Checkpoint::begin(scene, &config)?;
         Self::resume(renderer, config, dataset, &checkpoint)
     }
 

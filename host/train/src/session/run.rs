@@ -10,7 +10,7 @@ use crate::folder::{CHECKPOINT, EVALUATIONS, OpenLog};
 use crate::metrics::Record;
 use crate::plan::Planner;
 use crate::ranks::{self, Team};
-use crate::start::first_scene_with;
+use crate::start::first_scene;
 use crate::{
     Change, Checkpoint, Event, Outcome, Progress, Session, StepHooks, StepReport, Trainer, Watch,
 };
@@ -96,7 +96,7 @@ impl Session<'_> {
             true => None,
             false => {
                 let mut warn = |text: &str| watch(Event::Warning(text));
-                Some(first_scene_with(self.config, self.dataset, &mut warn)?)
+                Some(first_scene(self.config, self.dataset, &mut warn)?)
             }
         };
         let shard = |index: usize| match &scene {

@@ -71,7 +71,7 @@ pub struct Evaluation {
     pub not_finite: u64,
 }
 
-/// Progress of [`evaluate_with`].
+/// Progress of [`evaluate_measures`].
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Event<'a> {
@@ -125,23 +125,10 @@ fn across(pixels: u32) -> usize {
 /// # Errors
 /// [`Error::Argument`] if a photograph does not have its camera's size; those of [`Renderer::render`].
 pub fn evaluate(renderer: &Renderer, scene: &DeviceScene, frames: &[&Frame]) -> Result<Evaluation> {
-    evaluate_with(renderer, scene, frames, &mut |_| {})
+    evaluate_measures(renderer, scene, frames, Measures::default(), &mut |_| {})
 }
 
-/// Like [`evaluate`], but calls `watch` with the progress.
-///
-/// # Errors
-/// The same errors as [`evaluate`].
-pub fn evaluate_with(
-    renderer: &Renderer,
-    scene: &DeviceScene,
-    frames: &[&Frame],
-    watch: &mut dyn FnMut(Event<'_>),
-) -> Result<Evaluation> {
-    evaluate_measures(renderer, scene, frames, Measures::default(), watch)
-}
-
-/// Like [`evaluate_with`], but also takes the further `measures`.
+/// Like [`evaluate`], but also takes the further `measures`, and calls `watch` with the progress.
 ///
 /// # Errors
 /// The same errors as [`evaluate`].
@@ -152,8 +139,7 @@ pub fn evaluate_measures(
     measures: Measures<'_>,
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
-    let mut views = Vec::with_capacity(frames.len());
-    let mut not_finite = 0;
+    let mut parts = Vec::with_capacity(frames.len());
     let total = tiles(frames);
     let mut done = 0;
     for (index, frame) in frames.iter().enumerate() {
@@ -161,17 +147,15 @@ pub fn evaluate_measures(
             done += tiles;
             watch(Event::Tiles { done, total });
         };
-        let rendered = Rendered::new(frame, &mut |cameras, batch| {
+        let (part, image) = evaluate_view(frame, measures, &mut |cameras, batch| {
             let mut before = 0;
             let mut progress = |done, _| advance(done - std::mem::replace(&mut before, done));
             renderer.render_channels(scene, cameras, batch, &[], &mut progress)
         })?;
-        let score = ViewScore { name: frame.name.clone(), score: rendered.score(frame, measures)? };
-        not_finite += rendered.image.not_finite();
-        watch(Event::View { index, score: &score, image: &rendered.image });
-        views.push(score);
+        watch(Event::View { index, score: &part.views[0], image: &image });
+        parts.push(part);
     }
-    Ok(Evaluation { mean: mean(&views), views, not_finite })
+    Ok(Evaluation::join(parts))
 }
 
 /// Renders tiles.

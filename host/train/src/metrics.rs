@@ -43,10 +43,10 @@ pub enum Record {
         #[serde(deserialize_with = "nan_for_null")]
         loss: f64,
         /// The mean absolute difference of this step's batch, the first part of the loss.
-        #[serde(default = "nan", deserialize_with = "nan_for_null")]
+        #[serde(deserialize_with = "nan_for_null")]
         l1: f64,
         /// The mean SSIM of this step's batch, the second part of the loss.
-        #[serde(default = "nan", deserialize_with = "nan_for_null")]
+        #[serde(deserialize_with = "nan_for_null")]
         ssim: f64,
         /// The PSNR of this step's batch, in decibels.
         #[serde(deserialize_with = "nan_for_null")]
@@ -57,7 +57,6 @@ pub enum Record {
         /// Number of Gaussians.
         gaussians: u64,
         /// The learning rate of each group of parameters in this step, by the name of its setting.
-        #[serde(default)]
         rates: BTreeMap<String, f32>,
     },
     /// The scores of the held-out frames.
@@ -159,10 +158,6 @@ impl Record {
             | Self::Timing { step, .. } => *step,
         }
     }
-}
-
-fn nan() -> f64 {
-    f64::NAN
 }
 
 fn nan_for_null<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {

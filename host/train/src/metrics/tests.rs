@@ -77,15 +77,6 @@ fn records_are_lines_of_json() {
     assert!(matches!(&records[2], Record::Evaluation { psnr: None, ssim: Some(0.5), .. }));
 }
 
-/// Reads logs of a program that did not write these fields.
-#[test]
-fn the_log_of_an_older_program_is_read() {
-    let line = r#"{"kind":"step","step":1,"seconds":1.0,"loss":1.0,"psnr":20.5,"tiles_per_second":1e3,"gaussians":11}"#;
-    let records = parse(Path::new(""), line.as_bytes()).unwrap();
-    let Record::Step { l1, ssim, rates, .. } = &records[0].1 else { panic!("{records:?}") };
-    assert!(l1.is_nan() && ssim.is_nan() && rates.is_empty(), "{records:?}");
-}
-
 #[test]
 fn infinite_values_are_read_as_nan() {
     let mut record = step(1);

@@ -231,15 +231,6 @@ fn windows_inside_match_the_metric() {
     }
 }
 
-/// Sums and gradients have the same bits for any number of threads.
-#[test]
-fn sums_do_not_depend_on_threads() {
-    let batch = batch(33, Look::Noise);
-    let one = evaluate(&devices::cpu(Some(1)), &batch, 0.2).expect("it runs");
-    let many = evaluate(&devices::cpu(Some(4)), &batch, 0.2).expect("it runs");
-    assert!(one == many);
-}
-
 #[test]
 fn buffers_of_another_batch_are_refused() {
     let device = devices::cpu(Some(1));

@@ -101,8 +101,13 @@ fn missing_files_are_named_before_a_device_is_opened() {
     let outcome = sandbox.run("train empty -o run");
     outcome.assert_refused(&["no data set was found here"]);
     assert_eq!(outcome.stderr.lines().count(), 1, "{outcome:?}");
-    let words = "render scene.safetensors -o out";
-    sandbox.assert_refuses(words, &["does not say what it was trained on", "render SCENE CAMERAS"]);
+    for (words, advice) in [
+        ("render scene.safetensors -o out", "render SCENE CAMERAS"),
+        ("eval scene.safetensors", "eval SCENE DATA"),
+    ] {
+        let fact = "a scene file does not say what it was trained on";
+        sandbox.assert_refuses(words, &["scene.safetensors", fact, advice]);
+    }
     fs::write(sandbox.path("empty/config.toml"), "").unwrap();
     sandbox.assert_refuses("render empty -o out", &["no checkpoint.safetensors yet"]);
 }

@@ -76,15 +76,6 @@ fn the_split_selects_the_frames() {
     assert_eq!(eval(&sandbox, "--quiet").assert_ok().stderr, "");
 }
 
-#[test]
-fn another_image_is_far_off() {
-    let sandbox = sandbox();
-    fs::copy(sandbox.path("data/images/0001.png"), sandbox.path("data/images/0000.png")).unwrap();
-    let found = scores(eval(&sandbox, "--json"));
-    assert_within(&found["mean"]["psnr"], 3.0..=40.0);
-    assert_within(&found["mean"]["ssim"], 0.0..=0.99);
-}
-
 /// Reduced photographs are compared with images rendered at the reduced size.
 #[test]
 fn a_smaller_size_comes_close() {

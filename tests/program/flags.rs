@@ -9,6 +9,9 @@ use serde_json::Value;
 use crate::sandbox::Sandbox;
 use crate::train::runs;
 
+/// How the examples of a help text begin.
+const EXAMPLES: &str = "Examples:\n  organza ";
+
 /// The commands, from the program's own help.
 pub fn commands(sandbox: &Sandbox) -> Vec<String> {
     let help = sandbox.run("-h").assert_ok().stdout;
@@ -16,17 +19,17 @@ pub fn commands(sandbox: &Sandbox) -> Vec<String> {
     // The continuation of a description is indented further.
     let lines = lines.take_while(|line| !line.is_empty()).filter(|line| !line.starts_with("   "));
     let names: Vec<_> = lines.filter_map(|line| line.split_whitespace().next()).collect();
-    assert!(names.len() > 10, "{help}");
+    assert!(names.len() > 10 && help.contains(EXAMPLES), "{help}");
     names.into_iter().filter(|name| *name != "help").map(str::to_owned).collect()
 }
 
 #[test]
-fn every_command_can_be_quiet_or_verbose() {
+fn every_command_has_examples_and_can_be_quiet_or_verbose() {
     let sandbox = Sandbox::new("tiny");
     for command in commands(&sandbox) {
         let help = sandbox.run(&format!("{command} -h")).assert_ok().stdout;
-        for option in ["-q, --quiet", "-v, --verbose"] {
-            assert!(help.contains(option), "{command}: {help}");
+        for text in ["-q, --quiet", "-v, --verbose", EXAMPLES] {
+            assert!(help.contains(text), "{command}: {help}");
         }
         sandbox.run(&format!("{command} -q -v")).assert_refused(&["--quiet", "--verbose"]);
     }

@@ -199,16 +199,6 @@ fn outputs_are_replaced_whole() {
     assert!(names.iter().all(|name| name.extension() != Some("tmp".as_ref())), "{names:?}");
 }
 
-#[test]
-fn help_has_examples() {
-    let sandbox = Sandbox::new("tiny");
-    let commands = crate::flags::commands(&sandbox);
-    for command in commands.iter().map(|name| format!("help {name}")).chain(["--help".into()]) {
-        let help = sandbox.run(&command).assert_ok().stdout;
-        assert!(help.contains("Examples:\n  organza "), "{help}");
-    }
-}
-
 /// The levels of a 16-bit PNG.
 fn levels(sandbox: &Sandbox, name: &str) -> (image::ColorType, Vec<u16>) {
     let image = image::open(sandbox.path(name)).unwrap();

@@ -196,12 +196,4 @@ mod tests {
         drop(RunFolder::lock(folder.path(), false).unwrap());
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     }
-
-    #[test]
-    fn a_folder_in_the_place_of_a_file_is_refused() {
-        let folder = tempfile::tempdir().unwrap();
-        fs::create_dir(folder.path().join(METRICS)).unwrap();
-        let text = RunFolder::lock(folder.path(), true).unwrap_err().to_string();
-        assert!(text.contains("metrics.jsonl is a folder"), "{text}");
-    }
 }

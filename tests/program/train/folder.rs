@@ -155,29 +155,6 @@ fn a_second_training_in_the_same_folder_is_refused() {
     assert!(!sandbox.path("run/.organza-lock").exists());
 }
 
-#[test]
-fn leftovers_of_a_kill_before_the_first_step_are_removed() {
-    let sandbox = sandbox();
-    fs::create_dir(sandbox.path("run")).unwrap();
-    fs::write(sandbox.path("run/.organza-half.tmp"), "half").unwrap();
-    fs::write(sandbox.path("run/.organza-lock"), "process 1").unwrap();
-    sandbox.run(&format!("{TINY} run --steps 2")).assert_ok();
-    let names = fs::read_dir(sandbox.path("run")).unwrap();
-    let mut names: Vec<_> =
-        names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    let expected = [
-        "checkpoint.best.safetensors",
-        "checkpoint.safetensors",
-        "config.toml",
-        "evaluations.csv",
-        "metrics.jsonl",
-        "pictures",
-        "report.html",
-    ];
-    assert_eq!(names, expected);
-}
-
 /// Opening a pipe for writing would wait, and writing through a link would change a file elsewhere.
 #[cfg(unix)]
 #[test]

@@ -5,15 +5,6 @@ use std::fs;
 use serde_json::json;
 
 use super::runs::{TINY, photographs, sandbox};
-use crate::sandbox::Sandbox;
-
-/// `tiny.toml` with a replacement in it, as `other.toml`.
-fn other(sandbox: &Sandbox, from: &str, to: &str) {
-    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
-    let changed = config.replacen(from, to, 1);
-    assert_ne!(changed, config, "{from} is not in tiny.toml");
-    fs::write(sandbox.path("other.toml"), changed).unwrap();
-}
 
 #[test]
 fn bad_requests() {
@@ -41,21 +32,6 @@ fn bad_requests() {
         ("-o new --set run.steps=0", ["`run.steps` is 0", "1 or more"]),
     ] {
         sandbox.assert_refuses(&format!("train {words} --backend cpu"), &facts);
-    }
-}
-
-#[test]
-fn bad_settings() {
-    let sandbox = sandbox();
-    for (from, to, facts) in [
-        ("[run]", "[run]\nstpes = 3", ["other.toml: line 9", "unknown field `stpes`"]),
-        ("steps = 40", "steps = many", ["other.toml: line 9", "string"]),
-        ("hidden = [8]", "hidden = [8, 8, 8, 8, 8]", ["color_mlp.hidden", "5 layers"]),
-        ("rate = 0.1", "rate = 7.0", ["other.toml", "`growth.rate` is 7, expected 0 to 1"]),
-        ("max_gaussians = 400", "max_gaussians = 100", ["`start.gaussians` is 200", "100"]),
-    ] {
-        other(&sandbox, from, to);
-        sandbox.assert_refuses("train --config other.toml --backend cpu -o new", &facts);
     }
 }
 

@@ -10,7 +10,7 @@ mod folder;
 mod hook;
 mod hostile;
 mod mistakes;
-mod monstrous;
+pub mod monstrous;
 mod mpi;
 mod own_loss;
 mod placement;

@@ -2,7 +2,6 @@
 
 use std::fs;
 
-use organza::scene::Placement;
 use organza::train::CHECKPOINT;
 use organza::{Camera, Scene, splats};
 use serde_json::{Value, json};
@@ -132,30 +131,4 @@ fn commands_speak_of_the_world() {
     let [x, y, z] = offset;
     let film = format!("film run -o film --orbit --center {x},{y},{z} --distance 90 --frames 2");
     sandbox.run(&format!("{film} --backend cpu")).assert_ok();
-}
-
-/// A run of an older version has no placement. It goes on in the coordinates of its files.
-#[test]
-fn a_run_without_a_placement_goes_on_where_it_is() {
-    let sandbox = sandbox();
-    move_world(&sandbox, 3.0, [1.0, 2.0, 3.0], false);
-    sandbox.run(&format!("{TINY} run --steps 10")).assert_ok();
-    let path = sandbox.path("run").join(CHECKPOINT);
-    let mut scene = Scene::load(&path).unwrap();
-    assert!(!scene.config.placement.is_identity());
-    // the header is text, with room for spaces at its end
-    let mut file = fs::read(&path).unwrap();
-    let length = u64::from_le_bytes(file[..8].try_into().unwrap()) as usize;
-    let header = String::from_utf8(file[8..8 + length].to_vec()).unwrap();
-    let begin = header.find(r#",\"placement\""#).expect("a placement");
-    let end = begin + header[begin..].find("}}").expect("its end") + 1;
-    let old = format!("{}{}{}", &header[..begin], &header[end..], " ".repeat(end - begin));
-    file[8..8 + length].copy_from_slice(old.as_bytes());
-    fs::write(&path, file).unwrap();
-    scene.config.placement = Placement::default();
-    assert_eq!(Scene::load(&path).unwrap(), scene);
-
-    sandbox.run("train --resume run --steps 12 --backend cpu").assert_ok();
-    let scene = Scene::load(&path).unwrap();
-    assert!(scene.config.placement.is_identity());
 }

@@ -35,6 +35,8 @@ fn mistakes_are_named() {
         ("[start]\ngaussians = 4000000000", "`start.gaussians` is 4000000000"),
         ("[start]\nopacity = 0.00009", "`start.opacity` is 0.00009, expected 0.0001 to 0.9999"),
         ("[scene.color_mlp]\nhidden = []", "`scene.color_mlp.hidden` has 0 layers"),
+        ("[scene.color_mlp]\nhidden = [8, 8, 8, 8, 8]", "`scene.color_mlp.hidden` has 5 layers"),
+        ("[growth]\nrate = 7.0", "`growth.rate` is 7, expected 0 to 1"),
         ("[data]\nbackground = [0.0, 2.0, 0.0]", "`data.background, green,` is 2, expected 0 to 1"),
     ] {
         let error = parse(text).unwrap_err().to_string();

@@ -39,7 +39,7 @@ struct Found {
 
 /// The loss is half the sum of squares, so dL/dY is Y.
 fn found(scene: &Scene, cameras: &[Camera], size: usize) -> Found {
-    let work = |ranks: ThreadRanks| {
+    let all = ThreadRanks::run(size, |ranks| {
         let renderer = Renderer::new(devices::cpu(Some(1)));
         let shard = SceneShard::new(scene, ranks.rank(), ranks.size());
         let shard = renderer.upload_shard(&shard, UploadOptions::default()).expect("a shard");
@@ -51,11 +51,6 @@ fn found(scene: &Scene, cameras: &[Camera], size: usize) -> Found {
         let again = renderer.render_shard(&shard, cameras, &batch(cameras), &ranks).unwrap();
         assert!(bits(&again.data) == bits(&tiles.data), "of {size}");
         (tiles, gradient, shard.len())
-    };
-    let all: Vec<_> = std::thread::scope(|scope| {
-        let ranks = ThreadRanks::new(size).into_iter();
-        let threads: Vec<_> = ranks.map(|ranks| scope.spawn(|| work(ranks))).collect();
-        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
     });
     let (tiles, ..) = &all[0];
     assert!(tiles.report.pairs > 1000, "{:?}", tiles.report);

@@ -11,6 +11,14 @@ pub fn all() -> Vec<(&'static str, Device)> {
     muslin_check::devices::all(&MODULES)
 }
 
+/// A new device, of that name among [`all`].
+///
+/// # Panics
+/// If there is none, or if [`all`] panics.
+pub fn named(name: &str) -> Device {
+    all().into_iter().find(|(other, _)| *other == name).expect("a device").1
+}
+
 /// [`muslin_check::devices::gpus`] with organza's kernels.
 ///
 /// # Panics

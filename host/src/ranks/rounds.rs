@@ -43,25 +43,21 @@ mod tests {
         let message = |from: usize, to: usize| -> Vec<u8> {
             (0..lengths[from][to]).map(|byte| (100 * from + 10 * to + byte) as u8).collect()
         };
-        std::thread::scope(|scope| {
-            for ranks in ThreadRanks::new(3) {
-                scope.spawn(move || {
-                    let rank = ranks.rank();
-                    let sent: Vec<_> = (0..3).map(|to| message(rank, to)).collect();
-                    let lengths = lengths.map(|lengths| lengths[rank]);
-                    let mut rounds = 0;
-                    let found = receive(&lengths, 9, 3, |begin, counts| {
-                        rounds += 1;
-                        let parts = sent.iter().map(|bytes| part(bytes, begin, 3).to_vec());
-                        let received = ranks.exchange(parts.collect())?;
-                        let found: Vec<_> = received.iter().map(Vec::len).collect();
-                        assert_eq!(found, counts);
-                        Ok(received.concat())
-                    });
-                    let expected: Vec<_> = (0..3).map(|from| message(from, rank)).collect();
-                    assert_eq!((found.unwrap(), rounds), (expected, 3));
-                });
-            }
+        ThreadRanks::run(3, |ranks| {
+            let rank = ranks.rank();
+            let sent: Vec<_> = (0..3).map(|to| message(rank, to)).collect();
+            let lengths = lengths.map(|lengths| lengths[rank]);
+            let mut rounds = 0;
+            let found = receive(&lengths, 9, 3, |begin, counts| {
+                rounds += 1;
+                let parts = sent.iter().map(|bytes| part(bytes, begin, 3).to_vec());
+                let received = ranks.exchange(parts.collect())?;
+                let found: Vec<_> = received.iter().map(Vec::len).collect();
+                assert_eq!(found, counts);
+                Ok(received.concat())
+            });
+            let expected: Vec<_> = (0..3).map(|from| message(from, rank)).collect();
+            assert_eq!((found.unwrap(), rounds), (expected, 3));
         });
     }
 }

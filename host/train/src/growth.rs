@@ -377,20 +377,13 @@ mod tests {
         assert!(counts.pruned > 1000 && counts.split > 3000, "{counts:?}");
         // the first of three has nothing
         for size in [2, 3] {
-            std::thread::scope(|scope| {
-                for ranks in ThreadRanks::new(size) {
-                    let begun = &begun;
-                    let whole = &whole;
-                    let config = &config;
-                    scope.spawn(move || {
-                        let rank = ranks.rank();
-                        let mut shard = begun.shard(rank, size);
-                        let found = grow(config, &mut shard, &ranks).expect("it grows");
-                        let expected = whole.shard(rank, size);
-                        assert!(shard == expected, "rank {rank} of {size}");
-                        assert_eq!(found, counts);
-                    });
-                }
+            ThreadRanks::run(size, |ranks| {
+                let rank = ranks.rank();
+                let mut shard = begun.shard(rank, size);
+                let found = grow(&config, &mut shard, &ranks).expect("it grows");
+                let expected = whole.shard(rank, size);
+                assert!(shard == expected, "rank {rank} of {size}");
+                assert_eq!(found, counts);
             });
         }
     }

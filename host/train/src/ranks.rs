@@ -181,22 +181,19 @@ impl Trainer {
     /// use organza_render::Renderer;
     /// use organza_train::{Checkpoint, TrainConfig, Trainer, built_in};
     ///
-    /// let threads = ThreadRanks::new(2).into_iter().map(|ranks| {
-    ///     std::thread::spawn(move || {
-    ///         let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(Some(1)))?);
-    ///         let dataset = built_in::dataset(&renderer, 2, 16, 0)?;
-    ///         let mut config = TrainConfig::default();
-    ///         (config.run.tiles_per_step, config.run.tile_size) = (1, 16);
-    ///         let begin = Checkpoint::begin(demo::scene(), &config)?;
-    ///         let shard = begin.shard(ranks.rank(), ranks.size());
-    ///         let mut trainer =
-    ///             Trainer::resume_shard(&renderer, config, dataset, &shard, Arc::new(ranks), 2)?;
-    ///         Ok::<_, organza_core::Error>(trainer.step()?.loss)
-    ///     })
+    /// let losses = ThreadRanks::run(2, |ranks| {
+    ///     let renderer = Renderer::new(organza_render::open_device(&DeviceOptions::cpu(Some(1)))?);
+    ///     let dataset = built_in::dataset(&renderer, 2, 16, 0)?;
+    ///     let mut config = TrainConfig::default();
+    ///     (config.run.tiles_per_step, config.run.tile_size) = (1, 16);
+    ///     let begin = Checkpoint::begin(demo::scene(), &config)?;
+    ///     let shard = begin.shard(ranks.rank(), ranks.size());
+    ///     let mut trainer =
+    ///         Trainer::resume_shard(&renderer, config, dataset, &shard, Arc::new(ranks), 2)?;
+    ///     Ok::<_, organza_core::Error>(trainer.step()?.loss)
     /// });
-    /// let losses: Vec<_> = threads.collect::<Vec<_>>().into_iter().map(|thread| thread.join()).collect();
-    /// let losses: Result<Vec<_>, _> = losses.into_iter().map(|loss| loss.expect("a rank")).collect();
-    /// assert_eq!(losses.as_ref().unwrap()[0], losses.as_ref().unwrap()[1]);
+    /// let losses = losses.into_iter().collect::<Result<Vec<_>, _>>()?;
+    /// assert_eq!(losses[0], losses[1]);
     /// # Ok::<(), organza_core::Error>(())
     /// ```
     ///

@@ -107,9 +107,7 @@ fn a_step_waits_once_and_that_changes_nothing() {
         // every step is the first one on a device
         let mut state = checkpoint.clone();
         for _ in 0..4 {
-            let (_, device) =
-                devices::all().into_iter().find(|(other, _)| *other == name).expect("it was there");
-            let renderer = Renderer::new(device);
+            let renderer = Renderer::new(devices::named(name));
             let mut trainer = resume(&renderer, &state);
             trainer.step().expect("a step");
             state = trainer.checkpoint(0.0).expect("a state");

@@ -28,30 +28,21 @@ fn begun_of_40() -> Begun {
 /// Trains `steps` steps on each of `size` ranks. Returns the states of all.
 fn train(begun: &Begun, name: &str, size: usize, steps: u32) -> Vec<Checkpoint> {
     let (config, checkpoint, dataset) = begun;
-    std::thread::scope(|scope| {
-        let work = |ranks: ThreadRanks| {
-            let (_, device) =
-                devices::all().into_iter().find(|(other, _)| *other == name).expect("a device");
-            let renderer = Renderer::new(device);
-            let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), checkpoint);
-            let mut trainer = trainer.expect("a trainer").with_ranks(Arc::new(ranks));
-            for _ in 0..steps {
-                trainer.step().expect("a step");
-            }
-            trainer.checkpoint(0.0).expect("a state")
-        };
-        let ranks = ThreadRanks::new(size).into_iter();
-        let threads: Vec<_> = ranks.map(|ranks| scope.spawn(move || work(ranks))).collect();
-        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
+    ThreadRanks::run(size, |ranks| {
+        let renderer = Renderer::new(devices::named(name));
+        let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), checkpoint);
+        let mut trainer = trainer.expect("a trainer").with_ranks(Arc::new(ranks));
+        for _ in 0..steps {
+            trainer.step().expect("a step");
+        }
+        trainer.checkpoint(0.0).expect("a state")
     })
 }
 
 /// Trains `steps` steps without ranks, with parts of about `part_bytes` bytes.
 fn train_alone(begun: &Begun, name: &str, part_bytes: Option<u64>, steps: u32) -> Checkpoint {
     let (config, checkpoint, dataset) = begun.clone();
-    let (_, device) =
-        devices::all().into_iter().find(|(other, _)| *other == name).expect("a device");
-    let renderer = Renderer::new(device);
+    let renderer = Renderer::new(devices::named(name));
     let renderer = match part_bytes {
         Some(bytes) => renderer.with_part_bytes(bytes),
         None => renderer,
@@ -138,21 +129,13 @@ fn ranks_of_other_devices_must_be_allowed() {
     let (_, _, dataset) = begun();
     let meet = |mixed: bool| {
         let sets = ["scalar", "best"];
-        std::thread::scope(|scope| {
-            let work = |ranks: ThreadRanks| {
-                let set =
-                    (sets[ranks.rank()] == "scalar").then_some(organza::InstructionSet::Scalar);
-                let options = organza::DeviceOptions::cpu(Some(1)).instruction_set(set);
-                let renderer = Renderer::new(organza::open_device(&options).expect("a CPU"));
-                let ranks: Arc<dyn Ranks> = Arc::new(ranks);
-                // rank 0 is not there to lead, so the error comes from here
-                organza::train::follow(&renderer, &dataset, &ranks, mixed).unwrap_err().to_string()
-            };
-            let threads: Vec<_> = ThreadRanks::new(2)
-                .into_iter()
-                .map(|ranks| scope.spawn(move || work(ranks)))
-                .collect();
-            threads.into_iter().map(|thread| thread.join().expect("a rank")).collect::<Vec<_>>()
+        ThreadRanks::run(2, |ranks| {
+            let set = (sets[ranks.rank()] == "scalar").then_some(organza::InstructionSet::Scalar);
+            let options = organza::DeviceOptions::cpu(Some(1)).instruction_set(set);
+            let renderer = Renderer::new(organza::open_device(&options).expect("a CPU"));
+            let ranks: Arc<dyn Ranks> = Arc::new(ranks);
+            // rank 0 is not there to lead, so the error comes from here
+            organza::train::follow(&renderer, &dataset, &ranks, mixed).unwrap_err().to_string()
         })
     };
     let refused = meet(false);

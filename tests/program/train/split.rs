@@ -47,13 +47,7 @@ fn begun_of_slices() -> Begun {
 
 /// Runs `work` on each of `size` ranks.
 fn on_ranks<R: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> R + Sync) -> Vec<R> {
-    let work = &work;
-    std::thread::scope(|scope| {
-        let ranks = ThreadRanks::new(size).into_iter();
-        let threads: Vec<_> =
-            ranks.map(|ranks| scope.spawn(move || work(Arc::new(ranks)))).collect();
-        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
-    })
+    ThreadRanks::run(size, |ranks| work(Arc::new(ranks)))
 }
 
 /// The trainer of a rank in a group of `shards` ranks.
@@ -61,7 +55,7 @@ fn trainer(begun: &Begun, name: &str, ranks: Arc<dyn Ranks>, shards: usize) -> T
     let (config, checkpoint, dataset) = begun;
     let device = match name {
         "cpu" | "a part a camera" | "a part a tile" => devices::cpu(Some(1)),
-        _ => devices::all().into_iter().find(|(other, _)| *other == name).expect("a device").1,
+        _ => devices::named(name),
     };
     let renderer = Renderer::new(device);
     // a tile takes 10 kB

@@ -64,18 +64,13 @@ impl Ranks for Counted {
 
 /// The bytes that each of `size` ranks sends, a line for each.
 fn sent(size: usize, work: impl Fn(&Renderer, Arc<Counted>) + Sync) -> String {
-    let work = |ranks: ThreadRanks| {
+    let lines = ThreadRanks::run(size, |ranks| {
         let ranks = Arc::new(Counted { ranks, calls: Mutex::default() });
         work(&Renderer::new(devices::cpu(Some(1))), ranks.clone());
         let calls = std::mem::take(&mut *ranks.calls.lock().unwrap());
         assert_eq!(ranks.sent(), calls.iter().map(|(_, bytes)| bytes).sum::<u64>());
         let calls = calls.iter().map(|(call, bytes)| format!("{call} {bytes}"));
         calls.collect::<Vec<_>>().join(", ") + "\n"
-    };
-    let lines: Vec<_> = std::thread::scope(|scope| {
-        let ranks = ThreadRanks::new(size).into_iter();
-        let threads: Vec<_> = ranks.map(|ranks| scope.spawn(|| work(ranks))).collect();
-        threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
     });
     lines.concat()
 }

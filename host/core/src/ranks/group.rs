@@ -161,21 +161,17 @@ mod tests {
     #[test]
     fn groups_are_ranks_of_their_own() {
         for shards in [1, 2, 3, 6] {
-            std::thread::scope(|scope| {
-                for ranks in ThreadRanks::new(6) {
-                    scope.spawn(move || {
-                        let grid = Grid::new(&ranks, shards).expect("a grid");
-                        let rank = ranks.rank();
-                        let first = ranks.rank() / shards * shards;
-                        let row: Vec<_> = (first..first + shards).collect();
-                        let column: Vec<_> = (rank % shards..6).step_by(shards).collect();
-                        // a call must not disturb the next
-                        for _ in 0..8 {
-                            assert_calls(rank, grid.row(), &row);
-                            assert_calls(rank, grid.column(), &column);
-                            assert_eq!(ranks.broadcast(vec![rank as u8]).unwrap(), [0]);
-                        }
-                    });
+            ThreadRanks::run(6, |ranks| {
+                let grid = Grid::new(&ranks, shards).expect("a grid");
+                let rank = ranks.rank();
+                let first = ranks.rank() / shards * shards;
+                let row: Vec<_> = (first..first + shards).collect();
+                let column: Vec<_> = (rank % shards..6).step_by(shards).collect();
+                // a call must not disturb the next
+                for _ in 0..8 {
+                    assert_calls(rank, grid.row(), &row);
+                    assert_calls(rank, grid.column(), &column);
+                    assert_eq!(ranks.broadcast(vec![rank as u8]).unwrap(), [0]);
                 }
             });
         }

@@ -14,15 +14,13 @@ type Message = Arc<Vec<Vec<u8>>>;
 /// ```
 /// use organza_core::ranks::{Ranks, ThreadRanks};
 ///
-/// let threads = ThreadRanks::new(3).into_iter().map(|ranks| {
-///     std::thread::spawn(move || {
-///         let mut values = [1_i64 << ranks.rank()];
-///         ranks.sum(&mut values)?;
-///         Ok::<_, organza_core::Error>(values)
-///     })
+/// let sums = ThreadRanks::run(3, |ranks| {
+///     let mut values = [1_i64 << ranks.rank()];
+///     ranks.sum(&mut values)?;
+///     Ok::<_, organza_core::Error>(values)
 /// });
-/// for thread in threads.collect::<Vec<_>>() {
-///     assert_eq!(thread.join().expect("a thread that ends")?, [7]);
+/// for sum in sums {
+///     assert_eq!(sum?, [7]);
 /// }
 /// # Ok::<(), organza_core::Error>(())
 /// ```
@@ -64,6 +62,19 @@ impl ThreadRanks {
         let shared = Arc::new(Shared { size, state: state.into(), changed: Condvar::new() });
         let rank = |rank| Self { rank, shared: shared.clone(), sent: 0.into() };
         (0..size).map(rank).collect()
+    }
+
+    /// Does the work of each rank in a thread, and returns what they found, in order.
+    ///
+    /// # Panics
+    /// If `size` is 0, or if the work of a rank panics.
+    pub fn run<R: Send>(size: usize, work: impl Fn(Self) -> R + Sync) -> Vec<R> {
+        let work = &work;
+        std::thread::scope(|scope| {
+            let ranks = Self::new(size).into_iter();
+            let threads: Vec<_> = ranks.map(|ranks| scope.spawn(move || work(ranks))).collect();
+            threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
+        })
     }
 
     /// A rank without others.
@@ -183,18 +194,9 @@ mod tests {
     use super::*;
     use crate::error::Error;
 
-    fn together<R: Send>(size: usize, work: impl Fn(ThreadRanks) -> R + Sync) -> Vec<R> {
-        let work = &work;
-        std::thread::scope(|scope| {
-            let ranks = ThreadRanks::new(size).into_iter();
-            let threads: Vec<_> = ranks.map(|ranks| scope.spawn(move || work(ranks))).collect();
-            threads.into_iter().map(|thread| thread.join().expect("a rank")).collect()
-        })
-    }
-
     #[test]
     fn a_rank_that_fails_ends_the_others() {
-        let found = together(3, |ranks| match ranks.rank() {
+        let found = ThreadRanks::run(3, |ranks| match ranks.rank() {
             1 => {
                 ranks.fail("no memory");
                 String::new()

@@ -3,6 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
 use super::held_out;
 use crate::evaluate::{Evaluation, Measures, Score, ViewScore, evaluate_view};
 use crate::{Binding, Checkpoint, TrainConfig, Trainer};
@@ -43,7 +46,7 @@ impl Team {
 }
 
 /// The next action of all ranks, which rank 0 chooses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) enum Order {
     /// A step, and the number of steps of the run.
     Step(u32),
@@ -55,34 +58,17 @@ pub(super) enum Order {
     End,
 }
 
-impl Order {
-    fn encode(self) -> [u64; 2] {
-        match self {
-            Self::Step(steps) => [0, u64::from(steps)],
-            Self::Evaluate { first, all } => [1 + u64::from(all), first as u64],
-            Self::Save => [3, 0],
-            Self::End => [4, 0],
-        }
-    }
+/// Sends a value to the other ranks, from rank 0.
+pub(super) fn tell(ranks: &dyn Ranks, value: &impl Serialize) -> Result<()> {
+    let bytes = serde_json::to_vec(value);
+    let bytes = bytes.map_err(|error| Error::Argument { reason: error.to_string() })?;
+    ranks.broadcast(bytes).map(drop)
+}
 
-    fn decode([kind, value]: [u64; 2]) -> Self {
-        match kind {
-            0 => Self::Step(value as u32),
-            1 | 2 => Self::Evaluate { first: value as usize, all: kind == 2 },
-            3 => Self::Save,
-            _ => Self::End,
-        }
-    }
-
-    /// Sends it to the other ranks, from rank 0.
-    pub fn give(self, ranks: &dyn Ranks) -> Result<()> {
-        ranks.broadcast(bytemuck::cast_slice(&self.encode()).to_vec()).map(drop)
-    }
-
-    fn receive(ranks: &dyn Ranks) -> Result<Self> {
-        let words: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
-        Ok(Self::decode([words[0], words[1]]))
-    }
+/// The value that rank 0 [tells](tell).
+pub(super) fn hear<T: DeserializeOwned>(ranks: &dyn Ranks) -> Result<T> {
+    serde_json::from_slice(&ranks.broadcast(Vec::new())?)
+        .map_err(|error| Error::Argument { reason: format!("rank 0 has sent {error}") })
 }
 
 /// [Checks](organza_core::ranks::check_agreement) that all ranks have read the same photographs.
@@ -114,9 +100,7 @@ pub(super) fn lead(
 ) -> Result<()> {
     let ranks = &*team.ranks;
     check_photographs(ranks, renderer, dataset, mixed)?;
-    let words = [team.shards.unwrap_or_default() as u64];
-    ranks.broadcast(bytemuck::cast_slice(&words).to_vec())?;
-    ranks.broadcast(config.to_toml().into_bytes())?;
+    tell(ranks, &(team.shards, config.to_toml()))?;
     mine.send_to_ranks(team.grid(), shard)
 }
 
@@ -133,9 +117,7 @@ pub fn follow(
     mixed: bool,
 ) -> Result<()> {
     check_photographs(&**ranks, renderer, dataset, mixed)?;
-    let words: Vec<u64> = bytemuck::pod_collect_to_vec(&ranks.broadcast(Vec::new())?);
-    let shards = words.first().map(|&shards| shards as usize).filter(|&shards| shards > 0);
-    let text = String::from_utf8_lossy(&ranks.broadcast(Vec::new())?).into_owned();
+    let (shards, text): (_, String) = hear(&**ranks)?;
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
     let team = Team::new(&config, ranks.clone(), shards)?;
     let checkpoint = Checkpoint::receive(team.grid())?;
@@ -143,7 +125,7 @@ pub fn follow(
     let mut trainer = Trainer::with_team(renderer, config, dataset_of, &checkpoint, Some(team))?;
     drop(checkpoint);
     loop {
-        match Order::receive(&**ranks)? {
+        match hear(&**ranks)? {
             Order::Step(steps) => {
                 if steps != trainer.config().run.steps {
                     trainer.replan(steps);
@@ -271,7 +253,7 @@ impl Trainer {
     /// Writes a checkpoint, as rank 0.
     pub(super) fn save(&self, path: &Path, seconds: f64, binding: &Binding) -> Result<()> {
         if let Some(Team { ranks, shards: Some(_) }) = &self.team {
-            Order::Save.give(&**ranks)?;
+            tell(&**ranks, &Order::Save)?;
         }
         let checkpoint = self.checkpoint(seconds)?;
         self.with_group(|ranks| checkpoint.save_shards(path, Some(binding), ranks))

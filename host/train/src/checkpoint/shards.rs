@@ -6,8 +6,9 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::{Checkpoint, MOMENTS, STATISTICS};
+use crate::ranks::{hear, tell};
 use crate::{Binding, PerPhotograph, Progress};
-use organza_core::error::{Error, IN_MEMORY, Result};
+use organza_core::error::{IN_MEMORY, Result};
 use organza_core::ranks::{Grid, Ranks, ThreadRanks};
 use organza_core::scene::{
     Scene, SceneConfig, SceneShard, Tensor, TensorSpec, range_of, scene_metadata, write_streamed,
@@ -37,9 +38,7 @@ impl Checkpoint {
             exposures: self.exposures.clone(),
             poses: self.poses.clone(),
         };
-        let outline = serde_json::to_vec(&outline)
-            .map_err(|error| Error::Argument { reason: error.to_string() })?;
-        ranks.broadcast(outline)?;
+        tell(ranks, &outline)?;
         for rank in 1..ranks.size() {
             let mut for_each = vec![Vec::new(); ranks.size()];
             for_each[rank] = match rank % shards {
@@ -54,10 +53,7 @@ impl Checkpoint {
     /// The shard of another rank, from rank 0, which [sends it](Checkpoint::send_to_ranks).
     pub(crate) fn receive(grid: Grid<'_>) -> Result<Self> {
         let ranks = grid.all;
-        let outline = ranks.broadcast(Vec::new())?;
-        let outline: Outline = serde_json::from_slice(&outline)
-            .map_err(|error| Error::Argument { reason: format!("rank 0 has sent {error}") })?;
-        let Outline { config, gaussians, progress, exposures, poses } = outline;
+        let Outline { config, gaussians, progress, exposures, poses } = hear(ranks)?;
         let range = range_of(gaussians, grid.shard(), grid.shards);
         let scene = Scene::zeros(config, range.len())?;
         let mut shard = Self::from_shard(SceneShard { scene, range, gaussians }, progress)?;
@@ -97,7 +93,7 @@ impl Checkpoint {
     /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
     ///
     /// # Errors
-    /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has overflowed.
+    /// The same errors as [`Scene::save`]: [`Error::NotFinite`](organza_core::Error::NotFinite) where training has overflowed.
     pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
         self.save_shards(path, binding, &ThreadRanks::alone())
     }
@@ -106,7 +102,7 @@ impl Checkpoint {
     /// ranks, and every command reads it. Rank 0 calls this, and all others [`Checkpoint::hand_over`].
     ///
     /// # Errors
-    /// The same errors as [`Checkpoint::save`]; [`Error::Rank`] where another rank has failed.
+    /// The same errors as [`Checkpoint::save`]; [`Error::Rank`](organza_core::Error::Rank) where another rank has failed.
     pub fn save_shards(
         &self,
         path: impl AsRef<Path>,

@@ -8,7 +8,7 @@ use super::run::FirstSteps;
 use crate::held_out;
 use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::plan::{Now, Planner};
-use crate::ranks::Order;
+use crate::ranks::{Order, tell};
 use crate::{
     BEST, Binding, CAMERAS, CHECKPOINT, CONFIG, Change, Evaluation, Event, METRICS, Outcome,
     Session, StepHooks, Trainer, Watch,
@@ -95,7 +95,7 @@ impl SessionState<'_, '_, '_> {
 
     /// Sends the other ranks what comes next.
     fn order(&self, order: Order) -> Result<()> {
-        self.session.ranks.as_deref().map_or(Ok(()), |ranks| order.give(ranks))
+        self.session.ranks.as_deref().map_or(Ok(()), |ranks| tell(ranks, &order))
     }
 
     /// In a run planned by time, updates the number of steps and writes it to the settings.

@@ -387,12 +387,11 @@ impl Run {
     }
 
     fn in_folder(&self, folder: &RunFolder) -> organza::Result<&'static str> {
-        let mixed = self.ranks.as_ref().is_some_and(|ranks| ranks.mixed);
-        let ranks = self.ranks.clone().map(|ranks| ranks as Arc<dyn Ranks>);
-        let session = Session::new(&self.device, &self.config, &self.dataset, folder)
-            .with_time_limit(self.time_limit)
-            .with_stop(&self.stop)
-            .with_ranks(ranks, mixed);
+        let mut session = Session::new(&self.device, &self.config, &self.dataset, folder);
+        session.time_limit = self.time_limit;
+        session.stop = &self.stop;
+        session.mixed = self.ranks.as_ref().is_some_and(|ranks| ranks.mixed);
+        session.ranks = self.ranks.clone().map(|ranks| ranks as Arc<dyn Ranks>);
         let mut reporter = Reporter::new(folder);
         let mut now = 0;
         let mut watch = |event: Event<'_>| {

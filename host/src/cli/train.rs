@@ -362,13 +362,14 @@ impl TrainJob<'_> {
             Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
             None => (None, Vec::new(), false),
         };
-        let session = Session::new(&renderer, &config, &dataset, &folder)
-            .with_time_limit(self.time_limit)
-            .with_planned(self.planned)
-            .with_command(command_line())
-            .with_stop(signals.stop())
-            .with_ranks(mine, mixed)
-            .with_shards(shards);
+        let mut session = Session::new(&renderer, &config, &dataset, &folder);
+        session.time_limit = self.time_limit;
+        session.planned = self.planned;
+        session.command = command_line();
+        session.stop = signals.stop();
+        session.ranks = mine;
+        session.mixed = mixed;
+        session.shards = shards;
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
             let stop = signals.stop();

@@ -61,11 +61,15 @@ pub struct Session<'a> {
     pub command: Option<String>,
     /// A flag that another thread sets to save and stop.
     pub stop: &'a AtomicBool,
-    /// The ranks that share the run. This one is rank 0: see [`Session::with_ranks`].
+    /// The ranks that share the run. This one is rank 0: only it reads and writes files. The others call
+    /// [`follow`](super::follow). The scene's bits do not depend on the number of ranks, but they differ from those
+    /// of a run without ranks.
     pub ranks: Option<Arc<dyn Ranks>>,
     /// Whether ranks may differ in program and device. The scene's bits then depend on which rank computes what.
     pub mixed: bool,
-    /// Number of shards of the Gaussians: see [`Session::with_shards`].
+    /// Number of shards of the Gaussians. A group of as many ranks has all of them, and groups share the views. By default,
+    /// each rank has the whole scene. The scene's bits depend on whether there are shards, but not on their number. It has no
+    /// effect without ranks.
     pub shards: Option<usize>,
 }
 
@@ -164,52 +168,5 @@ impl<'a> Session<'a> {
             mixed: false,
             shards: None,
         }
-    }
-
-    /// Sets a time limit, in seconds of training. At the limit, the run ends as after its last step.
-    #[must_use]
-    pub fn with_time_limit(mut self, seconds: Option<f64>) -> Self {
-        self.time_limit = seconds;
-        self
-    }
-
-    /// Plans the run for this many seconds, and so chooses the number of steps: see [`Session::planned`].
-    #[must_use]
-    pub fn with_planned(mut self, seconds: Option<f64>) -> Self {
-        self.planned = seconds;
-        self
-    }
-
-    /// Sets the command line for the log.
-    #[must_use]
-    pub fn with_command(mut self, command: Option<String>) -> Self {
-        self.command = command;
-        self
-    }
-
-    /// Sets the stop flag. Set it to true from another thread to save and stop.
-    #[must_use]
-    pub fn with_stop(mut self, stop: &'a AtomicBool) -> Self {
-        self.stop = stop;
-        self
-    }
-
-    /// Shares the run with other ranks. This one is rank 0: only it reads and writes files. The others call
-    /// [`follow`](super::follow). The scene's bits do not depend on the number of ranks, but they differ from those
-    /// of a run without ranks.
-    #[must_use]
-    pub fn with_ranks(mut self, ranks: Option<Arc<dyn Ranks>>, mixed: bool) -> Self {
-        self.ranks = ranks;
-        self.mixed = mixed;
-        self
-    }
-
-    /// Distributes the Gaussians in `shards` shards to groups of `shards` ranks. Groups share the views. By default, each
-    /// rank has the whole scene. The scene's bits depend on whether there are shards, but not on their number. It has no
-    /// effect without ranks.
-    #[must_use]
-    pub fn with_shards(mut self, shards: Option<usize>) -> Self {
-        self.shards = shards;
-        self
     }
 }

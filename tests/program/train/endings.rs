@@ -104,8 +104,8 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
         let folder = sandbox.path(name);
         fs::create_dir_all(&folder).unwrap();
         let folder = RunFolder::lock(&folder, resume).expect("it is free");
-        let session = Session::new(&renderer, &config, &dataset, &folder);
-        let session = session.with_time_limit(time_limit);
+        let mut session = Session::new(&renderer, &config, &dataset, &folder);
+        session.time_limit = time_limit;
         session.run(resume, &mut |_| Ok(())).expect("it trains")
     };
     assert_eq!(train("whole", false, None), train::Outcome::Finished);

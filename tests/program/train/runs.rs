@@ -140,7 +140,8 @@ pub fn stopped(sandbox: &Sandbox, run: &str, settings_of: &str, steps: u32) {
     let renderer = Renderer::new(devices::cpu(None));
     let dataset = dataset(sandbox, &config);
     let stop = AtomicBool::new(false);
-    let session = Session::new(&renderer, &config, &dataset, &folder).with_stop(&stop);
+    let mut session = Session::new(&renderer, &config, &dataset, &folder);
+    session.stop = &stop;
     let mut reporter = Reporter::new(&folder);
     let outcome = session.run(false, &mut |event| {
         reporter.see(&event)?;

@@ -21,11 +21,7 @@ fn trained() -> Sandbox {
 
 /// The names of the pictures in a folder.
 fn pictures(sandbox: &Sandbox, folder: &str) -> Vec<String> {
-    let entries = fs::read_dir(sandbox.path(folder)).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<_> = names.filter(|name| name.ends_with(".png")).collect();
-    names.sort();
-    names
+    sandbox.images(folder).into_keys().collect()
 }
 
 #[test]
@@ -137,9 +133,7 @@ fn a_run_is_rendered_from_its_own_views() {
 
     // half the pixels, at half the focal length
     for key in ["fl_x", "fl_y", "cx", "cy", "w", "h"] {
-        let cameras: Value =
-            serde_json::from_slice(&fs::read(sandbox.path("cameras.json")).unwrap()).unwrap();
-        let half = cameras[key].as_f64().unwrap() / 2.0;
+        let half = sandbox.read_json("cameras.json")[key].as_f64().unwrap() / 2.0;
         sandbox.edit_json("cameras.json", &format!("/{key}"), json!(half));
     }
     render("run cameras.json -o half");
@@ -178,9 +172,7 @@ fn every_command_takes_a_run_for_a_scene() {
     sandbox.edit_json("tiles.json", "/tiles/0/camera", json!(1));
     assert!(own == tiles("run tiles.json"), "the second of all is the first to train on");
 
-    let json = |words: &str| -> Value {
-        serde_json::from_str(&sandbox.run(words).assert_ok().stdout).expect("JSON")
-    };
+    let json = |words: &str| sandbox.run(words).json();
     let [run, file] =
         ["run", "run/checkpoint.safetensors"].map(|path| json(&format!("info {path} --json")));
     assert_eq!(run, file);

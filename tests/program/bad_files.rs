@@ -24,12 +24,8 @@ fn assert_scene_refused(sandbox: &Sandbox, facts: &[&str]) {
 #[track_caller]
 fn assert_edit_refused(facts: &[&str], edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
     let sandbox = Sandbox::new("tiny");
-    sandbox.edit_scene(edit);
+    sandbox.edit_tensors("scene.safetensors", edit);
     assert_scene_refused(&sandbox, facts);
-}
-
-fn tensor<'a>(tensors: &'a mut Tensors, name: &str) -> &'a mut (String, Vec<usize>, Vec<u8>) {
-    tensors.iter_mut().find(|tensor| tensor.0 == name).expect("a tensor")
 }
 
 #[test]
@@ -69,19 +65,19 @@ fn scenes_of_each_kind_of_damage() {
         assert_scene_refused(&sandbox, &[fact]);
     }
     assert_edit_refused(&["`color.grid`", "[1024, 1]", "[512, 2]"], |_, tensors| {
-        tensor(tensors, "color.grid").1 = vec![1024, 1];
+        tensors.get_mut("color.grid").expect("a tensor").0 = vec![1024, 1];
     });
     for (value, text) in [(f32::NAN, "NaN"), (f32::INFINITY, "inf"), (f32::NEG_INFINITY, "-inf")] {
         let facts = ["`transmittance.grid`", text, "flat index 3"];
         assert_edit_refused(&facts, |_, tensors| {
-            let bytes = &mut tensor(tensors, "transmittance.grid").2;
+            let (_, bytes) = tensors.get_mut("transmittance.grid").expect("a tensor");
             bytes[12..16].copy_from_slice(&value.to_le_bytes());
         });
     }
     assert_edit_refused(&["`step`", "0"], |metadata, _| {
-        let mut config: Value = serde_json::from_str(metadata["config"].as_str().unwrap()).unwrap();
+        let mut config: Value = serde_json::from_str(&metadata["config"]).unwrap();
         config["step"] = json!(0);
-        metadata["config"] = json!(config.to_string());
+        metadata.insert("config".to_owned(), config.to_string());
     });
 }
 

@@ -5,13 +5,9 @@ use std::sync::LazyLock;
 use organza_tests::devices;
 use serde_json::Value;
 
-use crate::sandbox::{Outcome, Sandbox};
+use crate::sandbox::Sandbox;
 
 const BENCH: &str = "bench scene.safetensors cameras.json tiles.json --repeat 2";
-
-fn json(outcome: Outcome) -> Value {
-    serde_json::from_str(&outcome.assert_ok().stdout).expect("JSON")
-}
 
 /// The number of a kernel's dispatches; `None` if it is not listed.
 fn dispatches(kernels: &Value, name: &str) -> Option<u64> {
@@ -71,7 +67,7 @@ fn assert_shards(kernels: &Value) {
 #[test]
 fn a_batch_is_measured() {
     let sandbox = Sandbox::new("crowded");
-    let found = json(sandbox.run(&format!("{BENCH} --backend cpu --json")));
+    let found = sandbox.run(&format!("{BENCH} --backend cpu --json")).json();
     let keys: Vec<_> = found.as_object().unwrap().keys().map(String::as_str).collect();
     let expected = "degenerate device forward_backward_s forward_kernels forward_peak_memory_bytes forward_s \
         gaussians kernels members pairs parts peak_gbs peak_gflops peak_memory_bytes repeat \
@@ -108,7 +104,7 @@ fn a_batch_is_measured() {
 #[test]
 fn forward_alone() {
     let sandbox = Sandbox::new("tiny");
-    let found = json(sandbox.run(&format!("{BENCH} --forward --backend cpu --json")));
+    let found = sandbox.run(&format!("{BENCH} --forward --backend cpu --json")).json();
     assert_eq!(found["forward_backward_s"], Value::Null);
     assert_eq!(found["kernels"], found["forward_kernels"]);
     assert_eq!(dispatches(&found["kernels"], "project_backward"), None);
@@ -153,7 +149,7 @@ fn kernels_of_a_gpu_have_times() {
 #[test]
 fn without_files_the_workload_is_synthetic() {
     let sandbox = Sandbox::new("tiny");
-    let found = json(sandbox.run("bench --forward --repeat 1 --backend cpu --json"));
+    let found = sandbox.run("bench --forward --repeat 1 --backend cpu --json").json();
     for (key, expected) in [("gaussians", 20_000), ("tiles", 64), ("side", 64)] {
         assert_eq!(found[key], expected, "{key}");
     }
@@ -162,8 +158,9 @@ fn without_files_the_workload_is_synthetic() {
 
 /// The measurements of all devices, the CPU first. Peaks take half a second each, so tests share them.
 fn every_device() -> &'static [Value] {
-    static FOUND: LazyLock<Value> =
-        LazyLock::new(|| json(Sandbox::new("tiny").run(&format!("{BENCH} --every-device --json"))));
+    static FOUND: LazyLock<Value> = LazyLock::new(|| {
+        Sandbox::new("tiny").run(&format!("{BENCH} --every-device --json")).json()
+    });
     FOUND.as_array().expect("a list")
 }
 

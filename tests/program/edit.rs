@@ -12,9 +12,8 @@ use crate::train::runs::{self, TINY};
 /// Runs the command. Returns its JSON, and the scene that it wrote.
 fn edit(sandbox: &Sandbox, words: &str) -> (Value, Scene) {
     let words = format!("edit {words} -o edited.safetensors --backend cpu --json");
-    let outcome = sandbox.run(&words).assert_ok();
-    let scene = Scene::load(sandbox.path("edited.safetensors")).expect("a scene");
-    (serde_json::from_str(&outcome.stdout).expect("only JSON"), scene)
+    let json = sandbox.run(&words).json();
+    (json, Scene::load(sandbox.path("edited.safetensors")).expect("a scene"))
 }
 
 /// Adds copies of Gaussians to a scene's file, each after `change`.
@@ -141,8 +140,7 @@ fn a_run_is_edited_and_every_command_takes_the_result() {
     crate::flags::assert_documented("edit", std::slice::from_ref(&report));
     let eval = |scene: &str| -> f64 {
         let words = format!("eval {scene} --hold-out-every 3 --backend cpu --json");
-        let json: Value = serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap();
-        json["mean"]["psnr"].as_f64().expect("a number")
+        sandbox.run(&words).json()["mean"]["psnr"].as_f64().expect("a number")
     };
     let close = |found: &Value, expected: f64| {
         assert!((found.as_f64().expect("a number") - expected).abs() < 1e-9, "{report}");

@@ -18,10 +18,6 @@ fn eval(sandbox: &Sandbox, more: &str) -> Outcome {
     sandbox.run(&format!("eval scene.safetensors data --backend cpu {more}"))
 }
 
-fn scores(outcome: Outcome) -> Value {
-    serde_json::from_str(&outcome.assert_ok().stdout).expect("JSON")
-}
-
 #[track_caller]
 fn assert_refuses(sandbox: &Sandbox, words: &str, facts: &[&str]) {
     sandbox.assert_refuses(&format!("eval {words} --backend cpu"), facts);
@@ -36,7 +32,7 @@ fn assert_within(value: &Value, range: std::ops::RangeInclusive<f64>) {
 #[test]
 fn rounding_is_all_that_a_scene_lacks_of_its_own_images() {
     let sandbox = sandbox();
-    let found = scores(eval(&sandbox, "--split all --json"));
+    let found = eval(&sandbox, "--split all --json").json();
     let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
     assert_eq!(keys(&found), ["mean", "views"]);
     let views = found["views"].as_array().unwrap();
@@ -58,7 +54,7 @@ fn rounding_is_all_that_a_scene_lacks_of_its_own_images() {
 fn the_split_selects_the_frames() {
     let sandbox = sandbox();
     let names = |more: &str| -> Vec<Value> {
-        let found = scores(eval(&sandbox, &format!("--json {more}")));
+        let found = eval(&sandbox, &format!("--json {more}")).json();
         found["views"].as_array().unwrap().iter().map(|view| view["name"].clone()).collect()
     };
     assert_eq!(names(""), ["images/0000.png"]);
@@ -79,7 +75,7 @@ fn the_split_selects_the_frames() {
 /// Reduced photographs are compared with images rendered at the reduced size.
 #[test]
 fn a_smaller_size_comes_close() {
-    let found = scores(eval(&sandbox(), "--json --downscale 2"));
+    let found = eval(&sandbox(), "--json --downscale 2").json();
     assert_within(&found["mean"]["psnr"], 15.0..=59.0);
 }
 
@@ -89,11 +85,9 @@ fn alpha_is_put_in_front_of_the_background() {
     let clear = image::RgbaImage::new(96, 80);
     clear.save(sandbox.path("data/images/0000.png")).unwrap();
     let psnr = |background: &str| {
-        scores(eval(&sandbox, &format!("--json {background}")))["mean"]["psnr"].as_f64().unwrap()
+        eval(&sandbox, &format!("--json {background}")).json()["mean"]["psnr"].as_f64().unwrap()
     };
-    let scene: Value =
-        serde_json::from_str(&sandbox.run("info scene.safetensors --json").assert_ok().stdout)
-            .unwrap();
+    let scene = sandbox.run("info scene.safetensors --json").json();
     let background = scene["config"]["background"].as_array().expect("a color");
     let list: Vec<_> = background.iter().map(|value| value.to_string()).collect();
     assert_eq!(psnr(""), psnr(&format!("--background {}", list.join(","))));
@@ -109,7 +103,7 @@ fn a_run_is_known_by_its_checkpoint() {
     fs::copy(sandbox.path("scene.safetensors"), sandbox.path("run/checkpoint.safetensors"))
         .unwrap();
     let words = "eval run data --backend cpu --json";
-    assert_eq!(scores(sandbox.run(words)), scores(eval(&sandbox, "--json")));
+    assert_eq!(sandbox.run(words).json(), eval(&sandbox, "--json").json());
 }
 
 #[test]
@@ -139,5 +133,5 @@ fn data_without_held_out_frames_is_refused_with_advice() {
     outcome.assert_refused(&["no frame", "held out", "--split train", "--hold-out-every"]);
     let outcome = eval(&sandbox, "--split train --json");
     assert!(outcome.stderr.contains("warning: missing, so left out: 1 photograph"), "{outcome:?}");
-    assert_eq!(scores(outcome)["views"][0]["name"], json!("images/0001.png"));
+    assert_eq!(outcome.json()["views"][0]["name"], json!("images/0001.png"));
 }

@@ -4,7 +4,6 @@ use std::fs;
 use std::io::BufReader;
 
 use image::{AnimationDecoder, RgbImage};
-use serde_json::Value;
 
 use crate::sandbox::{Outcome, Sandbox};
 
@@ -18,10 +17,6 @@ fn pixels(sandbox: &Sandbox, name: &str) -> RgbImage {
 fn difference(a: &RgbImage, b: &RgbImage) -> u8 {
     assert_eq!(a.dimensions(), b.dimensions());
     a.iter().zip(b.iter()).map(|(a, b)| a.abs_diff(*b)).max().unwrap()
-}
-
-fn json(outcome: Outcome) -> Value {
-    serde_json::from_str(&outcome.assert_ok().stdout).expect("only JSON")
 }
 
 #[test]
@@ -48,7 +43,7 @@ fn an_animated_png_has_the_frames_and_their_pace() {
     let orbit =
         "film scene.safetensors --backend cpu --frames 3 --size 40x33 --elevation 10 --orbit";
     sandbox.run(&format!("{orbit} -o frames")).assert_ok();
-    let made = json(sandbox.run(&format!("{orbit} --fps 20 -o film.png --json")));
+    let made = sandbox.run(&format!("{orbit} --fps 20 -o film.png --json")).json();
     assert_eq!(
         (&made["frames"], &made["fps"], &made["rendered"]),
         (&3.into(), &20.into(), &3.into())
@@ -101,7 +96,7 @@ fn a_film_of_depth_has_one_range() {
 fn finished_frames_are_not_rendered_again() {
     let sandbox = Sandbox::new("tiny");
     let words = format!("{FILM} -o frames --frames 4 --json");
-    let rendered = |words: &str| json(sandbox.run(words))["rendered"].as_u64().unwrap();
+    let rendered = |words: &str| sandbox.run(words).json()["rendered"].as_u64().unwrap();
     assert_eq!(rendered(&words), 4);
     let before = sandbox.files();
     assert_eq!(rendered(&words), 0);
@@ -207,7 +202,7 @@ cat > "$last"
             .collect();
 
         fs::remove_file(bin.join("broken")).unwrap();
-        let made = json(run(&sandbox, &format!("{words} --json"), &path));
+        let made = run(&sandbox, &format!("{words} --json"), &path).json();
         assert_eq!(made["rendered"], 0);
         assert!(fs::read(sandbox.path("film.mp4")).unwrap() == frames);
         let arguments = fs::read_to_string(bin.join("arguments")).unwrap();
@@ -232,10 +227,8 @@ cat > "$last"
 
 #[cfg(target_os = "linux")]
 mod signals {
-    use std::thread;
-    use std::time::{Duration, Instant};
-
     use super::*;
+    use crate::sandbox::wait_until;
     use crate::train::processes::{signal, start, wait_for_end};
 
     /// Terminated, killed, and then undisturbed: the film must equal one from a call without interruption.
@@ -247,12 +240,8 @@ mod signals {
         let stopped = format!("{words} -o film.png");
         for (name, frame) in [("TERM", 0), ("KILL", 12)] {
             let mut child = start(&sandbox, &stopped);
-            let begin = Instant::now();
             let file = sandbox.path(&format!("film.png.frames/{frame:05}.png"));
-            while !file.exists() {
-                assert!(begin.elapsed() < Duration::from_secs(60), "no frame");
-                thread::sleep(Duration::from_millis(1));
-            }
+            wait_until("a frame", || file.exists());
             signal(&child, name);
             wait_for_end(&mut child);
             let outcome = child.wait_with_output().unwrap();
@@ -263,7 +252,7 @@ mod signals {
                 Outcome::from(outcome).assert_refused(&said);
             }
         }
-        let made = json(sandbox.run(&format!("{stopped} --json")));
+        let made = sandbox.run(&format!("{stopped} --json")).json();
         assert!((1..100).contains(&made["rendered"].as_u64().unwrap()), "{made}");
         let read = |name: &str| fs::read(sandbox.path(name)).unwrap();
         assert!(read("whole.png") == read("film.png"));

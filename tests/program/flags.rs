@@ -151,16 +151,12 @@ fn results_are_json_with_documented_keys() {
         ("bench", vec!["bench run data tiles.json --repeat 1 --backend cpu"]),
         ("kernels", vec!["kernels"]),
     ] {
-        let result = |words| {
-            let outcome = sandbox.run(&format!("{words} --json")).assert_ok();
-            serde_json::from_str(&outcome.stdout).expect("only JSON")
-        };
+        let result = |words| sandbox.run(&format!("{words} --json")).json();
         assert_documented(command, &calls.into_iter().map(result).collect::<Vec<_>>());
     }
     let crowded = Sandbox::new("crowded");
     let explain = ["--pixel 48,40", "--summary"].map(|what| {
-        let words = format!("explain scene.safetensors cameras.json {what} --json");
-        serde_json::from_str(&crowded.run(&words).assert_ok().stdout).expect("only JSON")
+        crowded.run(&format!("explain scene.safetensors cameras.json {what} --json")).json()
     });
     assert_documented("explain", &explain);
 }

@@ -1,7 +1,6 @@
 //! Text that controls terminals, closed streams, folders without write permission, and what a container lacks.
 
 use std::fs;
-use std::process::Stdio;
 
 use organza_tests::devices;
 use serde_json::json;
@@ -65,8 +64,7 @@ fn messages_do_not_control_the_terminal() {
         assert_plain(&outcome);
     }
     assert!(sandbox.path(NASTY).is_dir());
-    let info = run(&["info", "cameras.json", "--json"]).stdout;
-    let info: serde_json::Value = serde_json::from_str(&info).expect("JSON");
+    let info = run(&["info", "cameras.json", "--json"]).json();
     assert_eq!(info["cameras"][0]["file_path"], json!(NASTY), "JSON says it all the same");
 }
 

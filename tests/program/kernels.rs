@@ -2,7 +2,6 @@
 
 use organza::MODULES;
 use organza_tests::devices;
-use serde_json::Value;
 
 use crate::sandbox::Sandbox;
 
@@ -10,8 +9,7 @@ use crate::sandbox::Sandbox;
 fn every_kernel_is_listed() {
     let sandbox = Sandbox::new("tiny");
     let text = sandbox.run("kernels").assert_ok().stdout;
-    let listed: Value =
-        serde_json::from_str(&sandbox.run("kernels --json").assert_ok().stdout).unwrap();
+    let listed = sandbox.run("kernels --json").json();
     let listed = listed.as_array().unwrap();
     let points = muslin::kernels().flat_map(|kernel| kernel.entry_points());
     assert_eq!(listed.len(), points.count());
@@ -45,8 +43,7 @@ fn every_kernel_is_listed() {
 
 #[test]
 fn the_cpu_agrees_with_itself_to_the_bit() {
-    let outcome = Sandbox::new("tiny").run("parity --backend cpu --json").assert_ok();
-    let reports: Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    let reports = Sandbox::new("tiny").run("parity --backend cpu --json").json();
     crate::flags::assert_documented("parity", std::slice::from_ref(&reports));
     let kernels = reports[0]["kernels"].as_array().expect("rows");
     assert_eq!(kernels.len(), muslin::kernels().count());

@@ -1,14 +1,18 @@
 //! A separate folder for each test, in which the program runs.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ffi::OsStr;
-use std::fs;
+use std::fs::{self, DirEntry};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use organza_tests::cases;
-use serde_json::{Map, Value};
+use safetensors::SafeTensors;
+use safetensors::tensor::{Dtype, TensorView};
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// The path of the program. Cargo gives an integration test only the programs of its own package. So this asks cargo
@@ -43,6 +47,16 @@ fn build() -> PathBuf {
     messages.filter_map(executable).next_back().expect("cargo names the program")
 }
 
+/// Waits until something is so, which must come within minutes.
+#[track_caller]
+pub fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
+    let start = Instant::now();
+    while !is_so() {
+        assert!(start.elapsed() < Duration::from_secs(180), "it takes too long: {what}");
+        thread::sleep(Duration::from_millis(2));
+    }
+}
+
 /// The outcome of a run: its exit code and its output.
 #[derive(Debug)]
 pub struct Outcome {
@@ -71,6 +85,12 @@ impl Outcome {
         self
     }
 
+    /// The JSON that a successful run prints.
+    #[track_caller]
+    pub fn json(self) -> Value {
+        serde_json::from_str(&self.assert_ok().stdout).expect("only JSON")
+    }
+
     /// Asserts exit code 2 and one error, which contains each of `facts`.
     #[track_caller]
     pub fn assert_refused(&self, facts: &[&str]) {
@@ -93,9 +113,9 @@ pub struct Sandbox {
     folder: TempDir,
 }
 
-/// Metadata of a safetensors file to be changed. Its tensors have names, shapes and data.
-pub type Metadata = Map<String, Value>;
-pub type Tensors = Vec<(String, Vec<usize>, Vec<u8>)>;
+/// What a safetensors file says of itself, and the shape and the data of each tensor.
+pub type Metadata = HashMap<String, String>;
+pub type Tensors = BTreeMap<String, (Vec<usize>, Vec<u8>)>;
 
 impl Sandbox {
     pub fn new(case: &str) -> Self {
@@ -178,48 +198,47 @@ impl Sandbox {
         files
     }
 
+    /// Contents of a folder's files by name. A folder in it has none.
+    pub fn contents(&self, folder: &str) -> BTreeMap<String, Vec<u8>> {
+        let content = |entry: DirEntry| {
+            let name = entry.file_name().into_string().expect("UTF-8");
+            let is_folder = entry.path().is_dir();
+            (name, if is_folder { Vec::new() } else { fs::read(entry.path()).unwrap() })
+        };
+        fs::read_dir(self.path(folder)).unwrap().map(Result::unwrap).map(content).collect()
+    }
+
+    /// Contents of a folder's images by name.
+    pub fn images(&self, folder: &str) -> BTreeMap<String, Vec<u8>> {
+        let mut files = self.contents(folder);
+        files.retain(|name, _| name.ends_with(".png"));
+        files
+    }
+
+    pub fn read_json(&self, name: &str) -> Value {
+        serde_json::from_slice(&fs::read(self.path(name)).unwrap()).unwrap()
+    }
+
     /// Changes one value of a JSON file.
     pub fn edit_json(&self, name: &str, pointer: &str, value: Value) {
-        let path = self.path(name);
-        let mut json: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+        let mut json = self.read_json(name);
         *json.pointer_mut(pointer).expect("a place in the file") = value;
-        fs::write(path, serde_json::to_vec(&json).unwrap()).unwrap();
+        fs::write(self.path(name), json.to_string()).unwrap();
     }
 
-    /// Reads the scene's file, and writes it again after `edit`.
-    pub fn edit_scene(&self, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
-        let path = self.path("scene.safetensors");
-        let file = fs::read(&path).unwrap();
-        let (length, rest) = file.split_at(8);
-        let length = u64::from_le_bytes(length.try_into().unwrap()) as usize;
-        let (header, data) = rest.split_at(length);
-        let mut header: Map<String, Value> = serde_json::from_slice(header).unwrap();
-        let metadata = header.remove("__metadata__").unwrap();
-        let mut metadata = metadata.as_object().unwrap().clone();
-        let number = |value: &Value| value.as_u64().unwrap() as usize;
-        let tensor = |(name, info): (String, Value)| {
-            let shape = info["shape"].as_array().unwrap().iter().map(number).collect();
-            let [begin, end] = [0, 1].map(|at| number(&info["data_offsets"][at]));
-            (name, shape, data[begin..end].to_vec())
+    /// Reads a file of tensors, and writes it again after `edit`.
+    pub fn edit_tensors(&self, name: &str, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
+        let file = fs::read(self.path(name)).unwrap();
+        let (_, header) = SafeTensors::read_metadata(&file).unwrap();
+        let mut metadata = header.metadata().clone().expect("metadata");
+        let tensor = |(name, tensor): (&str, TensorView<'_>)| {
+            (name.to_owned(), (tensor.shape().to_vec(), tensor.data().to_vec()))
         };
-        let mut tensors: Tensors = header.into_iter().map(tensor).collect();
+        let mut tensors = SafeTensors::deserialize(&file).unwrap().iter().map(tensor).collect();
         edit(&mut metadata, &mut tensors);
-        fs::write(path, encode(metadata, &tensors)).unwrap();
+        let views = tensors.iter().map(|(name, (shape, data))| {
+            (name, TensorView::new(Dtype::F32, shape.clone(), data).expect("all of the data"))
+        });
+        safetensors::serialize_to_file(views, Some(metadata), &self.path(name)).unwrap();
     }
-}
-
-fn encode(metadata: Metadata, tensors: &Tensors) -> Vec<u8> {
-    let mut header = Map::from_iter([("__metadata__".to_owned(), Value::Object(metadata))]);
-    let mut data = Vec::new();
-    for (name, shape, bytes) in tensors {
-        let offsets = [data.len(), data.len() + bytes.len()];
-        let info = serde_json::json!({"dtype": "F32", "shape": shape, "data_offsets": offsets});
-        header.insert(name.clone(), info);
-        data.extend_from_slice(bytes);
-    }
-    let header = serde_json::to_vec(&header).unwrap();
-    let mut file = (header.len() as u64).to_le_bytes().to_vec();
-    file.extend(header);
-    file.extend(data);
-    file
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::fs;
 
 use organza::scene::{TensorRef, read_tensors, write_tensors};
-use serde_json::Value;
 
 use crate::sandbox::Sandbox;
 
@@ -12,12 +11,11 @@ const RENDER: &str = "render scene.safetensors cameras.json --backend cpu --view
 
 /// The only image of a folder: its bytes, and its pixels.
 fn image(sandbox: &Sandbox, folder: &str) -> (Vec<u8>, Vec<u8>) {
-    let entries = fs::read_dir(sandbox.path(folder)).unwrap().map(|entry| entry.unwrap().path());
-    let images: Vec<_> =
-        entries.filter(|path| path.extension().is_some_and(|e| e == "png")).collect();
-    let [path] = &images[..] else { panic!("{images:?}") };
-    let pixels = image::open(path).expect("an image").to_rgb8().into_raw();
-    (fs::read(path).unwrap(), pixels)
+    let mut images = sandbox.images(folder);
+    let (_, file) = images.pop_first().expect("an image");
+    assert!(images.is_empty(), "{:?}", images.keys());
+    let pixels = image::load_from_memory(&file).expect("an image").to_rgb8().into_raw();
+    (file, pixels)
 }
 
 #[test]
@@ -25,8 +23,7 @@ fn any_number_of_ranks_renders_the_same_image() {
     let sandbox = Sandbox::new("basic");
     sandbox.run(&format!("{RENDER} -o whole")).assert_ok();
     sandbox.run(&format!("{RENDER} -o one --ranks 1")).assert_ok();
-    let outcome = sandbox.run(&format!("{RENDER} -o three --ranks 3 --json")).assert_ok();
-    let json: Value = serde_json::from_str(&outcome.stdout).expect("only JSON");
+    let json = sandbox.run(&format!("{RENDER} -o three --ranks 3 --json")).json();
     assert!(json["rendered"] == 1 && json["pairs"].as_u64() > Some(0), "{json}");
     let (one, pixels) = image(&sandbox, "one");
     assert!(image(&sandbox, "three").0 == one);

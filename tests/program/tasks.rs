@@ -1,32 +1,10 @@
 //! Folders with files: `render --task` and `--missing` add to them, and nothing of others is removed.
 
-use std::collections::BTreeMap;
 use std::fs;
 
-use serde_json::Value;
-
-use crate::sandbox::{Outcome, Sandbox};
+use crate::sandbox::Sandbox;
 
 const RENDER: &str = "render scene.safetensors cameras.json --backend cpu --channels depth";
-
-fn json(outcome: Outcome) -> Value {
-    serde_json::from_str(&outcome.assert_ok().stdout).expect("only JSON")
-}
-
-/// The files of a folder.
-fn files(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
-    let entries = fs::read_dir(sandbox.path(folder)).unwrap().map(Result::unwrap);
-    let read = |entry: fs::DirEntry| {
-        (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap())
-    };
-    entries.map(read).collect()
-}
-
-fn images(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
-    let mut files = files(sandbox, folder);
-    files.retain(|name, _| name.ends_with(".png"));
-    files
-}
 
 /// Three tasks run at the same time, and one is killed. After rendering missing images, the folder equals that of a
 /// single call.
@@ -34,7 +12,7 @@ fn images(sandbox: &Sandbox, folder: &str) -> BTreeMap<String, Vec<u8>> {
 fn tasks_and_missing_images_equal_one_call() {
     let sandbox = Sandbox::new("tiny");
     sandbox.run(&format!("{RENDER} -o whole")).assert_ok();
-    let whole = images(&sandbox, "whole");
+    let whole = sandbox.images("whole");
     let views = whole.len() / 2;
     assert!(views >= 2, "{:?}", whole.keys());
 
@@ -42,7 +20,7 @@ fn tasks_and_missing_images_equal_one_call() {
         let task = |index| {
             scope.spawn({
                 let sandbox = &sandbox;
-                move || json(sandbox.run(&format!("{RENDER} -o out --task {index}/3 --json")))
+                move || sandbox.run(&format!("{RENDER} -o out --task {index}/3 --json")).json()
             })
         };
         let results = [0, 1, 2].map(task).map(|thread| thread.join().expect("a result"));
@@ -55,16 +33,16 @@ fn tasks_and_missing_images_equal_one_call() {
             assert_eq!(result["rendered"], expected.len());
         }
     });
-    assert_eq!(images(&sandbox, "out"), whole);
+    assert_eq!(sandbox.images("out"), whole);
     // nothing is missing
-    let result = json(sandbox.run(&format!("{RENDER} -o out --missing --json")));
+    let result = sandbox.run(&format!("{RENDER} -o out --missing --json")).json();
     assert_eq!(result["rendered"], 0);
 
     // one channel is missing
     fs::remove_file(sandbox.path("out/0001.depth.png")).unwrap();
-    let result = json(sandbox.run(&format!("{RENDER} -o out --missing --task 1/2 --json")));
+    let result = sandbox.run(&format!("{RENDER} -o out --missing --task 1/2 --json")).json();
     assert_eq!(result["rendered"], 1);
-    assert_eq!(images(&sandbox, "out"), whole);
+    assert_eq!(sandbox.images("out"), whole);
     // a file that is there stays, even if it is no image
     fs::write(sandbox.path("out/0000.png"), "mine").unwrap();
     sandbox.run(&format!("{RENDER} -o out --missing")).assert_ok();

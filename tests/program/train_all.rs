@@ -45,8 +45,8 @@ fn captures_are_trained_on_and_compared() {
     // finished runs are included unchanged
     assert_eq!(sandbox.run(words).assert_ok().stdout, table);
     assert_eq!(fs::read_to_string(sandbox.path("results/results.csv")).unwrap(), csv);
-    let json = sandbox.run(&format!("{words} --json --quiet")).assert_ok().stdout;
-    assert_documented("train-all", &[serde_json::from_str(&json).expect("JSON")]);
+    let json = sandbox.run(&format!("{words} --json --quiet")).json();
+    assert_documented("train-all", &[json]);
     with_lpips(&sandbox, words);
     sandbox.assert_refuses("train-all one one -o again --backend cpu", &["two captures", "one"]);
     assert!(!sandbox.path("again").exists());
@@ -56,15 +56,12 @@ fn captures_are_trained_on_and_compared() {
 fn with_lpips(sandbox: &Sandbox, words: &str) {
     save_weights(&sandbox.path("weights.safetensors"));
     let words = format!("{words} --lpips weights.safetensors");
-    let json: serde_json::Value =
-        serde_json::from_str(&sandbox.run(&format!("{words} --json --quiet")).assert_ok().stdout)
-            .expect("JSON");
+    let json = sandbox.run(&format!("{words} --json --quiet")).json();
     let csv = fs::read_to_string(sandbox.path("results/results.csv")).unwrap();
     assert!(csv.starts_with("capture,PSNR,SSIM,LPIPS,steps,"), "{csv}");
     for (name, capture) in ["one", "two"].iter().zip(json["captures"].as_array().unwrap()) {
         let eval = format!("eval results/{name} --lpips weights.safetensors --json --backend cpu");
-        let eval: serde_json::Value =
-            serde_json::from_str(&sandbox.run(&eval).assert_ok().stdout).expect("JSON");
+        let eval = sandbox.run(&eval).json();
         assert!(eval["mean"]["lpips"].as_f64().is_some_and(|lpips| lpips > 0.0), "{eval}");
         assert_eq!(capture["lpips"], eval["mean"]["lpips"]);
         let row = csv.lines().find(|line| line.starts_with(&format!("\"{name}\","))).unwrap();

@@ -1,14 +1,12 @@
 //! Runs that end before their last step, and then continue to the same result.
 #![cfg(unix)]
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Child;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use std::{fs, thread};
 
 use organza::Renderer;
-use organza::train::metrics::Record;
 use organza::train::{
     self, BEST, CHECKPOINT, CONFIG, Checkpoint, EVALUATIONS, METRICS, PICTURES, REPORT, RunFolder,
     Session, TrainConfig,
@@ -16,10 +14,10 @@ use organza::train::{
 use organza_tests::devices;
 
 use super::processes::{self, start};
-use super::runs::{TINY, assert_same, assert_same_run, bits, dataset, records, sandbox};
-use crate::sandbox::{Outcome, Sandbox};
-
-const LONGEST: Duration = Duration::from_secs(120);
+use super::runs::{
+    TINY, assert_readable, assert_same, assert_same_run, bits, dataset, evaluations, sandbox,
+};
+use crate::sandbox::{Outcome, Sandbox, wait_until};
 
 /// The number of steps in a log, which may still be written.
 fn steps(folder: &Path) -> usize {
@@ -29,11 +27,7 @@ fn steps(folder: &Path) -> usize {
 
 /// Waits until a run has done `count` steps, or has ended.
 fn wait_for_steps(child: &mut Child, folder: &Path, count: usize) {
-    let start = Instant::now();
-    while steps(folder) < count && child.try_wait().unwrap().is_none() {
-        assert!(start.elapsed() < LONGEST, "{count} steps take too long");
-        thread::sleep(Duration::from_millis(2));
-    }
+    wait_until("steps", || steps(folder) >= count || child.try_wait().unwrap().is_some());
 }
 
 /// Sends a signal and waits for the end.
@@ -42,19 +36,12 @@ fn stop(child: Child, signal: &str) -> Outcome {
     child.wait_with_output().expect("it ends").into()
 }
 
-/// The files of a run's pictures.
-fn pictures(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let files = fs::read_dir(folder.join(PICTURES)).expect("the folder").map(Result::unwrap);
-    files
-        .map(|file| (file.file_name().into_string().unwrap(), fs::read(file.path()).unwrap()))
-        .collect()
-}
-
 /// Asserts that `run` has the same result and the same log as `whole`.
 #[track_caller]
 fn assert_like_whole(sandbox: &Sandbox, run: &str) {
     assert_same_run(sandbox, run, "whole");
-    let [pictures, expected] = [run, "whole"].map(|run| pictures(&sandbox.path(run)));
+    let [pictures, expected] =
+        [run, "whole"].map(|run| sandbox.contents(&format!("{run}/{PICTURES}")));
     assert!(expected.contains_key("over-time-000000.jpg"), "{:?}", expected.keys());
     assert_eq!(pictures.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>());
     assert!(pictures == expected, "{run}: the pictures differ");
@@ -89,9 +76,8 @@ fn a_run_ends_at_its_time_limit() {
     let stopped = Checkpoint::load(sandbox.path("run").join(CHECKPOINT)).unwrap().progress;
     assert!(stopped.seconds >= 1.0 && stopped.step < 1_000_000, "{stopped:?}");
     let last = u64::from(stopped.step);
-    let is_last =
-        |record: &Record| matches!(record, Record::Evaluation { step, .. } if *step == last);
-    assert!(records(&sandbox.path("run")).iter().any(is_last), "the end is measured");
+    let mut steps = evaluations(&sandbox, "run").into_iter().map(|(step, ..)| step);
+    assert!(steps.any(|step| step == last), "the end is measured");
 }
 
 #[test]
@@ -126,28 +112,14 @@ fn a_run_at_its_time_limit_goes_on_to_the_same_bits() {
     assert_eq!(steps(&sandbox.path("run")), 40);
 }
 
-/// Asserts that every existing file can be read.
-fn assert_readable(folder: &Path) {
-    TrainConfig::load(folder.join(CONFIG)).expect("settings");
-    if folder.join(METRICS).exists() {
-        let _ = records(folder);
-    }
-    if folder.join(CHECKPOINT).exists() {
-        Checkpoint::load(folder.join(CHECKPOINT)).expect("a checkpoint");
-    }
-}
-
 #[test]
 fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     let sandbox = sandbox();
     // makes the run write most of the time
-    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
-    let often = config.replace("checkpoint_every = 5", "checkpoint_every = 1");
-    assert_ne!(often, config);
-    fs::write(sandbox.path("tiny.toml"), often).unwrap();
-    sandbox.run(&format!("{TINY} whole")).assert_ok();
+    let often = "--checkpoint-every 1";
+    sandbox.run(&format!("{TINY} whole {often}")).assert_ok();
     let folder = sandbox.path("run");
-    let mut words = format!("{TINY} run");
+    let mut words = format!("{TINY} run {often}");
     let mut kills = 0;
     for delay in [0, 7, 31, 2, 19, 53] {
         let mut child = start(&sandbox, &words);
@@ -164,10 +136,7 @@ fn a_run_that_is_killed_goes_on_to_the_same_bits() {
     assert!(kills >= 3, "{kills} of 6 runs were there to be killed");
     sandbox.run(&words).assert_ok();
     assert_like_whole(&sandbox, "run");
-    let names = fs::read_dir(&folder).unwrap();
-    let mut names: Vec<_> =
-        names.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
+    let names: Vec<_> = sandbox.contents("run").into_keys().collect();
     assert_eq!(names, [BEST, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT]);
 }
 
@@ -201,12 +170,8 @@ fn a_killed_run_by_minutes_keeps_its_plan() {
 fn the_best_checkpoint_is_kept() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 40")).assert_ok();
-    let found = records(&sandbox.path("run"));
-    let scores = found.iter().filter_map(|record| match record {
-        Record::Evaluation { step, psnr: Some(psnr), .. } => Some((*psnr, *step)),
-        _ => None,
-    });
-    let best = scores.max_by(|a, b| a.0.total_cmp(&b.0)).expect("it is evaluated").1;
+    let scores = evaluations(&sandbox, "run").into_iter();
+    let best = scores.max_by(|a, b| a.1.total_cmp(&b.1)).expect("it is evaluated").0;
     let kept = Checkpoint::load(sandbox.path("run").join(BEST)).expect("a checkpoint").progress;
     assert_eq!(u64::from(kept.step), best);
 }

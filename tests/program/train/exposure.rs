@@ -132,8 +132,7 @@ fn blenders_photographs_with_alpha_are_in_front_of_white() {
     let outcome = sandbox.run(&format!("{train} -o white")).assert_ok();
     assert!(outcome.stderr.contains("the background is white"), "{outcome:?}");
     assert_eq!(background("white"), Background::Color([1.0; 3]));
-    let outcome = sandbox.run("info white/checkpoint.safetensors --json").assert_ok();
-    let info: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    let info = sandbox.run("info white/checkpoint.safetensors --json").json();
     assert_eq!(info["config"]["background"], serde_json::json!([1.0, 1.0, 1.0]), "{info}");
     sandbox.run("train --resume white --backend cpu").assert_ok();
     for (color, expected) in [("black", [0.0; 3]), ("0,0.5,1", [0.0, 0.5, 1.0])] {

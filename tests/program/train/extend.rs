@@ -1,15 +1,14 @@
 //! Runs that continue with more steps or more Gaussians.
 #![cfg(target_os = "linux")]
 
-use std::time::{Duration, Instant};
-use std::{fs, thread};
+use std::fs;
 
 use organza::train::metrics::Record;
 use organza::train::{Binding, CHECKPOINT, Change, METRICS, Progress, TrainConfig};
 
 use super::processes::start;
 use super::runs::{TINY, assert_same, bits, records, sandbox, without_times};
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, wait_until};
 
 const MORE: &str = "--steps 40 --max-gaussians 450 --backend cpu";
 
@@ -58,11 +57,7 @@ fn a_killed_extension_ends_with_the_same_bits() {
     for (checkpoint_every, steps) in reached {
         let words = format!("train --resume killed {MORE} --checkpoint-every {checkpoint_every}");
         let mut child = start(&sandbox, &words);
-        let begin = Instant::now();
-        while steps() < 24 && child.try_wait().unwrap().is_none() {
-            assert!(begin.elapsed() < Duration::from_secs(120));
-            thread::sleep(Duration::from_millis(1));
-        }
+        wait_until("24 steps", || steps() >= 24 || child.try_wait().unwrap().is_some());
         child.kill().unwrap();
         child.wait().unwrap();
     }

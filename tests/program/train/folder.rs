@@ -1,17 +1,15 @@
 //! A run's folder belongs together: its settings, its data, its checkpoint, and a single training that writes to it.
 
 use std::fs;
-use std::path::Path;
 use std::process::Stdio;
-use std::time::{Duration, Instant};
 
-use organza::train::CHECKPOINT;
 use serde_json::json;
 
 use super::runs::{TINY, assert_same, bits, photographs, sandbox};
-use crate::sandbox::{Metadata, Sandbox, Tensors};
+use crate::sandbox::{Sandbox, wait_until};
 
 const RESUME: &str = "train --resume run --backend cpu";
+const SAVED: &str = "run/checkpoint.safetensors";
 
 /// A run on photographs that was stopped after ten of 40 steps.
 fn stopped(sandbox: &Sandbox) {
@@ -19,20 +17,9 @@ fn stopped(sandbox: &Sandbox) {
     let words =
         "train data --config tiny.toml --downscale 2 --hold-out-every 2 --backend cpu -o run";
     sandbox.run(words).assert_ok();
-    edit_checkpoint(sandbox, |metadata, _| {
-        metadata.insert("train".to_owned(), json!(r#"{"step": 10, "seconds": 1.0}"#));
+    sandbox.edit_tensors(SAVED, |metadata, _| {
+        metadata.insert("train".to_owned(), r#"{"step": 10, "seconds": 1.0}"#.to_owned());
     });
-}
-
-/// Reads the checkpoint, and writes it again after `edit`.
-fn edit_checkpoint(sandbox: &Sandbox, edit: impl FnOnce(&mut Metadata, &mut Tensors)) {
-    let checkpoint = sandbox.path("run").join(CHECKPOINT);
-    let scene = sandbox.path("scene.safetensors");
-    fs::copy(&scene, sandbox.path("kept")).unwrap();
-    fs::copy(&checkpoint, &scene).unwrap();
-    sandbox.edit_scene(edit);
-    fs::copy(&scene, checkpoint).unwrap();
-    fs::rename(sandbox.path("kept"), scene).unwrap();
 }
 
 fn edit_config(sandbox: &Sandbox, edit: impl FnOnce(String) -> String) {
@@ -94,14 +81,14 @@ fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} whole")).assert_ok();
     sandbox.run(&format!("{TINY} run")).assert_ok();
-    edit_checkpoint(&sandbox, |metadata, _| {
+    sandbox.edit_tensors(SAVED, |metadata, _| {
         assert!(metadata.remove("run").is_some(), "it is bound");
     });
     let outcome = sandbox.run(RESUME).assert_ok();
     assert!(outcome.stderr.contains("warning: the checkpoint does not say"), "{outcome:?}");
     assert_same("run", &bits(&sandbox, "run"), &bits(&sandbox, "whole"));
     // but not with other settings that may have any value
-    edit_checkpoint(&sandbox, |metadata, _| {
+    sandbox.edit_tensors(SAVED, |metadata, _| {
         metadata.remove("run");
     });
     fs::write(sandbox.path("run/config.toml"), "").unwrap();
@@ -113,27 +100,19 @@ fn a_checkpoint_of_an_older_program_goes_on_with_a_warning() {
 fn moments_and_statistics_that_are_no_numbers_are_refused_by_name() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 10")).assert_ok();
-    let checkpoint = fs::read(sandbox.path("run").join(CHECKPOINT)).unwrap();
+    let checkpoint = fs::read(sandbox.path(SAVED)).unwrap();
     for (name, value, fact) in [
         ("adam.first.gaussians.position", f32::NAN, "holds NaN at flat index 2"),
         ("adam.second.color.grid", f32::INFINITY, "holds inf at flat index 2"),
         ("adam.second.gaussians.opacity", -1.0, "holds -1 at flat index 2, expected 0 or more"),
         ("train.statistics", f32::NAN, "holds NaN at flat index 2"),
     ] {
-        edit_checkpoint(&sandbox, |_, tensors| {
-            let tensor = tensors.iter_mut().find(|(found, ..)| found == name).expect("a tensor");
-            tensor.2[8..12].copy_from_slice(&value.to_le_bytes());
+        sandbox.edit_tensors(SAVED, |_, tensors| {
+            let (_, data) = tensors.get_mut(name).expect("a tensor");
+            data[8..12].copy_from_slice(&value.to_le_bytes());
         });
         sandbox.assert_refuses(RESUME, &["checkpoint.safetensors", name, fact]);
-        fs::write(sandbox.path("run").join(CHECKPOINT), &checkpoint).unwrap();
-    }
-}
-
-fn wait_for(path: &Path) {
-    let start = Instant::now();
-    while !path.exists() {
-        assert!(start.elapsed() < Duration::from_secs(60), "no {}", path.display());
-        std::thread::sleep(Duration::from_millis(5));
+        fs::write(sandbox.path(SAVED), &checkpoint).unwrap();
     }
 }
 
@@ -142,7 +121,7 @@ fn a_second_training_in_the_same_folder_is_refused() {
     let sandbox = sandbox();
     let mut first = sandbox.command(&format!("{TINY} run --steps 1000000"));
     let mut first = first.stderr(Stdio::null()).spawn().expect("the program starts");
-    wait_for(&sandbox.path("run/checkpoint.safetensors"));
+    wait_until("a checkpoint", || sandbox.path(SAVED).exists());
     let holder = format!("process {}", first.id());
     let facts = ["run", "another training writes to this folder", holder.as_str()];
     sandbox.run(RESUME).assert_refused(&facts);

@@ -4,7 +4,7 @@
 use std::fs;
 use std::time::{Duration, Instant};
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::runs::{photographs, sandbox};
 use crate::sandbox::Sandbox;
@@ -136,14 +136,13 @@ fn profiles_that_grow_are_passed_over() {
 #[test]
 fn many_missing_photographs_are_one_line() {
     let sandbox = data();
-    let path = sandbox.path("data/transforms.json");
-    let mut file: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let mut file = sandbox.read_json("data/transforms.json");
     let frames = file["frames"].as_array_mut().unwrap();
     let pose = frames[0]["transform_matrix"].clone();
     frames.extend((0..20_000).map(|number| {
         json!({"file_path": format!("images/lost-{number}.png"), "transform_matrix": pose})
     }));
-    fs::write(&path, serde_json::to_vec(&file).unwrap()).unwrap();
+    fs::write(sandbox.path("data/transforms.json"), file.to_string()).unwrap();
     let outcome = sandbox.run(&format!("{TRAIN} --downscale 2 --hold-out-every 0")).assert_ok();
     let facts = "missing, so left out: 20,000 photographs, the first is ";
     assert!(outcome.stderr.contains(facts) && outcome.stderr.len() < 2000, "{outcome:?}");
@@ -179,14 +178,13 @@ fn files_outside_the_data_sets_folder_are_read_where_that_is_allowed() {
 fn no_text_of_a_file_that_a_data_set_names_is_shown() {
     let sandbox = data();
     fs::write(sandbox.path("data/secret"), "root:hunter2:0:0\nply hunter2\n").unwrap();
-    let path = sandbox.path("data/transforms.json");
-    let mut file: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let mut file = sandbox.read_json("data/transforms.json");
     for (points, facts) in [
         ("/etc/passwd", ["/etc/passwd", "--allow-outside"]),
         ("secret", ["secret", "not a whole PLY file"]),
     ] {
         file["ply_file_path"] = json!(points);
-        fs::write(&path, serde_json::to_vec(&file).unwrap()).unwrap();
+        fs::write(sandbox.path("data/transforms.json"), file.to_string()).unwrap();
         for more in ["", "--allow-outside"] {
             let outcome = sandbox.run(&format!("{TRAIN} {more}"));
             outcome.assert_refused(if more.is_empty() { &facts[..] } else { &facts[..1] });
@@ -234,11 +232,8 @@ fn settings_that_are_no_files_are_refused() {
 #[test]
 fn gradients_that_overflow_are_refused() {
     let sandbox = sandbox();
-    let shape = [4, 3, 8, 8];
-    let tiles = sandbox.run("info tiles.json --json").assert_ok().stdout;
-    let tiles: Value = serde_json::from_str(&tiles).unwrap();
-    let side = tiles["side"].as_u64().unwrap() as usize;
-    let shape = [shape[0], shape[1], side, side];
+    let side = sandbox.run("info tiles.json --json").json()["side"].as_u64().unwrap() as usize;
+    let shape = [4, 3, side, side];
     let values = vec![3.4e38_f32; shape.iter().product()];
     let tensor = organza::scene::TensorRef { name: "grad_tiles", shape: &shape, data: &values };
     organza::scene::write_tensors(sandbox.path("g.safetensors"), &[tensor], &[]).unwrap();

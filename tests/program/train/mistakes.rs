@@ -40,8 +40,7 @@ fn bad_requests() {
 fn the_most_gaussians_are_the_most_at_the_start() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 1 --max-gaussians 50")).assert_ok();
-    let outcome = sandbox.run("info run/checkpoint.safetensors --json").assert_ok();
-    let info: serde_json::Value = serde_json::from_str(&outcome.stdout).expect("JSON");
+    let info = sandbox.run("info run/checkpoint.safetensors --json").json();
     assert_eq!(info["gaussians"], json!(50), "{info}");
 }
 
@@ -50,8 +49,7 @@ fn data_without_training_frames_is_refused() {
     let sandbox = sandbox();
     photographs(&sandbox);
     let train = "train data --config tiny.toml --backend cpu -o new";
-    let frame = fs::read(sandbox.path("data/transforms.json")).unwrap();
-    let frame: serde_json::Value = serde_json::from_slice(&frame).unwrap();
+    let frame = sandbox.read_json("data/transforms.json");
     sandbox.edit_json("data/transforms.json", "/frames", json!([]));
     sandbox.assert_refuses(train, &["transforms.json", "frames"]);
     // the only frame is held out
@@ -66,22 +64,20 @@ fn data_without_training_frames_is_refused() {
 fn divergence_is_refused_and_keeps_the_checkpoint() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 30")).assert_ok();
-    let checkpoint = sandbox.path("run/checkpoint.safetensors");
-    fs::copy(&checkpoint, sandbox.path("scene.safetensors")).unwrap();
-    sandbox.edit_scene(|metadata, tensors| {
+    let name = "run/checkpoint.safetensors";
+    sandbox.edit_tensors(name, |metadata, tensors| {
         // as if it had been stopped during the run
-        metadata.insert("train".to_owned(), json!(r#"{"step": 4, "seconds": 1.0}"#));
+        metadata.insert("train".to_owned(), r#"{"step": 4, "seconds": 1.0}"#.to_owned());
         let is_color = |name: &str| name.starts_with("color") && name.ends_with("weight");
-        for (_, _, data) in tensors.iter_mut().filter(|(name, ..)| is_color(name)) {
+        for (_, (_, data)) in tensors.iter_mut().filter(|(name, _)| is_color(name)) {
             data.chunks_mut(4).enumerate().for_each(|(i, value)| {
                 let large = if i % 2 == 0 { 3e38_f32 } else { -3e38 };
                 value.copy_from_slice(&large.to_le_bytes());
             });
         }
     });
-    fs::copy(sandbox.path("scene.safetensors"), &checkpoint).unwrap();
-    let before = fs::read(&checkpoint).unwrap();
+    let before = fs::read(sandbox.path(name)).unwrap();
     let outcome = sandbox.run("train --resume run --backend cpu");
     outcome.assert_refused(&["lower the learning rates"]);
-    assert!(fs::read(&checkpoint).unwrap() == before, "the checkpoint has changed");
+    assert!(fs::read(sandbox.path(name)).unwrap() == before, "the checkpoint has changed");
 }

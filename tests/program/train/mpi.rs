@@ -1,12 +1,12 @@
 //! Trainings whose ranks are MPI processes. They need a program with the feature `mpi`, whose path is in
 //! `ORGANZA_MPI`: `scripts/mpi.sh` builds it and runs these tests.
 
+use std::fs;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
-use std::{fs, thread};
 
 use super::runs::{TINY, assert_same, assert_same_run, bits, photographs, sandbox};
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, wait_until};
 
 /// Starts a number of processes for each command line. CI is root, and has fewer cores than there are ranks.
 fn mpirun(sandbox: &Sandbox, parts: &[(usize, &str)]) -> Command {
@@ -84,11 +84,7 @@ fn a_killed_rank_ends_all_and_another_number_goes_on() {
         .stderr(Stdio::null())
         .spawn()
         .expect("mpirun");
-    let begin = Instant::now();
-    while !sandbox.path("run/checkpoint.safetensors").exists() {
-        assert!(begin.elapsed() < Duration::from_secs(180), "no checkpoint");
-        thread::sleep(Duration::from_millis(20));
-    }
+    wait_until("a checkpoint", || sandbox.path("run/checkpoint.safetensors").exists());
     let mut processes = children(child.id());
     processes.sort_unstable();
     assert!(processes.len() >= 3, "{processes:?}");
@@ -143,13 +139,9 @@ fn processes_render_like_threads() {
     let words = "render scene.safetensors cameras.json --backend cpu --threads 1 --views 0 -o";
     sandbox.run(&format!("{words} threads --ranks 2")).assert_ok();
     assert_ok(mpirun(&sandbox, &[(3, &format!("{words} processes"))]));
-    let images = |folder: &str| -> Vec<_> {
-        let entries = fs::read_dir(sandbox.path(folder)).unwrap().map(|entry| entry.unwrap());
-        let images = entries.filter(|entry| entry.path().extension().is_some_and(|e| e == "png"));
-        images.map(|entry| (entry.file_name(), fs::read(entry.path()).unwrap())).collect()
-    };
-    assert_eq!(images("threads").len(), 1);
-    assert!(images("processes") == images("threads"));
+    let expected = sandbox.images("threads");
+    assert_eq!(expected.len(), 1);
+    assert!(sandbox.images("processes") == expected);
     let command = mpirun(&sandbox, &[(2, &format!("{words} no --channels depth"))]);
     assert_fails(command, &["leave out `--ranks`"]);
 }

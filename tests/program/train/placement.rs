@@ -11,8 +11,7 @@ use crate::sandbox::Sandbox;
 
 /// Moves a sandbox's photographs: `world = offset + scale R old`, where R exchanges the axes if `is_turned`.
 fn move_world(sandbox: &Sandbox, scale: f64, offset: [f64; 3], is_turned: bool) {
-    let path = sandbox.path("views/transforms.json");
-    let mut file: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let mut file = sandbox.read_json("views/transforms.json");
     for frame in file["frames"].as_array_mut().unwrap() {
         let old = frame["transform_matrix"].clone();
         for row in 0..3 {
@@ -24,11 +23,7 @@ fn move_world(sandbox: &Sandbox, scale: f64, offset: [f64; 3], is_turned: bool) 
             }
         }
     }
-    fs::write(path, file.to_string()).unwrap();
-}
-
-fn json_of(sandbox: &Sandbox, words: &str) -> Value {
-    serde_json::from_str(&sandbox.run(words).assert_ok().stdout).expect("JSON")
+    fs::write(sandbox.path("views/transforms.json"), file.to_string()).unwrap();
 }
 
 #[test]
@@ -36,7 +31,7 @@ fn a_world_is_learned_alike_in_any_units_and_anywhere() {
     let psnr = |scale: f64, offset: [f64; 3], is_turned: bool| {
         let sandbox = sandbox();
         move_world(&sandbox, scale, offset, is_turned);
-        json_of(&sandbox, &format!("{TINY} run --json"))["psnr"].as_f64().unwrap()
+        sandbox.run(&format!("{TINY} run --json")).json()["psnr"].as_f64().unwrap()
     };
     let expected = psnr(1.0, [0.0; 3], false);
     for (scale, offset, is_turned) in [
@@ -94,7 +89,7 @@ fn commands_speak_of_the_world() {
         assert!(near, "{own:?}");
     }
 
-    let info = json_of(&sandbox, "info run --json");
+    let info = sandbox.run("info run --json").json();
     let corner: Vec<f64> = serde_json::from_value(info["corners"][0].clone()).unwrap();
     let low = placement.world(scene.config.aabb[0]);
     assert_eq!(corner, low);
@@ -107,7 +102,7 @@ fn commands_speak_of_the_world() {
     let inside = places
         .iter()
         .filter(|place| (0..3).all(|i| (lo[i] as f32..=hi[i] as f32).contains(&place[i])));
-    assert_eq!(json_of(&sandbox, &words)["gaussians"], inside.count());
+    assert_eq!(sandbox.run(&words).json()["gaussians"], inside.count());
     sandbox
         .run("edit run -o none.safetensors --sphere 0,0,0,50 --backend cpu")
         .assert_refused(&["nothing would be left"]);

@@ -4,7 +4,6 @@ use organza::train::config::Rate;
 use organza::train::{Checkpoint, Trainer, built_in};
 use organza::{Camera, Renderer};
 use organza_tests::{cases, devices};
-use serde_json::Value;
 
 use super::runs::{
     TINY, assert_same, begun, bits, photographed, records, sandbox, stopped, without_times,
@@ -131,8 +130,7 @@ fn assert_refined_cameras(sandbox: &crate::sandbox::Sandbox, refined: &[Camera])
         assert_eq!(file("by-run"), file("by-option"), "{view}");
     }
     let scores = |split: &str| {
-        let outcome = sandbox.run(&format!("eval whole --split {split} --json --backend cpu"));
-        let json: Value = serde_json::from_str(&outcome.assert_ok().stdout).expect("JSON");
+        let json = sandbox.run(&format!("eval whole --split {split} --json --backend cpu")).json();
         let views = json["views"].as_array().expect("views").clone();
         views.into_iter().map(|view| view.to_string()).collect::<Vec<_>>()
     };

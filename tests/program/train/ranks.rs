@@ -1,6 +1,5 @@
 //! Trainings that ranks share: the same bits for any number of ranks.
 
-use std::fs;
 use std::sync::Arc;
 
 use organza::ranks::{Ranks, ThreadRanks};
@@ -83,18 +82,10 @@ fn a_run_of_ranks_is_one_run() {
         sandbox.run(&format!("{TINY} {name} --steps 24 {words}")).assert_ok();
     };
     run("one", "");
-    let files = |run: &str| {
-        let mut names: Vec<_> = fs::read_dir(sandbox.path(run).join("pictures"))
-            .unwrap()
-            .map(|entry| entry.unwrap())
-            .map(|entry| (entry.file_name(), fs::read(entry.path()).unwrap()))
-            .collect();
-        names.sort();
-        names
-    };
+    let pictures = |run: &str| sandbox.contents(&format!("{run}/pictures"));
     run("of-3", "--ranks 3 --threads 1");
     assert_same_run(&sandbox, "of-3", "one");
-    assert!(files("of-3") == files("one"), "the pictures");
+    assert!(pictures("of-3") == pictures("one"), "the pictures");
     run("exposed", "--set exposure.learn=on");
     run("exposed-of-3", "--set exposure.learn=on --ranks 3 --threads 1");
     assert_same_run(&sandbox, "exposed-of-3", "exposed");

@@ -4,27 +4,17 @@ use std::fs;
 use std::path::Path;
 
 use organza::splats::{self, Format, Splat};
-use organza::train::metrics::{MetricsLog, Record};
-use organza::train::{EVALUATIONS, METRICS};
+use organza::train::EVALUATIONS;
+use organza::train::metrics::Record;
 
-use super::runs::{TINY, photographs, records, sandbox};
+use super::runs::{TINY, evaluations, photographs, records, sandbox};
 use crate::sandbox::Outcome;
 
 #[test]
 fn held_out_views_come_closer() {
     let sandbox = sandbox();
-    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
-    let often = config.replace("evaluate_every = 20", "evaluate_every = 5");
-    assert_ne!(often, config);
-    fs::write(sandbox.path("tiny.toml"), often).unwrap();
-    sandbox.run(&format!("{TINY} run --steps 150")).assert_ok();
-    let evaluations: Vec<_> = records(&sandbox.path("run"))
-        .into_iter()
-        .filter_map(|record| match record {
-            Record::Evaluation { step, psnr, .. } => Some((step, psnr.expect("a number"))),
-            _ => None,
-        })
-        .collect();
+    sandbox.run(&format!("{TINY} run --steps 150 --evaluate-every 5")).assert_ok();
+    let evaluations = evaluations(&sandbox, "run");
     assert_eq!(evaluations.len(), 30);
     let [first, .., last] = evaluations.as_slice() else { unreachable!("30 are more than 2") };
     assert_eq!([first.0, last.0], [5, 150]);
@@ -37,13 +27,9 @@ fn held_out_views_come_closer() {
 fn a_contracted_scene_learns_and_info_names_the_contraction() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --set scene.contraction=cube")).assert_ok();
-    let psnr = records(&sandbox.path("run")).into_iter().filter_map(|record| match record {
-        Record::Evaluation { psnr, .. } => psnr,
-        _ => None,
-    });
-    let psnr: Vec<_> = psnr.collect();
+    let found = evaluations(&sandbox, "run");
     // measured: 11.6 and 12.4 dB
-    assert!(psnr.len() == 2 && psnr[1] > psnr[0] + 0.5, "{psnr:?}");
+    assert!(found.len() == 2 && found[1].1 > found[0].1 + 0.5, "{found:?}");
     let info = sandbox.run("info run").assert_ok().stdout;
     assert!(info.contains("outside the box        contracted to the unit cube"), "{info}");
     sandbox.run(&format!("{TINY} other --set scene.contraction=sphere")).assert_refused(&[
@@ -83,18 +69,14 @@ fn runs_are_compared() {
     for text in ["Photograph of view-000", "view-000, rendered by b", "<td>run.seed</td>"] {
         assert!(page.contains(text), "{text}");
     }
-    let json = sandbox.run("compare a b --json -o other.html").assert_ok().stdout;
-    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let json = sandbox.run("compare a b --json -o other.html").json();
     crate::flags::assert_documented("compare", std::slice::from_ref(&json));
     let settings = serde_json::json!([{ "name": "run.seed", "values": ["0", "1"] }]);
     assert_eq!(json["settings"], settings);
     for (at, run) in ["a", "b"].into_iter().enumerate() {
-        let logged = records(&sandbox.path(run)).into_iter().find_map(|record| match record {
-            Record::Evaluation { psnr, .. } => psnr,
-            _ => None,
-        });
+        let logged = &evaluations(&sandbox, run)[0];
         assert_eq!(json["runs"][at]["run"], run);
-        assert_eq!(json["runs"][at]["psnr"].as_f64(), logged);
+        assert_eq!(json["runs"][at]["psnr"].as_f64(), Some(logged.1));
     }
     sandbox.assert_refuses("compare a", &["2 values", "RUN"]);
     sandbox.assert_refuses("compare a a", &["a", "named twice"]);
@@ -107,10 +89,8 @@ fn runs_are_compared() {
 fn one_small_photograph_is_enough() {
     let sandbox = sandbox();
     photographs(&sandbox);
-    let frames = sandbox.path("data/transforms.json");
-    let mut json: serde_json::Value = serde_json::from_slice(&fs::read(&frames).unwrap()).unwrap();
-    json["frames"].as_array_mut().unwrap().truncate(1);
-    fs::write(frames, json.to_string()).unwrap();
+    let frame = sandbox.read_json("data/transforms.json")["frames"][0].clone();
+    sandbox.edit_json("data/transforms.json", "/frames", serde_json::json!([frame]));
     let words = "train data --config tiny.toml --backend cpu --steps 5 -o run";
     // 96 x 80 pixels become 48 x 40
     sandbox.run(&format!("{words} --hold-out-every 0 --downscale 2 --tile-size 64")).assert_ok();
@@ -138,21 +118,17 @@ fn rows(path: &Path) -> Vec<Vec<String>> {
 fn scores_of_a_run_are_a_table() {
     let sandbox = sandbox();
     sandbox.run(&format!("{TINY} run --steps 12 --evaluate-every 5")).assert_ok();
-    let records = MetricsLog::read(sandbox.path("run").join(METRICS)).unwrap();
     let mut expected = vec![["step", "view", "psnr", "ssim"].map(str::to_owned).to_vec()];
-    for record in records {
-        if let Record::Evaluation { step, views, .. } = record {
-            expected.extend(views.iter().map(|view| {
-                let [psnr, ssim] = [view.score.psnr, view.score.ssim].map(|score| score.unwrap());
-                vec![step.to_string(), view.name.clone(), psnr.to_string(), ssim.to_string()]
-            }));
-        }
+    for (step, _, views) in evaluations(&sandbox, "run") {
+        expected.extend(views.iter().map(|view| {
+            let [psnr, ssim] = [view.score.psnr, view.score.ssim].map(|score| score.unwrap());
+            vec![step.to_string(), view.name.clone(), psnr.to_string(), ssim.to_string()]
+        }));
     }
     assert!(expected.len() >= 4, "evaluations after 5, 10 and 12 steps: {expected:?}");
     assert_eq!(rows(&sandbox.path("run").join(EVALUATIONS)), expected);
 
-    let json = sandbox.run("eval run --backend cpu --json --csv scores.csv").assert_ok().stdout;
-    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let json = sandbox.run("eval run --backend cpu --json --csv scores.csv").json();
     let found = rows(&sandbox.path("scores.csv"));
     assert_eq!(found[0], ["view", "psnr", "ssim"]);
     let views = json["views"].as_array().unwrap();

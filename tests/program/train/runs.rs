@@ -10,6 +10,7 @@ use image::RgbImage;
 use organza::data::{Dataset, Frame, Photograph};
 use organza::scene::read_tensors;
 use organza::train::built_in::cameras;
+use organza::train::evaluate::ViewScore;
 use organza::train::metrics::{MetricsLog, Record};
 use organza::train::report::Reporter;
 use organza::train::{
@@ -17,7 +18,6 @@ use organza::train::{
 };
 use organza::{Camera, Renderer, Scene, demo};
 use organza_tests::devices;
-use serde_json::Value;
 
 use crate::sandbox::Sandbox;
 
@@ -68,8 +68,7 @@ fn views() -> &'static [(String, Vec<u8>)] {
 
 /// Adds copies of a sandbox's photographs under other names, until there are `count`.
 pub fn add_views(sandbox: &Sandbox, count: u32) {
-    let path = sandbox.path("views/transforms.json");
-    let mut json: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let mut json = sandbox.read_json("views/transforms.json");
     let frames = json["frames"].as_array_mut().expect("a list");
     for index in VIEWS..count {
         let mut frame = frames[(index % VIEWS) as usize].clone();
@@ -81,7 +80,7 @@ pub fn add_views(sandbox: &Sandbox, count: u32) {
         frame["file_path"] = to.into();
         frames.push(frame);
     }
-    fs::write(path, json.to_string()).unwrap();
+    fs::write(sandbox.path("views/transforms.json"), json.to_string()).unwrap();
 }
 
 /// The photographs of [`sandbox`], read with a run's settings.
@@ -210,10 +209,33 @@ pub fn assert_same_run(sandbox: &Sandbox, found: &str, expected: &str) {
     assert_eq!(found_records, expected, "{found}");
 }
 
+/// Asserts that every existing file of a run can be read.
+pub fn assert_readable(folder: &Path) {
+    if folder.join(CONFIG).exists() {
+        TrainConfig::load(folder.join(CONFIG)).expect("settings");
+    }
+    if folder.join(METRICS).exists() {
+        let _ = records(folder);
+    }
+    if folder.join(CHECKPOINT).exists() {
+        Checkpoint::load(folder.join(CHECKPOINT)).expect("a checkpoint");
+    }
+}
+
 /// A run's records.
 #[track_caller]
 pub fn records(folder: &Path) -> Vec<Record> {
     MetricsLog::read(folder.join(METRICS)).expect("every line is a record")
+}
+
+/// Step, mean PSNR and views of each evaluation of a run.
+#[track_caller]
+pub fn evaluations(sandbox: &Sandbox, run: &str) -> Vec<(u64, f64, Vec<ViewScore>)> {
+    let evaluation = |record| match record {
+        Record::Evaluation { step, psnr, views, .. } => Some((step, psnr.expect("a score"), views)),
+        _ => None,
+    };
+    records(&sandbox.path(run)).into_iter().filter_map(evaluation).collect()
 }
 
 /// The parts of a log that do not depend on the clock: numbers of each step, changes of the Gaussians, evaluations.

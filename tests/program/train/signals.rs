@@ -4,19 +4,11 @@
 use std::fs;
 use std::process::{Child, Command, Stdio};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::processes::{signal, start, wait_for_end};
 use super::runs::{BUILT_IN, TINY, add_views, sandbox};
-use crate::sandbox::Outcome;
-
-fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
-    let start = Instant::now();
-    while !is_so() {
-        assert!(start.elapsed() < Duration::from_secs(120), "{what}");
-        thread::sleep(Duration::from_millis(2));
-    }
-}
+use crate::sandbox::{Outcome, wait_until};
 
 /// Waits for the program's end, which must come within seconds.
 fn end(mut child: Child) -> Outcome {
@@ -28,15 +20,9 @@ fn end(mut child: Child) -> Outcome {
 #[test]
 fn a_signal_while_loading_ends_at_once_and_leaves_nothing() {
     let sandbox = sandbox();
-    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
-    let long = config
-        .replace("built_in_views = 6", "built_in_views = 600")
-        .replace("built_in_side = 32", "built_in_side = 512");
-    assert_ne!(long, config);
-    fs::write(sandbox.path("tiny.toml"), long).unwrap();
     let before = sandbox.files();
     for (name, delay) in [("TERM", 0), ("INT", 100), ("HUP", 400)] {
-        let child = start(&sandbox, &format!("{BUILT_IN} deep/run"));
+        let child = start(&sandbox, &format!("{BUILT_IN} deep/run --set data.built_in_views=600"));
         wait_until("the folder is locked", || sandbox.path("deep/run/.organza-lock").exists());
         thread::sleep(Duration::from_millis(delay));
         signal(&child, name);
@@ -69,13 +55,8 @@ fn a_signal_is_not_swallowed_where_standard_error_blocks() {
 #[test]
 fn a_signal_while_measuring_saves_and_stops() {
     let sandbox = sandbox();
-    let config = fs::read_to_string(sandbox.path("tiny.toml")).unwrap();
-    let long = config
-        .replace("hold_out_every = 3", "hold_out_every = 2")
-        .replace("evaluate_every = 20", "evaluate_every = 1");
-    fs::write(sandbox.path("tiny.toml"), long).unwrap();
     add_views(&sandbox, 60);
-    let child = start(&sandbox, &format!("{TINY} run"));
+    let child = start(&sandbox, &format!("{TINY} run --hold-out-every 2 --evaluate-every 1"));
     wait_until("a first step", || {
         let text = fs::read_to_string(sandbox.path("run/metrics.jsonl")).unwrap_or_default();
         text.contains("\"kind\":\"step\"")

@@ -85,7 +85,7 @@ fn a_scene_in_a_browser() {
     fs::write(sandbox.path("shown.json"), file.body).unwrap();
     let words =
         format!("explain scene.safetensors shown.json --pixel {},{} --json", pixel[0], pixel[1]);
-    let expected: Value = serde_json::from_str(&sandbox.run(&words).assert_ok().stdout).unwrap();
+    let expected = sandbox.run(&words).json();
     assert_eq!(answer["color"], expected["color"]);
     assert_eq!(answer["alpha_sum"], expected["alpha_sum"]);
     let count = expected["gaussians"].as_array().unwrap().len();

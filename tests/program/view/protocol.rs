@@ -97,18 +97,9 @@ fn every_address_needs_a_token() {
         stream.read_to_string(&mut answer).unwrap();
         assert!(answer.starts_with("HTTP/1.1 403"), "{answer:?}");
     }
-    let mut command = sandbox.command(&format!("{VIEW} --bind 0.0.0.0"));
-    let mut child = command.stderr(std::process::Stdio::piped()).spawn().expect("it starts");
-    let mut said = String::new();
-    let mut byte = [0];
-    let stderr = child.stderr.as_mut().expect("piped");
-    while !said.contains("?token=") || !said.ends_with('\n') {
-        assert_eq!(stderr.read(&mut byte).expect("a line"), 1, "{said}");
-        said.push(char::from(byte[0]));
-    }
-    let url = said.split("http://0.0.0.0:").nth(1).expect("an address");
-    let (port, rest) = url.split_once('/').expect("a path");
-    let token = rest.split_once("?token=").unwrap().1.split_whitespace().next().unwrap();
+    let mut viewer = Viewer::start(&sandbox, &format!("{VIEW} --bind 0.0.0.0"));
+    let port = viewer.host.strip_prefix("0.0.0.0:").expect("an address");
+    let token = &*viewer.token;
     let answer = |path: &str, more: &str| {
         let mut stream = std::net::TcpStream::connect(format!("127.0.0.1:{port}")).unwrap();
         let head = format!(
@@ -139,8 +130,8 @@ fn every_address_needs_a_token() {
         let answer = answer("/scene.json", &lines);
         assert!(answer.starts_with(&format!("HTTP/1.1 {status}")), "{lines}: {answer}");
     }
-    signal(&child, "INT");
-    wait_for_end(&mut child);
+    signal(&viewer.child, "INT");
+    wait_for_end(&mut viewer.child);
 }
 
 #[test]
@@ -256,18 +247,8 @@ fn ten_clients_get_their_images_while_others_are_slow_or_gone() {
         let clients: Vec<_> = clients.collect();
         clients.into_iter().map(|client| client.join().expect("an image")).collect::<Vec<_>>()
     });
-    let expected = std::fs::read(sandbox.path(&format!("images/{last:04}.png")));
-    let expected = expected.or_else(|_| {
-        let mut names: Vec<_> = std::fs::read_dir(sandbox.path("images"))
-            .unwrap()
-            .flatten()
-            .map(|entry| entry.path())
-            .filter(|path| path.extension().is_some_and(|kind| kind == "png"))
-            .collect();
-        names.sort();
-        std::fs::read(&names[last])
-    });
-    let expected = pixels(&expected.unwrap());
+    let expected = std::fs::read(sandbox.path(&format!("images/{last:04}.png"))).unwrap();
+    let expected = pixels(&expected);
     assert!(images.iter().all(|image| pixels(image) == expected));
 }
 

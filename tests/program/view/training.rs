@@ -1,21 +1,14 @@
 //! `organza train --view`: the page shows the training, and watching changes nothing.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use std::{fs, thread};
 
 use serde_json::{Value, json};
 
 use super::client::{Viewer, connect, exchange};
+use crate::sandbox::wait_until;
 use crate::train::processes::wait_for_end;
 use crate::train::runs::{TINY, assert_same, bits, records, sandbox, without_times};
-
-fn wait_until(what: &str, mut is_so: impl FnMut() -> bool) {
-    let begin = Instant::now();
-    while !is_so() {
-        assert!(begin.elapsed() < Duration::from_secs(60), "{what}");
-        thread::sleep(Duration::from_millis(10));
-    }
-}
 
 #[test]
 fn the_bits_do_not_depend_on_who_watches() {

@@ -325,12 +325,14 @@ fn a_page_replaces_no_other() {
     for _ in 0..2 {
         sandbox.run("export-web scene.safetensors -o page --size 64x48").assert_ok();
     }
-    let names = fs::read_dir(sandbox.path("page")).unwrap().flatten();
-    let mut names: Vec<_> = names.map(|file| file.file_name()).collect();
-    names.sort();
-    assert_eq!(names, ["index.html", "page.js", "poster.jpg", "scene.js"]);
+    let files = sandbox.contents("page");
+    assert!(
+        files.keys().eq(&["index.html", "page.js", "poster.jpg", "scene.js"]),
+        "{:?}",
+        files.keys()
+    );
     // the poster's bytes are those of `view`'s images: JPEG
-    assert!(fs::read(sandbox.path("page/poster.jpg")).unwrap().starts_with(&[0xff, 0xd8]));
+    assert!(files["poster.jpg"].starts_with(&[0xff, 0xd8]));
     for words in ["--size 5x5", "--size 9000x10", "--size wide"] {
         let words = format!("export-web scene.safetensors -o page {words}");
         assert_eq!(sandbox.run(&words).code, Some(2), "{words}");

@@ -281,11 +281,12 @@ impl Parity for DenseWeightBackward {
             let layer = Dense::new(n, 6, 2, fill, random);
             Self::new(layer, vec![0, n], [100, 0], fill, random)
         });
-        // the last two have more than one tile
+        // the last two have more than one tile; the biases of 32 inputs need invocations of their own
         for (inputs, columns, slice) in [
             (1, 1, 4096),
             (4, 3, 16),
             (5, 2, 1),
+            (32, 8, 70),
             (7, 16, 33),
             (64, 1, 300),
             (194, 1, 64),

@@ -36,9 +36,6 @@ impl PoseSet {
 
     /// Takes one step of Adam for the photographs of a batch. `gradients [photographs, 6]` are by a further small
     /// motion of each camera. Rotations move by `rate`, in radians, and shifts by `rate * extent`.
-    ///
-    /// # Errors
-    /// The same errors as [`PerPhotograph::adam`].
     pub fn step(
         &mut self,
         gradients: &[[f32; VALUES]],
@@ -48,13 +45,11 @@ impl PoseSet {
         extent: f64,
     ) -> Result<()> {
         let of = |photograph: usize| {
-            let [wx, wy, wz, vx, vy, vz] = self.learned.values[photograph].map(f64::from);
-            let [ax, ay, az, bx, by, bz] = gradients[photograph].map(f64::from);
+            let [w, v] = parts(self.learned.values[photograph]);
+            let [turn, shift] = parts(gradients[photograph]);
             // t' = exp([w]x) t + v: w turns only t' - v, but the gradient is by a turn of all of t'
-            let lever = DVec3::new(vx, vy, vz).cross(DVec3::new(bx, by, bz));
-            let turn = DVec3::new(ax, ay, az) - lever;
-            let g = to_rotation_vector(DVec3::new(wx, wy, wz), turn);
-            (photograph, [g.x, g.y, g.z, bx, by, bz])
+            let turn = to_rotation_vector(w, turn - v.cross(shift));
+            (photograph, joined(turn, shift))
         };
         let gradients: BTreeMap<_, _> = shown.map(of).collect();
         let turn = rate;
@@ -80,9 +75,9 @@ impl PoseSet {
             .zip(&self.learned.values)
             .map(|(camera, &values)| Motion::new(camera, values))
             .collect();
-        let eye = |at: usize| DVec3::from(self.given[at].eye());
-        let middle = mean(&eye);
-        let arms: Vec<_> = (0..self.given.len()).map(|at| eye(at) - middle).collect();
+        let middle = mean(&|at| self.given[at].eye().into());
+        let arms: Vec<_> =
+            self.given.iter().map(|camera| DVec3::from(camera.eye()) - middle).collect();
         let turn = mean(&|at| motions[at].turn);
         let shift = mean(&|at| motions[at].shift);
         let spread: f64 = arms.iter().map(|arm| arm.length_squared()).sum();
@@ -109,8 +104,7 @@ struct Motion {
 impl Motion {
     /// `W' = exp([w]x) W`, so the axes W^T turn by `exp([-W^T w]x)`; the center moves by `-W'^T v`.
     fn new(camera: &Camera, values: [f32; VALUES]) -> Self {
-        let [wx, wy, wz, vx, vy, vz] = values.map(f64::from);
-        let [w, v] = [DVec3::new(wx, wy, wz), DVec3::new(vx, vy, vz)];
+        let [w, v] = parts(values);
         let to_world = camera.to_world();
         Self { turn: to_world * -w, shift: to_world * turned(-w, -v) }
     }
@@ -118,11 +112,21 @@ impl Motion {
     /// The values of a camera with this motion.
     fn values(self, camera: &Camera) -> [f32; VALUES] {
         let rows = camera.axes();
-        let to_camera = |vector: DVec3| DVec3::from(rows.map(|row| -row.dot(vector)));
+        let to_camera = |v: DVec3| DVec3::from(rows.map(|row| -row.dot(v)));
         let w = to_camera(self.turn);
-        let v = turned(w, to_camera(self.shift));
-        [w.x, w.y, w.z, v.x, v.y, v.z].map(|value| value as f32)
+        joined(w, turned(w, to_camera(self.shift))).map(|value| value as f32)
     }
+}
+
+/// The rotation and the shift of a photograph's values.
+fn parts(values: [f32; VALUES]) -> [DVec3; 2] {
+    let [wx, wy, wz, vx, vy, vz] = values.map(f64::from);
+    [DVec3::new(wx, wy, wz), DVec3::new(vx, vy, vz)]
+}
+
+/// The values of these [`parts`].
+fn joined(w: DVec3, v: DVec3) -> [f64; VALUES] {
+    [w.x, w.y, w.z, v.x, v.y, v.z]
 }
 
 #[cfg(test)]
@@ -221,10 +225,8 @@ mod tests {
         };
         let loss = |values: [f64; VALUES]| slope.dot(seen(values));
         let now = values.map(f64::from);
-        let turn = seen(now).cross(slope);
         let mut gradients = [[0.0; VALUES]; 5];
-        gradients[2] =
-            [turn.x, turn.y, turn.z, slope.x, slope.y, slope.z].map(|value| value as f32);
+        gradients[2] = joined(seen(now).cross(slope), slope).map(|value| value as f32);
         let expected: Vec<_> = (0..VALUES)
             .map(|at| {
                 let mut moved = [now; 2];

@@ -213,9 +213,7 @@ fn read_grad_tiles(path: &Path, batch: &TileBatch) -> Result<Vec<f32>> {
         shape: batch.output_shape().to_vec(),
         why: "a value for each of `tiles`, the rendered batch",
     };
-    let found = read_tensors(path)?.remove(&spec.name);
-    spec.check_shape(found.as_ref().map(|found| &found.shape[..]), path)?;
-    let values = found.unwrap_or_default().data;
+    let values = spec.take(&mut read_tensors(path)?, path)?;
     if values.iter().all(|value| value.is_finite()) {
         return Ok(values);
     }

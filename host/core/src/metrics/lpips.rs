@@ -126,11 +126,9 @@ impl Lpips {
             _ => return Err(no_weights("its `network` is neither `alex` nor `vgg`".to_owned())),
         };
         let mut tensors = read_tensors(path)?;
-        let mut take = |name: String, shape: &[usize]| -> Result<_> {
-            let found = tensors.remove(&name);
+        let mut take = |name: String, shape: &[usize]| {
             let spec = TensorSpec { name, shape: shape.to_vec(), why: "a layer of the network" };
-            spec.check_shape(found.as_ref().map(|found| &found.shape[..]), path)?;
-            Ok(found.unwrap_or_default().data)
+            spec.take(&mut tensors, path)
         };
         let mut convolutions = Vec::new();
         let mut weights = Vec::new();

@@ -1,9 +1,10 @@
 //! Checks that a scene's tensors agree with its configuration, and warns of what is probably not as intended.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::Scene;
 use super::tensors::{MAX_VALUES, TensorSpec};
+use super::{Scene, Tensor};
 use crate::error::{Error, IN_MEMORY, Result};
 
 impl TensorSpec {
@@ -21,6 +22,16 @@ impl TensorSpec {
             }
             Some(_) => Ok(()),
         }
+    }
+
+    /// Takes the tensor's values from the `tensors` of the file `origin`.
+    ///
+    /// # Errors
+    /// Those of [`Self::check_shape`].
+    pub fn take(&self, tensors: &mut BTreeMap<String, Tensor>, origin: &Path) -> Result<Vec<f32>> {
+        let found = tensors.remove(&self.name);
+        self.check_shape(found.as_ref().map(|found| &found.shape[..]), origin)?;
+        Ok(found.unwrap_or_default().data)
     }
 
     /// Checks that the number of values is right and that all are finite.

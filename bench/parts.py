@@ -6,7 +6,7 @@
 The first row has PSNR and SSIM, the others what they have more or less. The same command goes on after Ctrl-C.
 """
 
-import csv
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -27,10 +27,16 @@ PARTS = {
 
 def train(organza, captures, folder, options):
     """PSNR and SSIM of each capture."""
-    command = [organza, "train-all", *captures, "-o", folder, "--steps", "400", "--backend", "cpu", "--quiet", *options]
-    subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
-    with (folder / "results.csv").open() as file:
-        return {row["capture"]: (float(row["PSNR"]), float(row["SSIM"])) for row in csv.DictReader(file)}
+    scores = {}
+    for capture in captures:
+        run = folder / Path(capture).resolve().name
+        begin = ["--resume", run] if (run / "config.toml").exists() else [capture, "-o", run, "--steps", "400", *options]
+        command = [organza, "train", *begin, "--backend", "cpu", "--quiet", "--json"]
+        result = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout)
+        if result["outcome"] == "stopped":
+            sys.exit(f"{run} was stopped; the same command goes on")
+        scores[run.name] = (result["psnr"], result["ssim"])
+    return scores
 
 
 def main():

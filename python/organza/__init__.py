@@ -23,7 +23,7 @@ from ._cameras import Cameras, Tiles
 from ._data import Dataset, load_dataset
 from ._film import film
 from ._images import Images
-from ._metrics import Lpips, psnr, ssim
+from ._metrics import psnr, ssim
 from ._renderer import Renderer, parity
 from ._splats import Exported, Imported, export, import_splats
 from ._training import Evaluation, Step, TrainConfig, Training, train
@@ -37,7 +37,6 @@ __all__ = [
     "Exported",
     "Images",
     "Imported",
-    "Lpips",
     "Recording",
     "Renderer",
     "Scene",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 
 import numpy as np
@@ -29,31 +28,6 @@ def ssim(image: ArrayLike, truth: ArrayLike) -> float | NDArray[np.float64]:
     Takes what `psnr` takes, but images of 11 x 11 pixels at least.
     """
     return _measured(_organza.ssim, image, truth, "SSIM needs images of 11 x 11 pixels at least")
-
-
-class Lpips:
-    """LPIPS 0.1 (Zhang, Isola, Efros, Shechtman and Wang 2018), 0 for equal images: the distance of features of a network.
-
-        lpips = organza.Lpips("lpips-alex.safetensors")  # which scripts/lpips-weights.py writes
-        print(lpips(image, photograph))
-
-    Raises `FileNotFoundError`, and `ValueError` for a file without such weights.
-    """
-
-    def __init__(self, path: str | os.PathLike[str]) -> None:
-        self._core = _organza.Lpips.load(path)
-
-    @property
-    def network(self) -> str:
-        """The network: "alex" or "vgg"."""
-        return self._core.network
-
-    def __call__(self, image: ArrayLike, truth: ArrayLike) -> float | NDArray[np.float64]:
-        """Takes what `psnr` takes, but images of 31 pixels a side at least for "alex", and of 16 for "vgg"."""
-        return _measured(self._core.distance, image, truth, f"the images are too small for the network {self.network}")
-
-    def __repr__(self) -> str:
-        return f"<organza.Lpips: {self.network}>"
 
 
 def _measured(measure: _Measure, image: ArrayLike, truth: ArrayLike, refusal: str) -> float | NDArray[np.float64]:

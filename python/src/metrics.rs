@@ -1,8 +1,5 @@
 //! Metrics of images.
 
-use std::path::PathBuf;
-use std::sync::Arc;
-
 use numpy::{PyReadonlyArray3, PyUntypedArrayMethods};
 use organza::metrics;
 use pyo3::prelude::*;
@@ -53,34 +50,4 @@ pub fn ssim(
 ) -> PyResult<Option<f64>> {
     let Pair { image, truth, size } = Pair::new(&image, &truth)?;
     job::run(py, move || Ok(metrics::ssim(size, &image, &truth, None)))
-}
-
-/// The network of LPIPS with its weights.
-#[pyclass(frozen, module = "organza._organza")]
-pub struct Lpips(Arc<metrics::lpips::Lpips>);
-
-#[pymethods]
-impl Lpips {
-    #[staticmethod]
-    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let network = job::run(py, move || metrics::lpips::Lpips::load(path))?;
-        Ok(Self(Arc::new(network)))
-    }
-
-    #[getter]
-    fn network(&self) -> &'static str {
-        self.0.network()
-    }
-
-    /// LPIPS of two images `[H, W, 3]`; `None` if one is too small for the network.
-    fn distance(
-        &self,
-        py: Python<'_>,
-        image: PyReadonlyArray3<'_, f32>,
-        truth: PyReadonlyArray3<'_, f32>,
-    ) -> PyResult<Option<f64>> {
-        let Pair { image, truth, size } = Pair::new(&image, &truth)?;
-        let network = Arc::clone(&self.0);
-        job::run(py, move || network.distance(size, &image, &truth))
-    }
 }

@@ -34,10 +34,9 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza film garden-run", "it needs ffmpeg, which not everybody has"),
     ("organza export-web garden-run", "its scene is that of `organza capture`"),
     ("pip ", "it needs PyPI"),
-    ("python scripts/lpips-weights.py", "it needs the package that pip downloads"),
+    ("python scripts/lpips.py", "it needs packages of PyPI"),
     ("python scripts/tensorboard.py", "it needs packages of TensorBoard"),
     ("tensorboard --logdir", "it shows a page until Ctrl-C"),
-    ("organza eval run --lpips", "it needs the weights"),
 ];
 
 /// Pages whose trainings show the built-in scene, as they say.
@@ -71,7 +70,6 @@ case "$1" in
   film) set -- "$@" --frames 2 ;;
   export-web) has --size || set -- "$@" --size 64x48 ;;
   export | import) set -- "$@" --steps 1 --side 16 ;;
-  train-all) set -- $(echo "$words" | sed 's/--minutes [0-9.]*/--minutes 0.01/') ;;
 esac
 case "$1" in
   train | demo | eval | render | film | tiles | export-web | export | import | edit) has --backend || has --print-config || set -- "$@" --backend cpu ;;

@@ -25,7 +25,6 @@ mod scene_shards;
 mod splats;
 mod tasks;
 mod train;
-mod train_all;
 mod view;
 #[cfg(target_os = "linux")]
 mod web;

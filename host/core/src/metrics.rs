@@ -1,9 +1,8 @@
-//! Image metrics in f64, as papers of the field define them: PSNR, SSIM, and [LPIPS](lpips).
+//! Image metrics in f64, as papers of the field define them: PSNR and SSIM.
 //!
 //! All take RGB pixels row by row, with colors from 0 to 1. A mask marks the valid pixels; without one, all are
 //! valid.
 
-pub mod lpips;
 #[cfg(test)]
 mod tests;
 

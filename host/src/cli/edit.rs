@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use organza::data::{Background, Dataset};
 use organza::edit::{Region, largest_cluster};
-use organza::evaluate::Measures;
 use organza::render::Contributions;
 use organza::scene::Placement;
 use organza::{Camera, Renderer, Result, Scene};
@@ -313,7 +312,7 @@ fn held_out_psnr(
 ) -> Result<Option<f64>> {
     let uploaded = renderer.upload(scene)?;
     let frames: Vec<_> = photographs.held_out_frames().collect();
-    let measured = eval::measure(renderer, &uploaded, &frames, Measures::default(), console)?;
+    let measured = eval::measure(renderer, &uploaded, &frames, false, console)?;
     Ok(measured.mean.psnr)
 }
 

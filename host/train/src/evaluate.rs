@@ -1,5 +1,4 @@
-//! Compares a scene with photographs. Each is rendered whole and compared by PSNR and SSIM, and by further measures
-//! on request.
+//! Compares a scene with photographs. Each is rendered whole and compared by PSNR and SSIM.
 //!
 //! The rendered f32 values are clamped to 0 to 1, as in a picture, but not rounded to 8 bits; NaN is black. Pixels
 //! that the photograph does not have, as after undistorting, are ignored: PSNR is over the other pixels, and SSIM
@@ -15,7 +14,6 @@ use serde::{Deserialize, Serialize};
 
 use muslin_device::memory;
 use organza_core::image::{Image, TILE_SIDE, bands};
-use organza_core::metrics::lpips::Lpips;
 use organza_core::metrics::{psnr, psnr_of, ssim};
 use organza_core::{Camera, Error, RenderedTiles, Result, TileBatch, write_atomic};
 use organza_data::Frame;
@@ -30,23 +28,10 @@ pub struct Score {
     pub psnr: Option<f64>,
     /// The structural similarity, at most 1. `None`, null in JSON, if no window of 11 x 11 pixels is valid.
     pub ssim: Option<f64>,
-    /// LPIPS. Only [`evaluate_measures`] measures it. Pixels that the photograph does not have are black in both
-    /// images.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub lpips: Option<f64>,
     /// PSNR after fitting a gain and an offset for each channel. Each half of the image has the fit of the other
-    /// half. Only [`evaluate_measures`] with [`Measures::fitted`] measures it.
+    /// half. Only [`evaluate_with`] measures it, on request.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub psnr_fitted: Option<f64>,
-}
-
-/// Measures besides PSNR and SSIM.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Measures<'a> {
-    /// The weights for LPIPS, to measure it.
-    pub lpips: Option<&'a Lpips>,
-    /// Whether to measure [`Score::psnr_fitted`].
-    pub fitted: bool,
 }
 
 /// The score of one frame.
@@ -71,7 +56,7 @@ pub struct Evaluation {
     pub not_finite: u64,
 }
 
-/// Progress of [`evaluate_measures`].
+/// Progress of [`evaluate_with`].
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Event<'a> {
@@ -125,18 +110,18 @@ fn across(pixels: u32) -> usize {
 /// # Errors
 /// [`Error::Argument`] if a photograph does not have its camera's size; those of [`Renderer::render`].
 pub fn evaluate(renderer: &Renderer, scene: &DeviceScene, frames: &[&Frame]) -> Result<Evaluation> {
-    evaluate_measures(renderer, scene, frames, Measures::default(), &mut |_| {})
+    evaluate_with(renderer, scene, frames, false, &mut |_| {})
 }
 
-/// Like [`evaluate`], but also takes the further `measures`, and calls `watch` with the progress.
+/// Like [`evaluate`], but calls `watch` with the progress. `fitted` also measures [`Score::psnr_fitted`].
 ///
 /// # Errors
 /// The same errors as [`evaluate`].
-pub fn evaluate_measures(
+pub fn evaluate_with(
     renderer: &Renderer,
     scene: &DeviceScene,
     frames: &[&Frame],
-    measures: Measures<'_>,
+    fitted: bool,
     watch: &mut dyn FnMut(Event<'_>),
 ) -> Result<Evaluation> {
     let mut parts = Vec::with_capacity(frames.len());
@@ -147,7 +132,7 @@ pub fn evaluate_measures(
             done += tiles;
             watch(Event::Tiles { done, total });
         };
-        let (part, image) = evaluate_view(frame, measures, &mut |cameras, batch| {
+        let (part, image) = evaluate_view(frame, fitted, &mut |cameras, batch| {
             let mut before = 0;
             let mut progress = |done, _| advance(done - std::mem::replace(&mut before, done));
             renderer.render_channels(scene, cameras, batch, &[], &mut progress)
@@ -164,19 +149,19 @@ type Render<'r> = dyn FnMut(&[Camera], &TileBatch) -> Result<RenderedTiles> + 'r
 /// Like [`evaluate`], but for one frame; `render` may do so together with other ranks.
 pub(crate) fn evaluate_view(
     frame: &Frame,
-    measures: Measures<'_>,
+    fitted: bool,
     render: &mut Render<'_>,
 ) -> Result<(Evaluation, Image)> {
     let rendered = Rendered::new(frame, render)?;
-    let score = rendered.score(frame, measures)?;
+    let score = rendered.score(frame, fitted)?;
     let views = vec![ViewScore { name: frame.name.clone(), score }];
     let not_finite = rendered.image.not_finite();
     Ok((Evaluation { mean: mean(&views), views, not_finite }, rendered.image))
 }
 
 impl Evaluation {
-    /// Writes a CSV table with a row for each view, atomically. The columns are `view`, `psnr`, `ssim`, and `lpips`
-    /// if it was measured. A missing score is empty; an infinite PSNR is `inf`.
+    /// Writes a CSV table with a row for each view, atomically. The columns are `view`, `psnr`, `ssim`, and
+    /// `psnr_fitted` if it was measured. A missing score is empty; an infinite PSNR is `inf`.
     ///
     /// # Errors
     /// [`Error::WriteFile`].
@@ -201,7 +186,6 @@ fn mean(views: &[ViewScore]) -> Score {
     Score {
         psnr: mean(|score| score.psnr),
         ssim: mean(|score| score.ssim),
-        lpips: mean(|score| score.lpips),
         psnr_fitted: mean(|score| score.psnr_fitted),
     }
 }
@@ -252,7 +236,7 @@ impl Rendered {
         }
     }
 
-    fn score(&self, frame: &Frame, measures: Measures<'_>) -> Result<Score> {
+    fn score(&self, frame: &Frame, fitted: bool) -> Result<Score> {
         let photograph = &frame.image;
         let mut truth = colors(frame, "a photograph")?;
         for (color, pixel) in truth.iter_mut().zip(photograph.pixels()) {
@@ -260,25 +244,13 @@ impl Rendered {
         }
         let size = self.image.size().map(|size| size as usize);
         let valid = photograph.valid();
-        let mut score = Score {
+        Ok(Score {
             psnr: psnr(&self.colors, &truth, valid),
             ssim: ssim(size, &self.colors, &truth, valid),
-            ..Score::default()
-        };
-        if measures.fitted {
-            score.psnr_fitted = psnr_fitted(size, &self.colors, &truth, valid);
-        }
-        let Some(lpips) = measures.lpips else { return Ok(score) };
-        let mut colors = self.colors.clone();
-        for (at, _) in photograph
-            .valid()
-            .iter()
-            .flat_map(|valid| valid.iter().enumerate().filter(|(_, valid)| !**valid))
-        {
-            colors[at] = [0.0; 3];
-            truth[at] = [0.0; 3];
-        }
-        Ok(Score { lpips: lpips.distance(size, &colors, &truth)?, ..score })
+            psnr_fitted: fitted
+                .then(|| psnr_fitted(size, &self.colors, &truth, valid))
+                .flatten(),
+        })
     }
 }
 
@@ -295,8 +267,8 @@ fn displayed(value: f32) -> f32 {
     if value.is_nan() { 0.0 } else { value.clamp(0.0, 1.0) }
 }
 
-/// Writes the scores of views, atomically: `view,psnr,ssim,lpips,psnr_fitted`, after `step` if rows have one. The
-/// last two columns are left out if no view has them. An infinite PSNR is `inf`; a missing score is empty.
+/// Writes the scores of views, atomically: `view,psnr,ssim,psnr_fitted`, after `step` if rows have one. The
+/// last column is left out if no view has it. An infinite PSNR is `inf`; a missing score is empty.
 pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(Option<u64>, &ViewScore)]) -> Result<()> {
     let has = |value: fn(&Score) -> Option<f64>| {
         rows.iter().any(|(_, view)| value(&view.score).is_some())
@@ -306,21 +278,19 @@ pub(crate) fn save_csv(path: impl AsRef<Path>, rows: &[(Option<u64>, &ViewScore)
         true,
         true,
         true,
-        has(|score| score.lpips),
         has(|score| score.psnr_fitted),
     ];
-    let shown = |cells: [String; 6]| {
+    let shown = |cells: [String; 5]| {
         cells.into_iter().zip(is_shown).filter_map(|(cell, is_shown)| is_shown.then_some(cell))
     };
     write_atomic(path, |writer| {
         let mut table = ::csv::Writer::from_writer(writer);
-        let head = ["step", "view", "psnr", "ssim", "lpips", "psnr_fitted"].map(str::to_owned);
+        let head = ["step", "view", "psnr", "ssim", "psnr_fitted"].map(str::to_owned);
         table.write_record(shown(head)).map_err(io::Error::other)?;
         for (step, ViewScore { name, score }) in rows {
             let step = step.map_or(String::new(), |step| step.to_string());
-            let [psnr, ssim] = [score.psnr, score.ssim].map(number);
-            let [lpips, fitted] = [score.lpips, score.psnr_fitted].map(number);
-            let row = shown([step, name.clone(), psnr, ssim, lpips, fitted]);
+            let [psnr, ssim, fitted] = [score.psnr, score.ssim, score.psnr_fitted].map(number);
+            let row = shown([step, name.clone(), psnr, ssim, fitted]);
             table.write_record(row).map_err(io::Error::other)?;
         }
         table.flush()

@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::held_out;
-use crate::evaluate::{Evaluation, Measures, Score, ViewScore, evaluate_view};
+use crate::evaluate::{Evaluation, Score, ViewScore, evaluate_view};
 use crate::{Binding, Checkpoint, TrainConfig, Trainer};
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::ranks::{self, Grid, Ranks, ThreadRanks};
@@ -214,8 +214,8 @@ impl Trainer {
     }
 
     /// What evaluations measure. Where exposures are learned, the scene does not have those of held-out photographs.
-    pub(super) fn measures(&self) -> Measures<'static> {
-        Measures { fitted: self.exposures.is_some(), lpips: None }
+    pub(super) fn fits_colors(&self) -> bool {
+        self.exposures.is_some()
     }
 
     /// How many views are measured at once: one by each group.
@@ -242,7 +242,7 @@ impl Trainer {
 
     /// Measures a view together with the ranks that hold the whole scene.
     pub(super) fn measure_one(&self, frame: &Frame) -> Result<(Evaluation, Image)> {
-        evaluate_view(frame, self.measures(), &mut |cameras, batch| match self.scene() {
+        evaluate_view(frame, self.fits_colors(), &mut |cameras, batch| match self.scene() {
             Some(scene) => self.renderer.render(scene, cameras, batch),
             None => self.with_group(|ranks| {
                 self.renderer.render_shard(self.shard(), cameras, batch, ranks)

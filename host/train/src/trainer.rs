@@ -11,7 +11,7 @@ use super::ranks::Team;
 use super::requirements::check;
 use super::sampler::Target;
 use super::start;
-use crate::evaluate::{Evaluation, evaluate_measures};
+use crate::evaluate::{Evaluation, evaluate_with};
 use crate::{Checkpoint, Progress, StepGradient, StepHooks, TrainConfig};
 use glam::Vec4;
 use muslin_device::Device;
@@ -238,7 +238,7 @@ impl Trainer {
             let reason = "a rank with a shard of the scene cannot render it alone".to_owned();
             return Err(Error::Argument { reason });
         };
-        evaluate_measures(&self.renderer, scene, &frames, self.measures(), &mut |_| {})
+        evaluate_with(&self.renderer, scene, &frames, self.fits_colors(), &mut |_| {})
     }
 
     /// Everything that training needs to go on, with the Gaussians of this rank's shard. `seconds` is the time of

@@ -140,8 +140,6 @@ fn scores_of_a_run_are_a_table() {
         }
     }
     sandbox.assert_refuses("eval run --csv run/checkpoint.safetensors", &["checkpoint", "replace"]);
-    sandbox
-        .assert_refuses("eval run --lpips run/checkpoint.safetensors", &["organza.scene", "LPIPS"]);
 }
 
 #[test]

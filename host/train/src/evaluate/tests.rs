@@ -36,9 +36,8 @@ fn a_scene_is_as_close_to_its_own_images_as_rounding_allows() {
     let mut tiles = Vec::new();
     let mut seen = Vec::new();
     let frames: Vec<_> = frames.iter().collect();
-    let none = Measures::default();
     let evaluation =
-        evaluate_measures(&renderer, &scene, &frames, none, &mut |event| match event {
+        evaluate_with(&renderer, &scene, &frames, false, &mut |event| match event {
             Event::Tiles { done, total } => tiles.push((done, total)),
             Event::View { index, score, image } => {
                 assert_eq!(score.name, frames[index].name);

@@ -154,7 +154,7 @@ impl SessionState<'_, '_, '_> {
         let fraction = config.run.fraction(at);
         let optimizer = &config.optimizer;
         let is_learned = |name: &str| match name {
-            "exposure" => self.trainer.measures().fitted,
+            "exposure" => self.trainer.fits_colors(),
             "pose" => config.poses.refine,
             _ => true,
         };

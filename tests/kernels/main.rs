@@ -2,6 +2,7 @@
 //! declared form.
 
 mod compiled;
+mod interop;
 mod isa;
 mod kernel_rules;
 mod large;

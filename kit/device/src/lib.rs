@@ -56,6 +56,8 @@
 //!
 //! # Elsewhere
 //!
+//! [`Device::from_wgpu`] runs kernels on a device of wgpu that the program has opened, on buffers that may be its own.
+//!
 //! [`Device::planner`] runs nothing. It records buffers and dispatches as a [`DevicePlan`], which something else can run:
 //! for example, a browser with WebGPU.
 //!
@@ -77,6 +79,8 @@ mod device;
 mod error;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
+#[cfg(feature = "gpu")]
+mod interop;
 mod job;
 pub mod memory;
 mod modules;
@@ -98,3 +102,6 @@ pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{DevicePlan, Part, PlannedBuffer, PlannedCount, Step};
+/// The version of wgpu whose devices and buffers [`Device::from_wgpu`] and [`Buffer::from_wgpu`] take.
+#[cfg(feature = "gpu")]
+pub use wgpu;

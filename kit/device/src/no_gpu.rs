@@ -1,6 +1,5 @@
 //! Stands in for the GPU backend where the feature `gpu` is off: there is no GPU.
 
-use std::ops::Range;
 use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
@@ -43,10 +42,10 @@ methods! {
     max_buffer_bytes() -> u64;
     allocate(&'static str, u64, bool) -> Result<GpuBuffer>;
     write(&GpuBuffer, &[u8]) -> ();
-    read(&[(&GpuBuffer, u64, usize)], impl FnMut(&[u8]) -> Result<()>) -> Result<()>;
+    read(&[(&RawBuffer, u64, usize)], impl FnMut(&[u8]) -> Result<()>) -> Result<()>;
     dispatch(&'static KernelInfo, &[u8], &[(usize, &Count)], &[&RawBuffer], [u32; 3]) -> Result<()>;
-    clear(&GpuBuffer, u64, u64) -> ();
-    copy(&GpuBuffer, Range<u64>, &GpuBuffer, u64) -> ();
+    clear(&RawBuffer) -> ();
+    copy(&RawBuffer, &RawBuffer, u64) -> ();
     publish_counts() -> ();
     submit() -> ();
     wait() -> Result<()>;

@@ -98,7 +98,7 @@ impl Device {
         let raw = buffer.raw();
         match (&self.kind, &raw.memory) {
             (DeviceKind::Cpu(cpu), Memory::Cpu(memory)) => cpu.clear(memory, raw.begin, raw.bytes),
-            (DeviceKind::Gpu(gpu), Memory::Gpu(memory)) => gpu.clear(memory, raw.begin, raw.bytes),
+            (DeviceKind::Gpu(gpu), _) => gpu.clear(raw),
             (DeviceKind::Planner(planner), Memory::Planned(buffer)) => {
                 planner.clear(*buffer, raw.begin, raw.bytes);
             }
@@ -118,14 +118,13 @@ impl Device {
         let from = from.raw();
         let to = to.raw();
         let range = from.begin..from.begin + from.bytes;
-        let begin = to.begin + (first * size_of::<T>()) as u64;
+        let first = (first * size_of::<T>()) as u64;
+        let begin = to.begin + first;
         match (&self.kind, &from.memory, &to.memory) {
             (DeviceKind::Cpu(cpu), Memory::Cpu(source), Memory::Cpu(target)) => {
                 cpu.copy(source, range, target, begin);
             }
-            (DeviceKind::Gpu(gpu), Memory::Gpu(source), Memory::Gpu(target)) => {
-                gpu.copy(source, range, target, begin);
-            }
+            (DeviceKind::Gpu(gpu), ..) => gpu.copy(from, to, first),
             (DeviceKind::Planner(planner), Memory::Planned(source), Memory::Planned(target)) => {
                 planner.copy(*source, range, *target, begin);
             }
@@ -248,15 +247,16 @@ impl Device {
     /// Copies elements to the host, starting at `first`.
     fn copy_out<T: Pod>(&self, buffer: &Buffer<T>, first: usize, values: &mut [T]) -> Result<()> {
         let label = buffer.raw().label;
-        let begin = buffer.raw().begin as usize + first * size_of::<T>();
+        let first = first * size_of::<T>();
         let target: &mut [u8] = bytemuck::cast_slice_mut(values);
         match (&self.kind, &buffer.raw().memory) {
             (DeviceKind::Cpu(_), Memory::Cpu(memory)) => {
+                let begin = buffer.raw().begin as usize + first;
                 target.copy_from_slice(&memory.bytes()[begin..begin + target.len()]);
                 Ok(())
             }
-            (DeviceKind::Gpu(gpu), Memory::Gpu(memory)) => {
-                gpu.read(&[(memory, begin as u64, target.len())], |bytes| {
+            (DeviceKind::Gpu(gpu), _) => {
+                gpu.read(&[(buffer.raw(), first as u64, target.len())], |bytes| {
                     target.copy_from_slice(bytes);
                     Ok(())
                 })
@@ -275,13 +275,8 @@ impl Device {
         let DeviceKind::Gpu(gpu) = &self.kind else {
             return buffers.iter().map(|buffer| self.read(buffer)).collect();
         };
-        let ranges: Vec<_> = buffers
-            .iter()
-            .map(|buffer| match &buffer.raw().memory {
-                Memory::Gpu(memory) => (memory, buffer.raw().begin, buffer.raw().bytes as usize),
-                _ => panic!("the buffer `{}` belongs to another device", buffer.raw().label),
-            })
-            .collect();
+        let ranges: Vec<_> =
+            buffers.iter().map(|buffer| (buffer.raw(), 0, buffer.raw().bytes as usize)).collect();
         let mut values = Vec::with_capacity(buffers.len());
         gpu.read(&ranges, |bytes| {
             let words = bytemuck::cast_slice(bytes);

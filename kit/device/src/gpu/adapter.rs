@@ -55,8 +55,39 @@ fn enumerate() -> Vec<wgpu::Adapter> {
 
 /// Whether an adapter accepts SPIR-V unchanged.
 fn can_pass_through(adapter: &wgpu::Adapter) -> bool {
-    adapter.get_info().backend == wgpu::Backend::Vulkan
-        && adapter.features().contains(wgpu::Features::PASSTHROUGH_SHADERS)
+    passes_through(&adapter.get_info(), adapter.features())
+}
+
+fn passes_through(info: &wgpu::AdapterInfo, features: wgpu::Features) -> bool {
+    info.backend == wgpu::Backend::Vulkan && features.contains(wgpu::Features::PASSTHROUGH_SHADERS)
+}
+
+/// The path of SPIR-V to a device that the program has opened, which must have the limits that kernels may use.
+pub fn path_of(device: &wgpu::Device, wanted: Option<SpirvPath>) -> Result<SpirvPath> {
+    let info = device.adapter_info();
+    path(&info, &device.limits(), wanted, passes_through(&info, device.features()))
+}
+
+/// The path of SPIR-V, by default passed through if possible.
+fn path(
+    info: &wgpu::AdapterInfo,
+    limits: &wgpu::Limits,
+    wanted: Option<SpirvPath>,
+    can_pass_through: bool,
+) -> Result<SpirvPath> {
+    let name = &info.name;
+    require(limits).map_err(|reason| Error::NoGpu { reason: format!("{name} {reason}") })?;
+    match wanted {
+        Some(SpirvPath::Passthrough) if !can_pass_through => Err(Error::NoGpu {
+            reason: format!(
+                "{name} ({}) does not take SPIR-V as it is; use `--spirv naga`",
+                info.backend
+            ),
+        }),
+        Some(spirv) => Ok(spirv),
+        None if can_pass_through => Ok(SpirvPath::Passthrough),
+        None => Ok(SpirvPath::Naga),
+    }
 }
 
 /// The adapter that `options` name, or else the most capable one, and the path of SPIR-V.
@@ -81,24 +112,8 @@ pub fn choose(options: &DeviceOptions) -> Result<(wgpu::Adapter, SpirvPath)> {
     adapters.retain(|adapter| kind(adapter) == best);
     let adapter = adapters.swap_remove(options.place % adapters.len());
 
-    let can_pass_through = can_pass_through(&adapter);
-    let spirv = match options.spirv {
-        Some(SpirvPath::Passthrough) if !can_pass_through => {
-            let name = adapter.get_info().name;
-            let backend = adapter.get_info().backend;
-            return Err(Error::NoGpu {
-                reason: format!(
-                    "{name} ({backend}) does not take SPIR-V as it is; use `--spirv naga`"
-                ),
-            });
-        }
-        Some(spirv) => spirv,
-        None if can_pass_through => SpirvPath::Passthrough,
-        None => SpirvPath::Naga,
-    };
-    require(&adapter.limits()).map_err(|reason| Error::NoGpu {
-        reason: format!("{} {reason}", adapter.get_info().name),
-    })?;
+    let info = adapter.get_info();
+    let spirv = path(&info, &adapter.limits(), options.spirv, can_pass_through(&adapter))?;
     Ok((adapter, spirv))
 }
 

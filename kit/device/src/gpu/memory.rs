@@ -19,6 +19,15 @@ pub struct GpuMemory(Arc<Lent>);
 struct Lent {
     buffer: Numbered,
     pool: MemoryPool,
+    /// Whether it was made elsewhere, so that nobody else may get it.
+    is_foreign: bool,
+}
+
+impl GpuMemory {
+    /// Whether it is memory of the device of this pool.
+    pub fn is_of(&self, pool: &MemoryPool) -> bool {
+        Arc::ptr_eq(&self.0.pool.0, &pool.0)
+    }
 }
 
 impl PartialEq for GpuMemory {
@@ -38,7 +47,9 @@ impl Deref for GpuMemory {
 
 impl Drop for Lent {
     fn drop(&mut self) {
-        self.pool.unused().returned.push(self.buffer.clone());
+        if !self.is_foreign {
+            self.pool.unused().returned.push(self.buffer.clone());
+        }
     }
 }
 
@@ -76,14 +87,23 @@ impl MemoryPool {
         let (place, _) =
             fitting.min_by_key(|(_, ((number, buffer), _))| (buffer.size(), *number))?;
         let (buffer, _) = unused.free.swap_remove(place);
-        Some(GpuMemory(Arc::new(Lent { buffer, pool: self.clone() })))
+        Some(self.hold(buffer, false))
+    }
+
+    fn hold(&self, buffer: Numbered, is_foreign: bool) -> GpuMemory {
+        GpuMemory(Arc::new(Lent { buffer, pool: self.clone(), is_foreign }))
     }
 
     /// Makes a new buffer come to the pool when nobody has it anymore.
     pub fn lend(&self, buffer: wgpu::Buffer) -> GpuMemory {
         let mut unused = self.unused();
         unused.made += 1;
-        GpuMemory(Arc::new(Lent { buffer: (unused.made, buffer), pool: self.clone() }))
+        self.hold((unused.made, buffer), false)
+    }
+
+    /// A buffer that was made elsewhere, and never comes to the pool.
+    pub fn adopt(&self, buffer: wgpu::Buffer) -> GpuMemory {
+        self.hold((0, buffer), true)
     }
 
     /// Declares that all recorded commands are submitted.

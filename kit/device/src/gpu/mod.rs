@@ -5,7 +5,6 @@ mod memory;
 mod pipeline;
 mod recorder;
 
-use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -47,25 +46,63 @@ impl Gpu {
     pub fn open(options: &DeviceOptions, modules: &'static Modules) -> Result<Self> {
         let (adapter, spirv) = adapter::choose(options)?;
         let (device, queue) = adapter::request(&adapter, spirv)?;
+        let gpu = Self::new(device, queue, spirv, options, modules);
+        record_failures(&gpu.device, &gpu.failures);
+        Ok(gpu)
+    }
+
+    /// A device that was opened elsewhere, which keeps its own callbacks.
+    pub fn adopt(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        options: &DeviceOptions,
+        modules: &'static Modules,
+    ) -> Result<Self> {
+        let spirv = adapter::path_of(&device, options.spirv)?;
+        Ok(Self::new(device, queue, spirv, options, modules))
+    }
+
+    fn new(
+        device: wgpu::Device,
+        queue: wgpu::Queue,
+        spirv: SpirvPath,
+        options: &DeviceOptions,
+        modules: &'static Modules,
+    ) -> Self {
         let variants = Variants::new(&device, options.variants);
-        let limits = device.limits();
-        let failures = Arc::default();
-        record_failures(&device, &failures);
         let memory = MemoryPool::default();
-        Ok(Self {
+        Self {
             recorder: Mutex::new(Recorder::new(&device, &memory)),
             memory,
             staging: Mutex::default(),
             pipelines: Pipelines::new(spirv, variants, modules),
-            info: adapter.get_info(),
+            info: device.adapter_info(),
+            limits: device.limits(),
             device,
             queue,
-            limits,
             spirv,
             variants,
-            failures,
+            failures: Arc::default(),
             waits: AtomicU64::new(0),
-        })
+        }
+    }
+
+    /// The device and its queue.
+    pub fn wgpu(&self) -> (&wgpu::Device, &wgpu::Queue) {
+        (&self.device, &self.queue)
+    }
+
+    /// Memory that was made elsewhere, on this device.
+    pub fn adopt_buffer(&self, buffer: wgpu::Buffer) -> GpuMemory {
+        self.memory.adopt(buffer)
+    }
+
+    /// The memory of a buffer of this device. Under the number of another device's buffer, wgpu finds other memory, or none.
+    fn memory<'a>(&self, buffer: &'a RawBuffer) -> &'a GpuMemory {
+        match &buffer.memory {
+            Memory::Gpu(memory) if memory.is_of(&self.memory) => memory,
+            _ => panic!("the buffer `{}` belongs to another device", buffer.label),
+        }
     }
 
     pub fn name(&self) -> &str {
@@ -160,15 +197,16 @@ impl Gpu {
         }
     }
 
-    /// Waits for all queued work, and gives the bytes of each range to `take`: a buffer, an offset, and a length.
+    /// Waits for all queued work, and gives the bytes of each range to `take`: a buffer, an offset in it, and a length.
     pub fn read(
         &self,
-        ranges: &[(&GpuMemory, u64, usize)],
+        ranges: &[(&RawBuffer, u64, usize)],
         mut take: impl FnMut(&[u8]) -> Result<()>,
     ) -> Result<()> {
         self.waits.fetch_add(1, Ordering::Relaxed);
         // wgpu copies whole words
-        let words = |&(_, begin, len): &(&GpuMemory, u64, usize)| {
+        let words = |&(buffer, first, len): &(&RawBuffer, u64, usize)| {
+            let begin = buffer.begin + first;
             begin / 4 * 4..(begin + len as u64).next_multiple_of(4)
         };
         let size: u64 = ranges.iter().map(words).map(|words| words.end - words.start).sum();
@@ -178,7 +216,8 @@ impl Gpu {
             let mut at = 0;
             for range in ranges {
                 let words = words(range);
-                recorder.copy(&self.device, range.0, words.clone(), &staging, at);
+                let memory = self.memory(range.0);
+                recorder.copy(&self.device, memory, words.clone(), &staging, at);
                 at += words.end - words.start;
             }
             recorder.submit(&self.device, &self.queue);
@@ -201,7 +240,7 @@ impl Gpu {
         let mut taken = Ok(());
         for range in ranges {
             let words = words(range);
-            let first = at + (range.1 - words.start) as usize;
+            let first = at + (range.0.begin + range.1 - words.start) as usize;
             taken = taken.and_then(|()| take(&mapped[first..first + range.2]));
             at += (words.end - words.start) as usize;
         }
@@ -236,6 +275,9 @@ impl Gpu {
     ) -> Result<()> {
         self.check()?;
         let pipeline = self.pipelines.get(&self.device, kernel)?;
+        for total in counts.iter().filter_map(|(_, count)| count.total()) {
+            self.memory(total.counts.raw());
+        }
         let is_known = counts.iter().all(|(_, count)| count.is_known());
         let fill = match is_known {
             true => None,
@@ -244,14 +286,11 @@ impl Gpu {
         let counts = fill.as_ref().map(|fill| Counted { counts, fill });
         let buffers: Vec<_> = buffers
             .iter()
-            .map(|buffer| match &buffer.memory {
-                Memory::Gpu(memory) => wgpu::BufferBinding {
-                    buffer: memory,
-                    offset: buffer.begin,
-                    // an empty buffer has memory, too
-                    size: std::num::NonZero::new(buffer.bytes.next_multiple_of(4)),
-                },
-                _ => panic!("the buffer `{}` belongs to another device", buffer.label),
+            .map(|buffer| wgpu::BufferBinding {
+                buffer: self.memory(buffer),
+                offset: buffer.begin,
+                // an empty buffer has memory, too
+                size: std::num::NonZero::new(buffer.bytes.next_multiple_of(4)),
             })
             .collect();
         self.failures().kernel = Some(kernel.name);
@@ -269,14 +308,16 @@ impl Gpu {
         self.check()
     }
 
-    pub fn clear(&self, buffer: &wgpu::Buffer, begin: u64, bytes: u64) {
-        let bytes = bytes.next_multiple_of(4);
-        self.recorder().clear(&self.device, buffer, begin..begin + bytes);
+    pub fn clear(&self, buffer: &RawBuffer) {
+        let range = buffer.begin..buffer.begin + buffer.bytes.next_multiple_of(4);
+        self.recorder().clear(&self.device, self.memory(buffer), range);
     }
 
-    pub fn copy(&self, from: &wgpu::Buffer, range: Range<u64>, to: &wgpu::Buffer, begin: u64) {
-        let range = range.start..range.start + (range.end - range.start).next_multiple_of(4);
-        self.recorder().copy(&self.device, from, range, to, begin);
+    /// Copies a whole buffer into another, to byte `first` of it.
+    pub fn copy(&self, from: &RawBuffer, to: &RawBuffer, first: u64) {
+        let range = from.begin..from.begin + from.bytes.next_multiple_of(4);
+        let target = self.memory(to);
+        self.recorder().copy(&self.device, self.memory(from), range, target, to.begin + first);
     }
 
     /// Declares that earlier dispatches have written the numbers that are filled in from here on.

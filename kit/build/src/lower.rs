@@ -62,10 +62,11 @@ fn set_workgroup_size(module: &mut Module, size: [u32; 3]) {
 pub const AS_WRITTEN: Capability = Capability::SignedZeroInfNanPreserve;
 
 /// The capabilities of subgroups, which the compiler gives to every module.
-pub const SUBGROUPS: [Capability; 3] = [
+pub const SUBGROUPS: [Capability; 4] = [
     Capability::GroupNonUniform,
     Capability::GroupNonUniformArithmetic,
     Capability::GroupNonUniformBallot,
+    Capability::GroupNonUniformShuffle,
 ];
 
 /// The capabilities of 64-bit sums, which the compiler gives to every module.

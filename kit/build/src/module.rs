@@ -2,7 +2,7 @@
 
 use anyhow::{Result, anyhow, bail, ensure};
 use muslin_kernel::{EntryPoint, KernelInfo};
-use naga::{AddressSpace, GlobalVariable, ShaderStage, StorageAccess, TypeInner};
+use naga::{AddressSpace, ArraySize, GlobalVariable, ShaderStage, StorageAccess, TypeInner};
 use rspirv::dr::{self, Instruction, Module, Operand};
 use rspirv::spirv::{Capability, Op, Word};
 
@@ -16,6 +16,7 @@ pub fn check(kernel: &KernelInfo, point: &EntryPoint, spirv: &[u8]) -> Result<()
     check_wide(point, &module)?;
     check_loops(kernel, &module)?;
     let module = validate::read(spirv)?;
+    check_arrays(&module)?;
     let [entry_point] = module.entry_points.as_slice() else {
         bail!("the module has {} entry points", module.entry_points.len());
     };
@@ -85,6 +86,30 @@ fn check_loops(kernel: &KernelInfo, module: &Module) -> Result<()> {
         "it has {loops} loops, in helpers too: state how many iterations they take at most, all together, with \
          `#[kernel(.., iterations = ..)]`"
     );
+    Ok(())
+}
+
+/// Most elements of an array of each invocation. Mesa's software GPU takes 44 s to compile a table of 1,024 constants, and longer than nine
+/// minutes for 4,096.
+const MOST_ELEMENTS: u32 = 256;
+
+/// An array with a variable index stays in the memory of each invocation, tables of constants, too.
+fn check_arrays(module: &naga::Module) -> Result<()> {
+    let entries = module.entry_points.iter().map(|point| &point.function);
+    let functions = entries.chain(module.functions.iter().map(|(_, function)| function));
+    let variables = functions.flat_map(|function| function.local_variables.iter());
+    for (_, variable) in variables {
+        if let TypeInner::Array { size: ArraySize::Constant(len), .. } =
+            module.types[variable.ty].inner
+        {
+            ensure!(
+                len.get() <= MOST_ELEMENTS,
+                "it has an array or a table of {len} elements with a variable index, in helpers too: each invocation keeps it, \
+                 and a driver can take minutes to compile that. Bind it as a `Read` buffer, which the host uploads once; a \
+                 kernel's own arrays have at most {MOST_ELEMENTS}"
+            );
+        }
+    }
     Ok(())
 }
 
@@ -247,6 +272,24 @@ mod tests {
     fn code_is_counted_in_functions_alone() {
         // a branch and a return
         assert_eq!(size(&module(4, true)).unwrap(), [2, 1]);
+    }
+
+    #[test]
+    fn large_tables_are_buffers() {
+        let with_array = |len: u32| {
+            let mut b = Builder::new();
+            let word = b.type_int(32, 0);
+            let len = b.constant_bit32(word, len);
+            let array = b.type_array(word, len);
+            let pointer = b.type_pointer(None, StorageClass::Function, array);
+            wrong(&bytes(&lower::count_fill(b, &[], |b| {
+                b.variable(pointer, None, StorageClass::Function, None);
+            })))
+        };
+        assert_eq!(with_array(256), "");
+        let message = with_array(257);
+        assert!(message.starts_with("it has an array or a table of 257 elements"), "{message}");
+        assert!(message.contains("Bind it as a `Read` buffer"), "{message}");
     }
 
     #[test]

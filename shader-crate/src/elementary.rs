@@ -1,11 +1,33 @@
 //! The functions of [`math`](muslin::math) that state an error: a device's own errors are measured with this kernel.
 
-use muslin::math::{abs, clamp, cos, floor, ln, mix, pow, round, sin, tan};
+use muslin::math::{
+    abs, acos, asin, atan, atan2, clamp, cos, exp2, floor, ln, log2, mix, pack_halves, pow, round,
+    sin, tan, tanh, unpack_halves,
+};
 use muslin::prelude::*;
 
 /// Functions of [`elementary`], in the order of its rows.
-pub const FUNCTIONS: [&str; 10] =
-    ["sin", "cos", "tan", "ln", "pow", "floor", "round", "abs", "clamp", "mix"];
+pub const FUNCTIONS: [&str; 19] = [
+    "sin",
+    "cos",
+    "tan",
+    "ln",
+    "pow",
+    "floor",
+    "round",
+    "abs",
+    "clamp",
+    "mix",
+    "asin",
+    "acos",
+    "atan",
+    "atan2",
+    "exp2",
+    "log2",
+    "tanh",
+    "pack_halves",
+    "unpack_halves",
+];
 
 /// Invocations of a workgroup.
 const WORKGROUP: u32 = 64;
@@ -17,8 +39,8 @@ pub struct ElementaryParams {
     pub count: u32,
 }
 
-/// `output [10, count]`: each of the [`FUNCTIONS`] of `x`, the logarithm of `positive`, `positive^y`, `x` clamped to 0 and 1, and
-/// between `x` and `y` the place `positive`.
+/// `output [19, count]`: each of the [`FUNCTIONS`] of `x`, the logarithms of `positive`, `positive^y`, `x` clamped to 0 and 1,
+/// between `x` and `y` the place `positive`, the inverses of sine and cosine, 2^y and tanh of `y`, the angle of the point (x, -10 - y), and halves of `positive` and `x`.
 #[kernel(threads(WORKGROUP))]
 pub fn elementary(
     id: Invocation,
@@ -44,5 +66,15 @@ pub fn elementary(
         output.write(7 * count + index, abs(x));
         output.write(8 * count + index, clamp(x, 0.0, 1.0));
         output.write(9 * count + index, mix(x, y, positive));
+        output.write(10 * count + index, asin(y));
+        output.write(11 * count + index, acos(y));
+        output.write(12 * count + index, atan(x));
+        output.write(13 * count + index, atan2(-10.0 - y, x));
+        output.write(14 * count + index, exp2(y));
+        output.write(15 * count + index, log2(positive));
+        output.write(16 * count + index, tanh(y));
+        let [first, second] = unpack_halves(pack_halves([positive, x]));
+        output.write(17 * count + index, first);
+        output.write(18 * count + index, second);
     }
 }

@@ -173,6 +173,36 @@ pub fn keep_positive(
     }
 }
 
+/// `found [4, count]`: an exclusive scan of ones, the last lane's inclusive scan of `values`, the lane that the next lane gives, and the lane
+/// that the neighbor in a pair gives. What each must be is subtracted.
+#[kernel(threads(ROW), subgroups)]
+pub fn scan_and_shuffle(
+    id: Invocation,
+    params: &LanguageParams,
+    values: Read<u32>,
+    found: Write<u32>,
+) {
+    let lane = id.subgroup_lane();
+    let mut value = 0;
+    if id.index() < params.count {
+        value = values.read(id.index());
+    }
+    let lanes = id.subgroup_sum(1);
+    let next = (lane + 1) % lanes;
+    // all lanes take part
+    let before = id.subgroup_exclusive_sum(1);
+    let up_to_last = id.subgroup_shuffle(id.subgroup_inclusive_sum(value), lanes - 1);
+    let sum = id.subgroup_sum(value);
+    let shuffled = id.subgroup_shuffle(lane, next);
+    let paired = id.subgroup_shuffle_xor(lane, 1);
+    if id.index() < params.count {
+        found.write(id.index(), before.wrapping_sub(lane));
+        found.write(params.count + id.index(), up_to_last.wrapping_sub(sum));
+        found.write(2 * params.count + id.index(), shuffled.wrapping_sub(next));
+        found.write(3 * params.count + id.index(), paired.wrapping_sub(lane ^ 1));
+    }
+}
+
 /// Writes values to one element of each row of an output.
 macro_rules! rows {
     ($output:ident [$count:expr] at $index:expr; $($value:expr,)*) => {

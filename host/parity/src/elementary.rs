@@ -16,17 +16,36 @@ impl Elementary {
         let exact = match row {
             8 => x.clamp(0.0, 1.0),
             9 => x + p * (y - x),
+            10 => y.clamp(-1.0, 1.0).asin(),
+            11 => y.clamp(-1.0, 1.0).acos(),
+            12 => x.atan(),
+            13 => f64::from(-10.0 - y as f32).atan2(x),
+            14 => y.exp2(),
+            15 => p.log2(),
+            16 => y.tanh(),
+            17 => nearest_half(p),
+            18 => nearest_half(x),
             row => all[row],
         };
         (row, [x, y, p], exact)
     }
 }
 
+/// The nearest half, of two the even one.
+fn nearest_half(x: f64) -> f64 {
+    if x.abs() >= 65_520.0 {
+        return f64::INFINITY.copysign(x);
+    }
+    let unit = (x.abs().log2().floor().max(-14.0) - 10.0).exp2();
+    (x / unit).round_ties_even() * unit
+}
+
 impl Parity for Elementary {
     const KERNEL: &'static str = "elementary";
     const TOLERANCE: f64 = 1e-7;
     const WHY: &'static str = "what each function states: sin and cos 1.2e-7, tan 5e-7 (1 + tan^2), ln 5e-7 of its size, pow 1e-6 (1 + \
-        abs(y ln x)) of its size, mix three roundings; floor, round, abs and clamp are equal";
+        abs(y ln x)) of its size, mix three roundings, asin and atan 2e-7, acos and atan2 4e-7, exp2 and tanh 3e-7 and log2 5e-7 of their \
+        size, and a tenth more for divisions and roots; floor, round, abs, clamp and halves are equal";
 
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| {
@@ -39,7 +58,7 @@ impl Parity for Elementary {
                 .iter()
                 .map(|size| if count % 2 == 0 { size.exp() } else { 1.0 + 0.01 * size });
             let positive = positive.collect();
-            let output = unwritten(10 * len);
+            let output = unwritten(19 * len);
             Self(ElementaryInputs { params: ElementaryParams { count }, x, y, positive, output })
         })
     }
@@ -63,6 +82,11 @@ impl Parity for Elementary {
             5 if x != 0.0 && x.abs() < f64::from(TINY) => Bound { scale: 0.0, floor: 1.0 },
             5 | 6 => Bound::EXACT,
             7 | 8 => Bound::relative_to(0.0),
+            10 | 12 => Bound::relative_to(2.2),
+            11 | 13 => Bound::relative_to(4.4),
+            14 | 16 => Bound { scale: 3.3 * exact.abs(), floor: f64::from(TINY) },
+            15 => Bound::relative_to(5.5 * exact.abs()),
+            17 | 18 => Bound::EXACT,
             // x, y, the product and the sum may be flushed
             _ => Bound {
                 scale: 3.0 * (x.abs() + p.abs() * (x.abs() + y.abs())),

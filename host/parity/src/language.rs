@@ -3,8 +3,8 @@
 use muslin_check::prelude::*;
 use organza_shaders::language::{
     AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
-    KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams, SortParams,
-    SortRowsInputs,
+    KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams, ScanAndShuffleInputs,
+    SortParams, SortRowsInputs,
 };
 
 case!(pub ByteHistogram(ByteHistogramInputs));
@@ -107,6 +107,28 @@ impl Parity for KeepPositive {
             }
         };
         self.values.chunks_exact(self.params.columns as usize).flat_map(of).collect()
+    }
+}
+
+case!(pub ScanAndShuffle(ScanAndShuffleInputs));
+
+impl Parity for ScanAndShuffle {
+    const KERNEL: &'static str = "scan_and_shuffle";
+
+    fn sets() -> Vec<(String, Self)> {
+        inputs::sets(|count, _, random| {
+            let values = (0..count).map(|_| random.bits()).collect();
+            let found = unwritten(4 * count as usize);
+            Self(ScanAndShuffleInputs { params: LanguageParams { count }, values, found })
+        })
+    }
+
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        runner.run(&self.kernel(), self.params.count, 1)
+    }
+
+    fn exact_at(&self, _: &str, _: usize) -> Option<f64> {
+        Some(0.0)
     }
 }
 

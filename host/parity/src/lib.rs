@@ -113,6 +113,7 @@ pub fn cases() -> Vec<Case> {
         Case::new::<language::ByteHistogram>(),
         Case::new::<language::SortRows>(),
         Case::new::<language::KeepPositive>(),
+        Case::new::<language::ScanAndShuffle>(),
         Case::new::<language::AsWritten>(),
         Case::new::<language::Compared>(),
         Case::new::<core_functions::CoreFunctions>(),

@@ -247,9 +247,7 @@ impl Rendered {
         Ok(Score {
             psnr: psnr(&self.colors, &truth, valid),
             ssim: ssim(size, &self.colors, &truth, valid),
-            psnr_fitted: fitted
-                .then(|| psnr_fitted(size, &self.colors, &truth, valid))
-                .flatten(),
+            psnr_fitted: fitted.then(|| psnr_fitted(size, &self.colors, &truth, valid)).flatten(),
         })
     }
 }

@@ -8,10 +8,13 @@
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
 
+use core::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
 use glam::Vec3;
 
 #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
 use crate::fused::{check_cast, check_logarithm};
+pub use crate::half::{pack_halves, unpack_halves};
 use crate::lane::Lane;
 
 /// Largest finite `f32`: stands for infinity, which naga does not accept as a literal.
@@ -195,6 +198,102 @@ fn sine_in_quarter<L: Lane>((n, r): (L, L), ahead: f32) -> L {
     L::select(is_negative, -value, value)
 }
 
+/// Arctangent, to 2e-7.
+#[inline(always)]
+pub fn atan<L: Lane>(x: L) -> L {
+    let number = L::splat;
+    let size = size(x);
+    let is_large = number(2.414_213_6).less(size);
+    let is_middle = number(0.414_213_57).less(size);
+    // the tangent of the angle less a half, a fourth or nothing of a right angle
+    let middle = (size - number(1.0)) / (size + number(1.0));
+    let rest = L::select(is_middle, middle, size);
+    let rest = L::select(is_large, number(-1.0) / size, rest);
+    let turn = L::select(is_middle, number(FRAC_PI_4), number(0.0));
+    let turn = L::select(is_large, number(FRAC_PI_2), turn);
+    // Cephes' polynomial
+    let z = rest * rest;
+    let series = (number(8.053_744_5e-2) * z - number(1.387_768_6e-1)) * z + number(1.997_771_1e-1);
+    let series = (series * z - number(3.333_295e-1)) * z;
+    with_sign_of(x, turn + (series * rest + rest))
+}
+
+/// The angle of the point (x, y), from -pi to pi, to 4e-7, for finite numbers below 2^126; 0 for the point (0, 0), and pi where y
+/// is 0 of any sign and x is negative. A GPU may take a denormal for 0.
+#[inline(always)]
+pub fn atan2<L: Lane>(y: L, x: L) -> L {
+    let number = L::splat;
+    let [along, up] = [size(x), size(y)];
+    let is_steep = along.less(up);
+    // at most 1, and 0 for the point (0, 0)
+    let tangent = along.min(up) / along.max(up).max(number(TINY));
+    let angle = atan(tangent);
+    let angle = L::select(is_steep, number(FRAC_PI_2) - angle, angle);
+    let angle = L::select(x.less(number(0.0)), number(PI) - angle, angle);
+    with_sign_of(y, angle)
+}
+
+/// Arcsine, to 2e-7. What is beyond -1 or 1 counts as that.
+#[inline(always)]
+pub fn asin<L: Lane>(x: L) -> L {
+    let (is_large, angle) = arcsine_of_size(size(x));
+    let angle = L::select(is_large, L::splat(FRAC_PI_2) - angle, angle);
+    with_sign_of(x, angle)
+}
+
+/// Arccosine, to 4e-7. What is beyond -1 or 1 counts as that.
+#[inline(always)]
+pub fn acos<L: Lane>(x: L) -> L {
+    let number = L::splat;
+    let (is_large, angle) = arcsine_of_size(size(x));
+    let is_negative = x.less(number(0.0));
+    let far = L::select(is_negative, number(PI) - angle, angle);
+    L::select(is_large, far, number(FRAC_PI_2) - with_sign_of(x, angle))
+}
+
+/// The arcsine of x >= 0, or the arccosine if x is more than a half, and whether it is. Cephes' polynomial takes at most a half.
+#[inline(always)]
+fn arcsine_of_size<L: Lane>(x: L) -> (L::Mask, L) {
+    let number = L::splat;
+    let half = number(0.5);
+    let is_large = half.less(x);
+    // arccos x = 2 arcsin sqrt((1 - x) / 2)
+    let square = (number(1.0) - x.min(number(1.0))) * half;
+    let z = L::select(is_large, square, x * x);
+    let root = L::select(is_large, square.sqrt(), x);
+    let series = (number(4.216_32e-2) * z + number(2.418_131_1e-2)) * z + number(4.547_002_6e-2);
+    let series = ((series * z + number(7.495_300_3e-2)) * z + number(1.666_675_2e-1)) * z;
+    let angle = series * root + root;
+    (is_large, L::select(is_large, angle + angle, angle))
+}
+
+/// Hyperbolic tangent, to 3e-7 of its size.
+#[inline(always)]
+pub fn tanh<L: Lane>(x: L) -> L {
+    let number = L::splat;
+    let one = number(1.0);
+    let e = minus_size(x + x).exp();
+    let large = with_sign_of(x, (one - e) / (one + e));
+    // Cephes' polynomial: the difference above would lose the digits of a small x
+    let z = x * x;
+    let series =
+        (number(-5.704_988_7e-3) * z + number(2.063_908_9e-2)) * z - number(5.373_971_6e-2);
+    let series = ((series * z + number(1.333_144_2e-1)) * z - number(3.333_328e-1)) * z;
+    L::select(size(x).less(number(0.625)), series * x + x, large)
+}
+
+/// |x|
+#[inline(always)]
+fn size<L: Lane>(x: L) -> L {
+    -minus_size(x)
+}
+
+/// `value` for x from 0 on, `-value` for a negative x.
+#[inline(always)]
+fn with_sign_of<L: Lane>(x: L, value: L) -> L {
+    L::select(x.less(L::splat(0.0)), -value, value)
+}
+
 /// Natural logarithm, to 5e-7 of its size, for finite numbers from [`TINY`] on. Any other x gives some number. A device that checks
 /// refuses it, but for those from 0 to [`TINY`], whose logarithm is about -88.
 #[inline(always)]
@@ -202,6 +301,24 @@ fn sine_in_quarter<L: Lane>((n, r): (L, L), ahead: f32) -> L {
 pub fn ln(x: f32) -> f32 {
     #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
     check_logarithm(x);
+    let (n, s, rest) = logarithm(x);
+    // the first part of ln 2 has few bits
+    n * 0.693_359_4 + (s + (rest - n * 2.121_944_4e-4))
+}
+
+/// Logarithm to the base 2, to 5e-7 of its size, for what [`ln`] takes. That of a power of two is exact.
+#[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), track_caller)]
+pub fn log2(x: f32) -> f32 {
+    #[cfg(all(not(target_arch = "spirv"), debug_assertions))]
+    check_logarithm(x);
+    let (n, s, rest) = logarithm(x);
+    n + (s + rest) * core::f32::consts::LOG2_E
+}
+
+/// n, s and r of ln x = n ln 2 + s + r, where r is much smaller than s.
+#[inline(always)]
+fn logarithm(x: f32) -> (f32, f32, f32) {
     // x = 2^n m with m in [1/sqrt 2, sqrt 2]
     let bits = x.to_bits().wrapping_sub(0x3f35_04f3);
     let n = (bits as i32 >> 23) as f32;
@@ -210,8 +327,30 @@ pub fn ln(x: f32) -> f32 {
     let s = (m - 1.0) / (m + 1.0);
     let t = s * s;
     let series = t * (1.0 / 3.0 + t * (1.0 / 5.0 + t * (1.0 / 7.0 + t * (1.0 / 9.0))));
-    // the first part of ln 2 has few bits
-    n * 0.693_359_4 + (2.0 * s + (2.0 * s * series - n * 2.121_944_4e-4))
+    (n, 2.0 * s, 2.0 * s * series)
+}
+
+/// 2^x, to 3e-7 of its size. Infinity from 128 on, exact for integers, and below -126 what a device makes of denormals.
+#[inline(always)]
+pub fn exp2(x: f32) -> f32 {
+    let n = round(clamp(x, -151.0, 129.0));
+    let f = x - n;
+    // Cephes' polynomial for |f| up to a half
+    let series = (1.535_336_2e-4 * f + 1.339_887_4e-3) * f + 9.618_437e-3;
+    let series = ((series * f + 5.550_332_5e-2) * f + 2.402_264_8e-1) * f + 6.931_472e-1;
+    // in two steps, because 2^128 is infinite
+    let first = n as i32 / 2;
+    let second = n as i32 - first;
+    let power = |n: i32| f32::from_bits(((n + 127) as u32) << 23);
+    let value = (series * f + 1.0) * power(first) * power(second);
+    // elsewhere, f is no fraction
+    if x < -151.0 {
+        0.0
+    } else if x > 129.0 {
+        power(128)
+    } else {
+        value
+    }
 }
 
 /// x^y for positive x from [`TINY`] on, to 1e-6 (1 + |y ln x|) of its size, as long as it is from [`TINY`] to [`HUGE`]. A device that checks
@@ -411,6 +550,81 @@ mod tests {
             assert_eq!((floor(x), round(x)), (libm::floorf(x), libm::roundf(x)), "{x}");
         }
         assert!(worst < 1.2e-7, "{worst:e}");
+    }
+
+    /// The largest error of a function over numbers from -`limit` to `limit`, in parts of `1 + relative` sizes.
+    fn worst(
+        limit: f64,
+        relative: bool,
+        f: impl Fn(f32) -> f32,
+        exact: impl Fn(f64) -> f64,
+    ) -> f64 {
+        let errors = (-200_000..=200_000).map(|step| {
+            let x = (limit * f64::from(step) / 200_000.0) as f32;
+            let expected = exact(x.into());
+            let error = (f64::from(f(x)) - expected).abs();
+            if relative && error > 0.0 { error / expected.abs() } else { error }
+        });
+        errors.fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn inverse_and_hyperbolic_functions_match_f64() {
+        for limit in [0.01, 1.0, 3.0, 1e4, 1e30] {
+            assert!(worst(limit, false, atan, libm::atan) < 2e-7);
+        }
+        for limit in [0.01, 1.0] {
+            assert!(worst(limit, false, asin, libm::asin) < 2e-7);
+            assert!(worst(limit, false, acos, libm::acos) < 4e-7);
+        }
+        for limit in [1e-3, 0.7, 20.0] {
+            assert!(worst(limit, true, tanh, libm::tanh) < 3e-7);
+        }
+        assert!(worst(125.9, true, exp2, libm::exp2) < 3e-7);
+        assert!(
+            worst(
+                1e30,
+                true,
+                |x| log2(x.abs().max(1e-37)),
+                |x| { libm::log2(x.abs().max(f64::from(1e-37_f32))) }
+            ) < 5e-7
+        );
+        assert!(
+            worst(0.1, true, |x| log2(1.0 + x), |x| libm::log2(f64::from(1.0 + x as f32))) < 5e-7
+        );
+        for [y, x] in [
+            [1.0, 1.0],
+            [1.0, -1.0],
+            [-1.0, -1.0],
+            [1e-30, -1.0],
+            [5.0, 1e-10],
+            [0.0, -2.0],
+            [3.0, 0.0],
+        ] {
+            let of_ring = |turn: f32| {
+                worst(
+                    3.2,
+                    false,
+                    |t| atan2(y * turn + t, x),
+                    |t| libm::atan2(f64::from(y * turn + t as f32), x.into()),
+                )
+            };
+            assert!(of_ring(1.0) < 4e-7 && of_ring(1e3) < 4e-7, "{y} {x}");
+        }
+        assert_eq!([atan2(0.0, 0.0), asin(1.5), acos(1.5)], [0.0, FRAC_PI_2, 0.0]);
+        assert_eq!([exp2(-3.0), exp2(127.0), exp2(-126.0)], [0.125, 2.0_f32.powi(127), TINY]);
+        assert_eq!([exp2(128.0), exp2(1e9), exp2(-1e9)], [f32::INFINITY, f32::INFINITY, 0.0]);
+        assert!([exp2(f32::NAN), tanh(f32::NAN), atan(f32::NAN)].iter().all(|x| x.is_nan()));
+        assert_eq!([tanh(100.0), tanh(-HUGE), atan(f32::INFINITY)], [1.0, -1.0, FRAC_PI_2]);
+        for n in -126..128 {
+            assert_eq!(log2(exp2(n as f32)), n as f32);
+        }
+        let wide = Wide::<8, false>::splat(-0.7);
+        assert_eq!(atan2(wide, wide).0[3], atan2(-0.7, -0.7));
+        assert_eq!(
+            [asin(wide).0[0], acos(wide).0[1], tanh(wide).0[2]],
+            [asin(-0.7), acos(-0.7), tanh(-0.7)]
+        );
     }
 
     #[test]

@@ -29,7 +29,7 @@ pub struct Stop {
 #[derive(Clone, Copy)]
 pub struct Meeting {
     pub operation: Operation,
-    /// The bits of the value in its first component.
+    /// What [`Operation::of`] takes or gives.
     pub value: UVec4,
 }
 
@@ -61,14 +61,24 @@ pub fn subgroups_meet(
             stop.map(|stop| (stop, meeting.map(|meeting| meeting.operation)))
         };
         let places: Vec<_> = stops.iter().zip(&*meetings).map(place).collect();
-        let Some((_, Some(operation))) =
+        let Some((stop, Some(operation))) =
             places[0].filter(|_| places.iter().all(|of| *of == places[0]))
         else {
             let reason = divergence("a subgroup's operation", &places, subgroup * lanes, size);
             return Err(format!("{reason}, in a subgroup of {subgroup_size}"));
         };
-        let bits: Vec<_> = meetings.iter().flatten().map(|meeting| meeting.value.x).collect();
-        meetings.fill(Some(Meeting { operation, value: operation.of(&bits) }));
+        let given: Vec<_> = meetings.iter().flatten().map(|meeting| meeting.value).collect();
+        for (lane, meeting) in meetings.iter_mut().enumerate() {
+            let value = operation.of(lane, &given).map_err(|asked| {
+                let place = unlinear((subgroup * lanes + lane) as u64, size);
+                let present = given.len();
+                format!(
+                    "invocation {place} asks for the value of lane {asked} of its subgroup, which has {present} lanes, at {}",
+                    stop.at
+                )
+            })?;
+            *meeting = Some(Meeting { operation, value });
+        }
         stops.fill(None);
         met = true;
     }

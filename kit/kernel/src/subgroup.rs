@@ -71,20 +71,31 @@ pub trait SubgroupNumber: Copy {
     #[doc(hidden)]
     fn subgroup_max(self) -> Self;
     #[doc(hidden)]
+    fn subgroup_inclusive_sum(self) -> Self;
+    #[doc(hidden)]
+    fn subgroup_exclusive_sum(self) -> Self;
+    #[doc(hidden)]
     fn subgroup_broadcast_first(self) -> Self;
+    #[doc(hidden)]
+    fn subgroup_shuffle(self, lane: u32) -> Self;
+    #[doc(hidden)]
+    fn subgroup_shuffle_xor(self, mask: u32) -> Self;
 }
 
 macro_rules! number {
-    ($number:ident: $($function:ident is $on_gpu:ident, $operation:ident;)*) => {
+    ($number:ident: $($function:ident($($operand:ident)?) is $on_gpu:ident, $operation:ident;)*) => {
         impl SubgroupNumber for $number {
             $(
                 #[inline(always)]
                 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
-                fn $function(self) -> Self {
+                fn $function(self $(, $operand: u32)?) -> Self {
                     #[cfg(target_arch = "spirv")]
-                    let result = arch::$on_gpu(self);
+                    let result = arch::$on_gpu(self $(, $operand)?);
                     #[cfg(not(target_arch = "spirv"))]
-                    let result = bytemuck::cast(meet(Operation::$operation, bytemuck::cast(self)).x);
+                    let result = {
+                        let given = [bytemuck::cast(self), $($operand,)?];
+                        bytemuck::cast(meet(Operation::$operation, &given).x)
+                    };
                     result
                 }
             )*
@@ -93,17 +104,25 @@ macro_rules! number {
 }
 
 number! { u32:
-    subgroup_sum is subgroup_i_add, Sum;
-    subgroup_min is subgroup_u_min, Min;
-    subgroup_max is subgroup_u_max, Max;
-    subgroup_broadcast_first is subgroup_broadcast_first, First;
+    subgroup_sum() is subgroup_i_add, Sum;
+    subgroup_min() is subgroup_u_min, Min;
+    subgroup_max() is subgroup_u_max, Max;
+    subgroup_inclusive_sum() is subgroup_inclusive_i_add, InclusiveSum;
+    subgroup_exclusive_sum() is subgroup_exclusive_i_add, ExclusiveSum;
+    subgroup_broadcast_first() is subgroup_broadcast_first, First;
+    subgroup_shuffle(lane) is subgroup_shuffle, Shuffle;
+    subgroup_shuffle_xor(mask) is subgroup_shuffle_xor, ShuffleXor;
 }
 
 number! { f32:
-    subgroup_sum is subgroup_f_add, FloatSum;
-    subgroup_min is subgroup_f_min, FloatMin;
-    subgroup_max is subgroup_f_max, FloatMax;
-    subgroup_broadcast_first is subgroup_broadcast_first, First;
+    subgroup_sum() is subgroup_f_add, FloatSum;
+    subgroup_min() is subgroup_f_min, FloatMin;
+    subgroup_max() is subgroup_f_max, FloatMax;
+    subgroup_inclusive_sum() is subgroup_inclusive_f_add, InclusiveFloatSum;
+    subgroup_exclusive_sum() is subgroup_exclusive_f_add, ExclusiveFloatSum;
+    subgroup_broadcast_first() is subgroup_broadcast_first, First;
+    subgroup_shuffle(lane) is subgroup_shuffle, Shuffle;
+    subgroup_shuffle_xor(mask) is subgroup_shuffle_xor, ShuffleXor;
 }
 
 impl Invocation {
@@ -150,6 +169,36 @@ impl Invocation {
         value.subgroup_max()
     }
 
+    /// The sum of the values of this lane and of those before it: an inclusive scan. Modulo 2^32 of `u32`, of `f32` in an order that the
+    /// device chooses.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_inclusive_sum<T: SubgroupNumber>(&self, value: T) -> T {
+        value.subgroup_inclusive_sum()
+    }
+
+    /// The sum of the values of the lanes before this one, 0 in the first: an exclusive scan. Modulo 2^32 of `u32`, of `f32` in an order
+    /// that the device chooses.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_exclusive_sum<T: SubgroupNumber>(&self, value: T) -> T {
+        value.subgroup_exclusive_sum()
+    }
+
+    /// The value that `lane` gives. Each lane can ask for another one, and that is in the subgroup.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_shuffle<T: SubgroupNumber>(&self, value: T, lane: u32) -> T {
+        value.subgroup_shuffle(lane)
+    }
+
+    /// The value that the lane `subgroup_lane() ^ mask` gives. It is in the subgroup.
+    #[inline(always)]
+    #[cfg_attr(not(target_arch = "spirv"), track_caller)]
+    pub fn subgroup_shuffle_xor<T: SubgroupNumber>(&self, value: T, mask: u32) -> T {
+        value.subgroup_shuffle_xor(mask)
+    }
+
     /// The value of the subgroup's first lane.
     #[inline(always)]
     #[cfg_attr(not(target_arch = "spirv"), track_caller)]
@@ -165,7 +214,7 @@ impl Invocation {
         #[cfg(target_arch = "spirv")]
         let ballot = arch::subgroup_ballot(is_set);
         #[cfg(not(target_arch = "spirv"))]
-        let ballot = meet(Operation::Ballot, is_set.into());
+        let ballot = meet(Operation::Ballot, &[is_set.into()]);
         ballot
     }
 }
@@ -204,17 +253,28 @@ pub(crate) enum Operation {
     FloatSum,
     FloatMin,
     FloatMax,
+    InclusiveSum,
+    ExclusiveSum,
+    InclusiveFloatSum,
+    ExclusiveFloatSum,
     First,
+    Shuffle,
+    ShuffleXor,
     Ballot,
 }
 
 #[cfg(not(target_arch = "spirv"))]
 impl Operation {
-    /// The result, of the bits of each lane's value. That of a number is the first component.
-    pub(crate) fn of(self, lanes: &[u32]) -> UVec4 {
-        let values = || lanes.iter().copied();
+    /// The result of the lane `lane`, of what each lane gives: the bits of a value, and which lane a shuffle asks for. A number is the
+    /// result's first component.
+    ///
+    /// # Errors
+    /// The lane that a shuffle asks for, if there is none.
+    pub(crate) fn of(self, lane: usize, lanes: &[UVec4]) -> Result<UVec4, u32> {
+        let values = || lanes.iter().map(|given| given.x);
         let floats = || values().map(f32::from_bits);
         let float = |value: Option<f32>| value.unwrap_or_default().to_bits();
+        let value_of = |asked: u32| lanes.get(asked as usize).map(|given| given.x).ok_or(asked);
         let result = match self {
             Self::Sum => values().fold(0, u32::wrapping_add),
             Self::Min => values().min().unwrap_or_default(),
@@ -222,16 +282,22 @@ impl Operation {
             Self::FloatSum => float(floats().reduce(|a, b| a + b)),
             Self::FloatMin => float(floats().reduce(f32::min)),
             Self::FloatMax => float(floats().reduce(f32::max)),
-            Self::First => lanes[0],
+            Self::InclusiveSum => values().take(lane + 1).fold(0, u32::wrapping_add),
+            Self::ExclusiveSum => values().take(lane).fold(0, u32::wrapping_add),
+            Self::InclusiveFloatSum => float(floats().take(lane + 1).reduce(|a, b| a + b)),
+            Self::ExclusiveFloatSum => float(floats().take(lane).reduce(|a, b| a + b)),
+            Self::First => lanes[0].x,
+            Self::Shuffle => value_of(lanes[lane].y)?,
+            Self::ShuffleXor => value_of(lane as u32 ^ lanes[lane].y)?,
             Self::Ballot => {
                 let bits =
                     (0..).zip(values()).fold(0, |bits, (i, is_set)| bits | u128::from(is_set) << i);
-                return UVec4::from_array(core::array::from_fn(|word| {
+                return Ok(UVec4::from_array(core::array::from_fn(|word| {
                     (bits >> (32 * word)) as u32
-                }));
+                })));
             }
         };
-        UVec4::new(result, 0, 0, 0)
+        Ok(UVec4::new(result, 0, 0, 0))
     }
 }
 
@@ -243,7 +309,8 @@ mod tests {
     fn a_ballot_counts_the_lanes_before_each() {
         let is_set = |lane: u32| lane.is_multiple_of(3) || lane > 100;
         let bits: [u32; 128] = core::array::from_fn(|lane| is_set(lane as u32).into());
-        let ballot = Operation::Ballot.of(&bits);
+        let given = bits.map(|bit| UVec4::new(bit, 0, 0, 0));
+        let ballot = Operation::Ballot.of(0, &given).unwrap();
         for lane in 0..128 {
             assert_eq!(lanes_before(ballot, lane), bits[..lane as usize].iter().sum::<u32>());
         }

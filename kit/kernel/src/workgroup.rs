@@ -73,11 +73,14 @@ fn wait(at: &'static Location<'static>) {
     suspend(at);
 }
 
-/// Suspends the current coroutine until its subgroup has reached the operation. Returns its result.
+/// Suspends the current coroutine until its subgroup has reached the operation, to which it gives at most four words. Returns the
+/// operation's result.
 #[track_caller]
-pub(crate) fn meet(operation: Operation, bits: u32) -> UVec4 {
+pub(crate) fn meet(operation: Operation, given: &[u32]) -> UVec4 {
     subgroup_size();
-    MEETING.set(Some(Meeting { operation, value: UVec4::splat(bits) }));
+    let mut value = UVec4::ZERO;
+    value.as_mut()[..given.len()].copy_from_slice(given);
+    MEETING.set(Some(Meeting { operation, value }));
     suspend(Location::caller());
     MEETING.take().expect("a subgroup goes on with a result").value
 }

@@ -36,15 +36,14 @@ fn a_scene_is_as_close_to_its_own_images_as_rounding_allows() {
     let mut tiles = Vec::new();
     let mut seen = Vec::new();
     let frames: Vec<_> = frames.iter().collect();
-    let evaluation =
-        evaluate_with(&renderer, &scene, &frames, false, &mut |event| match event {
-            Event::Tiles { done, total } => tiles.push((done, total)),
-            Event::View { index, score, image } => {
-                assert_eq!(score.name, frames[index].name);
-                seen.push(Photograph::from(image));
-            }
-        })
-        .unwrap();
+    let evaluation = evaluate_with(&renderer, &scene, &frames, false, &mut |event| match event {
+        Event::Tiles { done, total } => tiles.push((done, total)),
+        Event::View { index, score, image } => {
+            assert_eq!(score.name, frames[index].name);
+            seen.push(Photograph::from(image));
+        }
+    })
+    .unwrap();
     assert_eq!((tiles.last(), seen.len()), (Some(&(8, 8)), 2));
     assert!(tiles.is_sorted() && evaluation.not_finite == 0, "{tiles:?}");
     assert_eq!(seen[0], frames[0].image);

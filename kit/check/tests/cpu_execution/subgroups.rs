@@ -30,6 +30,30 @@ pub fn each_operation(id: Invocation, output: Write<u32>, floats: Write<f32>) {
     }
 }
 
+/// Of each invocation: the sums of the squares up to it and before it, the square of the next lane, and of its neighbor in a pair; then
+/// both sums of floats.
+#[kernel(threads(INVOCATIONS), subgroups)]
+pub fn scans_and_shuffles(id: Invocation, output: Write<u32>, floats: Write<f32>) {
+    let own = id.local.x * id.local.x;
+    let first = 4 * id.index();
+    let next = (id.subgroup_lane() + 1) % id.subgroup_sum(1);
+    if id.workgroup.x == 0 {
+        output.write(first, id.subgroup_inclusive_sum(own));
+        output.write(first + 1, id.subgroup_exclusive_sum(own));
+        output.write(first + 2, id.subgroup_shuffle(own, next));
+        output.write(first + 3, id.subgroup_shuffle_xor(own, 1));
+        let float = own as f32 - 1000.0;
+        floats.write(2 * id.index(), id.subgroup_inclusive_sum(float));
+        floats.write(2 * id.index() + 1, id.subgroup_exclusive_sum(float));
+    }
+}
+
+/// Asks for a lane that the last subgroup of 64 does not have.
+#[kernel(threads(INVOCATIONS), subgroups)]
+pub fn absent_lane(id: Invocation, output: Write<u32>) {
+    output.write(id.index(), id.subgroup_shuffle(id.local.x, 40)); // absent
+}
+
 /// The first subgroup waits at an operation, and the others wait at a barrier.
 #[kernel(threads(INVOCATIONS), subgroups)]
 pub fn own_ways(id: Invocation, output: Write<u32>, unused: Shared<u32, 1>) {
@@ -100,6 +124,43 @@ fn operations_combine_the_lanes_of_one_subgroup() {
             }
         }
     }
+}
+
+#[test]
+fn scans_and_shuffles_take_the_values_of_other_lanes() {
+    let squares: Vec<u32> = (0..INVOCATIONS).map(|i| i * i).collect();
+    for (size, device) in every_size() {
+        let output = device.unwritten("output", 4 * squares.len()).unwrap();
+        let floats = device.unwritten("floats", 2 * squares.len()).unwrap();
+        let kernel = ScansAndShufflesKernel { output: &output, floats: &floats };
+        device.run(&kernel, INVOCATIONS, 1).unwrap();
+        let (output, floats) = (device.read(&output).unwrap(), device.read(&floats).unwrap());
+        let mut found = output.chunks_exact(4).zip(floats.chunks_exact(2));
+        for lanes in squares.chunks(size) {
+            for lane in 0..lanes.len() {
+                let before: u32 = lanes[..lane].iter().sum();
+                let next = lanes[(lane + 1) % lanes.len()];
+                let expected = [before + lanes[lane], before, next, lanes[lane ^ 1]];
+                let float = |sum: u32, count: usize| sum as f32 - 1000.0 * count as f32;
+                let sums = [float(before + lanes[lane], lane + 1), float(before, lane)];
+                assert_eq!(found.next().unwrap(), (&expected[..], &sums[..]), "{size}: {lane}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_shuffle_asks_for_a_lane_that_is_there() {
+    let options = DeviceOptions::checked().subgroup_size(64);
+    let device = Device::open(&options, Modules::none()).unwrap();
+    let output = device.unwritten("output", INVOCATIONS as usize).unwrap();
+    let message = failure(&device, &AbsentLaneKernel { output: &output }, INVOCATIONS);
+    let source = ["subgroups.rs", include_str!("subgroups.rs")];
+    let parts = [
+        "`absent_lane`: invocation [64, 0, 0] asks for the value of lane 40 of its subgroup, which has 32 lanes, at ",
+        &line(source, "// absent"),
+    ];
+    assert_contains(&message, &parts);
 }
 
 #[test]

@@ -35,8 +35,7 @@
 //! ```
 //!
 //! [`Renderer::gradient`] computes the gradient of any loss, and [`Renderer::record`] the tiles as well.
-//! [`train::StepHooks`] passes a loss to a [`Trainer`]. The feature `ndarray` converts tiles, tensors and gradients
-//! to arrays and back.
+//! [`train::StepHooks`] passes a loss to a [`Trainer`].
 
 #[doc(hidden)]
 pub mod bench;
@@ -54,11 +53,9 @@ pub use organza_core::{
     TileBatch, camera, demo, edit, error, image, metrics, scene, still_life, tile,
 };
 pub use organza_data as data;
-#[cfg(feature = "ndarray")]
-pub use organza_render::ndarray;
 pub use organza_render::{
-    self as render, DeviceScene, DeviceShard, Inspection, MODULES, Recording, Renderer, Stages,
-    UploadOptions, open_device,
+    self as render, DeviceScene, Inspection, MODULES, Recording, Renderer, Stages, UploadOptions,
+    open_device,
 };
 pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
 pub use organza_view::{self as view, film, web};

@@ -19,7 +19,7 @@ use crate::scene::into_arrays;
 pub struct Recording {
     pub renderer: organza::Renderer,
     pub held: Arc<Mutex<SceneOnDevice>>,
-    pub recording: Arc<Mutex<organza::Recording<'static>>>,
+    pub recording: Arc<Mutex<organza::Recording>>,
     pub shape: [usize; 4],
     pub cameras: usize,
 }

@@ -402,7 +402,7 @@ impl Run {
                     self.send(Message::Begin(step));
                 }
                 Event::Warning(text) => self.send(Message::Warning(text.to_owned())),
-                Event::Step { step, seconds, report, scene: Some(scene), .. } => {
+                Event::Step { step, seconds, report, scene, .. } => {
                     now = step;
                     let loss = report.loss;
                     let psnr = report.psnr;
@@ -452,7 +452,7 @@ impl Run {
             }
             let report = trainer.step_with(&mut self.hooks())?;
             let step = trainer.steps();
-            let scene = trainer.scene().expect("a trainer alone has the whole scene");
+            let scene = trainer.scene();
             let loss = report.loss;
             let psnr = report.psnr;
             let gaussians = scene.len();

@@ -10,6 +10,5 @@ mod loss;
 mod properties;
 mod reference_cases;
 mod reproducible;
-mod shards;
 mod snapshots;
 mod steadiness;

@@ -21,7 +21,6 @@ mod mutations;
 mod outputs;
 mod results;
 mod sandbox;
-mod scene_shards;
 mod splats;
 mod tasks;
 mod train;

@@ -13,8 +13,6 @@ mod hex;
 pub mod image;
 pub mod input;
 pub mod metrics;
-#[cfg(feature = "ndarray")]
-mod ndarray;
 mod random;
 pub mod ranks;
 mod rendered;

@@ -16,8 +16,6 @@
 //! # Ok::<(), organza_core::Error>(())
 //! ```
 
-#[cfg(feature = "ndarray")]
-pub mod ndarray;
 mod pass;
 mod scene;
 mod stages;
@@ -26,16 +24,14 @@ mod tests;
 mod ways;
 
 pub use pass::own_loss::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
-pub use pass::ranks::shard_bytes;
 pub use pass::recording::Recording;
 pub use pass::renderer::Renderer;
 pub use scene::device_scene::DeviceScene;
-pub use scene::device_shard::{DeviceShard, SceneBlocks, in_blocks, read_blocks};
 pub use scene::options::UploadOptions;
 pub use scene::packed::{pack, unpack, upload};
 pub use stages::counts::Capacity;
 pub use stages::exposure::ExposureGradient;
-pub use stages::gradient::{GradientBlocks, SceneGradient, ShardGradient, TensorGradient};
+pub use stages::gradient::{SceneGradient, TensorGradient};
 pub use stages::loss::{Loss, LossInputs, LossOutput, LossTarget, TileLoss};
 pub use stages::occupancy::OCCUPANCY;
 pub use stages::project::POSE;

@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::console::{Console, print_json};
 use super::device::DeviceArgs;
 use super::output::Folder;
-use super::picture::{Picture, Pictures, Shown, warn_not_finite};
+use super::picture::{Picture, Pictures, warn_not_finite};
 use super::refuse;
 use super::summary::{Cost, Summary, count};
 use super::views::names;
@@ -129,8 +129,8 @@ fn render(
     console: Console,
 ) -> Result<(Vec<Picture>, Cost)> {
     let scene = renderer.upload(scene)?;
-    let shown = Shown::Scene(&scene);
-    let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE, stop: None };
+    let scene = &scene;
+    let pictures = Pictures { renderer, scene, cameras, tile_size: TILE_SIZE, stop: None };
     let views: Vec<_> = (0..cameras.len()).collect();
     let names = names(cameras);
     let mut sheet = Sheet::new(cameras)?;

@@ -5,27 +5,18 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::image::{self, ChannelImage};
-use organza::ranks::Ranks;
-use organza::{Camera, Channel, DeviceScene, DeviceShard, Image, Renderer, Result};
+use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::console::{Console, Progress};
 use super::refuse;
 use super::summary::{Summary, grouped};
 
-/// The Gaussians to render.
-#[derive(Clone, Copy, Debug)]
-pub enum Shown<'a> {
-    Scene(&'a DeviceScene),
-    /// A rank's shard. All ranks render the same views.
-    Shard(&'a DeviceShard, &'a dyn Ranks),
-}
-
 /// Everything that views are rendered from.
 #[derive(Debug)]
 pub struct Pictures<'a> {
     pub renderer: &'a Renderer,
-    pub shown: Shown<'a>,
+    pub scene: &'a DeviceScene,
     pub cameras: &'a [Camera],
     pub tile_size: u32,
     /// Asks to stop within an image, which is then an error.
@@ -67,21 +58,12 @@ impl Pictures<'_> {
             let renderer = self.renderer;
             let cameras = self.cameras;
             let advance = &mut progress.part();
-            let tiles = match self.shown {
-                Shown::Scene(scene) if channels.is_empty() => {
-                    let report = renderer.paint(&mut picture, scene, cameras, &batch, advance)?;
-                    summary.add(&report);
-                    continue;
-                }
-                Shown::Scene(scene) => {
-                    renderer.render_channels(scene, cameras, &batch, channels, advance)?
-                }
-                Shown::Shard(shard, ranks) => {
-                    let tiles = renderer.render_shard(shard, cameras, &batch, ranks)?;
-                    advance(tiles.count, tiles.count);
-                    tiles
-                }
-            };
+            if channels.is_empty() {
+                let report = renderer.paint(&mut picture, self.scene, cameras, &batch, advance)?;
+                summary.add(&report);
+                continue;
+            }
+            let tiles = renderer.render_channels(self.scene, cameras, &batch, channels, advance)?;
             summary.add(&tiles.report);
             picture.paste(&batch, &tiles)?;
             beside.iter_mut().try_for_each(|image| image.paste(&batch, &tiles))?;

@@ -1,18 +1,17 @@
 //! Options of commands that ranks share, and the work of ranks other than the first.
 
-use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
 use std::thread;
 
-use organza::ranks::{Ranks, ThreadRanks, check_agreement};
-use organza::scene::{Placement, SceneShard};
+use organza::ranks::{Ranks, ThreadRanks};
+use organza::scene::Placement;
 use organza::train::{self, TrainConfig};
-use organza::{Dataset, DeviceOptions, DeviceShard, Renderer, Result, UploadOptions, error};
+use organza::{Dataset, DeviceOptions, Renderer, Result, error};
 
 use super::console::{Console, Level};
 use super::device::DeviceArgs;
-use super::inputs::{DataSet, Expected, told_apart};
+use super::inputs::DataSet;
 use super::signals::Signals;
 
 /// Options of a training that ranks share.
@@ -24,24 +23,9 @@ pub struct RanksArgs {
     /// (docs/cluster.md)
     #[arg(long, value_name = "N|mpi")]
     ranks: Option<Launch>,
-    /// The work that ranks share. `views`: each rank holds the whole scene. `gaussians`: each rank holds some of the
-    /// Gaussians, for scenes that do not fit on one device. The scene's bits depend on this [default: views]
-    #[arg(long, value_name = "WHAT", requires = "ranks")]
-    split: Option<Split>,
-    /// With `--split gaussians`: form groups of N ranks. The ranks of a group share the Gaussians, and the groups share
-    /// the views. N must divide the number of ranks. The scene's bits do not depend on it [default: one group of all
-    /// ranks]
-    #[arg(long, value_name = "N", requires = "split")]
-    shards: Option<usize>,
     /// Allow ranks with different programs or devices; the scene's bits then depend on which rank computes what
     #[arg(long, requires = "ranks")]
     mixed: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Split {
-    Views,
-    Gaussians,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,34 +52,6 @@ impl FromStr for Launch {
 impl RanksArgs {
     /// Starts the ranks; `None` without `--ranks`.
     pub fn start(&self) -> Result<Option<Team>> {
-        let is_split = self.split == Some(Split::Gaussians);
-        if !is_split && self.shards.is_some() {
-            return super::refuse("`--shards` is for `--split gaussians`");
-        }
-        let team = self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()?;
-        Ok(team.map(|team| {
-            let shards = is_split.then(|| self.shards.unwrap_or(team.mine.size()));
-            Team { shards, ..team }
-        }))
-    }
-}
-
-/// Options of rendering with Gaussians that are distributed over ranks.
-#[derive(Debug, clap::Args)]
-pub struct SharesArgs {
-    /// Distribute the Gaussians over N threads, each with its own device; or `mpi`: over the processes that mpirun or
-    /// srun has started. For scenes that do not fit on one device. Any number of ranks gives the same bits
-    /// (docs/cluster.md)
-    #[arg(long, value_name = "N|mpi", help_heading = "Ranks")]
-    ranks: Option<Launch>,
-    /// Allow ranks with different programs or devices; the image's bits then depend on which rank computes what
-    #[arg(long, requires = "ranks", help_heading = "Ranks")]
-    mixed: bool,
-}
-
-impl SharesArgs {
-    /// Starts the ranks; `None` without `--ranks`.
-    pub fn start(&self) -> Result<Option<Team>> {
         self.ranks.map(|kind| Team::start(kind, self.mixed)).transpose()
     }
 }
@@ -120,8 +76,6 @@ pub struct Team {
     /// The ranks of the other threads.
     pub others: Vec<ThreadRanks>,
     pub mixed: bool,
-    /// Number of shards of the Gaussians in a training; none where each rank has the whole scene.
-    pub shards: Option<usize>,
     pub is_mpi: bool,
 }
 
@@ -138,34 +92,7 @@ impl Team {
     }
 
     fn new(mine: Arc<dyn Ranks>, others: Vec<ThreadRanks>, mixed: bool) -> Self {
-        Self { mine, others, mixed, shards: None, is_mpi: false }
-    }
-
-    /// Runs `lead` on rank 0 and `follow` on the others. A failure of one rank ends all.
-    pub fn run(
-        self,
-        lead: impl FnOnce(Member<'_>) -> Result<()>,
-        follow: impl Fn(Member<'_>) -> Result<()> + Sync,
-    ) -> Result<()> {
-        let places = self.places();
-        let Self { mine, others, mixed, is_mpi, .. } = self;
-        thread::scope(|scope| {
-            for ranks in others {
-                let follow = &follow;
-                scope.spawn(move || {
-                    let result = follow(Member { ranks: &ranks, places, mixed });
-                    let _ = result.inspect_err(|error| ranks.fail(&error::chain(error)));
-                });
-            }
-            let member = Member { ranks: &*mine, places, mixed };
-            let result = if mine.rank() == 0 { lead(member) } else { follow(member) };
-            if is_mpi && let Err(error) = &result {
-                mine.fail(&error::chain(error));
-            }
-            // before the threads are joined: they end when rank 0 is gone
-            drop(mine);
-            result
-        })
+        Self { mine, others, mixed, is_mpi: false }
     }
 
     /// Sends rank 0's settings, and the placement of a resumed scene, to the other ranks, which cannot read them while rank 0 writes the file.
@@ -220,44 +147,6 @@ impl Places {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let threads = options.threads.unwrap_or((cores / self.size).max(1));
         options.threads(threads).place(rank)
-    }
-}
-
-/// One of the ranks that hold shards of a scene.
-#[derive(Clone, Copy, Debug)]
-pub struct Member<'a> {
-    pub ranks: &'a dyn Ranks,
-    places: Places,
-    mixed: bool,
-}
-
-impl Member<'_> {
-    /// Opens the rank's device.
-    pub fn open(&self, device: &DeviceArgs, console: Console) -> Result<Renderer> {
-        let options = self.places.device(device.options()?, self.ranks.rank());
-        device.open_as(&options, console)
-    }
-
-    /// Loads the rank's shard of a scene file to its device. `input` identifies the other inputs that all ranks have
-    /// read.
-    pub fn shard(
-        &self,
-        renderer: &Renderer,
-        file: &Path,
-        input: &str,
-        options: UploadOptions,
-    ) -> Result<DeviceShard> {
-        let shard = SceneShard::load(file, self.ranks.rank(), self.ranks.size())
-            .map_err(|error| told_apart(error, file, Expected::Scene))?;
-        let input = format!("{} {:?} {input}", shard.gaussians, shard.scene.config);
-        check_agreement(
-            self.ranks,
-            renderer.device(),
-            organza::COMMIT.unwrap_or_default(),
-            ("input", &input),
-            self.mixed,
-        )?;
-        renderer.upload_shard(&shard, options)
     }
 }
 

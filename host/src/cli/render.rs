@@ -4,16 +4,15 @@ use std::path::{Path, PathBuf};
 
 use organza::image::{ChannelFormat, ChannelImage};
 use organza::tile::MAX_TILE_SIDE;
-use organza::{Channel, DeviceShard, Image, Renderer, Result};
+use organza::{Channel, Image, Result};
 use serde::Serialize;
 
 use super::channels::{ChannelArgs, FormatArgs};
-use super::console::{Console, Level, print_json};
+use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{self, Folder, name, refuse_others};
-use super::picture::{Picture, Pictures, Shown, sizes, warn_not_finite};
-use super::ranks::{Member, SharesArgs};
+use super::picture::{Picture, Pictures, sizes, warn_not_finite};
 use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::{ViewList, ViewTask, names, warn_distorted};
@@ -28,7 +27,6 @@ Examples:
   organza render scene.safetensors data/fox -o images --split all --downscale 2
   organza render scene.safetensors transforms.json -o images --task 0/4    the first of four machines
   organza render scene.safetensors transforms.json -o images --missing     what is not there yet
-  mpirun -n 8 organza render scene.safetensors transforms.json -o images --ranks mpi
 
 The cameras of a data set are those of training: undistorted and downscaled. With a run's folder, its settings say \
 which frames are held out. `--views` counts the frames that `--split` chooses.
@@ -70,8 +68,6 @@ pub struct Args {
     /// Write to a folder with other files. They stay; images of the same names are replaced
     #[arg(long)]
     overwrite: bool,
-    #[command(flatten)]
-    ranks: SharesArgs,
     /// Side of the tiles that an image is cut into, in pixels
     #[arg(long, value_name = "S", default_value_t = 64)]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MAX_TILE_SIDE)))]
@@ -110,39 +106,10 @@ impl RenderJob {
         let views = args.task.map_or(views.clone(), |task| task.select(views));
         Ok(Self { source, cameras, views })
     }
-
-    /// Loads a rank's shard of the scene to its device.
-    fn shard(&self, args: &Args, rank: Member<'_>, renderer: &Renderer) -> Result<DeviceShard> {
-        let input = format!("{:?} {:?}", self.views, self.cameras.list);
-        rank.shard(renderer, self.source.file(), &input, args.scene_args.options())
-    }
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let Some(team) = args.ranks.start()? else {
-        return render(args, RenderJob::find(args, console)?, None, console);
-    };
-    if !args.channels.list().is_empty() {
-        return refuse("`--channels` needs the whole scene on one device: leave out `--ranks`");
-    }
-    let follow = |rank: Member<'_>| {
-        let console = Console::new(Level::Quiet);
-        let job = RenderJob::find(args, console)?;
-        let renderer = &rank.open(&args.device, console)?;
-        let shard = job.shard(args, rank, renderer)?;
-        let todo: Vec<u64> = bytemuck::pod_collect_to_vec(&rank.ranks.broadcast(Vec::new())?);
-        let shown = Shown::Shard(&shard, rank.ranks);
-        let cameras = &job.cameras.list[..];
-        let pictures = Pictures { renderer, shown, cameras, tile_size: args.tile_size, stop: None };
-        todo.into_iter().try_for_each(|view| {
-            pictures.render(view as usize, &mut Summary::start(), &console.hidden()).map(drop)
-        })
-    };
-    team.run(|rank| render(args, RenderJob::find(args, console)?, Some(rank), console), follow)
-}
-
-/// Renders, alone or as rank 0.
-fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Console) -> Result<()> {
+    let job = RenderJob::find(args, console)?;
     let RenderJob { source, cameras, views } = &job;
     let list = &cameras.list[..];
     warn_distorted(console, list, views);
@@ -152,7 +119,7 @@ fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Consol
         Image::check_memory(list[view].width, list[view].height)?;
         ChannelImage::check_memory(&channels, list[view].width, list[view].height)?;
     }
-    let scene = if rank.is_none() { Some(source.load(console)?) } else { None };
+    let scene = source.load(console)?;
     let mut folder = Folder::make(&args.output)?;
     // tasks write different images to one folder
     folder.lock(args.task.is_some())?;
@@ -169,18 +136,10 @@ fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Consol
         refuse_others(&folder, is_image)?;
     }
 
-    let renderer = &match rank {
-        Some(rank) => rank.open(&args.device, console)?,
-        None => args.device.open(console)?,
-    };
-    let scene = scene.map(|scene| args.scene_args.upload(renderer, &scene)).transpose()?;
-    let shard = rank.map(|rank| job.shard(args, rank, renderer)).transpose()?;
-    let shown = match (&scene, &shard, rank) {
-        (_, Some(shard), Some(rank)) => Shown::Shard(shard, rank.ranks),
-        (scene, ..) => Shown::Scene(scene.as_ref().expect("it was read")),
-    };
+    let renderer = &args.device.open(console)?;
+    let scene = &args.scene_args.upload(renderer, &scene)?;
     let pictures =
-        Pictures { renderer, shown, cameras: list, tile_size: args.tile_size, stop: None };
+        Pictures { renderer, scene, cameras: list, tile_size: args.tile_size, stop: None };
     let is_wanted = |files: &[PathBuf]| !args.missing || !files.iter().all(|file| file.exists());
     let todo: Vec<_> = (0..views.len()).filter(|&place| is_wanted(&files[place])).collect();
     if todo.len() < views.len() {
@@ -189,10 +148,6 @@ fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Consol
         console.note(&format!("{there} of {all} are there from an earlier call"));
     }
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
-    if let Some(rank) = rank {
-        let todo: Vec<_> = rendered.iter().map(|(view, _)| *view as u64).collect();
-        rank.ranks.broadcast(bytemuck::cast_slice(&todo).to_vec())?;
-    }
     let output = (&channels[..], format);
     let cost = write_all(&pictures, &rendered, output, console)?;
     let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();

@@ -4,14 +4,13 @@ use std::path::{Path, PathBuf};
 
 use muslin_device::memory;
 use organza::scene::{TensorRef, TensorSpec, read_tensors, write_tensors};
-use organza::{Camera, Error, Gradient, RenderedTiles, Renderer, Result, TileBatch};
+use organza::{Camera, Error, RenderedTiles, Renderer, Result, TileBatch};
 use serde::Serialize;
 
 use super::channels::ChannelArgs;
-use super::console::{Console, Level, print_json};
+use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
-use super::ranks::{Member, SharesArgs};
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::warn_distorted;
 use super::{output, refuse};
@@ -23,7 +22,6 @@ Examples:
   organza tiles run tiles.json -o rendered.safetensors     cameras of what the run was trained on
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --channels depth,alpha
   organza tiles scene.safetensors cameras.json tiles.json --grad-tiles G.safetensors --grad gradient.safetensors
-  organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --ranks 2
 
 CAMERAS may be a data set: its cameras are those of training, and `camera` is an index among the \
 frames of `--split`.
@@ -62,30 +60,12 @@ pub struct Args {
     #[command(flatten)]
     channels: ChannelArgs,
     #[command(flatten)]
-    ranks: SharesArgs,
-    #[command(flatten)]
     scene_args: SceneArgs,
     #[command(flatten)]
     device: DeviceArgs,
 }
 
-pub fn run(args: &Args, console: Console) -> Result<()> {
-    let Some(team) = args.ranks.start()? else {
-        return tiles(args, &TilesJob::find(args, console)?, None, console);
-    };
-    if !args.channels.list().is_empty() {
-        return refuse("`--channels` needs the whole scene on one device: leave out `--ranks`");
-    }
-    let follow = |rank: Member<'_>| {
-        let console = Console::new(Level::Quiet);
-        let job = TilesJob::find(args, console)?;
-        let renderer = rank.open(&args.device, console)?;
-        job.render_with_ranks(args, rank, &renderer).map(drop)
-    };
-    team.run(|rank| tiles(args, &TilesJob::find(args, console)?, Some(rank), console), follow)
-}
-
-/// The work to do, as every rank determines it.
+/// The work to do.
 struct TilesJob {
     source: SceneSource,
     batch: TileBatch,
@@ -126,63 +106,30 @@ impl TilesJob {
         memory::check(4 * tiles * planes as u64 * side * side, "the output")?;
         Ok(Self { source, batch, cameras, grad_tiles })
     }
-
-    /// The tiles, and their gradient if it is asked for, on rank 0.
-    fn render_with_ranks(
-        &self,
-        args: &Args,
-        rank: Member<'_>,
-        renderer: &Renderer,
-    ) -> Result<(RenderedTiles, Option<Gradient>)> {
-        let Self { source, batch, cameras, grad_tiles } = self;
-        let values = grad_tiles.as_deref().unwrap_or_default();
-        let hash = crc32c::crc32c(bytemuck::cast_slice(values));
-        let input = format!("{batch:?} {cameras:?} {hash}");
-        let shard = rank.shard(renderer, source.file(), &input, args.scene_args.options())?;
-        if grad_tiles.is_none() {
-            let tiles = renderer.render_shard(&shard, cameras, batch, rank.ranks)?;
-            return Ok((tiles, None));
-        }
-        let recording = renderer.record_shard(&shard, cameras, batch, rank.ranks)?;
-        let tiles = recording.tiles().clone();
-        Ok((tiles, recording.backward(values)?.gather(rank.ranks)?))
-    }
 }
 
-/// Renders, alone or as rank 0.
-fn tiles(args: &Args, job: &TilesJob, rank: Option<Member<'_>>, console: Console) -> Result<()> {
-    let TilesJob { source, batch, cameras, grad_tiles } = job;
+pub fn run(args: &Args, console: Console) -> Result<()> {
+    let job = TilesJob::find(args, console)?;
+    let TilesJob { source, batch, cameras, grad_tiles } = &job;
     let output = args.output.as_deref();
     let channels = args.channels.list();
     let mut cost = None;
     let mut gradient = None;
-    if let Some(rank) = rank {
-        let renderer = &rank.open(&args.device, console)?;
+    let scene = source.load(console)?;
+    let renderer = &args.device.open(console)?;
+    let scene = &args.scene_args.upload(renderer, &scene)?;
+    if let Some(output) = output {
         let mut summary = Summary::start();
-        let found = console.during("rendering", || job.render_with_ranks(args, rank, renderer))?;
-        if let Some(output) = output {
-            let summary = &mut summary;
-            let tiles = &found.0;
-            cost = Some(write_tiles(console, summary, renderer, tiles, batch, output)?);
-        }
-        gradient = found.1;
-    } else {
-        let scene = source.load(console)?;
-        let renderer = &args.device.open(console)?;
-        let scene = &args.scene_args.upload(renderer, &scene)?;
-        if let Some(output) = output {
-            let mut summary = Summary::start();
-            let tiles = {
-                let progress = console.progress("rendering", batch.tiles.len(), "tiles");
-                let mut advance = |done, total| progress.set_of(done, total);
-                renderer.render_channels(scene, cameras, batch, &channels, &mut advance)?
-            };
-            cost = Some(write_tiles(console, &mut summary, renderer, &tiles, batch, output)?);
-        }
-        if let Some(values) = grad_tiles {
-            let task = || renderer.gradient(scene, cameras, batch, values);
-            gradient = Some(console.during("computing the gradient", task)?);
-        }
+        let tiles = {
+            let progress = console.progress("rendering", batch.tiles.len(), "tiles");
+            let mut advance = |done, total| progress.set_of(done, total);
+            renderer.render_channels(scene, cameras, batch, &channels, &mut advance)?
+        };
+        cost = Some(write_tiles(console, &mut summary, renderer, &tiles, batch, output)?);
+    }
+    if let Some(values) = grad_tiles {
+        let task = || renderer.gradient(scene, cameras, batch, values);
+        gradient = Some(console.during("computing the gradient", task)?);
     }
     if let (Some(gradient), Some(output)) = (gradient, &args.grad) {
         gradient.save(output)?;

@@ -214,11 +214,6 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// Trains as the first rank, or alone.
 fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
-    if args.view && team.as_ref().is_some_and(|team| team.shards.is_some()) {
-        return refuse(
-            "`--view` needs the whole scene on one device: leave out `--split gaussians`",
-        );
-    }
     let signals = Signals::listen()?;
     let (folder, config) = prepare(args)?;
     let planned = args.settings.planned();
@@ -357,7 +352,6 @@ impl TrainJob<'_> {
         }
         let of_others: Vec<_> =
             team.iter().flat_map(|team| 1..=team.others.len()).map(of_rank).collect();
-        let shards = team.as_ref().and_then(|team| team.shards);
         let (mine, others, mixed) = match team {
             Some(Team { mine, others, mixed, .. }) => (Some(mine), others, mixed),
             None => (None, Vec::new(), false),
@@ -369,7 +363,6 @@ impl TrainJob<'_> {
         session.stop = signals.stop();
         session.ranks = mine;
         session.mixed = mixed;
-        session.shards = shards;
         let mut view = self.view.zip(server).map(|((args, share), server)| {
             args.announce(&server.url(), console);
             let stop = signals.stop();

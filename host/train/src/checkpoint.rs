@@ -1,18 +1,18 @@
 //! `checkpoint.safetensors`: a scene file that also holds what training needs to go on, and how far it has come.
 
-mod shards;
-
 use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read, Seek};
-use std::ops::Range;
 use std::path::Path;
 
 use super::binding::{BINDING, Binding};
 use super::per_photograph::{PerPhotograph, VALUES_PREFIX, names};
 use crate::{CHECKPOINT, TrainConfig};
-use organza_core::error::{Error, Result};
+use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::input::open_regular;
-use organza_core::scene::{Scene, SceneShard, Tensor, TensorSpec, read_metadata, read_tensor};
+use organza_core::scene::{
+    Scene, Tensor, TensorRef, TensorSpec, read_metadata, read_tensor, scene_metadata,
+    tensors_to_bytes, write_tensors,
+};
 use serde::{Deserialize, Serialize};
 
 /// Prefixes of the names of Adam's moments.
@@ -23,8 +23,7 @@ const STATISTICS: &str = "train.statistics";
 const EXPOSURE: &str = "exposure";
 /// Those of poses.
 const POSE: &str = "pose";
-/// Where training stands, to the bit. Of a scene whose Gaussians are dealt to [ranks](organza_core::ranks), each rank
-/// has its [shard](SceneShard), and all fields.
+/// Where training stands, to the bit.
 ///
 /// This continues a run's training from code:
 ///
@@ -52,10 +51,6 @@ pub struct Checkpoint {
     pub moments: [Scene; 2],
     /// `[N]`: see [`SceneGradient::statistics`](organza_render::SceneGradient).
     pub statistics: Vec<[f32; 4]>,
-    /// The Gaussians that are here, among those of the whole scene.
-    pub range: Range<usize>,
-    /// Gaussians of the whole scene.
-    pub gaussians: usize,
     /// The exposures of the photographs, where the run learns them; none is as before the first step.
     pub exposures: Option<PerPhotograph>,
     /// How the cameras of the photographs have moved, where the run refines poses: rotation vectors and shifts, as
@@ -70,44 +65,22 @@ impl Checkpoint {
     ///
     /// # Errors
     /// The same errors as [`Scene::zeros`].
-    pub fn begin(scene: Scene, config: &TrainConfig) -> Result<Self> {
-        let gaussians = scene.gaussians.len();
-        Self::begin_shard(SceneShard { scene, range: 0..gaussians, gaussians }, config)
-    }
-
-    /// [`Self::begin`] for a shard.
-    pub(super) fn begin_shard(mut shard: SceneShard, config: &TrainConfig) -> Result<Self> {
+    pub fn begin(mut scene: Scene, config: &TrainConfig) -> Result<Self> {
         if !config.ablation.learn_transmittance {
-            let head = shard.scene.transmittance.network.layers.last_mut().expect("a head");
+            let head = scene.transmittance.network.layers.last_mut().expect("a head");
             head.weight.fill(0.0);
             // log sigmoid(100) is 0 in f32
             head.bias.fill(100.0);
         }
-        Self::from_shard(shard, Progress::default())
-    }
-
-    /// A shard without moments and statistics so far, where nothing is learned of the photographs.
-    fn from_shard(shard: SceneShard, progress: Progress) -> Result<Self> {
-        let SceneShard { scene, range, gaussians } = shard;
-        let zeros = Scene::zeros(scene.config.clone(), range.len())?;
-        let moments = [zeros.clone(), zeros];
-        let statistics = vec![[0.0; 4]; range.len()];
-        let exposures = None;
-        let poses = None;
-        Ok(Self { scene, moments, statistics, range, gaussians, exposures, poses, progress })
-    }
-
-    /// The shard of a rank.
-    #[must_use]
-    pub fn shard(&self, rank: usize, ranks: usize) -> Self {
-        let SceneShard { scene, range, gaussians } = SceneShard::new(&self.scene, rank, ranks);
-        let moments =
-            self.moments.each_ref().map(|moment| SceneShard::new(moment, rank, ranks).scene);
-        let statistics = self.statistics[range.clone()].to_vec();
-        let exposures = self.exposures.clone();
-        let poses = self.poses.clone();
-        let progress = self.progress;
-        Self { scene, moments, statistics, range, gaussians, exposures, poses, progress }
+        let zeros = Scene::zeros(scene.config.clone(), scene.gaussians.len())?;
+        Ok(Self {
+            statistics: vec![[0.0; 4]; scene.gaussians.len()],
+            scene,
+            moments: [zeros.clone(), zeros],
+            exposures: None,
+            poses: None,
+            progress: Progress::default(),
+        })
     }
 
     /// The tensors of a file beside those of the scene; `photographs` are those of [`Checkpoint::photograph_tensors`].
@@ -139,22 +112,45 @@ impl Checkpoint {
         Ok(metadata)
     }
 
+    /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
+    ///
+    /// # Errors
+    /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has overflowed.
+    pub fn save(&self, path: impl AsRef<Path>, binding: Option<&Binding>) -> Result<()> {
+        self.with_encoding(binding, |tensors, metadata| write_tensors(path, tensors, metadata))
+    }
+
+    /// [`Self::save`] to memory, bound to nothing.
+    pub(crate) fn to_bytes(&self) -> Result<Vec<u8>> {
+        self.with_encoding(None, tensors_to_bytes)
+    }
+
+    fn with_encoding<T>(
+        &self,
+        binding: Option<&Binding>,
+        write: impl FnOnce(&[TensorRef<'_>], &[(&str, &str)]) -> Result<T>,
+    ) -> Result<T> {
+        self.scene.validate()?;
+        self.check(Path::new(IN_MEMORY))?;
+        let photographs = self.photograph_tensors();
+        let mut tensors = self.scene.tensors();
+        tensors.extend(self.beside_scene(&photographs));
+        let tensors: Vec<_> = tensors.iter().map(|(spec, data)| spec.with_data(data)).collect();
+        let config = self.scene.config.to_json()?;
+        let beside = self.metadata(binding)?;
+        let mut metadata = scene_metadata(&config).to_vec();
+        metadata.extend(beside.iter().map(|(key, text)| (*key, &**text)));
+        write(&tensors, &metadata)
+    }
+
     /// Reads a file that [`Checkpoint::save`] wrote.
     ///
     /// # Errors
     /// The same errors as [`Scene::load`]; [`Error::Invalid`] for a scene that no training can go on from.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        Self::load_shard(path, 0, 1)
-    }
-
-    /// Reads the shard of a rank from a checkpoint of any run, and no more of it.
-    ///
-    /// # Errors
-    /// The same errors as [`Checkpoint::load`].
-    pub fn load_shard(path: impl AsRef<Path>, rank: usize, ranks: usize) -> Result<Self> {
         let path = path.as_ref();
         let (file, length) = open_regular(path)?;
-        Self::read(&mut BufReader::new(file), (length, path), (rank, ranks))
+        Self::read(&mut BufReader::new(file), (length, path))
     }
 
     /// [`Self::load`] from memory; `origin` is the name errors give to the bytes.
@@ -162,20 +158,16 @@ impl Checkpoint {
     /// # Errors
     /// The same errors as [`Self::load`].
     pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
-        Self::read(&mut Cursor::new(bytes), (bytes.len() as u64, origin.as_ref()), (0, 1))
+        Self::read(&mut Cursor::new(bytes), (bytes.len() as u64, origin.as_ref()))
     }
 
-    fn read(
-        reader: &mut (impl Read + Seek),
-        (length, path): (u64, &Path),
-        shard: (usize, usize),
-    ) -> Result<Self> {
+    fn read(reader: &mut (impl Read + Seek), (length, path): (u64, &Path)) -> Result<Self> {
         let no_file = |source| Error::read(path, source);
         let progress = Progress::read(reader, length, path)?;
         reader.rewind().map_err(no_file)?;
         let other = Some((STATISTICS, 4));
-        let (SceneShard { scene, range, gaussians }, moments, statistics) =
-            SceneShard::read_with(reader, (length, path), shard, MOMENTS, other)?;
+        let (scene, moments, statistics) =
+            Scene::read_with(reader, (length, path), MOMENTS, other)?;
         let mut tensors = BTreeMap::new();
         for name in [EXPOSURE, POSE].into_iter().flat_map(names) {
             reader.rewind().map_err(no_file)?;
@@ -186,8 +178,7 @@ impl Checkpoint {
         let statistics = statistics.as_chunks().0.to_vec();
         let exposures = PerPhotograph::from_tensors(EXPOSURE, &mut tensors, path)?;
         let poses = PerPhotograph::from_tensors(POSE, &mut tensors, path)?;
-        let checkpoint =
-            Self { scene, moments, statistics, range, gaussians, exposures, poses, progress };
+        let checkpoint = Self { scene, moments, statistics, exposures, poses, progress };
         checkpoint.check(path)?;
         Ok(checkpoint)
     }

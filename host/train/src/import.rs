@@ -91,7 +91,7 @@ pub fn import(
         progress(trainer.steps() as usize)?;
     }
     let psnr = trainer.evaluate()?.mean.psnr;
-    Ok(Imported { scene: trainer.shard().download(renderer.device())?, psnr, covered })
+    Ok(Imported { scene: trainer.scene().download(renderer.device())?, psnr, covered })
 }
 
 /// The settings of training: the number of Gaussians is constant, and their positions and shapes change slowly.

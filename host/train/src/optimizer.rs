@@ -5,70 +5,45 @@ use organza_shaders::adam::{AdamKernel, AdamParams};
 use super::config::{EPSILON, OptimizerConfig};
 use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_core::scene::{FieldTensors, GaussianTensors, Gaussians, Scene, Tensors};
-use organza_render::{
-    DeviceShard, ShardGradient, TensorGradient, in_blocks, pack, read_blocks, unpack, upload,
-};
+use organza_core::scene::{FieldTensors, Gaussians, Scene, Tensors};
+use organza_render::{DeviceScene, SceneGradient, TensorGradient, pack, unpack, upload};
 
 /// Both moments of every parameter, and the flag of tensors that are never sparse.
 #[derive(Debug)]
 pub struct Optimizer {
-    /// m and v of [`DeviceShard::fields`].
-    fields: [Tensors<Buffer<f32>>; 2],
-    /// Those of each block's Gaussians.
-    blocks: Vec<[GaussianTensors<Buffer<f32>>; 2]>,
-    /// The most Gaussians of a block.
-    block: usize,
+    /// m and v.
+    moments: [Tensors<Buffer<f32>>; 2],
     always: Buffer<u32>,
 }
 
 impl Optimizer {
-    /// From the moments of a shard's tensors, of an earlier run or zeros.
-    pub fn new(device: &Device, shard: &DeviceShard, moments: &[Scene; 2]) -> Result<Self> {
-        let block = shard.block();
-        let fields = |moment: &Scene| -> Result<_> {
-            let mut fields = Scene::zeros(moment.config.clone(), 1)?;
-            fields.color.clone_from(&moment.color);
-            fields.transmittance.clone_from(&moment.transmittance);
-            Ok(upload(device, pack(&fields))?)
-        };
-        let [first, second] = moments;
-        let fields = [fields(first)?, fields(second)?];
-        let always = device.upload("touched", &[1])?;
-        let mut optimizer = Self { fields, blocks: Vec::new(), block, always };
-        optimizer.replace_gaussians(device, moments)?;
-        Ok(optimizer)
+    /// From moments, of an earlier run or zeros.
+    pub fn new(device: &Device, [first, second]: &[Scene; 2]) -> Result<Self> {
+        let moments = [upload(device, pack(first))?, upload(device, pack(second))?];
+        Ok(Self { moments, always: device.upload("touched", &[1])? })
     }
 
     /// The moments of the Gaussians are these from now on.
     pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
-        let upload = |moment: &Gaussians| {
-            moment.tensors().try_map(|name, values| device.upload(name, values))
-        };
-        // not both at once
-        self.blocks.clear();
-        let [first, second] =
-            moments.each_ref().map(|moment| in_blocks(&moment.gaussians, self.block));
-        for (first, second) in first.zip(second) {
-            self.blocks.push([upload(&first)?, upload(&second)?]);
+        for (own, moment) in self.moments.iter_mut().zip(moments) {
+            // not both at once
+            for gaussians in [&Gaussians::default(), &moment.gaussians] {
+                let tensors = gaussians.tensors();
+                own.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;
+            }
         }
         Ok(())
     }
 
     /// The moments as they are now, as scenes.
-    pub fn moments(&self, device: &Device, shard: &DeviceShard) -> Result<[Scene; 2]> {
-        let read = |place: usize| -> Result<Scene> {
-            let moment = self.fields[place].as_ref();
-            let mut scene =
-                unpack(shard.config(), shard.fields().len(), moment, |buffer, values| {
-                    device.read_into(buffer, 0, values)
-                })?;
-            scene.gaussians = Gaussians::zeros(shard.config(), shard.len())?;
-            let blocks = self.blocks.iter().map(|moments| moments[place].as_ref());
-            read_blocks(device, blocks, &mut scene.gaussians)?;
-            Ok(scene)
+    pub fn moments(&self, device: &Device, scene: &DeviceScene) -> Result<[Scene; 2]> {
+        let read = |moment: &Tensors<Buffer<f32>>| {
+            unpack(scene.config(), scene.len(), moment.as_ref(), |buffer, values| {
+                device.read_into(buffer, 0, values)
+            })
         };
-        Ok([read(0)?, read(1)?])
+        let [first, second] = &self.moments;
+        Ok([read(first)?, read(second)?])
     }
 
     /// Moves every parameter that has a gradient, and clears the gradient.  `step` counts from 0; `fraction` is the part of the run that is
@@ -76,27 +51,19 @@ impl Optimizer {
     pub fn step(
         &self,
         device: &Device,
-        scene: &DeviceShard,
-        gradient: &ShardGradient,
+        scene: &DeviceScene,
+        gradient: &SceneGradient,
         config: &OptimizerConfig,
         now: (u32, f64),
     ) -> Result<()> {
-        let fields = scene.fields();
-        let mut adam = Adam::new(device, config, &self.always, now, fields.extent());
-        if !gradient.fields.has_transmittance {
+        let mut adam = Adam::new(device, config, &self.always, now, scene.extent());
+        if !gradient.has_transmittance {
             adam.keep_transmittance();
         }
-        let [first, second] = self.fields.each_ref().map(Tensors::as_ref);
-        let tensors = fields.tensors().as_ref().zip(gradient.fields.tensors().as_ref());
+        let [first, second] = self.moments.each_ref().map(Tensors::as_ref);
+        let tensors = scene.tensors().as_ref().zip(gradient.tensors().as_ref());
         let all = tensors.zip(adam.updates).zip(first.zip(second));
         all.try_map(|_, ((tensor, update), moments)| adam.step(tensor, update, moments))?;
-        let blocks = scene.blocks().iter().zip(&gradient.blocks).zip(&self.blocks);
-        for ((block, gradient), [first, second]) in blocks {
-            let gradient = gradient.tensors().gaussians.as_ref();
-            let tensors = block.tensors().gaussians.as_ref().zip(gradient);
-            let all = tensors.zip(adam.updates.gaussians).zip(first.as_ref().zip(second.as_ref()));
-            all.try_map(|_, ((tensor, update), moments)| adam.step(tensor, update, moments))?;
-        }
         Ok(())
     }
 }

@@ -62,15 +62,10 @@ pub struct Session<'a> {
     /// A flag that another thread sets to save and stop.
     pub stop: &'a AtomicBool,
     /// The ranks that share the run. This one is rank 0: only it reads and writes files. The others call
-    /// [`follow`](super::follow). The scene's bits do not depend on the number of ranks, but they differ from those
-    /// of a run without ranks.
+    /// [`follow`](super::follow). The scene's bits do not depend on them.
     pub ranks: Option<Arc<dyn Ranks>>,
     /// Whether ranks may differ in program and device. The scene's bits then depend on which rank computes what.
     pub mixed: bool,
-    /// Number of shards of the Gaussians. A group of as many ranks has all of them, and groups share the views. By default,
-    /// each rank has the whole scene. The scene's bits depend on whether there are shards, but not on their number. It has no
-    /// effect without ranks.
-    pub shards: Option<usize>,
 }
 
 /// Progress of a run.
@@ -102,8 +97,8 @@ pub enum Event<'a> {
         report: &'a StepReport,
         /// Number of Gaussians.
         gaussians: usize,
-        /// The scene on the device; `None` if its Gaussians are distributed over ranks.
-        scene: Option<&'a DeviceScene>,
+        /// The scene on the device.
+        scene: &'a DeviceScene,
     },
     /// The log has a new record.
     Logged(&'a Record),
@@ -166,7 +161,6 @@ impl<'a> Session<'a> {
             stop: &NEVER,
             ranks: None,
             mixed: false,
-            shards: None,
         }
     }
 }

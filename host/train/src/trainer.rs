@@ -7,7 +7,6 @@ use super::growth::{Grown, grow};
 use super::optimizer::Optimizer;
 use super::per_photograph::Exposures;
 use super::pose::PoseSet;
-use super::ranks::Team;
 use super::requirements::check;
 use super::sampler::Target;
 use super::start;
@@ -16,13 +15,9 @@ use crate::{Checkpoint, Progress, StepGradient, StepHooks, TrainConfig};
 use glam::Vec4;
 use muslin_device::Device;
 use organza_core::ranks::Ranks;
-use organza_core::scene::range_of;
 use organza_core::{Camera, Error, Result, metrics};
 use organza_data::Dataset;
-use organza_render::{
-    DeviceScene, DeviceShard, ExposureGradient, Loss, Renderer, SceneGradient, ShardGradient,
-    TileLoss,
-};
+use organza_render::{DeviceScene, ExposureGradient, Loss, Renderer, SceneGradient, TileLoss};
 
 /// Why ranks do not train so.
 pub(super) const NO_HOOKS: &str =
@@ -57,7 +52,7 @@ pub(super) const NO_HOOKS: &str =
 /// assert_eq!(evaluation.views.len(), 2);
 /// assert!(evaluation.mean.psnr.is_some_and(|psnr| psnr > 3.0));
 ///
-/// let scene = trainer.shard().download(renderer.device())?;
+/// let scene = trainer.scene().download(renderer.device())?;
 /// assert_eq!(scene.gaussians.len(), 100);
 /// # Ok::<(), organza_core::Error>(())
 /// ```
@@ -76,8 +71,8 @@ pub struct Trainer {
     poses: Option<PoseSet>,
     pub(super) state: TrainerState,
     pub(super) step: u32,
-    /// See [`Trainer::with_ranks`] and [`Trainer::resume_shard`].
-    pub(super) team: Option<Team>,
+    /// See [`Trainer::with_ranks`].
+    pub(super) ranks: Option<Arc<dyn Ranks>>,
 }
 
 impl Trainer {
@@ -107,17 +102,7 @@ impl Trainer {
         dataset: impl Into<Arc<Dataset>>,
         checkpoint: &Checkpoint,
     ) -> Result<Self> {
-        Self::with_team(renderer, config, dataset.into(), checkpoint, None)
-    }
-
-    /// Continues from a checkpoint, of the whole scene or of a shard.
-    pub(super) fn with_team(
-        renderer: &Renderer,
-        config: TrainConfig,
-        dataset: Arc<Dataset>,
-        checkpoint: &Checkpoint,
-        team: Option<Team>,
-    ) -> Result<Self> {
+        let dataset = dataset.into();
         check(&config, &dataset)?;
         if checkpoint.scene.config.placement != dataset.placement {
             let reason = "the scene has other coordinates than the data set: read the data set with \
@@ -138,9 +123,7 @@ impl Trainer {
         if let Some(poses) = &poses {
             cameras = poses.cameras();
         }
-        let is_shard = team.as_ref().is_some_and(|team| team.shards.is_some());
-        let shard = renderer.upload_blocks(&checkpoint.scene, is_shard)?;
-        let state = TrainerState::new(renderer, &config, shard, checkpoint, cameras.len())?;
+        let state = TrainerState::new(renderer, &config, checkpoint, cameras.len())?;
         let renderer = renderer.clone();
         let step = checkpoint.progress.step;
         Ok(Self {
@@ -154,7 +137,7 @@ impl Trainer {
             poses,
             state,
             step,
-            team,
+            ranks: None,
         })
     }
 
@@ -163,7 +146,7 @@ impl Trainer {
     /// bits are those of a trainer without ranks.
     #[must_use]
     pub fn with_ranks(mut self, ranks: Arc<dyn Ranks>) -> Self {
-        self.team = Some(Team { ranks, shards: None });
+        self.ranks = Some(ranks);
         self
     }
 
@@ -202,47 +185,28 @@ impl Trainer {
         &self.cameras
     }
 
-    /// The scene as it is now, if this rank has the whole of it.
+    /// The scene as it is now.
     #[must_use]
-    pub fn scene(&self) -> Option<&DeviceScene> {
-        self.state.shard.whole()
+    pub fn scene(&self) -> &DeviceScene {
+        &self.state.scene
     }
 
-    /// This rank's shard of the scene as it is now: the whole scene, unless ranks split the Gaussians.
-    #[must_use]
-    pub fn shard(&self) -> &DeviceShard {
-        &self.state.shard
-    }
-
-    /// Gaussians of the whole scene.
-    #[must_use]
-    pub fn gaussians(&self) -> usize {
-        self.state.gaussians
-    }
-
-    /// Number of Gaussians that steps have shown since growth last changed them; `None` if this rank has a shard of them.
-    pub(super) fn seen(&self) -> Result<Option<usize>> {
-        let Some(_) = self.scene() else { return Ok(None) };
+    /// Number of Gaussians that steps have shown since growth last changed them.
+    pub(super) fn seen(&self) -> Result<usize> {
         let statistics = self.state.statistics(self.renderer.device())?;
-        Ok(Some(statistics.iter().filter(|[_, views, ..]| *views > 0.0).count()))
+        Ok(statistics.iter().filter(|[_, views, ..]| *views > 0.0).count())
     }
 
     /// Renders the held-out frames and compares them with their photographs.
     ///
     /// # Errors
-    /// The same errors as [`evaluate`](crate::evaluate()); [`Error::Argument`] where this rank has a shard of the
-    /// scene.
+    /// The same errors as [`evaluate`](crate::evaluate()).
     pub fn evaluate(&self) -> Result<Evaluation> {
         let frames: Vec<_> = self.dataset.held_out_frames().collect();
-        let Some(scene) = self.scene() else {
-            let reason = "a rank with a shard of the scene cannot render it alone".to_owned();
-            return Err(Error::Argument { reason });
-        };
-        evaluate_with(&self.renderer, scene, &frames, self.fits_colors(), &mut |_| {})
+        evaluate_with(&self.renderer, self.scene(), &frames, self.fits_colors(), &mut |_| {})
     }
 
-    /// Everything that training needs to go on, with the Gaussians of this rank's shard. `seconds` is the time of
-    /// training to write down.
+    /// Everything that training needs to go on. `seconds` is the time of training to write down.
     ///
     /// # Errors
     /// The same errors as [`Device::read`](muslin_device::Device::read); [`Error::Diverged`] where a gradient was not
@@ -250,17 +214,11 @@ impl Trainer {
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
         let device = self.renderer.device();
         let state = &self.state;
-        state.gradient.fields.check(device)?;
-        let range = match self.team.as_ref().map(Team::grid) {
-            Some(grid) => range_of(state.gaussians, grid.shard(), grid.shards),
-            None => 0..state.gaussians,
-        };
+        state.gradient.check(device)?;
         Ok(Checkpoint {
-            scene: state.shard.download(device)?,
-            moments: state.optimizer.moments(device, &state.shard)?,
+            scene: state.scene.download(device)?,
+            moments: state.optimizer.moments(device, &state.scene)?,
             statistics: state.statistics(device)?,
-            range,
-            gaussians: state.gaussians,
             exposures: self.exposures.as_ref().map(|exposures| exposures.0.clone()),
             poses: self.poses.as_ref().map(|poses| poses.learned.clone()),
             progress: Progress { step: self.step, seconds },
@@ -293,10 +251,8 @@ impl Trainer {
         let (report, exposures) = self.add_gradient(&drawn, hooks)?;
         report.check(self.step).inspect_err(|_| rollback(self))?;
         let device = self.renderer.device();
-        let TrainerState { shard, optimizer, gradient, .. } = &self.state;
-        if let Some(hook) = &mut hooks.gradient
-            && let (Some(scene), Some(gradient)) = (shard.whole(), gradient.blocks.first())
-        {
+        let TrainerState { scene, optimizer, gradient } = &self.state;
+        if let Some(hook) = &mut hooks.gradient {
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| rollback(self))?;
         }
@@ -309,17 +265,17 @@ impl Trainer {
             moved.inspect_err(|_| gradient.rollback(device))?;
         }
         if let Some(poses) = &mut self.poses {
-            let found = gradient.fields.read_poses(device)?;
+            let found = gradient.read_poses(device)?;
             let shown = drawn.batch.tiles.iter().map(|tile| tile.camera);
             let rate = settings.rate_at(settings.pose, done);
-            let moved = poses.step(&found, shown, settings, rate, shard.fields().extent());
+            let moved = poses.step(&found, shown, settings, rate, scene.extent());
             moved.inspect_err(|_| gradient.rollback(device))?;
-            gradient.fields.clear_poses(device);
+            gradient.clear_poses(device);
             self.cameras = poses.cameras();
         }
-        device.run_in_pool(|| optimizer.step(device, shard, gradient, settings, now))?;
-        gradient.fields.clear_touched(device);
-        shard.update_occupancy(device)?;
+        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
+        gradient.clear_touched(device);
+        scene.update_occupancy(device)?;
         // a GPU moves the scene while the host draws the next tiles
         device.submit();
         self.step += 1;
@@ -340,10 +296,10 @@ impl Trainer {
         let target = Target::new(batch, *factor, &frames)?;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
         let target = target.loss_target(&self.config.loss, exposure.as_deref());
-        let TrainerState { shard, gradient, .. } = &self.state;
+        let TrainerState { scene, gradient, .. } = &self.state;
         let renderer = &self.renderer;
         let cameras = &drawn.cameras(&self.cameras)[..];
-        let scene = &shard.coarser(*factor, *ray_steps);
+        let scene = &scene.coarser(*factor, *ray_steps);
         Ok(match &mut hooks.loss {
             Some(own) => {
                 let (loss, squared) = renderer
@@ -356,9 +312,9 @@ impl Trainer {
             }
             None => {
                 let kept = &mut self.loss;
-                let grid = self.team.as_ref().map(Team::grid);
+                let ranks = self.ranks.as_deref();
                 let (losses, exposures) = renderer
-                    .add_loss_gradient(scene, cameras, batch, kept, &target, gradient, grid)?;
+                    .add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
                 (StepReport::new(&losses, target.ssim_weight), exposures)
             }
         })
@@ -366,7 +322,7 @@ impl Trainer {
 
     /// The settings that hooks cannot be used with.
     fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
-        let reason = if self.team.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
+        let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
             NO_HOOKS
         } else if self.exposures.is_some() && hooks.loss.is_some() {
             "a loss of your own does not know the photographs' exposures: set `exposure.learn` to off"
@@ -381,7 +337,7 @@ impl Trainer {
     /// On the host: once in many steps.
     fn grow(&mut self) -> Result<Grown> {
         let mut checkpoint = self.checkpoint(0.0)?;
-        let grown = self.with_group(|ranks| grow(&self.config.growth, &mut checkpoint, ranks))?;
+        let grown = grow(&self.config.growth, &mut checkpoint);
         self.state.replace_gaussians(self.renderer.device(), &checkpoint)?;
         Ok(grown)
     }
@@ -441,72 +397,55 @@ impl StepReport {
 /// The state that a step changes.
 #[derive(Debug)]
 pub(super) struct TrainerState {
-    /// The whole scene, or a shard of it.
-    pub shard: DeviceShard,
+    pub scene: DeviceScene,
     pub optimizer: Optimizer,
-    pub gradient: ShardGradient,
-    /// Gaussians of the whole scene.
-    pub gaussians: usize,
+    pub gradient: SceneGradient,
 }
 
 impl TrainerState {
-    /// The state of the checkpoint of `shard`, with values for each of the photographs.
+    /// The state of a checkpoint, with values for each of the photographs.
     pub fn new(
         renderer: &Renderer,
         config: &TrainConfig,
-        mut shard: DeviceShard,
         checkpoint: &Checkpoint,
         photographs: usize,
     ) -> Result<Self> {
         let device = renderer.device();
+        let mut scene = renderer.upload(&checkpoint.scene)?;
         if !config.ablation.divide {
-            shard.never_divide();
+            scene.never_divide();
         }
-        let optimizer = Optimizer::new(device, &shard, &checkpoint.moments)?;
-        let mut fields = SceneGradient::new(device, shard.fields())?;
+        let optimizer = Optimizer::new(device, &checkpoint.moments)?;
+        let mut gradient = SceneGradient::new(device, &scene)?;
         if config.poses.refine {
-            fields = fields.with_poses(device, photographs)?;
+            gradient = gradient.with_poses(device, photographs)?;
         }
-        let gradient = ShardGradient::new(device, &shard, fields)?;
-        let state = Self { shard, optimizer, gradient, gaussians: checkpoint.gaussians };
+        let state = Self { scene, optimizer, gradient };
         state.write_statistics(device, &checkpoint.statistics)?;
         Ok(state)
     }
 
     /// Whether the next gradient is also that of T.
     pub fn set_transmittance(&mut self, is_learned: bool) {
-        let blocks = self.gradient.blocks.iter_mut();
-        blocks
-            .chain([&mut self.gradient.fields])
-            .for_each(|part| part.has_transmittance = is_learned);
+        self.gradient.has_transmittance = is_learned;
     }
 
     /// The Gaussians are those of a checkpoint from now on; the fields stay.
     pub fn replace_gaussians(&mut self, device: &Device, checkpoint: &Checkpoint) -> Result<()> {
-        self.gaussians = checkpoint.gaussians;
-        self.shard.replace_gaussians(device, &checkpoint.scene.gaussians)?;
+        self.scene.replace_gaussians(device, &checkpoint.scene.gaussians)?;
         self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
-        self.gradient.replace_gaussians(device, &self.shard)?;
+        self.gradient.replace_gaussians(device, &self.scene)?;
         self.write_statistics(device, &checkpoint.statistics)
     }
 
-    /// `[N]`, of the Gaussians that are here: see [`SceneGradient::statistics`].
+    /// `[N]`: see [`SceneGradient::statistics`].
     pub fn statistics(&self, device: &Device) -> Result<Vec<[f32; 4]>> {
-        let mut statistics = Vec::with_capacity(self.shard.len());
-        for block in &self.gradient.blocks {
-            statistics.extend(device.read(&block.statistics)?.iter().map(|v| v.to_array()));
-        }
-        Ok(statistics)
+        let statistics = device.read(&self.gradient.statistics)?;
+        Ok(statistics.iter().map(|v| v.to_array()).collect())
     }
 
     fn write_statistics(&self, device: &Device, statistics: &[[f32; 4]]) -> Result<()> {
-        let mut rest = statistics;
-        for block in &self.gradient.blocks {
-            let (mine, after) = rest.split_at(block.statistics.len());
-            let mine: Vec<_> = mine.iter().map(|&v| Vec4::from_array(v)).collect();
-            device.write(&block.statistics, 0, &mine)?;
-            rest = after;
-        }
-        Ok(())
+        let statistics: Vec<_> = statistics.iter().map(|&v| Vec4::from_array(v)).collect();
+        Ok(device.write(&self.gradient.statistics, 0, &statistics)?)
     }
 }

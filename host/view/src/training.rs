@@ -101,7 +101,7 @@ impl<'a> TrainingView<'a> {
                 state.evaluations.step.push(step);
                 state.evaluations.psnr.push(evaluation.mean.psnr);
             }
-            Event::Step { step, seconds, report, scene: Some(scene), .. } => {
+            Event::Step { step, seconds, report, scene, .. } => {
                 state.step = u64::from(*step);
                 state.seconds = *seconds;
                 state.gaussians = scene.len();

@@ -134,7 +134,7 @@ fn a_run_calls_its_hook_every_step_and_lends_the_scene() {
     let mut hooked = Vec::new();
     let mut scenes = Vec::new();
     let mut watch = |event: Event<'_>| {
-        if let Event::Step { scene: Some(scene), .. } = event {
+        if let Event::Step { scene, .. } = event {
             scenes.push(scene.download(renderer.device())?);
         }
         Ok(())

@@ -21,5 +21,4 @@ mod results;
 pub mod runs;
 mod settings;
 mod signals;
-mod split;
 mod volume;

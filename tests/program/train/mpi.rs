@@ -55,24 +55,6 @@ fn any_number_of_processes_gives_the_same_bits() {
     }
 }
 
-/// The scene is a single slice: two of three processes have no Gaussians.
-#[test]
-#[ignore = "scripts/mpi.sh runs it"]
-fn processes_with_shards_train_like_threads() {
-    let sandbox = sandbox();
-    let words = |run: &str| format!("{TINY} {run} --threads 1 --steps 14 --split gaussians");
-    sandbox.run(&format!("{} --ranks 1", words("threads"))).assert_ok();
-    let threads = bits(&sandbox, "threads");
-    assert!(threads["gaussians.opacity"].1.len() > 200, "the scene has grown");
-    assert_ok(mpirun(&sandbox, &[(3, &words("processes"))]));
-    assert_same_run(&sandbox, "processes", "threads");
-    // two groups, in which the first shard is empty
-    assert_ok(mpirun(&sandbox, &[(4, &format!("{} --shards 2", words("grid")))]));
-    assert_same_run(&sandbox, "grid", "threads");
-    let refused = format!("{} --shards 3", words("no"));
-    assert_fails(mpirun(&sandbox, &[(4, &refused)]), &["must divide the number of ranks, 4"]);
-}
-
 /// If a rank is killed, all end. Another number of ranks continues from the checkpoint.
 #[test]
 #[ignore = "scripts/mpi.sh runs it"]
@@ -129,21 +111,6 @@ fn processes_that_round_differently_must_be_allowed() {
     assert_fails(command, &["rank 1: it is", "scalar", "`--instruction-set`", "`--mixed`"]);
     let mixed = [plain, scalar].map(|words| words.replace(" run ", " mixed ") + " --mixed");
     assert_ok(mpirun(&sandbox, &[(1, &mixed[0]), (1, &mixed[1])]));
-}
-
-/// The scene is a single slice: two of three processes have no Gaussians.
-#[test]
-#[ignore = "scripts/mpi.sh runs it"]
-fn processes_render_like_threads() {
-    let sandbox = Sandbox::new("basic");
-    let words = "render scene.safetensors cameras.json --backend cpu --threads 1 --views 0 -o";
-    sandbox.run(&format!("{words} threads --ranks 2")).assert_ok();
-    assert_ok(mpirun(&sandbox, &[(3, &format!("{words} processes"))]));
-    let expected = sandbox.images("threads");
-    assert_eq!(expected.len(), 1);
-    assert!(sandbox.images("processes") == expected);
-    let command = mpirun(&sandbox, &[(2, &format!("{words} no --channels depth"))]);
-    assert_fails(command, &["leave out `--ranks`"]);
 }
 
 /// The child processes of a process.

@@ -1,17 +1,13 @@
-//! Ranks: processes, or threads of one process, that train or render one scene together.
+//! Ranks: processes, or threads of one process, that train one scene together.
 //!
-//! Ranks are numbered from 0. In a training run, each rank either holds the whole scene and computes its part of
-//! every step, or it holds [a shard](crate::scene::SceneShard) of the Gaussians, as in rendering. Ranks communicate
+//! Ranks are numbered from 0. Each holds the whole scene, and computes some views of every step. Ranks communicate
 //! through the calls of [`Ranks`]. All ranks make the same calls in the same order.
 
-mod group;
 mod threads;
 
 use std::fmt::Debug;
 
 use crate::error::{Error, Result};
-
-pub use group::Grid;
 use muslin_device::Device;
 pub use threads::ThreadRanks;
 

@@ -1,15 +1,17 @@
 //! Scenes as safetensors files.
 
-use std::collections::HashSet;
-use std::io::{BufReader, Cursor};
+use std::collections::{HashMap, HashSet};
+use std::io::{BufReader, Cursor, Read, Seek};
 use std::path::Path;
 
+use super::Scene;
 use super::config::SceneConfig;
-use super::tensor_file::{Header, TensorRef, encode, write_tensors};
+use super::tensor_file::{Header, TensorRef, tensors_to_bytes, write_tensors};
 use super::tensors::TensorSpec;
-use super::{Scene, SceneShard};
+use super::validate::check_sizes;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
+use muslin_device::memory;
 
 /// The `format` of a scene file's metadata.
 pub(super) const FORMAT: &str = "organza.scene";
@@ -26,7 +28,10 @@ impl Scene {
     /// [`Error::MissingTensor`], [`Error::WrongDtype`], [`Error::WrongShape`], [`Error::TooManyValues`],
     /// [`Error::NotFinite`]. All but the last are found before any tensor is read.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        SceneShard::load(path, 0, 1).map(|shard| shard.scene)
+        let path = path.as_ref();
+        let (file, length) = open_regular(path)?;
+        Self::read_with(&mut BufReader::new(file), (length, path), [], None)
+            .map(|(scene, ..)| scene)
     }
 
     /// [`Self::load`] from memory. Errors name the bytes `origin`.
@@ -35,8 +40,51 @@ impl Scene {
     /// The same errors as [`Self::load`].
     pub fn from_bytes(bytes: &[u8], origin: impl AsRef<Path>) -> Result<Self> {
         let place = (bytes.len() as u64, origin.as_ref());
-        let (shard, ..) = SceneShard::read_with(&mut Cursor::new(bytes), place, (0, 1), [], None)?;
-        Ok(shard.scene)
+        Self::read_with(&mut Cursor::new(bytes), place, [], None).map(|(scene, ..)| scene)
+    }
+
+    /// Like [`Self::load`], from a reader of `length` bytes that errors name `origin`. Also reads other data of the
+    /// same Gaussians: scenes of the same shape, whose tensors' names have these prefixes, and the rows of another tensor,
+    /// given its name and width.
+    pub fn read_with<const P: usize>(
+        reader: &mut (impl Read + Seek),
+        (length, origin): (u64, &Path),
+        prefixes: [&str; P],
+        other: Option<(&str, usize)>,
+    ) -> Result<(Self, [Self; P], Vec<f32>)> {
+        let header = Header::read(reader, length, origin)?;
+        let config = read_config(&header, origin)?;
+        let gaussians = count_gaussians(&header, &config, origin)?;
+        for prefix in [""].iter().chain(&prefixes) {
+            for mut spec in config.tensors(gaussians) {
+                spec.name.insert_str(0, prefix);
+                check_declared(&header, &spec, origin)?;
+            }
+        }
+        if let Some((name, width)) = other {
+            let shape = vec![gaussians, width];
+            let why = "a row for each Gaussian";
+            check_declared(&header, &TensorSpec { name: name.to_owned(), shape, why }, origin)?;
+        }
+        check_sizes(config.tensors(gaussians).iter(), origin)?;
+        // every tensor allocated here is declared in the file, so no header can request more memory than the file is long
+        let mut scene = Self::zeros(config, gaussians)?;
+        let mut more = prefixes.map(|_| scene.clone());
+        let width = other.map_or(0, |(_, width)| width);
+        let mut rows = memory::zeros(gaussians * width, "rows of a scene")?;
+        let mut targets = HashMap::new();
+        let scenes = [("", &mut scene)].into_iter().chain(prefixes.into_iter().zip(&mut more));
+        for (prefix, scene) in scenes {
+            for (spec, values) in scene.tensors_mut() {
+                targets.insert(format!("{prefix}{}", spec.name), values);
+            }
+        }
+        if let Some((name, _)) = other {
+            targets.insert(name.to_owned(), &mut rows);
+        }
+        header.read_wanted(reader, targets, origin)?;
+        scene.validate_at(origin)?;
+        Ok((scene, more, rows))
     }
 
     /// Validates the scene and writes it atomically. The same scene gives the same bytes.
@@ -52,7 +100,7 @@ impl Scene {
     /// # Errors
     /// The same errors as [`Self::validate`].
     pub fn to_bytes(&self) -> Result<Vec<u8>> {
-        self.with_encoding(encode)
+        self.with_encoding(tensors_to_bytes)
     }
 
     /// Names of the tensors in a scene file that [`Self::load`] ignores. Reads only the header.

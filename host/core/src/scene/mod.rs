@@ -7,7 +7,6 @@ mod gradient;
 mod grid;
 mod network;
 mod placement;
-mod shard;
 mod tensor_file;
 mod tensors;
 mod validate;
@@ -27,10 +26,9 @@ pub use grid::{
 };
 pub use network::{Field, Layer, Network};
 pub use placement::Placement;
-pub use shard::{GAUSSIANS_PER_BLOCK, SceneShard, range_of};
 pub use tensor_file::{
-    Tensor, TensorRef, read_metadata, read_tensor, read_tensors, read_tensors_from, write_streamed,
-    write_tensors,
+    Tensor, TensorRef, read_metadata, read_tensor, read_tensors, read_tensors_from,
+    tensors_to_bytes, write_tensors,
 };
 pub use tensors::{FieldTensors, TensorSpec, Tensors};
 

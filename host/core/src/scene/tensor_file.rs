@@ -1,7 +1,7 @@
 //! Safetensors files of F32 tensors of any meaning.
 
 use std::collections::{BTreeMap, HashMap};
-use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, Read, Seek, Write};
 use std::path::Path;
 
 use safetensors::tensor::{Dtype, Metadata, TensorInfo};
@@ -80,8 +80,8 @@ pub fn read_tensor(
     header.require_f32(name, origin)?;
     let Some(shape) = header.shape(name).map(<[usize]>::to_vec) else { return Ok(None) };
     let mut data = memory::zeros(shape.iter().product(), name)?;
-    let wanted = HashMap::from([(name.to_owned(), (0, &mut data[..]))]);
-    header.read_ranges(reader, wanted, origin)?;
+    let wanted = HashMap::from([(name.to_owned(), &mut data[..])]);
+    header.read_wanted(reader, wanted, origin)?;
     Ok(Some(Tensor { shape, data }))
 }
 
@@ -109,35 +109,8 @@ pub fn write_tensors(
     write_atomic(path, |writer| write_all(writer, &header, &tensors))
 }
 
-/// Like [`write_tensors`], but for tensors that are not in memory. The arguments give names and shapes. `write` is
-/// called for each tensor, in the order of the names, and writes its values.
-///
-/// # Errors
-/// The same errors as [`write_tensors`], and those of `write`.
-pub fn write_streamed(
-    path: impl AsRef<Path>,
-    tensors: &[(&str, &[usize])],
-    metadata: &[(&str, &str)],
-    write: impl FnOnce(&mut dyn FnMut(&[f32]) -> Result<()>) -> Result<()>,
-) -> Result<()> {
-    let path = path.as_ref();
-    let header = encode_header(tensors, metadata)?;
-    let mut failed = None;
-    let written = write_atomic(path, |writer| {
-        writer.write_all(&header)?;
-        let values = &mut |values: &[f32]| {
-            write_values(writer, values).map_err(|source| Error::write(path, source))
-        };
-        write(values).map_err(|error| {
-            failed = Some(error);
-            io::Error::other("the values were not there")
-        })
-    });
-    failed.map_or(written, Err)
-}
-
 /// [`write_tensors`] to memory.
-pub(super) fn encode(tensors: &[TensorRef<'_>], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
+pub fn tensors_to_bytes(tensors: &[TensorRef<'_>], metadata: &[(&str, &str)]) -> Result<Vec<u8>> {
     let (header, tensors) = encode_tensors(tensors, metadata)?;
     let mut bytes = Vec::new();
     write_all(&mut bytes, &header, &tensors)
@@ -216,28 +189,23 @@ impl Header {
         }
     }
 
-    /// Reads the data into the slice for each name, and skips tensors without a slice. Each slice comes with the number of
-    /// the tensor's values before it.
-    ///
-    /// The tensors must be F32 and may not end before their slices.
-    pub fn read_ranges(
+    /// Reads the data into the slice for each name, and skips tensors without a slice. The tensors must be F32 and as long as
+    /// their slices.
+    pub fn read_wanted(
         &self,
         reader: &mut (impl Read + Seek),
-        mut slices: HashMap<String, (usize, &mut [f32])>,
+        mut wanted: HashMap<String, &mut [f32]>,
         origin: &Path,
     ) -> Result<()> {
         for name in &self.names {
             let (start, end) = self.header.info(name).map_or((0, 0), |info| info.data_offsets);
-            let (first, values) = slices.remove(name).unwrap_or((0, &mut []));
-            let before = first * size_of::<f32>();
-            let after = end - start - before - size_of_val(values);
-            let seek = |reader: &mut dyn Seek, bytes: usize| {
-                let found = reader.seek(SeekFrom::Current(bytes as i64));
-                found.map(drop).map_err(|source| Error::read(origin, source))
-            };
-            seek(reader, before)?;
-            read_values(reader, values, origin)?;
-            seek(reader, after)?;
+            match wanted.remove(name) {
+                Some(values) => read_values(reader, values, origin)?,
+                None => {
+                    let skipped = reader.seek_relative((end - start) as i64);
+                    skipped.map_err(|source| Error::read(origin, source))?;
+                }
+            }
         }
         Ok(())
     }

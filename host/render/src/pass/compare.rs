@@ -8,14 +8,11 @@ use crate::stages::cut::{PartTiles, PlannedTile, values_of_tiles};
 use crate::stages::distortion::Distortion;
 use crate::stages::exposure::{self, Exposed, ExposureGradient};
 use crate::{
-    GradientBlocks, Loss, LossInputs, LossOutput, LossTarget, Renderer, SceneBlocks, TileLoss,
+    DeviceScene, Loss, LossInputs, LossOutput, LossTarget, Renderer, SceneGradient, TileLoss,
 };
 use muslin_device::{Buffer, Device};
-use organza_core::ranks::{Grid, Ranks};
-use organza_core::{Camera, RenderedTiles, Result, TileBatch};
-
-/// Pixels that are compared at once, where Gaussians are dealt to ranks: 200 MiB of memory.
-const COMPARED_PIXELS: usize = 1 << 20;
+use organza_core::ranks::Ranks;
+use organza_core::{Camera, Result, TileBatch};
 
 /// Losses of tiles, and the gradients of their exposures if they are learned, in the order of the batch.
 pub(crate) type Compared = (Vec<TileLoss>, Vec<ExposureGradient>);
@@ -88,8 +85,8 @@ impl Renderer {
     /// Adds the gradients of a batch's loss to `gradient`; returns the losses of the tiles and the gradients of the
     /// exposures, if the target has them, in the order of the batch.
     ///
-    /// With a `grid`, each rank has the same batch, and the same scene or its shard of it. Each group renders some of
-    /// the batch. All ranks get the same gradient, those with a shard that of their Gaussians.
+    /// With `ranks`, each has the same batch and the same scene, and renders some views of the batch. All get the same
+    /// gradient.
     ///
     /// On a GPU a batch of one part is one wait, for the losses, after a first one that has found
     /// out what such batches need. `gradient` is that of a step: but for the statistics, zero before. `loss` is kept
@@ -99,85 +96,43 @@ impl Renderer {
     /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank). The gradient is then as it
     /// was before.
     #[allow(clippy::too_many_arguments)]
-    pub fn add_loss_gradient<'a>(
+    pub fn add_loss_gradient(
         &self,
-        scene: impl Into<SceneBlocks<'a>>,
+        scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
         loss: &mut Option<Loss>,
         target: &LossTarget<'_>,
-        gradient: impl Into<GradientBlocks<'a>>,
-        grid: Option<Grid<'_>>,
+        gradient: &SceneGradient,
+        ranks: Option<&dyn Ranks>,
     ) -> Result<Compared> {
         batch.validate(cameras)?;
         let device = self.device();
-        let into = gradient.into();
-        into.snapshot(device);
-        let mut pass = self.pass(scene.into(), cameras);
-        pass.grid = grid.filter(|grid| pass.scene.is_shard || grid.all.size() > 1);
+        gradient.snapshot(device);
+        let ranks = ranks.filter(|ranks| ranks.size() > 1);
+        let mut pass = Pass { ranks, ..self.pass(scene, cameras) };
         let (tiles, views) = pass.deal(batch)?;
         pass.views = views;
         let mut found = Found::default();
-        if pass.scene.is_shard {
-            // the group's ranks add up the sums of its tiles, and of no other
-            let local =
-                tiles.iter().enumerate().map(|(place, tile)| PlannedTile { place, ..*tile });
-            let mut parts = pass.cut_tiles(batch.side, &local.collect::<Vec<_>>())?;
-            let group = tiles.iter().map(|tile| tile.tile).collect();
-            let group = TileBatch { side: batch.side, tiles: group };
-            let (rendered, sums) = pass.forward_sums(&mut parts, &group, true)?;
-            let (some, grad_tiles) = self.compare(&rendered, &tiles, loss, target)?;
-            found = some;
-            Pass { sums: &sums, ..pass }.backward_from(&mut parts, &grad_tiles, into)?;
-        } else {
-            let of_tiles = |plan: &PartTiles, part: &Part, back: &mut GoBack<'_>| {
-                let loss = Loss::reuse(loss, device, plan.side, plan.tiles.len())?;
-                let tiles = (&plan.tiles[..], plan.side);
-                let image = &part.composite.image;
-                let compare = || Comparison::new(device, loss, target, tiles, image);
-                let mut compared = device.run_in_pool(compare)?;
-                back(compared.of_tiles())?;
-                let Some((words, needed)) = part.read(device, compared.buffers())? else {
-                    return Ok(None);
-                };
-                found.0.extend(compared.found(tiles, &words).0);
-                Ok(Some(needed))
+        let of_tiles = |plan: &PartTiles, part: &Part, back: &mut GoBack<'_>| {
+            let loss = Loss::reuse(loss, device, plan.side, plan.tiles.len())?;
+            let tiles = (&plan.tiles[..], plan.side);
+            let image = &part.composite.image;
+            let compare = || Comparison::new(device, loss, target, tiles, image);
+            let mut compared = device.run_in_pool(compare)?;
+            back(compared.of_tiles())?;
+            let Some((words, needed)) = part.read(device, compared.buffers())? else {
+                return Ok(None);
             };
-            pass.backward(&mut pass.cut_tiles(batch.side, &tiles)?, of_tiles, into)?;
-        }
-        if let Some(grid) = pass.grid.filter(|grid| grid.groups() > 1) {
-            // all ranks of a group have the same: one sends it
-            let mine = if grid.shard() == 0 { found } else { Found::default() };
-            let all = mine.gather(batch, target, grid.all);
-            found = all.inspect_err(|_| into.rollback(device))?;
+            found.0.extend(compared.found(tiles, &words).0);
+            Ok(Some(needed))
+        };
+        pass.backward(&mut pass.cut_tiles(batch.side, &tiles)?, of_tiles, gradient)?;
+        if let Some(ranks) = ranks {
+            let all = found.gather(batch, target, ranks);
+            found = all.inspect_err(|_| gradient.rollback(device))?;
         }
         Ok(found.in_order())
-    }
-
-    /// The losses of rendered tiles, and dL/dY.
-    fn compare(
-        &self,
-        rendered: &RenderedTiles,
-        tiles: &[PlannedTile],
-        loss: &mut Option<Loss>,
-        target: &LossTarget<'_>,
-    ) -> Result<(Found, Vec<f32>)> {
-        let device = self.device();
-        let side = rendered.side;
-        let area = (side * side) as usize;
-        let most = (COMPARED_PIXELS / area).max(1);
-        let mut found = Found::default();
-        let mut grad_tiles = Vec::new();
-        for (tiles, pixels) in tiles.chunks(most).zip(rendered.data.chunks(most * 3 * area)) {
-            let loss = Loss::reuse(loss, device, side, tiles.len())?;
-            let image = device.upload("rendered tiles", pixels)?;
-            let tiles = (tiles, side);
-            let compare = || Comparison::new(device, loss, target, tiles, &image);
-            let compared = device.run_in_pool(compare)?;
-            found.0.extend(compared.found(tiles, &device.read_all(&compared.buffers())?).0);
-            grad_tiles.extend(device.read(&compared.output.grad_tiles)?);
-        }
-        Ok((found, grad_tiles))
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::part::{Part, TileGradient};
 use super::pass::{GoBack, Pass};
 use crate::stages::cut::{PartTiles, values_of_tiles};
-use crate::{GradientBlocks, LossInputs, LossTarget, Renderer, SceneBlocks};
+use crate::{DeviceScene, LossInputs, LossTarget, Renderer, SceneGradient};
 use muslin_device::{Buffer, Device};
 use organza_core::{Camera, Error, RenderedTiles, Result, TileBatch};
 
@@ -69,22 +69,21 @@ impl Renderer {
     /// # Errors
     /// The same errors as [`Renderer::render`]; those of the loss; [`Error::Argument`] where its gradient has another
     /// number of values. The gradient is then as it was before.
-    pub fn add_own_loss_gradient<'a>(
+    pub fn add_own_loss_gradient(
         &self,
-        scene: impl Into<SceneBlocks<'a>>,
+        scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
         own: &mut OwnLoss<'_>,
         target: &LossTarget<'_>,
-        gradient: impl Into<GradientBlocks<'a>>,
+        gradient: &SceneGradient,
     ) -> Result<(f64, f64)> {
         batch.validate(cameras)?;
-        let pass = self.pass(scene.into(), cameras);
-        let into = gradient.into();
-        into.snapshot(self.device());
+        let pass = self.pass(scene, cameras);
+        gradient.snapshot(self.device());
         let (loss, squared) = match own {
-            OwnLoss::Host(own) => host(&pass, batch, own, target, into)?,
-            OwnLoss::Device(own) => on_device(&pass, batch, own, target, into)?,
+            OwnLoss::Host(own) => host(&pass, batch, own, target, gradient)?,
+            OwnLoss::Device(own) => on_device(&pass, batch, own, target, gradient)?,
         };
         Ok((loss, squared / (3.0 * target.valid_pixels).max(1.0)))
     }
@@ -96,7 +95,7 @@ fn host(
     batch: &TileBatch,
     own: &mut HostLoss<'_>,
     target: &LossTarget<'_>,
-    into: GradientBlocks<'_>,
+    into: &SceneGradient,
 ) -> Result<(f64, f64)> {
     let mut parts = pass.cut(batch)?;
     let rendered = &pass.forward_tiles(&mut parts, batch, &[], true, &mut |_, _| {})?;
@@ -113,7 +112,7 @@ fn on_device(
     batch: &TileBatch,
     own: &mut DeviceLoss<'_>,
     target: &LossTarget<'_>,
-    into: GradientBlocks<'_>,
+    into: &SceneGradient,
 ) -> Result<(f64, f64)> {
     let device = pass.renderer.device();
     // by a part's first tile: where memory ends, parts are cut and begin again

@@ -146,14 +146,14 @@ impl Part {
         Ok(())
     }
 
-    /// The other stages, after the scale of the hash grids' sums is set. With the `rows` of a block, takes the
-    /// Gaussians' gradients in each camera. The last camera of a part may continue in the next one.
+    /// The other stages, after the scale of the hash grids' sums is set. With `rows`, takes the Gaussians' gradients in
+    /// each camera. The last camera of a part may continue in the next one.
     pub fn add_pairs(
         &self,
         scene: &DeviceScene,
         pair_gradient: &Buffer<Vec4>,
         gradient: &SceneGradient,
-        rows: Option<(&mut Rows<'_>, usize)>,
+        rows: Option<&mut Rows<'_>>,
         continues: bool,
     ) -> Result<()> {
         let vectors = self.backward_fields(scene, pair_gradient, gradient)?;
@@ -161,11 +161,11 @@ impl Part {
             self.add_gaussians(scene, pair_gradient, &vectors, cameras, gradient)
         };
         let cameras = self.bins.cameras.len() as u32;
-        let Some((rows, block)) = rows else { return add(0..cameras) };
+        let Some(rows) = rows else { return add(0..cameras) };
         for camera in 0..cameras {
             add(camera..camera + 1)?;
             if camera + 1 < cameras || !continues {
-                rows.take(block)?;
+                rows.take()?;
             }
         }
         Ok(())

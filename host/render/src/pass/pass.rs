@@ -2,16 +2,12 @@
 //!
 //! A view batch is a batch's tiles of one camera. Its gradients have the same bits on any rank, alone or in one
 //! part with others. So the sum depends neither on how a batch is cut into parts, nor on how many
-//! [ranks](organza_core::ranks) share it. View batches are dealt to groups of ranks: group v mod G has the one with the
-//! number v.
+//! [ranks](organza_core::ranks) share it. View batches are dealt to ranks: rank v mod R has the one with the number v.
 //!
 //! - **hash grids** are summed as 64-bit integers, which are exact in any order. All view batches share one scale: its
 //!   bound is the largest of all bounds.
 //! - **networks and poses** are summed as [binned](muslin::binned) sums, which are exact, too.
 //! - **Gaussians** are summed camera by camera; between ranks as [`Rows`].
-//!
-//! Each rank of a group may have a shard of the Gaussians. All of them know C and S of all Gaussians. So each has dL/dC
-//! and dL/dS of Eq. 13 without another message, and from them the gradients of its own Gaussians.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -20,11 +16,11 @@ use std::sync::Arc;
 use glam::Vec4;
 
 use super::part::{Part, TileGradient};
-use super::ranks::{PLANES, Rows, finish, set_scales};
+use super::ranks::{Rows, finish, set_scales};
 use crate::stages::cut::{Limits, PartTiles, PlannedTile, by_camera, cut, values_of_tiles};
-use crate::{Capacity, GradientBlocks, Renderer, SceneBlocks};
+use crate::{Capacity, DeviceScene, Renderer, SceneGradient};
 use muslin_device::{Buffer, Device};
-use organza_core::ranks::Grid;
+use organza_core::ranks::Ranks;
 use organza_core::{Camera, Result, TileBatch};
 
 /// The most pairs and samples of parts that are kept between both directions: about 2 GiB of tables. Other parts are
@@ -35,17 +31,15 @@ const KEPT_SAMPLES: u64 = 1 << 24;
 #[derive(Clone, Copy)]
 pub struct Pass<'a> {
     pub renderer: &'a Renderer,
-    pub scene: SceneBlocks<'a>,
+    pub scene: &'a DeviceScene,
     pub cameras: &'a [Camera],
-    /// Those that share the batch.
-    pub grid: Option<Grid<'a>>,
-    /// View batches of all groups.
+    /// Those that share the batch, if there are several.
+    pub ranks: Option<&'a dyn Ranks>,
+    /// View batches of all ranks.
     pub views: usize,
-    /// `[K, 4, S, S]`: C and S of the Gaussians of all ranks. Nothing where this rank has all Gaussians.
-    pub sums: &'a [f32],
 }
 
-/// The parts of a batch, block by block.
+/// The parts of a batch.
 #[derive(Debug, Default)]
 pub struct Parts {
     list: Vec<PassPart>,
@@ -55,11 +49,10 @@ pub struct Parts {
     stays: bool,
 }
 
-/// A part of a batch, of one block of Gaussians.
+/// A part of a batch.
 #[derive(Debug)]
 pub struct PassPart {
     pub plan: PartTiles,
-    block: usize,
     /// Once it was rendered: pairs and samples.
     needed: [u64; 2],
     /// None where it is rendered again.
@@ -88,14 +81,14 @@ impl Parts {
         let part = &self.list[at];
         self.list.get(at + 1).is_some_and(|next| {
             let [last, first] = [part.plan.tiles.last(), next.plan.tiles.first()];
-            next.block == part.block && last.map(|tile| tile.view) == first.map(|tile| tile.view)
+            last.map(|tile| tile.view) == first.map(|tile| tile.view)
         })
     }
 }
 
 impl PassPart {
-    fn new(block: usize, plan: PartTiles) -> Self {
-        Self { plan, block, needed: [0; 2], part: None, of_tiles: None, of_pairs: None }
+    fn new(plan: PartTiles) -> Self {
+        Self { plan, needed: [0; 2], part: None, of_tiles: None, of_pairs: None }
     }
 
     /// Keeps a rendered part, if there is room.
@@ -114,19 +107,13 @@ impl<'a> Pass<'a> {
         self.renderer.device()
     }
 
-    /// This rank's tiles of a batch, by camera, and how many view batches all groups have.
+    /// This rank's tiles of a batch, by camera, and how many view batches all ranks have.
     pub fn deal(&self, batch: &TileBatch) -> Result<(Vec<PlannedTile>, usize)> {
-        // a group's ranks have other limits, and must have the same tiles
-        let most = match self.scene.blocks {
-            [whole] if !self.scene.is_shard => {
-                Limits::new(whole, batch.side, self.renderer.part_bytes())?.tiles
-            }
-            _ => usize::MAX,
-        };
+        let most = Limits::new(self.scene, batch.side, self.renderer.part_bytes())?.tiles;
         let mut tiles = by_camera(batch, most);
         let views = tiles.last().map_or(0, |tile| tile.view + 1);
-        if let Some(grid) = self.grid {
-            tiles.retain(|tile| tile.view % grid.groups() == grid.group());
+        if let Some(ranks) = self.ranks {
+            tiles.retain(|tile| tile.view % ranks.size() == ranks.rank());
         }
         Ok((tiles, views))
     }
@@ -138,12 +125,9 @@ impl<'a> Pass<'a> {
 
     /// Like [`Pass::cut`], for some tiles, ordered by camera.
     pub fn cut_tiles(&self, side: u32, tiles: &[PlannedTile]) -> Result<Parts> {
-        let mut parts = Parts::default();
-        for (index, block) in self.scene.blocks.iter().enumerate() {
-            let plans = cut(block, side, tiles, self.renderer.part_bytes())?;
-            parts.list.extend(plans.into_iter().map(|plan| PassPart::new(index, plan)));
-        }
-        Ok(parts)
+        let plans = cut(self.scene, side, tiles, self.renderer.part_bytes())?;
+        let list = plans.into_iter().map(PassPart::new).collect();
+        Ok(Parts { list, ..Parts::default() })
     }
 
     /// Renders all parts, and shows each to `each`, which [reads](Part::read) what it needs: nothing waits for the
@@ -176,7 +160,7 @@ impl<'a> Pass<'a> {
         &self,
         parts: &mut Parts,
         mut of_tiles: impl FnMut(&PartTiles, &Part, &mut GoBack<'_>) -> Result<Option<Capacity>>,
-        into: GradientBlocks<'_>,
+        into: &SceneGradient,
     ) -> Result<()> {
         if !parts.stays {
             parts.room = KEPT_SAMPLES;
@@ -191,7 +175,7 @@ impl<'a> Pass<'a> {
             into.rollback(self.device());
             let all = 0..parts.list.len();
             // other ranks do not begin again
-            let again = error.is_out_of_memory() && self.grid.is_none();
+            let again = error.is_out_of_memory() && self.ranks.is_none();
             if !(again && self.make_room(parts, all)?) {
                 return Err(error);
             }
@@ -203,7 +187,7 @@ impl<'a> Pass<'a> {
         &self,
         parts: &mut Parts,
         grad_tiles: &[f32],
-        into: GradientBlocks<'_>,
+        into: &SceneGradient,
     ) -> Result<()> {
         let device = self.device();
         let of_tiles = |plan: &PartTiles, part: &Part, back: &mut GoBack<'_>| {
@@ -221,23 +205,21 @@ impl<'a> Pass<'a> {
         &self,
         parts: &mut Parts,
         of_tiles: &mut impl FnMut(&PartTiles, &Part, &mut GoBack<'_>) -> Result<Option<Capacity>>,
-        into: GradientBlocks<'_>,
+        into: &SceneGradient,
     ) -> Result<bool> {
         let device = self.device();
-        let is_alone = self.grid.is_none() && !self.scene.is_shard;
+        let is_alone = self.ranks.is_none();
         let tiles: usize = parts.list.iter().map(|part| part.plan.tiles.len()).sum();
         let mut is_done = false;
         self.visit(parts, |at, room| {
             let is_only = is_alone && at.plan.tiles.len() == tiles;
-            let block = &self.scene.blocks[at.block];
-            let gradient = &into.blocks[at.block];
             let mut found = None;
             let rendered = self.render(at, true, |part| {
                 of_tiles(&at.plan, part, &mut |of_tiles| {
                     found = device.run_in_pool(|| {
                         let of_pairs = self.pair_gradient(at, part, &of_tiles)?;
                         if is_only {
-                            part.backward(block, &of_pairs, gradient)?;
+                            part.backward(self.scene, &of_pairs, into)?;
                         }
                         Ok::<_, organza_core::Error>(Some((of_tiles, of_pairs)))
                     })?;
@@ -252,7 +234,7 @@ impl<'a> Pass<'a> {
             let (part, needed) = rendered.inspect_err(rollback)?;
             is_done = is_only;
             if !is_only && let Some((of_tiles, of_pairs)) = found {
-                device.run_in_pool(|| part.raise_bounds(device, &of_pairs, gradient))?;
+                device.run_in_pool(|| part.raise_bounds(device, &of_pairs, into))?;
                 at.keep(part, needed, room);
                 at.of_pairs = at.part.is_some().then_some(of_pairs);
                 at.of_tiles = Some(of_tiles);
@@ -263,21 +245,17 @@ impl<'a> Pass<'a> {
     }
 
     /// The second pass: adds the gradients of all parts, and those of all ranks.
-    fn add_all(&self, parts: &mut Parts, into: GradientBlocks<'_>) -> Result<()> {
+    fn add_all(&self, parts: &mut Parts, into: &SceneGradient) -> Result<()> {
         let device = self.device();
-        let ranks = self.grid.map(|grid| grid.all);
         let samples = [0, 1]
             .map(|field| parts.list.iter().map(|part| part.needed[field] as i64).sum::<i64>());
-        set_scales(device, ranks, self.scene.fields, into.fields, samples)?;
-        let column = self.grid.filter(|grid| grid.groups() > 1).map(Grid::column);
-        let rows = column.as_ref().map(|column| Rows::new(device, column, into.blocks));
+        set_scales(device, self.ranks, self.scene, into, samples)?;
+        let rows = self.ranks.map(|ranks| Rows::new(device, ranks, into));
         let mut rows = rows.transpose()?;
         for index in 0..parts.list.len() {
             let continues = parts.continues(index);
             let at = &mut parts.list[index];
-            let block = &self.scene.blocks[at.block];
-            let gradient = &into.blocks[at.block];
-            let rows = rows.as_mut().map(|rows| (rows, at.block));
+            let rows = rows.as_mut();
             let read = |part: &Part| Ok(part.read(device, Vec::new())?.map(|(_, needed)| needed));
             let (part, _) = self.render(at, true, read)?;
             let of_pairs = at.of_pairs.take();
@@ -287,28 +265,24 @@ impl<'a> Pass<'a> {
                     Some(of_pairs) => of_pairs,
                     None => self.pair_gradient(at, &part, &of_tiles)?,
                 };
-                part.add_pairs(block, &of_pairs, gradient, rows, continues)
+                part.add_pairs(self.scene, &of_pairs, into, rows, continues)
             })?;
             if !parts.stays {
                 parts.list[index].part = None;
             }
         }
         rows.map_or(Ok(()), |rows| rows.add(self.views))?;
-        finish(device, ranks, into.fields)
+        finish(device, self.ranks, into)
     }
 
-    /// `[pairs, 3]`, at the sums of all Gaussians.
+    /// `[pairs, 3]`
     fn pair_gradient(
         &self,
         at: &PassPart,
         part: &Part,
         of_tiles: &TileGradient,
     ) -> Result<Buffer<Vec4>> {
-        if !self.sums.is_empty() {
-            let sums = values_of_tiles(self.sums, &at.plan.tiles, PLANES * at.plan.area());
-            self.device().write(&part.composite.sum, 0, &sums)?;
-        }
-        part.pair_gradient(&self.scene.blocks[at.block], at.plan.side, of_tiles)
+        part.pair_gradient(self.scene, at.plan.side, of_tiles)
     }
 
     /// A part that was kept, or that is rendered again, with a predicted capacity. If that was too small, or without a
@@ -323,14 +297,13 @@ impl<'a> Pass<'a> {
             let needed = read(part)?.expect("it was read before");
             return Ok((part.clone(), needed));
         }
-        let block = &self.scene.blocks[at.block];
-        let mut capacity = self.renderer.predict(block, &at.plan);
+        let mut capacity = self.renderer.predict(self.scene, &at.plan);
         loop {
-            let evaluate = || Part::evaluate(block, self.cameras, &at.plan, keep, capacity);
+            let evaluate = || Part::evaluate(self.scene, self.cameras, &at.plan, keep, capacity);
             let part = self.device().run_in_pool(evaluate)?;
             match read(&part)? {
                 Some(needed) => {
-                    self.renderer.observe(block, &at.plan, needed);
+                    self.renderer.observe(self.scene, &at.plan, needed);
                     return Ok((Arc::new(part), needed));
                 }
                 None => capacity = None,
@@ -375,9 +348,9 @@ impl<'a> Pass<'a> {
             // the next batch will not fit, either
             let bytes = self.renderer.halve_part_bytes();
             let mut pieces = Vec::new();
-            for PassPart { block, plan, .. } in &parts.list[range.clone()] {
-                let plans = cut(&self.scene.blocks[*block], plan.side, &plan.tiles, bytes)?;
-                pieces.extend(plans.into_iter().map(|plan| PassPart::new(*block, plan)));
+            for PassPart { plan, .. } in &parts.list[range.clone()] {
+                let plans = cut(self.scene, plan.side, &plan.tiles, bytes)?;
+                pieces.extend(plans.into_iter().map(PassPart::new));
             }
             if pieces.len() > range.len() {
                 parts.list.splice(range, pieces);

@@ -3,13 +3,9 @@
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::pass::{Parts, Pass};
-use crate::{
-    DeviceScene, DeviceShard, GradientBlocks, POSE, Renderer, SceneBlocks, SceneGradient,
-    ShardGradient,
-};
-use organza_core::ranks::{Grid, Ranks};
-use organza_core::scene::{Gaussians, Gradient};
+use super::pass::Parts;
+use crate::{DeviceScene, POSE, Renderer, SceneGradient};
+use organza_core::scene::Gradient;
 use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
 
 /// A rendered batch, from which the gradient of any loss follows without rendering again.
@@ -33,26 +29,15 @@ use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
 ///
 /// A batch in many parts keeps the first of them, as far as they fit; [`Recording::backward`] renders the others again.
 #[derive(Debug)]
-pub struct Recording<'a> {
+pub struct Recording {
     renderer: Renderer,
-    fields: DeviceScene,
-    blocks: Vec<DeviceScene>,
-    is_shard: bool,
+    scene: DeviceScene,
     /// [`DeviceScene::write`]s before it was rendered.
     version: u64,
     cameras: Vec<Camera>,
     batch: TileBatch,
-    /// The ranks that have other Gaussians.
-    grid: Option<Grid<'a>>,
     tiles: RenderedTiles,
-    /// `[K, 4, S, S]`: C and S of the Gaussians of all ranks; nothing where this one has them all.
-    sums: Vec<f32>,
     parts: Mutex<Parts>,
-}
-
-/// [`DeviceScene::write`]s of all blocks.
-fn version(blocks: &[DeviceScene]) -> u64 {
-    blocks.iter().map(|block| block.version.load(Ordering::Relaxed)).sum()
 }
 
 impl Renderer {
@@ -65,7 +50,7 @@ impl Renderer {
         scene: &DeviceScene,
         cameras: &[Camera],
         batch: &TileBatch,
-    ) -> Result<Recording<'static>> {
+    ) -> Result<Recording> {
         self.record_channels(scene, cameras, batch, &[])
     }
 
@@ -79,78 +64,22 @@ impl Renderer {
         cameras: &[Camera],
         batch: &TileBatch,
         channels: &[Channel],
-    ) -> Result<Recording<'static>> {
-        self.record_blocks(scene.into(), cameras, batch, channels, None)
-    }
-
-    /// Like [`Renderer::render_shard`], but keeps what the gradient needs.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::render_shard`]; [`Error::Argument`] where the scene's grids or networks are
-    /// halves.
-    pub fn record_shard<'a>(
-        &self,
-        shard: &DeviceShard,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        ranks: &'a dyn Ranks,
-    ) -> Result<Recording<'a>> {
-        self.record_blocks(shard.into(), cameras, batch, &[], Some(Grid::one_group(ranks)))
-    }
-
-    fn record_blocks<'a>(
-        &self,
-        scene: SceneBlocks<'_>,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        channels: &[Channel],
-        grid: Option<Grid<'a>>,
-    ) -> Result<Recording<'a>> {
+    ) -> Result<Recording> {
         batch.validate(cameras)?;
-        scene.fields.require_gradients()?;
-        let version = version(scene.blocks);
-        let pass = Pass { grid, ..self.pass(scene, cameras) };
+        scene.require_gradients()?;
+        let version = scene.version.load(Ordering::Relaxed);
+        let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
-        let ignore = &mut |_, _| {};
-        let (tiles, sums) = match scene.is_shard {
-            true => pass.forward_sums(&mut parts, batch, true)?,
-            false => (pass.forward_tiles(&mut parts, batch, channels, true, ignore)?, Vec::new()),
-        };
+        let tiles = pass.forward_tiles(&mut parts, batch, channels, true, &mut |_, _| {})?;
         Ok(Recording {
             renderer: self.clone(),
-            fields: scene.fields.clone(),
-            blocks: scene.blocks.to_vec(),
-            is_shard: scene.is_shard,
+            scene: scene.clone(),
             version,
             cameras: cameras.to_vec(),
             batch: batch.clone(),
-            grid,
             tiles,
-            sums,
             parts: parts.into(),
         })
-    }
-
-    /// Renders a batch of tiles together with other ranks: each has its shard of the same scene, and the same batch,
-    /// and gets all tiles. The report counts what all ranks did.
-    ///
-    /// The tiles differ from those of [`Renderer::render`] by rounding: by 2^-32 for each block, and because a pixel's
-    /// sum begins anew with each.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank) where another rank has
-    /// failed. The caller [tells](Ranks::fail) the others of its own.
-    pub fn render_shard(
-        &self,
-        shard: &DeviceShard,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        ranks: &dyn Ranks,
-    ) -> Result<RenderedTiles> {
-        batch.validate(cameras)?;
-        let pass = Pass { grid: Some(Grid::one_group(ranks)), ..self.pass(shard, cameras) };
-        let mut parts = pass.cut(batch)?;
-        Ok(pass.forward_sums(&mut parts, batch, false)?.0)
     }
 
     /// dL/dtensor for every tensor of a scene, given `grad_tiles [K, 3, S, S]`, dL/dY.
@@ -202,23 +131,21 @@ impl Renderer {
     ) -> Result<()> {
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
-        let into = GradientBlocks::from(gradient);
-        into.snapshot(self.device());
-        pass.backward_from(&mut parts, grad_tiles, into)?;
+        gradient.snapshot(self.device());
+        pass.backward_from(&mut parts, grad_tiles, gradient)?;
         gradient.check(self.device())
     }
 }
 
-impl Recording<'_> {
-    /// Y `[K, 3, S, S]`; if ranks share the batch, all of them have it.
+impl Recording {
+    /// Y `[K, 3, S, S]`
     #[must_use]
     pub fn tiles(&self) -> &RenderedTiles {
         &self.tiles
     }
 
     /// dL/dtensor for every tensor of the scene, given `grad_tiles [K, 3, S, S]`, dL/dY: what
-    /// [`Renderer::gradient`] gives. If ranks share the batch, `grad_tiles` is the same on all of them. The gradients
-    /// of the Gaussians are those of this rank; those of the fields are of all Gaussians.
+    /// [`Renderer::gradient`] gives.
     ///
     /// # Errors
     /// [`Error::Argument`] where `grad_tiles` has another number of values, or where the scene has been written to
@@ -242,16 +169,12 @@ impl Recording<'_> {
     /// them.
     ///
     /// # Errors
-    /// The same errors as [`Recording::backward`]; [`Error::Argument`] if ranks share the Gaussians.
+    /// The same errors as [`Recording::backward`].
     pub fn backward_into(&self, gradient: &SceneGradient, grad_tiles: &[f32]) -> Result<()> {
         let device = self.renderer.device();
         self.check(grad_tiles)?;
-        if self.is_shard {
-            let reason = "the gradient of a shard is not in one piece: use `backward`".to_owned();
-            return Err(Error::Argument { reason });
-        }
         gradient.clear(device);
-        self.add_to(grad_tiles, gradient.into())?;
+        self.add_to(grad_tiles, gradient)?;
         gradient.check(device)
     }
 
@@ -269,7 +192,7 @@ impl Recording<'_> {
         let shape = self.batch.output_shape();
         let reason = if found != shape.iter().product::<usize>() {
             format!("the gradient has {found} values, but the batch is {shape:?}")
-        } else if self.version != version(&self.blocks) {
+        } else if self.version != self.scene.version.load(Ordering::Relaxed) {
             "the scene has been written to since the batch was recorded: record it again".to_owned()
         } else {
             return Ok(());
@@ -277,17 +200,14 @@ impl Recording<'_> {
         Err(Error::Argument { reason })
     }
 
-    /// Adds dL/dtensor to gradients that are zero.
-    fn add_to(&self, grad_tiles: &[f32], into: GradientBlocks<'_>) -> Result<()> {
-        let Self { renderer, fields, blocks, is_shard, cameras, grid, sums, .. } = self;
-        let scene = SceneBlocks { fields, blocks, is_shard: *is_shard };
-        let views = self.batch.tiles.len();
-        let pass = Pass { renderer, scene, cameras, grid: *grid, views, sums };
-        into.snapshot(renderer.device());
-        pass.backward_from(&mut self.parts(), grad_tiles, into)
+    /// Adds dL/dtensor to a gradient that is zero.
+    fn add_to(&self, grad_tiles: &[f32], gradient: &SceneGradient) -> Result<()> {
+        let pass = self.renderer.pass(&self.scene, &self.cameras);
+        gradient.snapshot(self.renderer.device());
+        pass.backward_from(&mut self.parts(), grad_tiles, gradient)
     }
 
-    /// Adds to new gradients, and reads them, with those of the poses if they are wanted.
+    /// Adds to a new gradient, and reads it, with that of the poses if it is wanted.
     fn download(
         &self,
         grad_tiles: &[f32],
@@ -295,15 +215,13 @@ impl Recording<'_> {
     ) -> Result<(Gradient, Vec<[f32; POSE]>)> {
         self.check(grad_tiles)?;
         let device = self.renderer.device();
-        let one = Gaussians::zeros(&self.fields.config, 1)?;
-        let mut fields = SceneGradient::new(device, &self.fields.with_gaussians(device, &one)?)?;
+        let mut gradient = SceneGradient::new(device, &self.scene)?;
         if has_poses {
-            fields = fields.with_poses(device, self.cameras.len())?;
+            gradient = gradient.with_poses(device, self.cameras.len())?;
         }
-        let gradient = ShardGradient::of_blocks(device, &self.blocks, fields)?;
-        self.add_to(grad_tiles, (&gradient).into())?;
-        gradient.fields.check(device)?;
-        let found = gradient.download(device, &self.fields.config)?;
-        Ok((found, gradient.fields.read_poses(device)?))
+        self.add_to(grad_tiles, &gradient)?;
+        gradient.check(device)?;
+        let found = gradient.download(device, &self.scene.config, self.scene.len())?;
+        Ok((found, gradient.read_poses(device)?))
     }
 }

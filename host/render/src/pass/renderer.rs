@@ -6,13 +6,12 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::part::{ReadTiles, report_of_part};
 use super::pass::{CapacityPredictor, Parts, Pass};
-use crate::scene::device_shard::{DeviceShard, SceneBlocks, WHOLE};
 use crate::stages::composite::pixels;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::{Capacity, DeviceScene, UploadOptions};
 use muslin_device::{Device, memory};
 use organza_core::image::{self, Image};
-use organza_core::scene::{GAUSSIANS_PER_BLOCK, Scene, SceneShard};
+use organza_core::scene::Scene;
 
 /// Renders scenes on a device.
 ///
@@ -161,23 +160,6 @@ impl Renderer {
         DeviceScene::upload(&self.device, scene, options)
     }
 
-    /// Copies the Gaussians of a shard, and the fields of its scene, to the device. A shard may have no Gaussians.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::upload_with`].
-    pub fn upload_shard(&self, shard: &SceneShard, options: UploadOptions) -> Result<DeviceShard> {
-        DeviceShard::upload(&self.device, &shard.scene, GAUSSIANS_PER_BLOCK, options)
-    }
-
-    /// Copies a scene to the device as training has it: in one block, or in those of a shard.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::upload`].
-    pub fn upload_blocks(&self, scene: &Scene, is_shard: bool) -> Result<DeviceShard> {
-        let block = if is_shard { GAUSSIANS_PER_BLOCK } else { WHOLE };
-        DeviceShard::upload(&self.device, scene, block, UploadOptions::default())
-    }
-
     /// Renders the whole image of a camera. Values are clamped to 0 to 1 and rounded to 8 bits.
     ///
     /// # Errors
@@ -193,12 +175,8 @@ impl Renderer {
     }
 
     /// The way through a batch of this renderer alone.
-    pub(crate) fn pass<'a>(
-        &'a self,
-        scene: impl Into<SceneBlocks<'a>>,
-        cameras: &'a [Camera],
-    ) -> Pass<'a> {
-        Pass { renderer: self, scene: scene.into(), cameras, grid: None, views: 0, sums: &[] }
+    pub(crate) fn pass<'a>(&'a self, scene: &'a DeviceScene, cameras: &'a [Camera]) -> Pass<'a> {
+        Pass { renderer: self, scene, cameras, ranks: None, views: 0 }
     }
 
     /// The bytes of a part's tables.
@@ -239,7 +217,7 @@ impl Renderer {
 }
 
 impl Pass<'_> {
-    /// Renders the tiles of a whole scene and their channels; `progress` is that of [`Renderer::render_channels`].
+    /// Renders tiles and their channels; `progress` is that of [`Renderer::render_channels`].
     pub fn forward_tiles(
         &self,
         parts: &mut Parts,
@@ -252,7 +230,7 @@ impl Pass<'_> {
         let mut tiles = RenderedTiles::new(batch, channels)?;
         let mut done = 0;
         self.forward(parts, keep, |plan, part| {
-            let seen = part.seen(self.scene.fields, plan.side);
+            let seen = part.seen(self.scene, plan.side);
             let read = |buffers| part.read(device, buffers);
             let read = || ReadTiles::new(seen, &part.composite, channels, read);
             let Some((found, needed)) = device.run_in_pool(read)? else { return Ok(None) };

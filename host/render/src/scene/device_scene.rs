@@ -5,13 +5,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use organza_shaders::hash_grid::GridLevel;
 
-use super::device_shard::SceneBlocks;
 use super::field::DeviceField;
 use super::packed::{pack, unpack};
 use crate::stages::occupancy::Occupancy;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
-use organza_core::scene::{Scene, SceneConfig, Tensors};
+use organza_core::scene::{Gaussians, Scene, SceneConfig, Tensors};
 
 /// A scene whose tensors lie on a device. A clone is the same scene, on the same memory.
 #[derive(Clone, Debug)]
@@ -127,7 +126,7 @@ impl DeviceScene {
         if let Some((_, buffer)) = self.tensors.iter().find(|(own, _)| *own == name) {
             device.write(buffer, 0, values)?;
             if name.starts_with("gaussians.") {
-                SceneBlocks::from(self).update_occupancy(device, None)?;
+                self.update_occupancy(device)?;
             }
             return Ok(());
         }
@@ -144,6 +143,27 @@ impl DeviceScene {
         let mut packed = vec![0.0; place.weight_values().len()];
         place.pack_weight(values, &mut packed);
         Ok(device.write(&parameters, place.weight_values().start, &packed)?)
+    }
+
+    /// The scene has these Gaussians from now on.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::upload`]. Some Gaussians are missing then.
+    pub fn replace_gaussians(&mut self, device: &Device, gaussians: &Gaussians) -> Result<()> {
+        for gaussians in [&Gaussians::default(), gaussians] {
+            // not both at once
+            self.gaussians = 0;
+            let tensors = gaussians.tensors();
+            self.tensors.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;
+            self.gaussians = gaussians.len() as u32;
+        }
+        self.version = Arc::default();
+        self.update_occupancy(device)
+    }
+
+    /// Eq. 13 divides no sum.
+    pub fn never_divide(&mut self) {
+        self.divide_above = f32::MAX;
     }
 
     /// The blur that weights make up for, in square pixels; 0 if they do not.

@@ -1,7 +1,6 @@
-//! A scene on a device: how it gets there, how it lies there, and the shard of it that one rank has.
+//! A scene on a device: how it gets there, and how it lies there.
 
 pub mod device_scene;
-pub mod device_shard;
 pub mod field;
 pub mod network;
 pub mod options;

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
-use super::device_shard::{DeviceShard, SceneBlocks, WHOLE};
 use super::field::DeviceField;
 use crate::stages::occupancy::Occupancy;
 use crate::{DeviceScene, UploadOptions, pack, upload};
@@ -55,7 +54,7 @@ impl DeviceScene {
             occupancy: Occupancy::new(device, config, &scene_box)?,
             version: Arc::default(),
         };
-        SceneBlocks::from(&scene).update_occupancy(device, None)?;
+        scene.update_occupancy(device)?;
         Ok(scene)
     }
 
@@ -68,26 +67,5 @@ impl DeviceScene {
                 Err(Error::Argument { reason: reason.into() })
             }
         }
-    }
-}
-
-impl DeviceShard {
-    /// A scene in blocks of at most this many Gaussians. A shard may have none.
-    pub(crate) fn upload(
-        device: &Arc<Device>,
-        scene: &Scene,
-        block: usize,
-        options: UploadOptions,
-    ) -> Result<Self> {
-        let Scene { config, gaussians, color, transmittance } = scene;
-        if block == WHOLE || !gaussians.is_empty() {
-            scene.validate()?;
-        }
-        let mut fields = Scene::zeros(config.clone(), 1)?;
-        (fields.color, fields.transmittance) = (color.clone(), transmittance.clone());
-        let fields = DeviceScene::upload(device, &fields, options)?;
-        let mut uploaded = Self { fields, blocks: Vec::new(), block };
-        uploaded.replace_gaussians(device, gaussians)?;
-        Ok(uploaded)
     }
 }

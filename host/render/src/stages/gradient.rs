@@ -9,10 +9,10 @@ use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::field::hash_grid::HashGridGradient;
 use crate::scene::field::DeviceField;
-use crate::{DeviceScene, DeviceShard, POSE, unpack};
+use crate::{DeviceScene, POSE, unpack};
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
-use organza_core::scene::{FieldTensors, Gaussians, Gradient, SceneConfig, Tensors};
+use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 
 /// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
 pub const GEOMETRY: [&str; 4] =
@@ -68,13 +68,15 @@ impl SceneGradient {
         Self::with_fields(device, scene, color, transmittance)
     }
 
-    /// Zeros, for other Gaussians of the same fields and cameras, whose gradients are those of this.
-    pub(crate) fn zeros_for_block(&self, device: &Device, block: &DeviceScene) -> Result<Self> {
-        let color = self.color.clone();
-        let mut gradient = Self::with_fields(device, block, color, self.transmittance.clone())?;
-        gradient.has_transmittance = self.has_transmittance;
-        gradient.poses = self.poses.clone();
-        Ok(gradient)
+    /// The gradient of the Gaussians that the scene has now, which is zero. That of the fields and poses stays.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::zeros`].
+    pub fn replace_gaussians(&mut self, device: &Device, scene: &DeviceScene) -> Result<()> {
+        let Self { color, transmittance, has_transmittance, poses, .. } = self;
+        let gradient = Self::with_fields(device, scene, color.clone(), transmittance.clone())?;
+        *self = Self { has_transmittance: *has_transmittance, poses: poses.take(), ..gradient };
+        Ok(())
     }
 
     fn with_fields(
@@ -206,94 +208,6 @@ impl SceneGradient {
             device.read_into(&tensor.buffer, tensor.range.start, values)
         };
         Ok(Gradient::new(unpack(config, len, self.tensors.as_ref(), read)?))
-    }
-}
-
-/// Gradients of the tensors of a shard, or of a whole scene; kernels add to them.
-#[derive(Debug)]
-pub struct ShardGradient {
-    /// Those of the fields.
-    pub fields: SceneGradient,
-    /// Those of each block's Gaussians; those of the fields are the same, on the same memory.
-    pub blocks: Vec<SceneGradient>,
-}
-
-impl ShardGradient {
-    /// Zeros for a shard's Gaussians; `fields` are the gradients of [`DeviceShard::fields`].
-    pub fn new(device: &Device, shard: &DeviceShard, fields: SceneGradient) -> Result<Self> {
-        Self::of_blocks(device, shard.blocks(), fields)
-    }
-
-    /// Zeros for blocks of Gaussians.
-    pub(crate) fn of_blocks(
-        device: &Device,
-        blocks: &[DeviceScene],
-        fields: SceneGradient,
-    ) -> Result<Self> {
-        let of_blocks = blocks.iter().map(|block| fields.zeros_for_block(device, block));
-        Ok(Self { blocks: of_blocks.collect::<Result<_>>()?, fields })
-    }
-
-    /// Zeros for the Gaussians that a shard has now.
-    pub fn replace_gaussians(&mut self, device: &Device, shard: &DeviceShard) -> Result<()> {
-        // not both at once
-        self.blocks.clear();
-        for block in shard.blocks() {
-            self.blocks.push(self.fields.zeros_for_block(device, block)?);
-        }
-        Ok(())
-    }
-
-    /// The gradient on the host; `config` is that of the scene.
-    pub(crate) fn download(&self, device: &Device, config: &SceneConfig) -> Result<Gradient> {
-        let mut values = self.fields.download(device, config, 1)?.into_values();
-        let len = self.blocks.iter().map(|block| block.statistics.len()).sum();
-        values.gaussians = Gaussians::zeros(config, len)?;
-        let mut rest = values.gaussians.tensors_mut();
-        for block in &self.blocks {
-            rest = rest.zip(block.tensors.gaussians.as_ref()).try_map(|_, (values, source)| {
-                let (values, after) = values.split_at_mut(source.range.len());
-                source.read_into(device, values)?;
-                Ok::<_, Error>(after)
-            })?;
-        }
-        Ok(Gradient::new(values))
-    }
-
-    /// Like [`SceneGradient::rollback`].
-    pub fn rollback(&self, device: &Device) {
-        GradientBlocks::from(self).rollback(device);
-    }
-}
-
-/// Gradients of all tensors of a scene, as a batch adds to them.
-#[derive(Clone, Copy, Debug)]
-pub struct GradientBlocks<'a> {
-    pub(crate) fields: &'a SceneGradient,
-    pub(crate) blocks: &'a [SceneGradient],
-}
-
-impl<'a> From<&'a SceneGradient> for GradientBlocks<'a> {
-    fn from(gradient: &'a SceneGradient) -> Self {
-        Self { fields: gradient, blocks: std::slice::from_ref(gradient) }
-    }
-}
-
-impl<'a> From<&'a ShardGradient> for GradientBlocks<'a> {
-    fn from(gradient: &'a ShardGradient) -> Self {
-        Self { fields: &gradient.fields, blocks: &gradient.blocks }
-    }
-}
-
-impl GradientBlocks<'_> {
-    /// A step begins.
-    pub(crate) fn snapshot(self, device: &Device) {
-        self.blocks.iter().for_each(|gradient| gradient.snapshot(device));
-    }
-
-    /// Like [`SceneGradient::rollback`].
-    pub(crate) fn rollback(self, device: &Device) {
-        self.blocks.iter().chain([self.fields]).for_each(|gradient| gradient.rollback(device));
     }
 }
 

@@ -1,15 +1,13 @@
 //! Where Gaussians are: a grid of the unit cube, found anew whenever they move.
 
 use organza_shaders::occupancy::{
-    FULL, OccupancyAddKernel, OccupancyKernel, OccupancyParams, OccupancyTableParams,
-    entries_of_side,
+    OccupancyAddKernel, OccupancyKernel, OccupancyParams, OccupancyTableParams, entries_of_side,
 };
 use organza_shaders::unit_cube::SceneBox;
 
-use crate::scene::device_shard::SceneBlocks;
+use crate::DeviceScene;
 use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_core::ranks::Ranks;
 use organza_core::scene::SceneConfig;
 
 /// Label of the buffer of an occupancy grid.
@@ -58,43 +56,33 @@ impl Occupancy {
     }
 }
 
-impl SceneBlocks<'_> {
-    /// Finds where Gaussians are. `ranks` have the other Gaussians of a shard.
-    pub(crate) fn update_occupancy(
-        &self,
-        device: &Device,
-        ranks: Option<&dyn Ranks>,
-    ) -> Result<()> {
-        let fields = self.fields;
-        let side = fields.config.occupancy;
+impl DeviceScene {
+    /// Finds anew where Gaussians are: to be called whenever some have moved.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::dispatch`].
+    pub fn update_occupancy(&self, device: &Device) -> Result<()> {
+        let side = self.config.occupancy;
         if side == 0 {
             return Ok(());
         }
-        let Occupancy { cell, counts, table } = &fields.occupancy;
-        for block in self.blocks {
-            let of = &block.tensors.gaussians;
-            let kernel = OccupancyAddKernel {
-                params: OccupancyParams {
-                    gaussians: block.gaussians,
-                    side,
-                    cell: *cell,
-                    contracted: fields.config.contraction.for_kernels(),
-                },
-                scene_box: &fields.scene_box,
-                position: &of.position,
-                rotation: &of.rotation,
-                log_scale: &of.log_scale,
-                opacity: &of.opacity,
-                counts,
-            };
-            device.run(&kernel, block.gaussians, 1)?;
-        }
-        if let Some(ranks) = ranks.filter(|ranks| ranks.size() > 1) {
-            let mut sums: Vec<_> = device.read(counts)?.into_iter().map(i64::from).collect();
-            ranks.sum(&mut sums)?;
-            let sums: Vec<_> = sums.iter().map(|&sum| sum.min(i64::from(FULL)) as u32).collect();
-            device.write(counts, 0, &sums)?;
-        }
+        let Occupancy { cell, counts, table } = &self.occupancy;
+        let of = &self.tensors.gaussians;
+        let kernel = OccupancyAddKernel {
+            params: OccupancyParams {
+                gaussians: self.gaussians,
+                side,
+                cell: *cell,
+                contracted: self.config.contraction.for_kernels(),
+            },
+            scene_box: &self.scene_box,
+            position: &of.position,
+            rotation: &of.rotation,
+            log_scale: &of.log_scale,
+            opacity: &of.opacity,
+            counts,
+        };
+        device.run(&kernel, self.gaussians, 1)?;
         let entries = table.len() as u32;
         let kernel = OccupancyKernel { params: OccupancyTableParams { entries }, counts, table };
         Ok(device.run(&kernel, entries, 1)?)

@@ -34,7 +34,7 @@ fn batch() -> organza_core::TileBatch {
     batch
 }
 
-fn record(renderer: &Renderer, scene: &DeviceScene) -> organza_core::Result<Recording<'static>> {
+fn record(renderer: &Renderer, scene: &DeviceScene) -> organza_core::Result<Recording> {
     renderer.record(scene, &demo::turntable(2, 64), &batch())
 }
 

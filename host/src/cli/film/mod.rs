@@ -16,7 +16,7 @@ use super::console::{Console, Progress, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, SceneSource};
 use super::output::{self, Folder, continue_film, remove_frames};
-use super::picture::{Pictures, Shown, warn_not_finite};
+use super::picture::{Pictures, warn_not_finite};
 use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
@@ -267,8 +267,7 @@ impl Film<'_> {
         progress: &Progress,
     ) -> Result<Image> {
         let Self { renderer, scene, cameras, look } = *self;
-        let shown = Shown::Scene(scene);
-        let pictures = Pictures { renderer, shown, cameras, tile_size: TILE_SIZE, stop };
+        let pictures = Pictures { renderer, scene, cameras, tile_size: TILE_SIZE, stop };
         let channels: Vec<_> = look.iter().map(|(channel, _)| *channel).collect();
         let (image, beside) = pictures.render_channels(frame, &channels, summary, progress)?;
         Ok(look.map_or(image, |(_, range)| beside[0].picture(range)))
@@ -281,9 +280,9 @@ impl Film<'_> {
         let small = |&frame: &usize| self.cameras[frame].shrunk(PROBE_SHRINK);
         let cameras: Vec<_> = probes.iter().map(small).collect();
         let renderer = self.renderer;
-        let shown = Shown::Scene(self.scene);
+        let scene = self.scene;
         let pictures =
-            Pictures { renderer, shown, cameras: &cameras, tile_size: TILE_SIZE, stop: None };
+            Pictures { renderer, scene, cameras: &cameras, tile_size: TILE_SIZE, stop: None };
         let mut depths = Vec::new();
         console.during("looking at depths", || {
             for view in 0..cameras.len() {

@@ -9,14 +9,14 @@ use crate::evaluate::save_csv;
 use crate::folder::{CHECKPOINT, EVALUATIONS, OpenLog};
 use crate::metrics::Record;
 use crate::plan::Planner;
-use crate::ranks::{self, Team};
+use crate::ranks;
 use crate::start::first_scene;
 use crate::{
     Change, Checkpoint, Event, Outcome, Progress, Session, StepHooks, StepReport, Trainer, Watch,
 };
 use organza_core::camera::Camera;
 use organza_core::error::{self, Result};
-use organza_core::scene::{Scene, SceneShard};
+use organza_core::scene::Scene;
 
 /// A trainer, the progress of its run, and the settings that have changed.
 type Begun = (Trainer, Progress, Vec<Change>);
@@ -87,39 +87,31 @@ impl Session<'_> {
 
     /// The trainer, the progress of its run, and the settings that have changed.
     fn begin(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
-        let team = self.ranks.clone().map(|ranks| Team::new(self.config, ranks, self.shards));
-        let team = team.transpose()?;
-        let shards = team.as_ref().map_or(1, |team| team.grid().shards);
         let path = self.folder.path().join(CHECKPOINT);
         let resumes = resume && path.exists();
-        let scene = match resumes {
-            true => None,
-            false => {
-                let mut warn = |text: &str| watch(Event::Warning(text));
-                Some(first_scene(self.config, self.dataset, &mut warn)?)
-            }
+        let checkpoint = if resumes {
+            Checkpoint::load(&path)?
+        } else {
+            let mut warn = |text: &str| watch(Event::Warning(text));
+            let scene = first_scene(self.config, self.dataset, &mut warn)?;
+            Checkpoint::begin(scene, self.config)?
         };
-        let shard = |index: usize| match &scene {
-            Some(scene) => {
-                let shard = SceneShard::new(scene, index, shards);
-                Checkpoint::begin_shard(shard, self.config)
-            }
-            None => Checkpoint::load_shard(&path, index, shards),
-        };
-        let mut mine = shard(0)?;
-        let progress = mine.progress;
+        let progress = checkpoint.progress;
         let mut changes = Vec::new();
         if resumes {
-            changes = self.check_binding(&path, (mine.gaussians, progress.step), watch)?;
+            let found = (checkpoint.scene.gaussians.len(), progress.step);
+            changes = self.check_binding(&path, found, watch)?;
         }
         let config = self.config.clone();
         let dataset = Arc::clone(self.dataset);
-        if let Some(team) = &team {
+        if let Some(ranks) = &self.ranks {
             let run = (self.config, &**self.dataset);
-            ranks::lead(team, self.renderer, run, &mut mine, shard, self.mixed)?;
+            ranks::lead(&**ranks, self.renderer, run, &checkpoint, self.mixed)?;
         }
-        drop(scene);
-        let trainer = Trainer::with_team(self.renderer, config, dataset, &mine, team)?;
+        let mut trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
+        if let Some(ranks) = &self.ranks {
+            trainer = trainer.with_ranks(ranks.clone());
+        }
         Ok((trainer, progress, changes))
     }
 
@@ -164,7 +156,7 @@ impl SessionState<'_, '_, '_> {
         let is_new = self.trainer.config().start.path.is_none();
         let reason = match step {
             // growth forgets what was seen
-            SEEN_AFTER if report.grown.is_none() && self.trainer.seen()? == Some(0) => {
+            SEEN_AFTER if report.grown.is_none() && self.trainer.seen()? == 0 => {
                 format!("the first {SEEN_AFTER} steps have shown no Gaussian")
             }
             MOVED_AFTER if is_new => {
@@ -189,7 +181,7 @@ impl SessionState<'_, '_, '_> {
         let cameras = self.trainer.cameras();
         let dataset = self.session.dataset;
         let device = self.session.renderer.device();
-        let Scene { gaussians, config, .. } = self.trainer.shard().download(device)?;
+        let Scene { gaussians, config, .. } = self.trainer.scene().download(device)?;
         let in_image = |place: &&[f32; 3]| {
             let place = place.map(f64::from);
             cameras.iter().any(|camera| camera.depth_in_image(place).is_some())

@@ -102,7 +102,7 @@ impl SessionState<'_, '_, '_> {
     fn plan(&mut self) -> Result<()> {
         let Some(planner) = &mut self.planner else { return Ok(()) };
         let step = self.trainer.steps();
-        let gaussians = self.trainer.gaussians();
+        let gaussians = self.trainer.scene().len();
         let elapsed = self.begin.elapsed().as_secs_f64();
         let now = Now { step, gaussians, training: self.seconds, elapsed };
         if let Some(steps) = planner.plan(self.trainer.config(), now) {
@@ -133,10 +133,6 @@ impl SessionState<'_, '_, '_> {
         let frames: Vec<_> = self.session.dataset.held_out_frames().take(1).collect();
         if !frames.is_empty() {
             let begin = Instant::now();
-            // if ranks have the whole scene, one of them is enough
-            if self.trainer.scene().is_none() {
-                self.order(Order::Evaluate { first: 0, all: true })?;
-            }
             let (_, image) = self.trainer.measure_one(frames[0])?;
             (self.watch)(Event::FirstView(&image))?;
             if let Some(planner) = &mut self.planner {
@@ -172,7 +168,7 @@ impl SessionState<'_, '_, '_> {
         self.seconds += seconds;
         self.add_times(seconds);
         let step = self.trainer.steps();
-        let gaussians = self.trainer.gaussians();
+        let gaussians = self.trainer.scene().len();
         self.since.0 += report.tiles;
         let numbers = (u64::from(step), gaussians as u64);
         if let Some(grown) = report.grown {
@@ -220,7 +216,7 @@ impl SessionState<'_, '_, '_> {
         let config = self.trainer.config();
         let binding = Binding::new(config, &dataset.fingerprint, self.changes.clone());
         let path = folder.path().join(name);
-        self.trainer.save(&path, self.seconds, &binding)?;
+        self.trainer.checkpoint(self.seconds)?.save(&path, Some(&binding))?;
         if name == CHECKPOINT { self.save_cameras() } else { Ok(()) }
     }
 

@@ -127,7 +127,7 @@ fn empty_vectors_may_be_absent_or_present() {
         .collect();
     assert_eq!(tensors.len(), all.len() - 2);
     let metadata = [("format", file::FORMAT), ("version", file::VERSION), ("config", &*config)];
-    let bytes = tensor_file::encode(&tensors, &metadata).unwrap();
+    let bytes = tensor_file::tensors_to_bytes(&tensors, &metadata).unwrap();
     assert_eq!(load(&bytes).unwrap(), scene);
 }
 

@@ -412,6 +412,68 @@ fn each_version_of_ffmpeg_and_colmap_is_asked_for_its_options() {
     assert_says(&outcome, &["no option `--ExhaustiveMatching.block_size`, so it is left out"], &[]);
 }
 
+/// A cover picture comes before the film, which gets other frames than it began with.
+#[test]
+#[ignore = "takes ffmpeg; .ci/nightly runs it"]
+fn frames_are_those_of_the_film() {
+    let sandbox = with_programs();
+    fs::remove_file(sandbox.path("bin/ffmpeg")).unwrap();
+    // Gray of a growing brightness: 4 wide frames, and then 6 high ones.
+    let make = "ffmpeg -v error -f lavfi -i \"color=black:s=$1:r=5:d=$2,format=yuv420p,geq=lum='40+15*(N+$3)':cb=128:cr=128\" \
+                -c:v libx264 -qp 0 $1.h264";
+    fs::write(sandbox.path("make.sh"), make).unwrap();
+    sandbox.shell("sh make.sh 64x36 0.8 0 && sh make.sh 36x64 1.2 4").assert_ok();
+    sandbox.shell("cat 64x36.h264 36x64.h264 > film.h264").assert_ok();
+    let names = (4..10).map(|frame| format!("frame-{frame:06}.png"));
+    write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
+    let outcome = capture(&sandbox, "film.h264 -o data").assert_ok();
+    assert_says(&outcome, &["those of 36 x 64 pixels are used, and 4 of 10 are left out"], &[]);
+    for (frame, name) in names.enumerate() {
+        let image = image::open(sandbox.path("data/images").join(&name)).unwrap().to_rgb8();
+        assert_eq!(image.dimensions(), (36, 64));
+        // Luma of 16 to 235 is gray of 0 to 255.
+        let gray = (40.0 + 15.0 * (frame + 4) as f64 - 16.0) * 255.0 / 219.0;
+        assert!((f64::from(image.get_pixel(18, 32)[0]) - gray).abs() < 2.0, "{name}: {gray}");
+    }
+
+    fs::remove_file(sandbox.path("calls.txt")).unwrap();
+    let film = "-f lavfi -i color=red:s=64x36:r=5:d=1 -i photos/01.png -map 1 -map 0 -c:v:0 copy -disposition:v:0 attached_pic";
+    sandbox.shell(&format!("ffmpeg -v error {film} covered.mp4")).assert_ok();
+    let names = (0..5).map(|frame| format!("frame-{frame:06}.png"));
+    write_model(&sandbox, "found-1/0", &walk(names), 0.7, 20);
+    let outcome = capture(&sandbox, "covered.mp4 -o covered").assert_ok();
+    assert_says(&outcome, &["taking the 5 sharpest of 5 frames"], &[]);
+    let image = image::open(sandbox.path("covered/images/frame-000000.png")).unwrap();
+    assert_eq!([image.width(), image.height()], [64, 36]);
+}
+
+/// Gray of HLG, as ITU-R BT.2100 shows it with 1,000 candelas per square meter and BT.1886 with 203: E / sqrt(3) of it.
+#[test]
+#[ignore = "takes ffmpeg; .ci/nightly runs it"]
+fn colors_of_hlg_become_those_of_screens() {
+    let sandbox = with_programs();
+    fs::remove_file(sandbox.path("bin/ffmpeg")).unwrap();
+    let gray =
+        "color=black:s=64x36:r=5:d=1,format=yuv420p10le,geq=lum='64+876*0.1*N':cb=512:cr=512";
+    let tags =
+        "-color_primaries bt2020 -color_trc arib-std-b67 -colorspace bt2020nc -color_range tv";
+    sandbox
+        .shell(&format!("ffmpeg -v error -f lavfi -i \"{gray}\" -c:v ffv1 {tags} film.mkv"))
+        .assert_ok();
+    let names = (0..5).map(|frame| format!("frame-{frame:06}.png"));
+    write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
+    let outcome = capture(&sandbox, "film.mkv -o data").assert_ok();
+    assert_says(&outcome, &["mapping the colors of HLG to those of screens"], &["warning"]);
+    for (frame, name) in names.enumerate() {
+        let image = image::open(sandbox.path("data/images").join(&name)).unwrap().to_rgb8();
+        // The inverse of HLG is E^2 / 3 here, its display makes that a power of 1.2, and another one has a gamma of 2.4.
+        let linear = 1000.0 / 203.0 * ((0.1 * frame as f64).powi(2) / 3.0).powf(1.2);
+        let expected = 255.0 * linear.powf(1.0 / 2.4);
+        let found = f64::from(image.get_pixel(30, 18)[0]);
+        assert!((found - expected).abs() < 2.0, "{name}: {found}, expected {expected}");
+    }
+}
+
 #[test]
 fn sound_poses_lead_to_training() {
     let sandbox = with_programs();
@@ -672,7 +734,14 @@ fn numbers_in_names_are_in_their_natural_order() {
     }
     write_model(&sandbox, "found-1/0", &found, 0.7, 20);
     let outcome = capture(&sandbox, "walk -o data").assert_ok();
-    assert_says(&outcome, &["24 of 24"], &["jumps"]);
+    assert_says(&outcome, &["24 of 24"], &["jumps", "zeros"]);
+    // COLMAP looks for neighbors in the order of letters.
+    for Found { name, .. } in &mut found {
+        *name = name.replace("(", if name.len() == 13 { "(0" } else { "(" });
+    }
+    write_model(&sandbox, "found-2/0", &found, 0.7, 20);
+    let outcome = capture(&sandbox, "walk -o neighbors --matcher sequential").assert_ok();
+    assert_says(&outcome, &["Photo (0).png becomes Photo (00).png", "24 of 24"], &["jumps"]);
 }
 
 #[test]

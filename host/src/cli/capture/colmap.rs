@@ -28,7 +28,7 @@ const MATCHES: [&str; 2] = ["matches", "matches-of-all"];
 const FEW: usize = 50;
 /// Up to this many images, all pairs are compared in an hour or so: photographs, which may be in any order, and frames
 /// whose poses are missing after a comparison with neighbors.
-const SOME: usize = 200;
+pub const SOME: usize = 200;
 /// With fewer poses than this part of the images, all pairs are compared after all.
 const ENOUGH: f64 = 0.8;
 /// Neighbors on each side that an image is compared with. COLMAP adds those at distances of 2, 4, 8 and so on.

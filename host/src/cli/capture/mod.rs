@@ -102,7 +102,8 @@ struct CaptureJob<'a> {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = Source::find(&args.inputs, console)?;
+    let mut source = Source::find(&args.inputs, console)?;
+    source.number(args.matcher, console);
     refuse_run(&args.output)?;
     let is_video = matches!(source, Source::Video(_));
     let mut needed = vec![programs::COLMAP];

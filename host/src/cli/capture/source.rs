@@ -10,6 +10,8 @@ use organza_core::hex;
 use organza_core::input::{has_extension, open_regular, read_file};
 use sha2::{Digest, Sha256};
 
+use super::Matcher;
+use super::colmap::SOME;
 use crate::cli::console::Console;
 use crate::cli::refuse;
 use crate::cli::summary::count;
@@ -123,6 +125,30 @@ impl<'a> Source<'a> {
         let mut photographs = files.into_iter().map(read).collect::<Result<Vec<_>>>()?;
         sort_naturally(&mut photographs, |photograph| photograph.name.clone());
         Ok(Self::Photographs(photographs))
+    }
+
+    /// Fills up numbers in names with zeros, if neighbors are to be compared and COLMAP has others: it sorts by letters.
+    pub fn number(&mut self, matcher: Option<Matcher>, console: Console) {
+        let Self::Photographs(photographs) = self else { return };
+        let is_sequential =
+            matcher.map_or(photographs.len() > SOME, |matcher| matcher == Matcher::Sequential);
+        if !is_sequential || photographs.is_sorted_by_key(|photograph| &photograph.name) {
+            return;
+        }
+        let longest = photographs.iter().flat_map(|photograph| {
+            photograph.name.split(|c: char| !c.is_ascii_digit()).map(str::len)
+        });
+        let digits = longest.max().unwrap_or(0);
+        let padded: Vec<_> = photographs.iter().map(|photo| padded(&photo.name, digits)).collect();
+        // `1` and `01` are two photographs.
+        if padded.windows(2).any(|pair| pair[0] == pair[1]) {
+            return;
+        }
+        let [old, new] = [&photographs[0].name, &padded[0]];
+        console.note(&format!("filling up numbers in names with zeros, because COLMAP sorts by letters: {old} becomes {new}"));
+        for (photograph, name) in photographs.iter_mut().zip(padded) {
+            photograph.name = name;
+        }
     }
 
     /// Identifies the content, wherever its files are. Names of photographs count, because images keep them.

@@ -4,8 +4,14 @@ use std::io::{BufRead, BufReader, Cursor, Seek};
 use std::path::Path;
 use std::sync::{Condvar, Mutex, PoisonError};
 
+use image::codecs::jpeg::JpegEncoder;
+use image::codecs::png::PngEncoder;
 use image::error::{ImageFormatHint, UnsupportedError, UnsupportedErrorKind};
-use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+use image::metadata::Orientation;
+use image::{
+    ColorType, DynamicImage, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader,
+    ImageResult, Limits,
+};
 
 use super::find::invalid;
 use muslin_device::memory;
@@ -24,6 +30,8 @@ const BYTES_BESIDE: u64 = 1 << 20;
 const COPIES: u64 = 3;
 /// Most bytes that one byte of a PNG's compressed data can become.
 const DEFLATE_RATIO: u64 = 1032;
+/// Quality of JPEG photographs that are turned, out of 100.
+const QUALITY: u8 = 98;
 
 /// A decoded photograph, in the format of its file.
 pub(super) struct Decoded {
@@ -35,7 +43,10 @@ pub(super) struct Decoded {
 }
 
 /// Width and height of a photograph in pixels, from its header.
-pub(super) fn size(path: &Path) -> Result<[u32; 2]> {
+///
+/// # Errors
+/// [`Error::ReadFile`]; [`Error::Invalid`] if it is neither JPEG nor PNG.
+pub fn size(path: &Path) -> Result<[u32; 2]> {
     let (file, length) = open_regular(path)?;
     // The JPEG decoder reads the whole file.
     memory::check(length, "a photograph's file")?;
@@ -80,6 +91,45 @@ pub(super) fn read<'a>(
         format!("decoding {path} ({width} x {height} pixels)")
     })?;
     Ok((read_file(path, length, "a photograph")?, share))
+}
+
+/// Checks a photograph, as reading a data set does. If the camera was held on its side, and the file says so, this is the
+/// file with its pixels turned instead. The rest of what the camera wrote, such as the focal length, stays.
+///
+/// # Errors
+/// Those of [`Dataset::load`](super::Dataset::load) for a photograph.
+pub fn upright(path: &Path) -> Result<Option<Vec<u8>>> {
+    let size = size(path)?;
+    let budget = Budget::beside(0);
+    let (bytes, _share) = read(path, None, size, &budget)?;
+    decode(&bytes, size, path, PHOTOGRAPH)?;
+    turned(&bytes).map_err(|error| broken(path, &error))
+}
+
+/// A photograph's file with its pixels turned; `None` if it is not to be turned.
+fn turned(bytes: &[u8]) -> ImageResult<Option<Vec<u8>>> {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
+    let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
+    let mut decoder = reader.into_decoder()?;
+    let orientation = decoder.orientation()?;
+    if orientation == Orientation::NoTransforms {
+        return Ok(None);
+    }
+    let mut exif = decoder.exif_metadata()?.unwrap_or_default();
+    let _ = Orientation::remove_from_exif_chunk(&mut exif);
+    let mut image = DynamicImage::from_decoder(decoder)?;
+    image.apply_orientation(orientation);
+    let mut file = Vec::new();
+    if is_jpeg {
+        let mut encoder = JpegEncoder::new_with_quality(&mut file, QUALITY);
+        encoder.set_exif_metadata(exif).map_err(ImageError::Unsupported)?;
+        image.write_with_encoder(encoder)?;
+    } else {
+        let mut encoder = PngEncoder::new(&mut file);
+        encoder.set_exif_metadata(exif).map_err(ImageError::Unsupported)?;
+        image.write_with_encoder(encoder)?;
+    }
+    Ok(Some(file))
 }
 
 /// Most bytes that decoding a file of `length` bytes takes.

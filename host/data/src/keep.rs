@@ -74,6 +74,17 @@ impl Store {
         let lasting = Path::new("/var/tmp");
         let is_chosen = env::var_os("TMPDIR").is_some() || !lasting.is_dir();
         let folder = if is_chosen { env::temp_dir() } else { lasting.to_owned() };
+        Self::within(folder)
+    }
+
+    fn within(folder: PathBuf) -> Result<Self> {
+        if !folder.is_dir() {
+            let reason = format!(
+                "`TMPDIR` says that temporary files go to {}, but there is no such folder; make it, or let `TMPDIR` name another",
+                folder.display()
+            );
+            return Err(Error::Argument { reason });
+        }
         let file = tempfile::tempfile_in(&folder).map_err(|e| Error::write(&folder, e))?;
         Ok(Self { folder, file: Mutex::new((file, 0)) })
     }
@@ -177,6 +188,14 @@ mod tests {
         drop(store);
         assert_eq!(on_disk.clone()[69_999], [111, 17, 7]);
         assert!(again != Kept::from(vec![[0; 3]; 70_000]));
+    }
+
+    #[test]
+    fn a_folder_that_is_not_there_is_the_variable_s() {
+        let folder = tempfile::tempdir().unwrap();
+        Store::within(folder.path().to_owned()).unwrap();
+        let error = Store::within(folder.path().join("absent")).unwrap_err().to_string();
+        assert!(error.contains("`TMPDIR` says") && error.contains("absent"), "{error}");
     }
 
     #[test]

@@ -27,6 +27,7 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 pub use colmap::SparseModel;
+pub use decode::{size as photograph_size, upright};
 use develop::Shot;
 pub use develop::mean;
 use find::{Access, Found, invalid};

@@ -99,19 +99,36 @@ fn free_in_address_space() -> Option<u64> {
 
 /// The rest under the tightest limit of a container or a service, in bytes.
 fn free_in_control_groups() -> Option<u64> {
-    let text = fs::read_to_string("/proc/self/cgroup").ok()?;
-    let path = text.lines().find_map(|line| line.strip_prefix("0::/"))?;
+    let groups = fs::read_to_string("/proc/self/cgroup").ok()?;
+    free_in_groups(&groups, Path::new("/sys/fs/cgroup"))
+}
+
+/// Control groups of version 2 are in one tree. In those of version 1, memory has a tree of its own, and other names.
+fn free_in_groups(groups: &str, root: &Path) -> Option<u64> {
+    let second = groups.lines().filter_map(|line| {
+        let path = line.strip_prefix("0::/")?;
+        Some((path, root.to_owned(), ["memory.max", "memory.current", "file "]))
+    });
+    let first = groups.lines().filter_map(|line| {
+        let (kinds, path) = line.split_once(':')?.1.split_once(":/")?;
+        let is_memory = kinds.split(',').any(|kind| kind == "memory");
+        let names = ["memory.limit_in_bytes", "memory.usage_in_bytes", "total_cache "];
+        is_memory.then(|| (path, root.join("memory"), names))
+    });
     let number = |path: &Path| fs::read_to_string(path).ok()?.trim().parse::<u64>().ok();
-    let left = |group: &Path| {
-        let group = Path::new("/sys/fs/cgroup").join(group);
-        let limit = number(&group.join("memory.max"))?;
+    let left = |group: &Path, [limit, used, cache]: [&str; 3]| {
+        let limit = number(&group.join(limit))?;
         // The page cache counts as used, but the system drops it before it refuses memory.
         let stat = fs::read_to_string(group.join("memory.stat")).ok()?;
-        let cache = stat.lines().find_map(|line| line.strip_prefix("file "))?.parse().ok()?;
-        let used = number(&group.join("memory.current"))?.saturating_sub(cache);
+        let cache = stat.lines().find_map(|line| line.strip_prefix(cache))?.parse().ok()?;
+        let used = number(&group.join(used))?.saturating_sub(cache);
         Some(limit.saturating_sub(used))
     };
-    Path::new(path).ancestors().filter_map(left).min()
+    let lefts = first.chain(second).flat_map(|(path, root, names)| {
+        // A container sees its own group as the root.
+        Path::new(path).ancestors().filter_map(move |group| left(&root.join(group), names))
+    });
+    lefts.min()
 }
 
 /// The number after a label, in the format of files in `/proc`.
@@ -137,6 +154,28 @@ mod tests {
         let error = zeros::<[f32; 4]>(1 << 56, "the test").unwrap_err();
         assert!(matches!(error, Error::OutOfMemory { needed: 0x1000_0000_0000_0000, .. }));
         assert!(zeros::<u64>(usize::MAX, "the test").is_err());
+    }
+
+    #[test]
+    fn the_tightest_control_group_of_either_version_counts() {
+        let root = tempfile::tempdir().unwrap();
+        let write = |name: &str, text: &str| {
+            let path = root.path().join(name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, text).unwrap();
+        };
+        let groups = "12:cpu,cpuacct:/docker/a\n5:memory:/docker/a\n0::/docker/a\n";
+        assert_eq!(free_in_groups(groups, root.path()), None);
+        // The path is the host's: in a container, the root is its group.
+        write("memory/memory.limit_in_bytes", "5000\n");
+        write("memory/memory.usage_in_bytes", "3000\n");
+        write("memory/memory.stat", "cache 1\nrss 9\ntotal_cache 400\n");
+        assert_eq!(free_in_groups(groups, root.path()), Some(2400));
+        write("docker/a/memory.max", "900\n");
+        write("docker/a/memory.current", "300\n");
+        write("docker/a/memory.stat", "anon 250\nfile 50\n");
+        write("memory.max", "max\n");
+        assert_eq!(free_in_groups(groups, root.path()), Some(650));
     }
 
     #[cfg(target_os = "linux")]

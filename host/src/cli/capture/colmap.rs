@@ -3,16 +3,15 @@
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 use muslin::glam::{DQuat, DVec3};
-use organza::data::SparseModel;
 use organza::data::panorama::{self, FACES, HEADINGS, panorama_of};
+use organza::data::{SparseModel, photograph_size};
 use organza::{Camera, Error, Result};
 
 use super::frames::{IMAGES, copy};
 use super::judge::Judgment;
-use super::programs::command;
+use super::programs::{Call, command, output};
 use super::{CaptureJob, Matcher};
 use crate::cli::refuse;
 
@@ -29,7 +28,7 @@ const MATCHES: [&str; 2] = ["matches", "matches-of-all"];
 const FEW: usize = 50;
 /// Up to this many images, all pairs are compared in an hour or so: photographs, which may be in any order, and frames
 /// whose poses are missing after a comparison with neighbors.
-const SOME: usize = 200;
+pub const SOME: usize = 200;
 /// With fewer poses than this part of the images, all pairs are compared after all.
 const ENOUGH: f64 = 0.8;
 /// Neighbors on each side that an image is compared with. COLMAP adds those at distances of 2, 4, 8 and so on.
@@ -48,7 +47,7 @@ pub struct Colmap<'a> {
     /// Number of images.
     images: usize,
     /// Width and height of the images; `None` if they differ.
-    size: Option<(u32, u32)>,
+    size: Option<[u32; 2]>,
     /// Whether the images are views of panoramas, so that their lens is known.
     are_views: bool,
     /// Whether it was built with CUDA. Without it, features on a GPU need a display.
@@ -127,48 +126,49 @@ impl<'a> Colmap<'a> {
         Ok(Some(Found { model, joined }))
     }
 
-    /// A command of COLMAP on the database.
-    fn on_database(&self, name: &str) -> Command {
+    /// A command of COLMAP.
+    fn call(&self, name: &str) -> Result<Call> {
         let mut colmap = command("colmap");
-        colmap.arg(name).arg("--database_path").arg(self.job.path(DATABASE));
-        colmap
+        colmap.arg(name);
+        self.job.programs.call(colmap, &[name, "-h"])
     }
 
-    /// Adds an option for CUDA. COLMAP 3.12 has renamed it, so the command's help says its name.
-    fn choose_cuda(&self, colmap: &mut Command, names: [&str; 2]) -> Result<()> {
-        let step = colmap.get_args().next().expect("the command's name").to_owned();
-        let help = output(command("colmap").arg(step).arg("-h"))?;
-        if let Some(name) = names.iter().find(|name| help.contains(**name)) {
-            colmap.arg(format!("--{name}")).arg(if self.has_cuda { "1" } else { "0" });
-        }
-        Ok(())
+    /// A command of COLMAP on the database.
+    fn on_database(&self, name: &str) -> Result<Call> {
+        let mut colmap = self.call(name)?;
+        colmap.option("--database_path", self.job.path(DATABASE));
+        Ok(colmap)
+    }
+
+    /// Whether COLMAP computes with CUDA, as an option's value.
+    fn with_cuda(&self) -> &'static str {
+        if self.has_cuda { "1" } else { "0" }
     }
 
     fn extract(&self) -> Result<()> {
-        let mut colmap = self.on_database("feature_extractor");
-        colmap.arg("--image_path").arg(self.job.path(IMAGES));
+        let mut colmap = self.on_database("feature_extractor")?;
+        colmap.option("--image_path", self.job.path(IMAGES));
         // A camera keeps its lens, and photographs of one size are of one camera.
         let is_single = self.is_video || self.size.is_some();
-        colmap.args(["--ImageReader.single_camera", if is_single { "1" } else { "0" }]);
+        colmap.option("--ImageReader.single_camera", if is_single { "1" } else { "0" });
         let model = match self.size {
-            Some((side, _)) if self.are_views => {
+            Some([side, _]) if self.are_views => {
                 // A face of a cube sees 90 degrees.
                 let half = f64::from(side) / 2.0;
                 let parameters = format!("{half},{half},{half}");
-                colmap.args(["--ImageReader.camera_params", &parameters]);
+                colmap.option("--ImageReader.camera_params", parameters);
                 "SIMPLE_PINHOLE"
             }
             _ if self.images <= FEW || !is_single => "SIMPLE_RADIAL",
             _ => "OPENCV",
         };
         let model = self.job.args.camera_model.as_deref().unwrap_or(model);
-        colmap.args(["--ImageReader.camera_model", model]);
-        let side = self.job.args.side.to_string();
-        colmap.args(["--SiftExtraction.max_image_size", &side]);
+        colmap.option("--ImageReader.camera_model", model);
+        colmap.option("--FeatureExtraction.max_image_size", self.job.args.side.to_string());
         if !self.has_cuda {
-            colmap.args(["--SiftExtraction.max_num_features", FEATURES_ON_CPU]);
+            colmap.option("--SiftExtraction.max_num_features", FEATURES_ON_CPU);
         }
-        self.choose_cuda(&mut colmap, ["FeatureExtraction.use_gpu", "SiftExtraction.use_gpu"])?;
+        colmap.option("--FeatureExtraction.use_gpu", self.with_cuda());
         let progress = self.job.console.progress("looking for features", self.images, "images");
         self.job.programs.run(colmap, |line| {
             if let Some(done) = number_after(line, "Processed file [") {
@@ -178,19 +178,17 @@ impl<'a> Colmap<'a> {
     }
 
     fn compare(&self, matcher: Matcher) -> Result<()> {
-        let (name, unit, option) = match matcher {
+        let (name, unit, option, value) = match matcher {
             Matcher::Sequential => {
-                ("sequential_matcher", "images", ["--SequentialMatching.overlap", OVERLAP])
+                ("sequential_matcher", "images", "--SequentialMatching.overlap", OVERLAP)
             }
-            Matcher::Exhaustive => (
-                "exhaustive_matcher",
-                "blocks of pairs",
-                ["--ExhaustiveMatching.block_size", BLOCK],
-            ),
+            Matcher::Exhaustive => {
+                ("exhaustive_matcher", "blocks of pairs", "--ExhaustiveMatching.block_size", BLOCK)
+            }
         };
-        let mut colmap = self.on_database(name);
-        colmap.args(option);
-        self.choose_cuda(&mut colmap, ["FeatureMatching.use_gpu", "SiftMatching.use_gpu"])?;
+        let mut colmap = self.on_database(name)?;
+        colmap.option(option, value);
+        colmap.option("--FeatureMatching.use_gpu", self.with_cuda());
         let progress = self.job.console.progress("comparing images", self.images, unit);
         self.job.programs.run(colmap, |line| {
             if let Some([done, all]) = compared(line) {
@@ -200,20 +198,17 @@ impl<'a> Colmap<'a> {
     }
 
     fn map(&self, folder: &Path) -> Result<()> {
-        let mut colmap = self.on_database("mapper");
-        colmap.arg("--image_path").arg(self.job.path(IMAGES));
-        colmap.arg("--output_path").arg(folder);
-        colmap.args(["--Mapper.ba_refine_focal_length", if self.are_views { "0" } else { "1" }]);
+        let mut colmap = self.on_database("mapper")?;
+        colmap.option("--image_path", self.job.path(IMAGES));
+        colmap.option("--output_path", folder);
+        colmap.option("--Mapper.ba_refine_focal_length", if self.are_views { "0" } else { "1" });
         let progress = self.job.console.progress("finding poses", self.images, "images");
         // COLMAP begins again where it finds few, and keeps the largest model.
         let mut most = 0;
         let result = self.job.programs.run(colmap, |line| {
-            if let Some(place) = line.find("Registering image #") {
-                // `Registering image #12 (34)`: the image, and how many have a pose.
-                if let Some(posed) = number_after(&line[place..], "(") {
-                    most = most.max(posed);
-                    progress.set(most);
-                }
+            if let Some(posed) = registered(line) {
+                most = most.max(posed);
+                progress.set(most);
             }
         });
         self.job.programs.check()?;
@@ -258,32 +253,29 @@ impl<'a> Colmap<'a> {
             let path = sparse.join(name);
             fs::write(&path, text).map_err(|source| Error::write(&path, source))?;
         }
-        let mut colmap = command("colmap");
-        colmap.arg("model_converter").arg("--input_path").arg(found);
-        colmap.arg("--output_path").arg(sparse.join("points3D.ply"));
-        colmap.args(["--output_type", "PLY"]);
+        let mut colmap = self.call("model_converter")?;
+        colmap.option("--input_path", found);
+        colmap.option("--output_path", sparse.join("points3D.ply"));
+        colmap.option("--output_type", "PLY");
         self.job.programs.run(colmap, |_| {})
     }
 
     fn undistort(&self, model: &Path, folder: &Path) -> Result<()> {
-        let mut colmap = command("colmap");
-        colmap.arg("image_undistorter").arg("--image_path").arg(self.job.path(IMAGES));
-        colmap.arg("--input_path").arg(model).arg("--output_path").arg(folder);
-        let side = self.job.args.side.to_string();
-        colmap.args(["--output_type", "COLMAP", "--max_image_size", &side]);
+        let mut colmap = self.call("image_undistorter")?;
+        colmap.option("--image_path", self.job.path(IMAGES));
+        colmap.option("--input_path", model);
+        colmap.option("--output_path", folder);
+        colmap.option("--output_type", "COLMAP");
+        colmap.option("--max_image_size", self.job.args.side.to_string());
         self.job.console.during("undistorting images", || self.job.programs.run(colmap, |_| {}))
     }
 }
 
 /// The width and height of all images; `None` if they differ.
-fn one_size(folder: &Path, images: &[String]) -> Result<Option<(u32, u32)>> {
+fn one_size(folder: &Path, images: &[String]) -> Result<Option<[u32; 2]>> {
     let mut first = None;
     for name in images {
-        let path = folder.join(name);
-        let size = match image::image_dimensions(&path) {
-            Ok(size) => size,
-            Err(error) => return refuse(format!("{}: {error}", path.display())),
-        };
+        let size = photograph_size(&folder.join(name))?;
         if *first.get_or_insert(size) != size {
             return Ok(None);
         }
@@ -291,22 +283,17 @@ fn one_size(folder: &Path, images: &[String]) -> Result<Option<(u32, u32)>> {
     Ok(first)
 }
 
-/// All that a command prints.
-fn output(command: &mut Command) -> Result<String> {
-    match command.output() {
-        Ok(output) => {
-            let both = [output.stdout, output.stderr].concat();
-            Ok(String::from_utf8_lossy(&both).into_owned())
-        }
-        Err(error) => refuse(format!("cannot run colmap: {error}")),
-    }
-}
-
 /// The number that follows `begin` in a line.
 fn number_after(line: &str, begin: &str) -> Option<usize> {
     let rest = &line[line.find(begin)? + begin.len()..];
     let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
     rest[..end].parse().ok()
+}
+
+/// How many images have a pose, after `Registering image #12 (34)`, or since COLMAP 3.12 `#12 (num_reg_frames=34)`.
+fn registered(line: &str) -> Option<usize> {
+    let place = line.find("Registering image #")?;
+    ["(", "(num_reg_frames="].iter().find_map(|begin| number_after(&line[place..], begin))
 }
 
 /// How much a matcher has compared, and of how much: `Matching block [2/7, 3/7]` comes after nine blocks of 49, and
@@ -339,5 +326,10 @@ mod tests {
         assert_eq!(compared("Matching image [x/150]"), None);
         assert_eq!(compared("Matching block [0/7, 3/7]"), None);
         assert_eq!(compared("Elapsed time: 3 [minutes]"), None);
+        assert_eq!(registered("Registering image #12 (34)"), Some(34));
+        let line =
+            "I20260101 incremental_pipeline.cc:439] Registering image #12 (num_reg_frames=34)";
+        assert_eq!(registered(line), Some(34));
+        assert_eq!(registered("=> Image sees 130 / 246 points"), None);
     }
 }

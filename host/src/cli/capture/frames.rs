@@ -2,23 +2,16 @@
 
 use std::collections::HashSet;
 use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io::BufWriter;
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::slice;
 
-use image::codecs::jpeg::JpegEncoder;
-use image::metadata::Orientation;
-use image::{
-    DynamicImage, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader, ImageResult,
-};
-use organza::data::Frame;
 use organza::data::panorama::{self, FACES, HEADINGS, View, panorama_of};
+use organza::data::{Frame, photograph_size, upright};
 use organza::{Camera, Error, Result};
 
-use super::programs::command;
-use super::{CaptureJob, Source};
+use super::CaptureJob;
+use super::programs::{Call, command, output};
+use super::source::{Photograph, Source, sort_naturally};
 use crate::cli::summary::count;
 use crate::cli::{absolute, refuse};
 
@@ -26,45 +19,65 @@ use crate::cli::{absolute, refuse};
 pub const IMAGES: &str = "images";
 /// Folder of the panoramas, in the work. COLMAP sees views of them in their place.
 const PANORAMAS: &str = "panoramas";
-/// JPEG quality of photographs that are turned, out of 100.
-const QUALITY: u8 = 98;
 /// Width and height at which frames are compared. The shape of a video does not matter for that.
 const PROBE: [usize; 2] = [960, 540];
+/// Transfer functions of videos with a high dynamic range, as ffmpeg names them, and for people.
+const HDR: [[&str; 2]; 2] = [["arib-std-b67", "HLG"], ["smpte2084", "PQ"]];
+/// Maps these to the colors of screens. White, which shows 203 candelas per square meter (ITU-R BT.2408), stays below 1, and
+/// what shines more is compressed.
+const TO_SDR: &str = "zscale=t=linear:npl=203,format=gbrpf32le,zscale=p=bt709,tonemap=mobius:desat=0,\
+                      zscale=t=bt709:m=bt709:r=full,format=gbrp,";
+
+/// What one look at a video tells.
+#[derive(Default)]
+struct Seen {
+    /// How sharp each frame is.
+    sharpness: Vec<f64>,
+    /// The shape of each frame.
+    shapes: Vec<Shape>,
+    /// The transfer function, as ffmpeg names it.
+    transfer: Option<String>,
+}
+
+/// A frame's width and height in pixels, and the shape of a pixel: its width by its height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Shape {
+    size: [u32; 2],
+    pixel: [u32; 2],
+}
 
 impl CaptureJob<'_> {
-    /// Collects the images, and returns their names, sorted.
+    /// Collects the images, and returns their names, in their natural order.
     pub fn images(&self, source: &Source<'_>) -> Result<Vec<String>> {
         self.step(IMAGES, |folder| {
             match source {
                 Source::Video(video) => self.frames(video, folder)?,
-                Source::Photographs(files) => self.copy_upright(files, folder)?,
+                Source::Photographs(photographs) => self.copy_upright(photographs, folder)?,
             }
             self.cut_panoramas(folder)
         })?;
         names(&self.path(IMAGES))
     }
 
-    /// Copies photographs. A camera that was held on its side says so in the file, which COLMAP does not read, so the pixels
-    /// of such a photograph are turned.
-    fn copy_upright(&self, files: &[PathBuf], folder: &Path) -> Result<()> {
-        for file in files {
+    /// Copies photographs, each of which is checked as training checks it. A camera that was held on its side says so in the
+    /// file, which COLMAP does not read, so the pixels of such a photograph are turned.
+    fn copy_upright(&self, photographs: &[Photograph], folder: &Path) -> Result<()> {
+        for Photograph { path, name, .. } in photographs {
             self.programs.check()?;
-            let to = folder.join(file.file_name().expect("a file has a name"));
-            let is_turned = turn_upright(file, &to)
-                .or_else(|error| refuse(format!("{}: {error}", file.display())))?;
-            if !is_turned {
-                copy(slice::from_ref(file), folder)?;
+            let to = folder.join(name);
+            match upright(path)? {
+                Some(turned) => fs::write(&to, turned),
+                None => fs::copy(path, &to).map(drop),
             }
+            .map_err(|source| Error::write(&to, source))?;
         }
         Ok(())
     }
 
     /// Replaces panoramas by views that overlap, because COLMAP knows only lenses. A named lens says that there are none.
     fn cut_panoramas(&self, folder: &Path) -> Result<()> {
-        let is_panorama = |name: &String| {
-            let size = image::image_dimensions(folder.join(name));
-            size.is_ok_and(|(width, height)| panorama::is_panorama([width, height]))
-        };
+        let is_panorama =
+            |name: &String| photograph_size(&folder.join(name)).is_ok_and(panorama::is_panorama);
         let mut names = names(folder)?;
         names.retain(is_panorama);
         if names.is_empty() || self.args.camera_model.is_some() {
@@ -113,35 +126,38 @@ impl CaptureJob<'_> {
 
     /// Writes the sharpest frame of each of N equal parts of a video.
     fn frames(&self, video: &Path, folder: &Path) -> Result<()> {
-        let mut sharpness = Vec::new();
-        self.console.during("looking for sharp frames", || {
-            let [width, height] = PROBE;
-            let mut ffmpeg = ffmpeg(video);
-            ffmpeg.arg("-vf").arg(format!("scale={width}:{height}"));
-            ffmpeg.args(["-vsync", "passthrough", "-pix_fmt", "gray", "-f", "rawvideo", "-"]);
-            self.programs
-                .read(ffmpeg, width * height, |gray| sharpness.push(sharpness_of(gray, width)))
-                .or_else(|error| refuse(format!("{error}. Is {} a video?", video.display())))
-        })?;
+        let seen = self.look(video)?;
+        let all = seen.sharpness.len();
+        let Some(shape) = usual(&seen.shapes) else {
+            return refuse(format!("{} has no frames, expected 3 or more", video.display()));
+        };
+        let usual: Vec<_> = (0..all).filter(|&at| seen.shapes.get(at) == Some(&shape)).collect();
+        if usual.len() < all {
+            let [width, height] = shape.size;
+            self.console.warn(&format!(
+                "the frames of {} change their size: those of {width} x {height} pixels are used, and {} of {all} are left out",
+                video.display(),
+                all - usual.len()
+            ));
+        }
+        let sharpness: Vec<_> = usual.iter().map(|&at| seen.sharpness[at]).collect();
         let chosen = sharpest(&sharpness, self.args.frames as usize);
+        let chosen: Vec<_> = chosen.into_iter().map(|at| usual[at]).collect();
         if chosen.len() < 3 {
-            let frames = count(sharpness.len() as u64, "frame");
+            let frames = count(usual.len() as u64, "frame");
             return refuse(format!("{} has {frames}, expected 3 or more", video.display()));
         }
-        let all = sharpness.len();
         self.console.note(&format!("taking the {} sharpest of {all} frames", chosen.len()));
         let select: Vec<_> = chosen.iter().map(|frame| format!("eq(n,{frame})")).collect();
-        let side = self.args.side;
-        // A panorama's view has a 3.14th part of its columns.
-        let wide = if self.args.camera_model.is_some() { side } else { side * 22 / 7 };
-        // Pixels of a video may not be square, and those of its frames are.
-        let most = format!("if(eq(iw,2*ih),{wide},{side})");
-        let scale = format!(
-            "scale='iw*sar':ih,scale='min(iw,{most})':'min(ih,{most})':force_original_aspect_ratio=decrease"
-        );
-        let mut ffmpeg = ffmpeg(video);
-        ffmpeg.arg("-vf").arg(format!("select='{}',{scale}", select.join("+")));
-        ffmpeg.args(["-vsync", "passthrough"]).arg(folder.join("%05d.png"));
+        let colors = self.colors(video, seen.transfer.as_deref())?;
+        let [width, height] = shape.fit(self.args.side, self.args.camera_model.is_none());
+        let mut ffmpeg = self.ffmpeg(video, "error")?;
+        ffmpeg
+            .command
+            .arg("-vf")
+            .arg(format!("select='{}',{colors}scale={width}:{height}", select.join("+")));
+        ffmpeg.option("-fps_mode", "passthrough");
+        ffmpeg.command.arg(folder.join("%05d.png"));
         self.console.during("writing frames", || self.programs.run(ffmpeg, |_| {}))?;
         // ffmpeg counts what it writes. A name says which frame of the video it is.
         for (written, frame) in chosen.iter().enumerate() {
@@ -151,38 +167,104 @@ impl CaptureJob<'_> {
         }
         Ok(())
     }
+
+    /// Looks at each frame of a video.
+    fn look(&self, video: &Path) -> Result<Seen> {
+        let [width, height] = PROBE;
+        let mut ffmpeg = self.ffmpeg(video, "level+info")?;
+        ffmpeg.command.arg("-vf").arg(format!("showinfo=checksum=0,scale={width}:{height}"));
+        ffmpeg.option("-fps_mode", "passthrough");
+        ffmpeg.command.args(["-pix_fmt", "gray", "-f", "rawvideo", "-"]);
+        let Seen { mut sharpness, mut shapes, mut transfer } = Seen::default();
+        let look = |gray: &[u8]| sharpness.push(sharpness_of(gray, width));
+        let hear = |line: &str| {
+            if line.contains("_showinfo_") {
+                shapes.extend(Shape::of(line));
+                transfer = transfer.take().or_else(|| word(line, "color_trc:").map(str::to_owned));
+            }
+        };
+        self.console.during("looking for sharp frames", || {
+            self.programs
+                .read(ffmpeg, width * height, look, hear)
+                .or_else(|error| refuse(format!("{error}. Is {} a video?", video.display())))
+        })?;
+        Ok(Seen { sharpness, shapes, transfer })
+    }
+
+    /// The filter that maps a video's colors to those of screens, if it has others.
+    fn colors(&self, video: &Path, transfer: Option<&str>) -> Result<&'static str> {
+        let Some([_, name]) = HDR.iter().find(|[known, _]| Some(*known) == transfer) else {
+            return Ok("");
+        };
+        let help = output(command("ffmpeg").args(["-hide_banner", "-h", "filter=zscale"]))?;
+        if help.contains("Filter zscale") {
+            self.console.note(&format!("mapping the colors of {name} to those of screens"));
+            return Ok(TO_SDR);
+        }
+        self.console.warn(&format!(
+            "{} has colors of {name}, and this ffmpeg has no filter `zscale`, which maps them to those of screens: images will \
+             look pale. Install an ffmpeg with zimg, or film without HDR",
+            video.display()
+        ));
+        Ok("")
+    }
+
+    /// ffmpeg, reading the first stream of a video that is no cover picture. Its messages are those of a level.
+    fn ffmpeg(&self, video: &Path, level: &str) -> Result<Call> {
+        let mut ffmpeg = command("ffmpeg");
+        // A name such as `-x` or `http:x` is a file's, too.
+        let mut name = OsString::from("file:");
+        name.push(absolute(video));
+        ffmpeg.args(["-v", level, "-hide_banner", "-nostats", "-nostdin", "-y"]);
+        // A filter that begins again where the size changes would count frames from 0.
+        ffmpeg.args(["-reinit_filter", "0", "-i"]).arg(name).args(["-map", "0:V:0"]);
+        self.programs.call(ffmpeg, &["-hide_banner", "-h", "long"])
+    }
 }
 
-/// Writes a JPEG file that is to be shown turned with its pixels turned instead; `false` if it is not to be turned. The rest
-/// of what the camera wrote, such as the focal length, stays.
-fn turn_upright(from: &Path, to: &Path) -> ImageResult<bool> {
-    let reader = ImageReader::open(from)?.with_guessed_format()?;
-    if reader.format() != Some(ImageFormat::Jpeg) {
-        return Ok(false);
+impl Shape {
+    /// The shape in a line of ffmpeg's filter `showinfo`: `n:   0 pts: 0 sar:1/1 s:640x360 i:P`.
+    fn of(line: &str) -> Option<Self> {
+        let pair = |text: &str, between: char| {
+            let (a, b) = text.split_once(between)?;
+            Some([a.parse().ok()?, b.parse().ok()?])
+        };
+        let size = pair(word(line, "s:")?, 'x')?;
+        let pixel = word(line, "sar:").and_then(|shape| pair(shape, '/'));
+        // 0/1 is unknown
+        let pixel = pixel.filter(|pixel| !pixel.contains(&0)).unwrap_or([1, 1]);
+        Some(Self { size, pixel })
     }
-    let mut decoder = reader.into_decoder()?;
-    let orientation = decoder.orientation()?;
-    if orientation == Orientation::NoTransforms {
-        return Ok(false);
+
+    /// The size with square pixels and at most `side` of them a side. That of a panorama, if there may be one, is larger: a
+    /// view of it has a 3.14th part of its columns.
+    fn fit(self, side: u32, may_be_panorama: bool) -> [u32; 2] {
+        let [width, height] = self.size.map(f64::from);
+        let [wide, high] = self.pixel.map(f64::from);
+        let size = [width * wide / high, height];
+        let is_panorama =
+            may_be_panorama && panorama::is_panorama(size.map(|side| side.round() as u32));
+        let most = f64::from(if is_panorama { side * 22 / 7 } else { side });
+        let factor = (most / size[0].max(size[1])).min(1.0);
+        size.map(|side| (side * factor).round().max(1.0) as u32)
     }
-    let mut exif = decoder.exif_metadata()?.unwrap_or_default();
-    let mut image = DynamicImage::from_decoder(decoder)?;
-    image.apply_orientation(orientation);
-    let _ = Orientation::remove_from_exif_chunk(&mut exif);
-    let mut encoder = JpegEncoder::new_with_quality(BufWriter::new(File::create(to)?), QUALITY);
-    encoder.set_exif_metadata(exif).map_err(ImageError::Unsupported)?;
-    image.write_with_encoder(encoder)?;
-    Ok(true)
 }
 
-/// ffmpeg, reading the first stream of a video.
-fn ffmpeg(video: &Path) -> Command {
-    let mut ffmpeg = command("ffmpeg");
-    // A name such as `-x` or `http:x` is a file's, too.
-    let mut name = OsString::from("file:");
-    name.push(absolute(video));
-    ffmpeg.args(["-v", "error", "-nostdin", "-y", "-i"]).arg(name).args(["-map", "0:v:0"]);
-    ffmpeg
+/// The rest of the word that begins so.
+fn word<'l>(line: &'l str, begin: &str) -> Option<&'l str> {
+    line.split_whitespace().find_map(|word| word.strip_prefix(begin))
+}
+
+/// The shape of most frames, of which the first is first; `None` without frames.
+fn usual(shapes: &[Shape]) -> Option<Shape> {
+    let mut counts: Vec<(Shape, usize)> = Vec::new();
+    for &shape in shapes {
+        match counts.iter_mut().find(|(known, _)| *known == shape) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((shape, 1)),
+        }
+    }
+    counts.into_iter().rev().max_by_key(|(_, count)| *count).map(|(shape, _)| shape)
 }
 
 /// How sharp a gray image is: the variance of its Laplacian. Pech-Pacheco et al., "Diatom autofocusing in brightfield
@@ -216,12 +298,12 @@ fn sharpest(sharpness: &[f64], count: usize) -> Vec<usize> {
         .collect()
 }
 
-/// The names of the files in a folder, sorted.
+/// The names of the files in a folder, in their natural order.
 fn names(folder: &Path) -> Result<Vec<String>> {
     let entries = fs::read_dir(folder).map_err(|source| Error::read(folder, source))?;
     let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
     let mut names: Vec<_> = names.collect();
-    names.sort();
+    sort_naturally(&mut names, |name| name.clone());
     Ok(names)
 }
 
@@ -245,6 +327,23 @@ mod tests {
         assert_eq!(sharpest(&sharpness, 7), [0, 1, 2, 3, 4, 5, 6]);
         assert_eq!(sharpest(&sharpness, 90), [0, 1, 2, 3, 4, 5, 6]);
         assert_eq!(sharpest(&[], 3), [0_usize; 0]);
+    }
+
+    #[test]
+    fn frames_have_square_pixels_and_fit() {
+        let line = "[Parsed_showinfo_0 @ 0x1] [info] n:   0 pts:      0 pts_time:0 fmt:yuv420p sar:4/3 s:240x180 i:P iskey:1";
+        let shape = Shape::of(line).unwrap();
+        assert_eq!(shape, Shape { size: [240, 180], pixel: [4, 3] });
+        assert_eq!(shape.fit(1920, true), [320, 180]);
+        assert_eq!(shape.fit(160, true), [160, 90]);
+        let of = |line: &str| Shape::of(line).unwrap();
+        assert_eq!(of("sar:0/1 s:1600x800").fit(301, true), [946, 473]);
+        assert_eq!(of("s:1600x800").fit(301, false), [301, 151]);
+        assert_eq!(Shape::of("color_range:tv color_trc:arib-std-b67"), None);
+        let [wide, high] = [of("s:64x36"), of("s:36x64")];
+        assert_eq!(usual(&[wide, high, high]), Some(high));
+        assert_eq!(usual(&[wide, high]), Some(wide));
+        assert_eq!(usual(&[]), None);
     }
 
     #[test]

@@ -4,13 +4,12 @@ mod colmap;
 mod frames;
 mod judge;
 mod programs;
+mod source;
 
 use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
-use std::time::UNIX_EPOCH;
 
 use organza::{Error, Result};
-use organza_core::input::has_extension;
 use organza_core::{hex, write_inside};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -19,10 +18,10 @@ use super::console::Console;
 use super::output::{Folder, refuse_run};
 use super::refuse;
 use super::signals::Signals;
-use super::summary::count;
 use colmap::Colmap;
 use judge::Judgment;
 use programs::Programs;
+use source::Source;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -87,18 +86,11 @@ const KEY: &str = "key";
 /// The source of a data set.
 #[derive(Debug, Serialize, Deserialize)]
 struct Done {
-    /// SHA-256 of the inputs' names, sizes and times, and of the options.
+    /// SHA-256 of the inputs' content and of the options.
     key: String,
     /// What COLMAP found.
     #[serde(flatten)]
     judgment: Judgment,
-}
-
-/// The source of the images.
-enum Source<'a> {
-    Video(&'a Path),
-    /// Photographs, by name.
-    Photographs(Vec<PathBuf>),
 }
 
 /// Where a step finds its inputs, and puts its result.
@@ -110,14 +102,15 @@ struct CaptureJob<'a> {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = Source::find(&args.inputs)?;
+    let mut source = Source::find(&args.inputs, console)?;
+    source.number(args.matcher, console);
     refuse_run(&args.output)?;
     let is_video = matches!(source, Source::Video(_));
     let mut needed = vec![programs::COLMAP];
     if is_video {
         needed.insert(0, programs::FFMPEG);
     }
-    programs::find(&needed)?;
+    let versions = programs::find(&needed)?;
     let mut folder = Folder::make(&args.output)?;
     folder.lock(false)?;
     let key = key(&source, args)?;
@@ -127,9 +120,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         return Ok(());
     }
     let work = begin(&folder, &key)?;
+    console.note(&format!("with {versions}"));
+    if let Some(copies) = source.copies() {
+        console.warn(&copies);
+    }
     let signals = Signals::listen()?;
     signals.keeps_results();
-    let programs = Programs::new(&work, signals.stop());
+    let programs = Programs::new(&work, signals.stop(), console);
     let job = CaptureJob { args, work, programs, console };
     let images = job.images(&source).inspect_err(|_| {
         // Without images there is nothing to keep. A file that stays does no harm.
@@ -142,93 +139,11 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-impl<'a> Source<'a> {
-    /// The video or the photographs that the user names.
-    fn find(inputs: &'a [PathBuf]) -> Result<Self> {
-        if let [path] = inputs {
-            let found = fs::metadata(path).map_err(|source| Error::read(path, source))?;
-            if found.is_dir() {
-                return Self::folder(path);
-            }
-            if !is_photograph(path) {
-                return Ok(Self::Video(path));
-            }
-        }
-        if let Some(other) = inputs.iter().find(|path| !is_photograph(path)) {
-            let what = match other.is_dir() {
-                true => format!("{} is a folder among other inputs", other.display()),
-                false => format!("{} is neither JPEG nor PNG", other.display()),
-            };
-            return refuse(format!("{what}; expected one video, one folder, or photographs"));
-        }
-        Self::photographs(inputs.to_vec(), &inputs[0])
-    }
-
-    fn folder(path: &Path) -> Result<Self> {
-        let entries = fs::read_dir(path).map_err(|source| Error::read(path, source))?;
-        let files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
-        let (photographs, others): (Vec<_>, Vec<_>) =
-            files.into_iter().partition(|path| is_photograph(path));
-        let is_heic = |path: &PathBuf| has_extension(path, &["heic", "heif"]);
-        if photographs.is_empty() && others.iter().any(is_heic) {
-            let path = path.display();
-            return refuse(format!(
-                "{path} has photographs as HEIC, which COLMAP does not read; convert them to JPEG first"
-            ));
-        }
-        Self::photographs(photographs, path)
-    }
-
-    /// Photographs of a folder, or those after the first that is `named`.
-    fn photographs(mut files: Vec<PathBuf>, named: &Path) -> Result<Self> {
-        files.sort();
-        let names: std::collections::BTreeSet<_> =
-            files.iter().map(|path| path.file_name()).collect();
-        if names.len() < files.len() {
-            return refuse("two photographs have the same name; rename one of them");
-        }
-        if files.len() < 3 {
-            let photographs = count(files.len() as u64, "photograph");
-            let named = named.display();
-            return refuse(format!(
-                "{named}: {photographs}, expected 3 or more: JPEG or PNG files"
-            ));
-        }
-        Ok(Self::Photographs(files))
-    }
-
-    fn files(&self) -> Vec<&Path> {
-        match self {
-            Self::Video(path) => vec![path],
-            Self::Photographs(files) => files.iter().map(PathBuf::as_path).collect(),
-        }
-    }
-}
-
-/// Whether a file's name is that of a photograph.
-fn is_photograph(path: &Path) -> bool {
-    has_extension(path, &["jpg", "jpeg", "png"])
-}
-
-/// Identifies inputs and options. Reading a video of gigabytes would take long, so its size and its time stand for its
-/// content.
+/// Identifies inputs and options.
 fn key(source: &Source<'_>, args: &Args) -> Result<String> {
-    let mut hash = Sha256::new();
-    for file in source.files() {
-        let found = fs::metadata(file).map_err(|source| Error::read(file, source))?;
-        hash.update(format!("{file:?} {} {}\n", found.len(), changed(&found)));
-    }
-    hash.update(format!(
-        "{} {} {:?} {:?}",
-        args.frames, args.side, args.matcher, args.camera_model
-    ));
-    Ok(hex(hash))
-}
-
-/// When a file was changed, in nanoseconds.
-fn changed(found: &Metadata) -> u128 {
-    let since = found.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
-    since.map_or(0, |since| since.as_nanos())
+    let Args { frames, side, matcher, camera_model, .. } = args;
+    let options = format!("{frames} {side} {matcher:?} {camera_model:?}");
+    Ok(hex(Sha256::new_with_prefix(source.content()? + &options)))
 }
 
 /// The data set in a folder, if it is whole and made from the same inputs. Another one is an error.

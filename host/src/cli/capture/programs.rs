@@ -1,5 +1,6 @@
 //! Programs that others wrote: whether they are there, and running them.
 
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -11,17 +12,32 @@ use std::time::Duration;
 
 use organza::{Error, Result};
 
+use crate::cli::console::Console;
 use crate::cli::refuse;
 
-/// A program, and how to get it.
+/// A program, how it says its version, and how to get it.
 #[derive(Clone, Copy, Debug)]
 pub struct Needed {
-    pub name: &'static str,
+    name: &'static str,
+    version: &'static str,
     purpose: &'static str,
 }
 
-pub const FFMPEG: Needed = Needed { name: "ffmpeg", purpose: "takes the frames of a video" };
-pub const COLMAP: Needed = Needed { name: "colmap", purpose: "finds out where the camera stood" };
+pub const FFMPEG: Needed =
+    Needed { name: "ffmpeg", version: "-version", purpose: "takes the frames of a video" };
+pub const COLMAP: Needed =
+    Needed { name: "colmap", version: "help", purpose: "finds out where the camera stood" };
+
+/// Options that have had another name. The newest is first, and a comment says since when.
+const RENAMED: [[&str; 2]; 4] = [
+    // ffmpeg 5.1; 9 knows only this one
+    ["-fps_mode", "-vsync"],
+    // COLMAP 3.13
+    ["--FeatureExtraction.use_gpu", "--SiftExtraction.use_gpu"],
+    ["--FeatureMatching.use_gpu", "--SiftMatching.use_gpu"],
+    // COLMAP 4.0
+    ["--FeatureExtraction.max_image_size", "--SiftExtraction.max_image_size"],
+];
 
 /// How often a running program is looked at, to stop it after a signal.
 const INTERVAL: Duration = Duration::from_millis(100);
@@ -32,18 +48,36 @@ const KEPT_LINES: usize = 12;
 pub struct Programs<'a> {
     log: PathBuf,
     stop: &'a AtomicBool,
+    console: Console,
 }
 
-/// Fails unless all programs are installed. The message has all of them, and how to install them.
-pub fn find(needed: &[Needed]) -> Result<()> {
-    let is_missing = |program: &&Needed| {
-        let found =
-            command(program.name).arg("-h").stdout(Stdio::null()).stderr(Stdio::null()).status();
-        found.is_err_and(|error| error.kind() == ErrorKind::NotFound)
-    };
-    let missing: Vec<_> = needed.iter().filter(is_missing).collect();
+/// A command of a program, with options as the installed version names them.
+pub struct Call {
+    pub command: Command,
+    /// What the command's help says.
+    help: String,
+    console: Console,
+}
+
+/// The names and versions of programs.
+///
+/// # Errors
+/// If one is not installed. The message has all of them, and how to install them.
+pub fn find(needed: &[Needed]) -> Result<String> {
+    let mut found = Vec::new();
+    let mut missing = Vec::new();
+    for program in needed {
+        match command(program.name).arg(program.version).output() {
+            Err(error) if error.kind() == ErrorKind::NotFound => missing.push(program),
+            Err(error) => return refuse(format!("cannot run {}: {error}", program.name)),
+            Ok(output) => {
+                let version = version(&String::from_utf8_lossy(&output.stdout));
+                found.push(format!("{} {version}", program.name));
+            }
+        }
+    }
     if missing.is_empty() {
-        return Ok(());
+        return Ok(found.join(" and "));
     }
     let names: Vec<_> = missing.iter().map(|program| program.name).collect();
     let purposes: Vec<_> =
@@ -56,6 +90,13 @@ pub fn find(needed: &[Needed]) -> Result<()> {
     ))
 }
 
+/// The version that a program says: its first word with a digit.
+fn version(said: &str) -> String {
+    let mut words = said.split_whitespace();
+    let number = words.find(|word| word.contains(|c: char| c.is_ascii_digit()));
+    number.unwrap_or("of an unknown version").to_owned()
+}
+
 /// A command that reads nothing from the terminal.
 pub fn command(name: &str) -> Command {
     let mut command = Command::new(name);
@@ -63,9 +104,56 @@ pub fn command(name: &str) -> Command {
     command
 }
 
+/// All that a command prints.
+pub fn output(command: &mut Command) -> Result<String> {
+    match command.output() {
+        Ok(output) => {
+            let both = [output.stdout, output.stderr].concat();
+            Ok(String::from_utf8_lossy(&both).into_owned())
+        }
+        Err(error) => refuse(format!("cannot run {}: {error}", command.get_program().display())),
+    }
+}
+
+impl Call {
+    /// Adds an option, by its newest name. One that the program does not know is left out: it may be of a version that nobody
+    /// has seen yet.
+    pub fn option(&mut self, name: &str, value: impl AsRef<OsStr>) {
+        // A program that lists nothing does not say what it knows.
+        let lists_options = self.help.lines().any(|line| line.trim_start().starts_with('-'));
+        let known = if lists_options { known(name, &self.help) } else { Some(name) };
+        match known {
+            Some(name) => {
+                self.command.arg(name).arg(value);
+            }
+            None => self.console.warn(&format!(
+                "{} has no option `{name}`, so it is left out",
+                self.command.get_program().display()
+            )),
+        }
+    }
+}
+
+/// The name by which a help lists an option; `None` if it does not.
+fn known<'n>(name: &'n str, help: &str) -> Option<&'n str> {
+    let renamed = RENAMED.iter().find(|names| names[0] == name);
+    let mut names = renamed.map_or_else(|| vec![name], |names| names.to_vec()).into_iter();
+    let is_end = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || "._".contains(c));
+    let is_listed = |name: &str| {
+        help.lines().any(|line| line.trim_start().strip_prefix(name).is_some_and(is_end))
+    };
+    names.find(|name| is_listed(name))
+}
+
 impl<'a> Programs<'a> {
-    pub fn new(work: &Path, stop: &'a AtomicBool) -> Self {
-        Self { log: work.join("log.txt"), stop }
+    pub fn new(work: &Path, stop: &'a AtomicBool, console: Console) -> Self {
+        Self { log: work.join("log.txt"), stop, console }
+    }
+
+    /// A command whose options are those of the help that the program prints with these arguments.
+    pub fn call(&self, command: Command, help: &[&str]) -> Result<Call> {
+        let help = output(self::command(&command.get_program().to_string_lossy()).args(help))?;
+        Ok(Call { command, help, console: self.console })
     }
 
     /// Fails after a signal.
@@ -77,7 +165,8 @@ impl<'a> Programs<'a> {
     }
 
     /// Runs a program to its end. `on_line` gets each line that it prints.
-    pub fn run(&self, mut command: Command, mut on_line: impl FnMut(&str)) -> Result<()> {
+    pub fn run(&self, call: Call, mut on_line: impl FnMut(&str)) -> Result<()> {
+        let mut command = call.command;
         let name = command.get_program().to_string_lossy().into_owned();
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = spawn(&mut command)?;
@@ -114,31 +203,39 @@ impl<'a> Programs<'a> {
         })
     }
 
-    /// Runs a program, and passes what it writes to stdout, in pieces of `size` bytes.
+    /// Runs a program, and passes what it writes to stdout, in pieces of `size` bytes. `on_line` gets the lines of stderr.
     pub fn read(
         &self,
-        mut command: Command,
+        call: Call,
         size: usize,
         mut on_piece: impl FnMut(&[u8]),
+        mut on_line: impl FnMut(&str),
     ) -> Result<()> {
+        let mut command = call.command;
         let name = command.get_program().to_string_lossy().into_owned();
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = spawn(&mut command)?;
-        let (sender, errors) = mpsc::channel();
+        let (sender, lines) = mpsc::channel();
+        let mut error = None;
+        let mut hear = |line: String| {
+            on_line(&line);
+            let said = ["[error] ", "[fatal] "].iter().find_map(|level| line.split_once(level));
+            error = error.take().or_else(|| said.map(|(_, said)| said.to_owned()));
+        };
         read_lines(child.stderr.take().expect("it is piped"), sender);
         let mut reader =
             BufReader::with_capacity(1 << 20, child.stdout.take().expect("it is piped"));
         let mut piece = vec![0; size];
         while reader.read_exact(&mut piece).is_ok() {
             on_piece(&piece);
+            lines.try_iter().for_each(&mut hear);
             if self.check().is_err() {
                 end(&mut child);
                 return self.check();
             }
         }
-        self.finish(&name, &mut child, || {
-            errors.iter().next().unwrap_or_else(|| "it printed nothing".to_owned())
-        })
+        lines.iter().for_each(hear);
+        self.finish(&name, &mut child, || error.unwrap_or_else(|| "it says no reason".to_owned()))
     }
 
     /// Waits for the end of a program. If it fails, the error has what it said.

@@ -1,0 +1,286 @@
+//! What a capture is made from: a video, or photographs, which are their content.
+
+use std::collections::HashMap;
+use std::fs::{self, File};
+use std::io::{Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+
+use organza::{Error, Result};
+use organza_core::hex;
+use organza_core::input::{has_extension, open_regular, read_file};
+use sha2::{Digest, Sha256};
+
+use super::Matcher;
+use super::colmap::SOME;
+use crate::cli::console::Console;
+use crate::cli::refuse;
+use crate::cli::summary::count;
+
+/// How deep photographs are looked for in a folder: a camera's are in `DCIM/100APPLE`.
+const DEPTH: usize = 3;
+/// Parts of a video that stand for its content, and the bytes of each: reading gigabytes would take long.
+const PARTS: u64 = 256;
+const PART: u64 = 1 << 16;
+/// Digits to which a number in a name is filled up to compare it.
+const DIGITS: usize = 32;
+
+/// The source of the images.
+pub enum Source<'a> {
+    Video(&'a Path),
+    /// Photographs, in the natural order of their names.
+    Photographs(Vec<Photograph>),
+}
+
+/// A photograph's file.
+pub struct Photograph {
+    pub path: PathBuf,
+    /// Its name in the data set.
+    pub name: String,
+    /// SHA-256 of its content.
+    digest: String,
+}
+
+impl<'a> Source<'a> {
+    /// The video or the photographs that the user names.
+    pub fn find(inputs: &'a [PathBuf], console: Console) -> Result<Self> {
+        if let [path] = inputs {
+            let found = fs::metadata(path).map_err(|source| Error::read(path, source))?;
+            if found.is_dir() {
+                return Self::folder(path, console);
+            }
+            if !is_photograph(path) {
+                return Ok(Self::Video(path));
+            }
+        }
+        if let Some(other) = inputs.iter().find(|path| !is_photograph(path)) {
+            let what = match other.is_dir() {
+                true => format!("{} is a folder among other inputs", other.display()),
+                false => format!("{} is neither JPEG nor PNG", other.display()),
+            };
+            return refuse(format!("{what}; expected one video, one folder, or photographs"));
+        }
+        let named = inputs.iter().map(|path| (path.clone(), name_of(path)));
+        Self::photographs(named.collect(), &inputs[0])
+    }
+
+    /// The photographs of a folder, or else of the folders in it.
+    fn folder(path: &Path, console: Console) -> Result<Self> {
+        let Listed { photographs, folders, has_heic } = Listed::of(path)?;
+        let below = below(&folders, DEPTH)?;
+        let own: Vec<_> = photographs.into_iter().map(|path| (name_of(&path), path)).collect();
+        if own.is_empty() && below.is_empty() && has_heic {
+            let path = path.display();
+            return refuse(format!(
+                "{path} has photographs as HEIC, which COLMAP does not read; convert them to JPEG first"
+            ));
+        }
+        let others = count(below.len() as u64, "photograph");
+        if own.is_empty() {
+            if let Some(first) = below.first() {
+                let folder = first.parent().unwrap_or(path).display();
+                console.note(&format!(
+                    "taking {others} of folders in {}, such as {folder}",
+                    path.display()
+                ));
+            }
+            // Cameras begin each folder with the same names.
+            let name = |file: &Path| {
+                let inside = file.strip_prefix(path).unwrap_or(file);
+                inside.iter().map(|part| part.to_string_lossy()).collect::<Vec<_>>().join("-")
+            };
+            let named = below.iter().map(|file| (file.clone(), name(file)));
+            return Self::photographs(named.collect(), path);
+        }
+        if let Some(first) = below.first() {
+            console.note(&format!(
+                "{others} of folders below are not taken, such as {}",
+                first.display()
+            ));
+        }
+        Self::photographs(own.into_iter().map(|(name, path)| (path, name)).collect(), path)
+    }
+
+    /// Photographs and their names, of a folder, or those after the first that is `named`.
+    fn photographs(files: Vec<(PathBuf, String)>, named: &Path) -> Result<Self> {
+        let mut paths = HashMap::new();
+        for (path, name) in &files {
+            if let Some(other) = paths.insert(name, path) {
+                let [path, other] = [path, other].map(|path| path.display());
+                return refuse(format!(
+                    "two photographs have the same name, {other} and {path}; rename one of them"
+                ));
+            }
+        }
+        if files.len() < 3 {
+            let photographs = count(files.len() as u64, "photograph");
+            let named = named.display();
+            return refuse(format!(
+                "{named}: {photographs}, expected 3 or more: JPEG or PNG files"
+            ));
+        }
+        let read = |(path, name): (PathBuf, String)| {
+            let digest = hex(Sha256::new_with_prefix(read_file(&path, u64::MAX, "a photograph")?));
+            Ok(Photograph { path, name, digest })
+        };
+        let mut photographs = files.into_iter().map(read).collect::<Result<Vec<_>>>()?;
+        sort_naturally(&mut photographs, |photograph| photograph.name.clone());
+        Ok(Self::Photographs(photographs))
+    }
+
+    /// Fills up numbers in names with zeros, if neighbors are to be compared and COLMAP has others: it sorts by letters.
+    pub fn number(&mut self, matcher: Option<Matcher>, console: Console) {
+        let Self::Photographs(photographs) = self else { return };
+        let is_sequential =
+            matcher.map_or(photographs.len() > SOME, |matcher| matcher == Matcher::Sequential);
+        if !is_sequential || photographs.is_sorted_by_key(|photograph| &photograph.name) {
+            return;
+        }
+        let longest = photographs.iter().flat_map(|photograph| {
+            photograph.name.split(|c: char| !c.is_ascii_digit()).map(str::len)
+        });
+        let digits = longest.max().unwrap_or(0);
+        let padded: Vec<_> = photographs.iter().map(|photo| padded(&photo.name, digits)).collect();
+        // `1` and `01` are two photographs.
+        if padded.windows(2).any(|pair| pair[0] == pair[1]) {
+            return;
+        }
+        let [old, new] = [&photographs[0].name, &padded[0]];
+        console.note(&format!("filling up numbers in names with zeros, because COLMAP sorts by letters: {old} becomes {new}"));
+        for (photograph, name) in photographs.iter_mut().zip(padded) {
+            photograph.name = name;
+        }
+    }
+
+    /// Identifies the content, wherever its files are. Names of photographs count, because images keep them.
+    pub fn content(&self) -> Result<String> {
+        let mut hash = Sha256::new();
+        match self {
+            Self::Video(path) => {
+                let (mut file, length) = open_regular(path)?;
+                hash.update(length.to_le_bytes());
+                for part in parts(&mut file, length) {
+                    hash.update(part.map_err(|source| Error::read(path, source))?);
+                }
+            }
+            Self::Photographs(photographs) => {
+                for Photograph { name, digest, .. } in photographs {
+                    hash.update(format!("{name:?} {digest}\n"));
+                }
+            }
+        }
+        Ok(hex(hash))
+    }
+
+    /// What to say if photographs are equal.
+    pub fn copies(&self) -> Option<String> {
+        let Self::Photographs(photographs) = self else { return None };
+        let mut first = HashMap::new();
+        let pairs: Vec<_> = photographs
+            .iter()
+            .filter_map(|photograph| {
+                let earlier = *first.entry(&photograph.digest).or_insert(photograph);
+                (!std::ptr::eq(earlier, photograph)).then_some((earlier, photograph))
+            })
+            .collect();
+        let (a, b) = pairs.first()?;
+        let [a, b] = [a, b].map(|photograph| photograph.path.display());
+        let others = match pairs.len() {
+            1 => String::new(),
+            count => format!(", and {} more such pairs", count - 1),
+        };
+        Some(format!(
+            "the same photograph is there twice: {a} and {b}{others}. A copy shows nothing new, and a held-out one makes \
+             measurements too good: leave copies out"
+        ))
+    }
+}
+
+/// Sorts by names as people do: numbers in them count as numbers, so 2 is before 10.
+pub fn sort_naturally<T>(items: &mut [T], name: impl Fn(&T) -> String) {
+    items.sort_by_cached_key(|item| {
+        let name = name(item);
+        (padded(&name, DIGITS), name)
+    });
+}
+
+/// A name whose numbers have at least this many digits.
+pub fn padded(name: &str, digits: usize) -> String {
+    let mut padded = String::new();
+    let mut rest = name;
+    while let Some(begin) = rest.find(|c: char| c.is_ascii_digit()) {
+        let (text, number) = rest.split_at(begin);
+        let end = number.find(|c: char| !c.is_ascii_digit()).unwrap_or(number.len());
+        padded += text;
+        padded += &format!("{:0>digits$}", &number[..end]);
+        rest = &number[end..];
+    }
+    padded + rest
+}
+
+/// What a folder has, without hidden files: macOS writes `._IMG_1.JPG` beside `IMG_1.JPG`.
+struct Listed {
+    photographs: Vec<PathBuf>,
+    folders: Vec<PathBuf>,
+    has_heic: bool,
+}
+
+impl Listed {
+    fn of(folder: &Path) -> Result<Self> {
+        let entries = fs::read_dir(folder).map_err(|source| Error::read(folder, source))?;
+        let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+        paths.retain(|path| !name_of(path).starts_with('.'));
+        let has_heic = paths.iter().any(|path| has_extension(path, &["heic", "heif"]));
+        let (folders, files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
+        let photographs = files.into_iter().filter(|path| is_photograph(path)).collect();
+        Ok(Self { photographs, folders, has_heic })
+    }
+}
+
+/// The photographs in folders, and in those within them.
+fn below(folders: &[PathBuf], depth: usize) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for folder in folders.iter().filter(|_| depth > 0) {
+        // One that may not be read has nothing for us.
+        let Ok(Listed { photographs, folders, .. }) = Listed::of(folder) else { continue };
+        found.extend(photographs);
+        found.extend(below(&folders, depth - 1)?);
+    }
+    Ok(found)
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Whether a file's name is that of a photograph.
+fn is_photograph(path: &Path) -> bool {
+    has_extension(path, &["jpg", "jpeg", "png"])
+}
+
+/// Parts of a file that are spread evenly over it, and its end; all of a small one.
+fn parts(file: &mut File, length: u64) -> impl Iterator<Item = std::io::Result<Vec<u8>>> {
+    let step = (length / PARTS).max(PART);
+    let last = length.saturating_sub(PART);
+    (0..last).step_by(step as usize).chain([last]).map(move |begin| {
+        let mut part = Vec::new();
+        file.seek(SeekFrom::Start(begin))?;
+        Read::by_ref(file).take(PART).read_to_end(&mut part)?;
+        Ok(part)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_names_count_as_numbers() {
+        let mut names =
+            ["Photo (10).jpg", "Photo (2).jpg", "a", "Photo (9).jpg", "2-10", "2-9", "02-9"];
+        sort_naturally(&mut names, |name| (*name).to_owned());
+        let expected =
+            ["02-9", "2-9", "2-10", "Photo (2).jpg", "Photo (9).jpg", "Photo (10).jpg", "a"];
+        assert_eq!(names, expected);
+        assert_eq!(padded("Photo (2) 345.jpg", 3), "Photo (002) 345.jpg");
+    }
+}

@@ -69,8 +69,8 @@ impl Poses {
         let notes = std::mem::take(&mut listing.notes);
         if let ([], [first, ..]) = (&*listing.shots, &*missing) {
             let all = missing.len();
+            let hint = hint(path, Some(first)).unwrap_or_default();
             let first = first.display();
-            let hint = hint(path).unwrap_or_default();
             let reason =
                 format!("none of the {all} photographs exists; the first should be {first}{hint}");
             return invalid(path, reason);

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::console::{Console, print, print_json};
 use super::output::check_file;
-use super::refuse;
+use super::{refuse, text_of};
 use super::summary::{Table, grouped};
 
 const EXAMPLES: &str = "\
@@ -37,7 +37,7 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut runs = Vec::new();
     for folder in &args.runs {
-        let name = folder.display().to_string();
+        let name = text_of(folder);
         if runs.iter().any(|(other, _)| *other == name) {
             return refuse(format!("the run {name} is named twice"));
         }
@@ -53,7 +53,7 @@ fn as_json(args: &Args, runs: &[(String, Run)]) -> serde_json::Value {
     let settings = differences(runs.iter().map(|(_, run)| run));
     let setting = |found: Difference| json!({ "name": found.setting, "values": found.values });
     json!({
-        "page": args.output,
+        "page": text_of(&args.output),
         "runs": runs.iter().map(result).collect::<Vec<_>>(),
         "settings": settings.into_iter().map(setting).collect::<Vec<_>>(),
     })

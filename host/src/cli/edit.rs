@@ -15,7 +15,7 @@ use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::check_scene_file;
 use super::summary::{Table, count, grouped};
-use super::{eval, number_in, numbers, refuse};
+use super::{eval, number_in, numbers, refuse, text_of};
 
 const USAGE: &str = "organza edit SCENE DATA -o NEW";
 
@@ -119,7 +119,7 @@ struct Removed {
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Report {
-    scene: PathBuf,
+    scene: String,
     gaussians_before: usize,
     removed: Vec<Removed>,
     gaussians: usize,
@@ -157,7 +157,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     placement.meters = args.scale.or(args.measured).or(placement.meters);
     edited.save(&args.output)?;
     let report = Report {
-        scene: args.output.clone(),
+        scene: text_of(&args.output),
         gaussians_before,
         removed,
         gaussians: edited.gaussians.len(),

@@ -1,6 +1,6 @@
 //! `organza render`: whole images.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use organza::image::{ChannelFormat, ChannelImage};
 use organza::tile::MAX_TILE_SIDE;
@@ -14,7 +14,7 @@ use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::output::{self, Folder, name, refuse_others};
 use super::picture::{Picture, Pictures, Shown, sizes, warn_not_finite};
 use super::ranks::{Member, SharesArgs};
-use super::refuse;
+use super::{refuse, text_of};
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::{ViewList, ViewTask, names, warn_distorted};
 
@@ -212,7 +212,7 @@ fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Consol
             Picture::new(view, &files[0], &list[view]).with_channels(&channels, &files[1..])
         };
         let images = views.iter().zip(&files).map(image).collect();
-        let folder = &*args.output;
+        let folder = text_of(&args.output);
         let rendered = rendered.len();
         return print_json(&Rendered { folder, images, rendered, cost });
     }
@@ -221,8 +221,8 @@ fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Consol
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Rendered<'a> {
-    folder: &'a Path,
+struct Rendered {
+    folder: String,
     images: Vec<Picture>,
     /// Number of views that this call rendered. Earlier calls rendered the others.
     rendered: usize,

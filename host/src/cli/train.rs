@@ -27,7 +27,7 @@ use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
 use super::signals::Signals;
 use super::view::ServerArgs;
-use super::{absolute, number_in, refuse, title};
+use super::{absolute, number_in, refuse, text_of, title};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -248,10 +248,10 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
 /// The output of `--json` at the end of a run.
 #[derive(Debug, Default, Serialize)]
 struct Ended {
-    folder: PathBuf,
+    folder: String,
     outcome: &'static str,
-    checkpoint: PathBuf,
-    report: PathBuf,
+    checkpoint: String,
+    report: String,
     step: u32,
     seconds: Option<f64>,
     gaussians: Option<usize>,
@@ -286,9 +286,9 @@ impl Ended {
             Outcome::TimeLimit => "time limit",
             _ => "stopped",
         };
-        let checkpoint = folder.join(CHECKPOINT);
-        let report = folder.join(REPORT);
-        Self { folder: folder.to_owned(), outcome, checkpoint, report, ..self }
+        let checkpoint = text_of(&folder.join(CHECKPOINT));
+        let report = text_of(&folder.join(REPORT));
+        Self { folder: text_of(folder), outcome, checkpoint, report, ..self }
     }
 }
 
@@ -473,6 +473,7 @@ impl SettingsArgs {
         if let (Some(start), Some(_)) = (&config.start.path, self.options.get("start.path")) {
             config.start.path = Some(absolute(start));
         }
+        config.validate()?;
         Ok(config)
     }
 

@@ -17,9 +17,9 @@ use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, SceneSource};
 use super::output::{self, Folder, continue_film, remove_frames};
 use super::picture::{Pictures, Shown, warn_not_finite};
-use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
+use super::{refuse, text_of};
 use film_path::{Inputs, PathArgs, described};
 
 const TILE_SIZE: u32 = 64;
@@ -141,8 +141,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Made<'a> {
-    film: &'a Path,
+struct Made {
+    film: String,
     frames: usize,
     fps: u32,
     width: u32,
@@ -211,7 +211,8 @@ impl Film<'_> {
         let [Camera { width, height, .. }, ..] = *self.cameras else { unreachable!("a frame") };
         let frames = files.len();
         let rendered = todo.len();
-        Ok(Made { film: &args.output, frames, fps: args.fps, width, height, rendered, cost })
+        let film = text_of(&args.output);
+        Ok(Made { film, frames, fps: args.fps, width, height, rendered, cost })
     }
 
     /// Renders frames. Returns `None` if a signal asks to stop.

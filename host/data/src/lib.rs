@@ -144,7 +144,8 @@ impl Listing {
         self.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
         let pose = camera.camera_to_world;
-        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out };
+        let trained = None;
+        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out, trained };
         self.shots.extend(panorama::views_of(shot));
         Ok(())
     }

@@ -297,7 +297,7 @@ fn photographs(
     let mut settings = args.data_args.settings(source, named, USAGE)?;
     let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
     settings.background = Background::Color(of_scene);
-    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
+    let data = DataSet::of(source, named, settings, console)?;
     if !data.cameras()?.iter().any(|pose| pose.held_out) {
         console.note("no photograph is held out, so PSNR is not measured");
         return Ok(None);

@@ -21,7 +21,7 @@ use serde::Serialize;
 use super::console::{Console, print, print_json};
 use super::demo::quoted;
 use super::device::DeviceArgs;
-use super::inputs::DataSet;
+use super::inputs::{DataSet, check_place};
 use super::output::Folder;
 use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
@@ -435,7 +435,9 @@ fn command_line() -> Option<String> {
 /// The run's folder and settings.
 fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
-        return Ok((folder.clone(), args.settings.resumed(folder)?));
+        let config = args.settings.resumed(folder)?;
+        check_place(&config.data, folder)?;
+        return Ok((folder.clone(), config));
     }
     let folder = args.output.clone().expect("clap requires it");
     Ok((folder, args.settings.settings(args.data.as_deref())?))

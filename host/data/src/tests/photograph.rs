@@ -26,7 +26,7 @@ fn camera(width: u32, height: u32) -> Camera {
 fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
     let name = "a".to_owned();
     let mask = None;
-    Shot { name, path, mask, camera, pose: POSE, lens, factor: 1, held_out: false }
+    Shot { name, path, mask, camera, pose: POSE, lens, factor: 1, held_out: false, trained: None }
 }
 
 /// A photograph to be reduced by `factor`.

@@ -1,5 +1,6 @@
 //! `organza render`: whole images.
 
+use std::fmt::Debug;
 use std::path::PathBuf;
 
 use organza::image::{ChannelFormat, ChannelImage};
@@ -11,12 +12,12 @@ use super::channels::{ChannelArgs, FormatArgs};
 use super::console::{Console, Level, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::output::{self, Folder, name, refuse_others};
+use super::output::{self, Folder, KeptImages, name, refuse_others};
 use super::picture::{Picture, Pictures, Shown, sizes, warn_not_finite};
 use super::ranks::{Member, SharesArgs};
-use super::{refuse, text_of};
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::{ViewList, ViewTask, names, warn_distorted};
+use super::{refuse, text_of};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -40,7 +41,7 @@ A folder with files that are no images of these cameras is refused, unless you p
 
 `--task I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
 one folder at the same time. With `--missing`, images that are there stay as they are, and the others are rendered: after \
-a task has failed, or was killed.
+a task has failed, or was killed. Images of another scene, or of other cameras or options, are refused.
 
 A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
 covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
@@ -189,12 +190,19 @@ fn render(args: &Args, job: RenderJob, rank: Option<Member<'_>>, console: Consol
         console.note(&format!("{there} of {all} are there from an earlier call"));
     }
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
+    let how = (list, args.scene_args.options(), format);
+    let of_view = |name: &String| folder.join(&format!("{name}.png"));
+    let there: Vec<_> = names(list).iter().map(of_view).filter(|file| file.exists()).collect();
+    let replaced: Vec<_> = rendered.iter().map(|(_, files)| &files[0]).collect();
+    let made_of = (source.file(), &how as &dyn Debug);
+    let kept = KeptImages::check(&folder, made_of, &there, &replaced, args.missing)?;
     if let Some(rank) = rank {
         let todo: Vec<_> = rendered.iter().map(|(view, _)| *view as u64).collect();
         rank.ranks.broadcast(bytemuck::cast_slice(&todo).to_vec())?;
     }
     let output = (&channels[..], format);
     let cost = write_all(&pictures, &rendered, output, console)?;
+    kept.write()?;
     let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();
     console.note(&match names.as_slice() {
         [] => "nothing to render".to_owned(),

@@ -163,13 +163,13 @@ struct Film<'a> {
 }
 
 impl Film<'_> {
-    fn make<'a>(
+    fn make(
         &self,
-        args: &'a Args,
+        args: &Args,
         kind: FilmKind,
         source: &SceneSource,
         console: Console,
-    ) -> Result<Made<'a>> {
+    ) -> Result<Made> {
         let folder = match kind {
             FilmKind::Frames => args.output.clone(),
             FilmKind::Mp4 | FilmKind::Png => {
@@ -180,8 +180,8 @@ impl Film<'_> {
         };
         let mut folder = Folder::make(&folder)?;
         folder.lock(false)?;
-        let cameras = (self.cameras, self.look);
-        continue_film(&folder, source.file(), &cameras, args.overwrite)?;
+        let how = (self.cameras, self.look, args.scene_args.options());
+        continue_film(&folder, source.file(), &how, args.overwrite)?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
         let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;
         let todo: Vec<_> = (0..files.len()).filter(|&frame| !files[frame].exists()).collect();

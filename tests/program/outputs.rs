@@ -142,3 +142,43 @@ fn one_command_at_a_time_writes_into_a_folder() {
     sandbox.run(render).assert_ok();
     assert!(!sandbox.path("out/.organza-lock").exists());
 }
+
+/// JSON shows a path as messages do. What cannot be written so is refused before there is a file.
+#[cfg(target_os = "linux")]
+#[test]
+fn paths_need_not_be_utf8() {
+    let sandbox = runs::sandbox();
+    sandbox.run(&format!("{TINY} run --steps 2")).assert_ok();
+    sandbox.shell("mkdir \"$(printf 'caf\\351')\"").assert_ok();
+    let here = |words: &str| {
+        let words = words.replace('@', "\"$(printf 'caf\\351')\"");
+        sandbox.shell(&format!("\"$ORGANZA\" {words}"))
+    };
+    for words in [
+        "train views --config tiny.toml --steps 2 -o @/run --backend cpu",
+        "train --resume @/run --steps 4 --backend cpu",
+        "eval @/run --csv @/scores.csv --backend cpu",
+        "edit @/run -o @/new.safetensors --keep-largest --backend cpu",
+        "render @/run -o @/images --channels depth --backend cpu",
+        "film @/run -o @/film.png --frames 2 --size 16x16 --backend cpu",
+        "tiles @/run tiles.json -o @/tiles.safetensors --backend cpu",
+        "demo -o @/demo --views 2 --size 16 --backend cpu",
+        "demo --photographs -o @/walk --views 2 --size 32",
+        "info @/run",
+        "info @/tiles.safetensors",
+        "compare run @/run -o @/comparison.html",
+    ] {
+        let json = here(&format!("{words} --json")).json().to_string();
+        assert!(json.contains("caf\u{fffd}/") || words.starts_with("eval"), "{words}: {json}");
+    }
+    sandbox.shell("cp -r views \"$(printf 'caf\\351')/views\"").assert_ok();
+    here("eval run @/views --backend cpu --json").json();
+    let before = sandbox.files();
+    for words in ["-o new --json", "-o new", "--print-config", "--print-config --json"] {
+        let outcome = here(&format!("train @/views --config tiny.toml --backend cpu {words}"));
+        outcome.assert_refused(&["`data.path` is", "caf\u{fffd}/views", "not UTF-8", "a link"]);
+        assert!(before == sandbox.files(), "{words}");
+    }
+    sandbox.shell("ln -s \"$(printf 'caf\\351')\" cafe").assert_ok();
+    sandbox.run("train cafe/views --config tiny.toml --steps 2 -o new --backend cpu").assert_ok();
+}

@@ -49,6 +49,32 @@ fn tasks_and_missing_images_equal_one_call() {
     assert_eq!(fs::read(sandbox.path("out/0000.png")).unwrap(), b"mine");
 }
 
+/// Images of an older scene, of other cameras or with other options are not those that are missing.
+#[test]
+fn images_of_anything_else_do_not_stay() {
+    let sandbox = Sandbox::new("tiny");
+    let render = |words: &str| sandbox.run(&format!("{WHOLE} {words}"));
+    let refused = |words: &str| {
+        let facts = ["0000.png was not made of this scene", "leave out `--missing`"];
+        sandbox.assert_refuses(&format!("{WHOLE} {words} --missing"), &facts);
+    };
+    render("").assert_ok();
+    fs::remove_file(sandbox.path("out/0001.png")).unwrap();
+    refused("--half-grids");
+    sandbox.edit_json("cameras.json", "/frames/0/transform_matrix/0/3", serde_json::json!(2.5));
+    refused("");
+    render("").assert_ok();
+    fs::remove_file(sandbox.path("out/0001.png")).unwrap();
+    render("--missing").assert_ok();
+    // a view that stays is of the older scene
+    fs::rename(sandbox.path("scene.safetensors"), sandbox.path("older.safetensors")).unwrap();
+    sandbox.run("edit older.safetensors -o scene.safetensors --scale 2 --backend cpu").assert_ok();
+    render("--views 1").assert_ok();
+    refused("");
+    render("").assert_ok();
+    render("--missing").assert_ok();
+}
+
 #[test]
 fn an_empty_task_succeeds_and_bad_tasks_are_refused() {
     let sandbox = Sandbox::new("tiny");

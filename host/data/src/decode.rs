@@ -254,15 +254,24 @@ fn wrong_size<T>(path: &Path, what: &str, found: [u32; 2], expected: [u32; 2]) -
     let [width, height] = found;
     let [w, h] = expected;
     let [across, down] = [(width, w), (height, h)].map(|(a, b)| f64::from(a) / f64::from(b));
+    // whether it is an n-th, rounded up or down
+    let is_part = |n: &u32| {
+        [(width, w), (height, h)].iter().all(|(a, b)| (b / n..=b.div_ceil(*n)).contains(a))
+    };
     let hint = if what == MASK {
-        "a mask has the size of its photograph"
+        "a mask has the size of its photograph".to_owned()
     } else if [height, width] == expected {
-        "was it rotated?"
+        "was it rotated?".to_owned()
+    } else if let Some(n) = (2..=w.div_ceil(width.max(1))).find(is_part) {
+        format!(
+            "is it 1/{n} of the original? Move such photographs from `images` to `images_{n}`, and use `--downscale {n}`"
+        )
     } else if (across - down).abs() < 0.01 * across {
         "was it resized? Take the original, or scale the camera's intrinsics; `downscale` makes \
          photographs smaller"
+            .to_owned()
     } else {
-        "is it the right photograph?"
+        "is it the right photograph?".to_owned()
     };
     let reason =
         format!("the {what} is {width} x {height} pixels, but its camera {w} x {h}; {hint}");

@@ -32,6 +32,8 @@ pub(super) struct Shot {
     pub factor: u32,
     /// Whether the frame is held out from training.
     pub held_out: bool,
+    /// The photograph that it must be, if a run was trained on it.
+    pub trained: Option<Digest>,
 }
 
 impl Shot {
@@ -53,6 +55,11 @@ impl Shot {
         let (bytes, _share) = decode::read(&self.path, mask, [width, height], budget)?;
         let mask = mask.map(|path| self.read_mask(path)).transpose()?;
         let digest = Digest::new(&bytes, mask.as_ref().map(|mask| &*mask.file));
+        if self.trained.as_ref().is_some_and(|trained| *trained != digest) {
+            let reason = "the photograph or its mask has changed since the run was trained; put it back, or name the data set \
+                          to take it as it is now";
+            return invalid(&self.path, reason.to_owned());
+        }
         let decoded = decode::decode(&bytes, [width, height], &self.path, decode::PHOTOGRAPH)?;
         let alpha_hides = options.alpha == Alpha::Mask && decoded.has_alpha();
         let is_used = |x: u32, y: u32, alpha: f32| {

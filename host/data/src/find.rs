@@ -122,7 +122,7 @@ fn sibling(path: &Path, folder: &str, by: &str) -> Option<PathBuf> {
 
 /// The file `path` below `folder`, with an extension if it lacks one, or with another, because tools convert photographs;
 /// `None` if it does not exist.
-fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
+pub(super) fn with_extension(folder: &Path, path: &Path) -> Option<PathBuf> {
     let with = |extension: &&str| {
         let mut name = path.as_os_str().to_owned();
         name.push(extension);

@@ -1,4 +1,4 @@
-//! Identifies a data set, so that a run only resumes with the data that it began with.
+//! Identifies a data set, so that a run and its scores are only taken with the data that it was trained on.
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
@@ -7,14 +7,17 @@ use super::Point;
 use super::lens::Lens;
 use organza_core::{Camera, hex};
 
-/// SHA-256 of a photograph's file, and of its mask if it has one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Digest([u8; 32]);
+/// The first digits of the SHA-256 of a photograph's file and of its mask, if it has one.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Digest(String);
 
 impl Digest {
+    /// Number of digits.
+    const DIGITS: usize = 16;
+
     pub fn new(photograph: &[u8], mask: Option<&[u8]>) -> Self {
         let hash = Sha256::new().chain_update(photograph);
-        Self(hash.chain_update(mask.unwrap_or_default()).finalize().into())
+        Self(digits(hash.chain_update(mask.unwrap_or_default()), Self::DIGITS))
     }
 }
 
@@ -23,25 +26,28 @@ impl Digest {
 pub struct Fingerprint {
     /// Each frame's name, camera and lens, and whether it is held out.
     frames: String,
-    /// The photographs' files; empty if there are none, because frames were rendered.
+    /// The digests of the frames' photographs; empty if none was read.
     photographs: String,
     /// The points from which training may start.
     points: String,
 }
 
 impl Fingerprint {
-    /// Describes the difference to `earlier`; `None` if there is none.
+    /// Describes the difference to `earlier`; `None` if there is none. Photographs that were not read are not compared.
+    #[must_use]
     pub fn difference(&self, earlier: &Self) -> Option<&'static str> {
         let parts = [
             (
                 &self.frames,
                 &earlier.frames,
-                "frames (their number, names, cameras or held-out ones)",
+                "frames (their number, order, names, cameras or held-out ones)",
             ),
             (&self.photographs, &earlier.photographs, "photographs"),
             (&self.points, &earlier.points, "starting points"),
         ];
-        parts.into_iter().find(|(now, then, _)| now != then).map(|(_, _, what)| what)
+        // without photographs, there are no digits
+        let differs = |(now, then): (&String, &String)| now != then && now.len() == then.len();
+        parts.into_iter().find(|(now, then, _)| differs((now, then))).map(|(_, _, what)| what)
     }
 
     pub(super) fn new<'a>(
@@ -63,27 +69,30 @@ impl Fingerprint {
                 hash.update(format!("{cut:?} {}", lens.panorama));
             }
         }
-        let frames = digits(hash);
+        let frames = digits(hash, 32);
         let mut hash = Sha256::new();
         for Point { position, color } in points {
             position.iter().for_each(|value| hash.update(value.to_bits().to_le_bytes()));
             hash.update([u8::from(color.is_some())]);
             hash.update(color.unwrap_or_default());
         }
-        Self { frames, photographs: String::new(), points: digits(hash) }
+        Self { frames, photographs: String::new(), points: digits(hash, 32) }
     }
 
     pub(super) fn with_photographs(self, photographs: &[Digest]) -> Self {
-        let mut hash = Sha256::new();
-        photographs.iter().for_each(|digest| hash.update(digest.0));
-        let photographs = if photographs.is_empty() { String::new() } else { digits(hash) };
-        Self { photographs, ..self }
+        Self { photographs: photographs.iter().map(|digest| &*digest.0).collect(), ..self }
+    }
+
+    /// The digest of each frame's photograph.
+    pub(super) fn photographs(&self) -> impl ExactSizeIterator<Item = Digest> {
+        let (digests, _) = self.photographs.as_bytes().as_chunks::<{ Digest::DIGITS }>();
+        digests.iter().map(|digest| Digest(String::from_utf8_lossy(digest).into_owned()))
     }
 }
 
-/// 32 digits are enough: no one searches for a collision.
-fn digits(hash: Sha256) -> String {
+/// The first digits of a hash. A few are enough: no one searches for a collision.
+fn digits(hash: Sha256, count: usize) -> String {
     let mut digits = hex(hash);
-    digits.truncate(32);
+    digits.truncate(count);
     digits
 }

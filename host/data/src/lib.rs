@@ -145,7 +145,8 @@ impl Listing {
         self.prepared += usize::from(prepared);
         let name = camera.file_path.clone().unwrap_or_default();
         let pose = camera.camera_to_world;
-        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out };
+        let trained = None;
+        let shot = Shot { name, path, mask, camera, pose, lens, factor, held_out, trained };
         self.shots.extend(panorama::views_of(shot));
         Ok(())
     }
@@ -356,7 +357,7 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
         Some(Layout::Blender(file)) => transforms::blender(&file, options, access),
         Some(Layout::Colmap(model)) => colmap::list(path, &model, options, access),
         None => {
-            let hint = hint(path).unwrap_or_default();
+            let hint = hint(path, None).unwrap_or_default();
             let folders = colmap::FOLDERS.iter().filter(|folder| !folder.is_empty());
             let folders = folders.map(|folder| format!("{folder}, ")).collect::<String>();
             let reason = format!(
@@ -369,30 +370,52 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
     }
 }
 
-/// Suggests another place, if a folder has no data set or no photographs: COLMAP's dense workspace, a folder within,
-/// or smaller photographs.
-fn hint(path: &Path) -> Option<String> {
-    if !path.is_dir() {
-        return None;
-    }
+/// Suggests what to do if a folder has no data set, or if its photographs are `missing`, of which this is the first.
+fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
+    let path = if path.is_dir() { path } else { path.parent()? };
     let mut folders: Vec<_> =
         fs::read_dir(path).ok()?.flatten().map(|entry| entry.path()).collect();
     folders.retain(|path| path.is_dir());
     folders.sort();
-    let name = |path: &Path| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
-    let factor = |path: &PathBuf| name(path)?.strip_prefix("images_")?.parse::<u32>().ok();
-    if let Some(factor) = folders.iter().find_map(factor) {
-        return Some(format!("; images_{factor} is there: use it with `--downscale {factor}`"));
+    if let Some(missing) = missing {
+        let name = |path: &Path| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
+        let factor = |path: &PathBuf| name(path)?.strip_prefix("images_")?.parse::<u32>().ok();
+        if let Some(factor) = folders.iter().find_map(factor) {
+            return Some(format!("; images_{factor} is there: use it with `--downscale {factor}`"));
+        }
+        let photograph = Path::new(missing.file_name()?);
+        let has = |folder: &&Path| find::with_extension(folder, photograph).is_some();
+        if let Some(found) = folders.iter().map(PathBuf::as_path).chain([path]).find(has) {
+            let found = found.display();
+            let wanted = match missing.parent().filter(|parent| *parent != path) {
+                Some(parent) => path.join(parent.file_name().unwrap_or_default()),
+                None => path.to_owned(),
+            };
+            let wanted = wanted.display();
+            return Some(format!(
+                "; photographs of these names are in {found}: move them to {wanted}"
+            ));
+        }
+    }
+    let photographs = |folder: &PathBuf| {
+        let mut files = fs::read_dir(folder).into_iter().flatten().flatten();
+        files.any(|file| has_extension(&file.path(), &["jpg", "jpeg", "png"]))
+    };
+    let photographs = [path.to_owned(), path.join("images")].into_iter().find(photographs);
+    let capture = photographs.map(|folder| {
+        let folder = folder.display();
+        format!("; `organza capture {folder} -o NEW` finds the poses of photographs")
+    });
+    if path.join("poses_bounds.npy").exists() {
+        let capture = capture.unwrap_or_default();
+        return Some(format!("; the poses of LLFF, poses_bounds.npy, are not read{capture}"));
     }
     let dense = ["dense/0", "dense"].map(|name| path.join(name));
     let mut nested = dense.into_iter().chain(folders);
-    if let Some(nested) = nested.find(|folder| Layout::detect(folder).is_some()) {
-        return Some(format!("; {} is a data set", nested.display()));
+    match nested.find(|folder| Layout::detect(folder).is_some()) {
+        Some(nested) => Some(format!("; {} is a data set", nested.display())),
+        None => capture,
     }
-    let mut files = fs::read_dir(path).ok()?.flatten();
-    files.find(|file| has_extension(&file.path(), &["jpg", "jpeg", "png"]))?;
-    let path = path.display();
-    Some(format!("; `organza capture {path} -o FOLDER` finds the poses of photographs"))
 }
 
 /// The folder of the data set that a path names. The folder of its photographs names it, too.

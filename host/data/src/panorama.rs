@@ -140,6 +140,7 @@ pub fn cut(path: &Path, side: u32, views: &[View]) -> Result<Vec<Frame>> {
         lens: Lens { panorama: true, ..Lens::default() },
         factor: factor as u32,
         held_out: false,
+        trained: None,
     };
     let options = DatasetOptions::default();
     let budget = Budget::beside(0);

@@ -69,8 +69,8 @@ impl Poses {
         let notes = std::mem::take(&mut listing.notes);
         if let ([], [first, ..]) = (&*listing.shots, &*missing) {
             let all = missing.len();
+            let hint = hint(path, Some(first)).unwrap_or_default();
             let first = first.display();
-            let hint = hint(path).unwrap_or_default();
             let reason =
                 format!("none of the {all} photographs exists; the first should be {first}{hint}");
             return invalid(path, reason);
@@ -97,6 +97,21 @@ impl Poses {
             is_part,
             background,
         })
+    }
+
+    /// Describes the difference of frames and points to those of a run; `None` if there is none.
+    #[must_use]
+    pub fn difference(&self, trained: &Fingerprint) -> Option<&'static str> {
+        self.fingerprint.difference(trained)
+    }
+
+    /// Takes only the photographs of a run, whose frames these are: reading another one is an error.
+    pub fn require(&mut self, trained: &Fingerprint) {
+        let shots = &mut self.listing.shots;
+        let digests = trained.photographs();
+        if digests.len() == shots.len() {
+            shots.iter_mut().zip(digests).for_each(|(shot, digest)| shot.trained = Some(digest));
+        }
     }
 
     /// Keeps only the held-out frames, or only those to train on. Nothing else is read. Photographs look the same as

@@ -3,13 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use organza::Result;
+use organza::data::Poses;
 use organza::train::report::{Difference, Run, differences, write_comparison};
+use organza::train::{Binding, TrainConfig};
 use serde_json::json;
 
 use super::console::{Console, print, print_json};
+use super::inputs::SceneSource;
 use super::output::check_file;
-use super::refuse;
 use super::summary::{Table, grouped};
+use super::{refuse, text_of};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -37,23 +40,58 @@ pub struct Args {
 pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut runs = Vec::new();
     for folder in &args.runs {
-        let name = folder.display().to_string();
+        let name = text_of(folder);
         if runs.iter().any(|(other, _)| *other == name) {
             return refuse(format!("the run {name} is named twice"));
         }
         runs.push((name, Run::load(folder)?));
     }
+    warn_of_data(&args.runs, console)?;
     check_file(&args.output, &args.runs.iter().map(PathBuf::as_path).collect::<Vec<&Path>>())?;
     write_comparison(&args.output, &runs)?;
     console.note(&format!("wrote {}", args.output.display()));
     if args.json { print_json(&as_json(args, &runs)) } else { print(&as_text(&runs)) }
 }
 
+/// Warns of runs that were trained on different data, and of data that has changed since.
+fn warn_of_data(folders: &[PathBuf], console: Console) -> Result<()> {
+    let mut first: Option<(&Path, Binding)> = None;
+    for folder in folders {
+        // a run that has just begun has no checkpoint
+        let Ok(source) = SceneSource::find(folder) else { continue };
+        let Some(trained) = Binding::load(source.file())? else { continue };
+        if let Some((other, on)) = &first
+            && let Some(what) = trained.data().difference(on.data())
+        {
+            let other = other.display();
+            let run = folder.display();
+            console.warn(&format!(
+                "{other} and {run} were trained on different data: their {what} differ"
+            ));
+        }
+        let settings = source.settings().ok().flatten();
+        let data = settings.and_then(|TrainConfig { data, .. }| {
+            Poses::load(data.path.as_ref()?, &data.options()).ok()
+        });
+        if let Some(poses) = data
+            && let Some(what) = poses.difference(trained.data())
+        {
+            let data = poses.path.display();
+            let run = folder.display();
+            console.warn(&format!(
+                "{data}: its {what} have changed since {run} was trained, whose scores are of the data as it was"
+            ));
+        }
+        first.get_or_insert((folder, trained));
+    }
+    Ok(())
+}
+
 fn as_json(args: &Args, runs: &[(String, Run)]) -> serde_json::Value {
     let settings = differences(runs.iter().map(|(_, run)| run));
     let setting = |found: Difference| json!({ "name": found.setting, "values": found.values });
     json!({
-        "page": args.output,
+        "page": text_of(&args.output),
         "runs": runs.iter().map(result).collect::<Vec<_>>(),
         "settings": settings.into_iter().map(setting).collect::<Vec<_>>(),
     })

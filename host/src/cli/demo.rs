@@ -14,9 +14,9 @@ use super::console::{Console, print_json};
 use super::device::DeviceArgs;
 use super::output::Folder;
 use super::picture::{Picture, Pictures, warn_not_finite};
-use super::refuse;
 use super::summary::{Cost, Summary, count};
 use super::views::names;
+use super::{refuse, text_of};
 
 /// Default number of views, and of pixels of their sides.
 const VIEWS: u16 = 24;
@@ -81,10 +81,9 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let (images, cost) = render(&renderer, &scene, &cameras, &folder, console)?;
     console.note(&next_steps(&args.output, &cameras));
     if args.json {
-        let scene = scene_file;
-        let cameras = cameras_file;
-        let tiles = tiles_file;
-        let folder = args.output.clone();
+        let folder = text_of(&args.output);
+        let [scene, cameras, tiles, sheet] =
+            [scene_file, cameras_file, tiles_file, sheet].map(|file| text_of(&file));
         return print_json(&Made { folder, scene, cameras, tiles, sheet, images, cost });
     }
     Ok(())
@@ -96,11 +95,11 @@ const FILES: [&str; 4] = ["scene.safetensors", "cameras.json", "tiles.json", "tu
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Made {
-    folder: PathBuf,
-    scene: PathBuf,
-    cameras: PathBuf,
-    tiles: PathBuf,
-    sheet: PathBuf,
+    folder: String,
+    scene: String,
+    cameras: String,
+    tiles: String,
+    sheet: String,
     images: Vec<Picture>,
     #[serde(flatten)]
     cost: Cost,
@@ -233,9 +232,9 @@ const IMAGES: &str = "images";
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Taken<'a> {
-    folder: &'a Path,
-    cameras: PathBuf,
+struct Taken {
+    folder: String,
+    cameras: String,
     images: Vec<Picture>,
 }
 
@@ -283,8 +282,8 @@ fn write_photographs(args: &Args, console: Console) -> Result<()> {
         quoted(&args.output),
     ));
     if args.json {
-        let cameras = folder.join(CAMERAS);
-        return print_json(&Taken { folder: &args.output, cameras, images: pictures });
+        let cameras = text_of(&folder.join(CAMERAS));
+        return print_json(&Taken { folder: text_of(&args.output), cameras, images: pictures });
     }
     Ok(())
 }

@@ -14,7 +14,7 @@ use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
 use super::output::check_scene_file;
 use super::summary::{Table, count, grouped};
-use super::{eval, number_in, numbers, refuse};
+use super::{eval, number_in, numbers, refuse, text_of};
 
 const USAGE: &str = "organza edit SCENE DATA -o NEW";
 
@@ -118,7 +118,7 @@ struct Removed {
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
 struct Report {
-    scene: PathBuf,
+    scene: String,
     gaussians_before: usize,
     removed: Vec<Removed>,
     gaussians: usize,
@@ -156,7 +156,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     placement.meters = args.scale.or(args.measured).or(placement.meters);
     edited.save(&args.output)?;
     let report = Report {
-        scene: args.output.clone(),
+        scene: text_of(&args.output),
         gaussians_before,
         removed,
         gaussians: edited.gaussians.len(),
@@ -296,7 +296,7 @@ fn photographs(
     let mut settings = args.data_args.settings(source, named, USAGE)?;
     let of_scene = scene.config.background.map(|value| value.clamp(0.0, 1.0) as f32);
     settings.background = Background::Color(of_scene);
-    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
+    let data = DataSet::of(source, named, settings, console)?;
     if !data.cameras()?.iter().any(|pose| pose.held_out) {
         console.note("no photograph is held out, so PSNR is not measured");
         return Ok(None);

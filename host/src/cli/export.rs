@@ -159,7 +159,7 @@ fn load_views(
         return Ok((views, None));
     }
     let settings = args.data.settings(source, named, USAGE)?;
-    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
+    let data = DataSet::of(source, named, settings, console)?;
     let (judges, fitted): (Vec<_>, _) = data.cameras()?.into_iter().partition(|pose| pose.held_out);
     let cameras = |poses: Vec<Pose>| poses.into_iter().map(|pose| pose.camera).collect::<Vec<_>>();
     let [fitted, judges] = [fitted, judges].map(cameras);

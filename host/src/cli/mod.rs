@@ -223,6 +223,11 @@ fn refuse<T>(reason: impl Into<String>) -> Result<T> {
     Err(organza::Error::Invalid { origin: PathBuf::new(), reason: reason.into() })
 }
 
+/// A path in JSON, as messages show it: text holds no other bytes than UTF-8.
+fn text_of(path: &Path) -> String {
+    path.display().to_string()
+}
+
 /// The path from the root of the file system.
 fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())

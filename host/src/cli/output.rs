@@ -197,8 +197,66 @@ fn cannot_write(path: &Path, source: io::Error) -> Error {
     Error::write(path, source)
 }
 
-/// The file that says which film a folder's frames are of.
-const MARK: &str = ".organza-film";
+/// The file that says what a folder's images were made of.
+const MARK: &str = ".organza-images";
+
+/// Identifies what images are made of: the scene's file, the cameras, the options, and the program.
+fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
+    let mut hash = Sha256::new();
+    File::open(scene)
+        .and_then(|mut file| io::copy(&mut file, &mut hash))
+        .map_err(|error| Error::read(scene, error))?;
+    hash.update(format!("{how:?} {}", env!("CARGO_PKG_VERSION")));
+    Ok(hex(hash))
+}
+
+/// Images in a folder that only stay if they were made of the same as new ones.
+pub struct KeptImages {
+    mark: PathBuf,
+    made_of: String,
+    /// Whether no image of anything else will be left in the folder.
+    is_whole: bool,
+}
+
+impl KeptImages {
+    /// Looks at what the images in a folder were made of. `replaced` says which of those that are `there` will be replaced. Fails if
+    /// others are `needed` and were made of anything else.
+    pub fn check(
+        folder: &Folder,
+        (scene, how): (&Path, &dyn Debug),
+        there: &[PathBuf],
+        replaced: &[&PathBuf],
+        is_needed: bool,
+    ) -> Result<Self> {
+        let mark = folder.file(MARK)?;
+        let made_of = made_of(scene, how)?;
+        let is_same = fs::read_to_string(&mark).is_ok_and(|found| found == made_of);
+        let stays = there.iter().find(|file| !replaced.contains(file));
+        if let (Some(file), true, false) = (stays, is_needed, is_same) {
+            let file = file.display();
+            return refuse(format!(
+                "{file} was not made of this scene, with these cameras, options and version of organza, so it cannot stay: \
+                 leave out `--missing`, or choose another folder"
+            ));
+        }
+        let kept = Self { mark, made_of, is_whole: is_same || stays.is_none() };
+        if is_same || there.is_empty() {
+            kept.write()?;
+        } else {
+            // until all are replaced, nothing is known of them
+            let _ = fs::remove_file(&kept.mark);
+        }
+        Ok(kept)
+    }
+
+    /// Writes down what the images are made of, if that is known.
+    pub fn write(&self) -> Result<()> {
+        match self.is_whole {
+            true => write_atomic(&self.mark, |writer| writer.write_all(self.made_of.as_bytes())),
+            false => Ok(()),
+        }
+    }
+}
 
 /// The visible files of a folder.
 fn visible(folder: &Folder) -> Result<Vec<PathBuf>> {
@@ -224,20 +282,15 @@ pub fn refuse_others(folder: &Folder, is_own: impl Fn(&str) -> bool) -> Result<(
     ))
 }
 
-/// Prepares a folder for the frames of a film. Those that an earlier call made of the same scene and cameras stay; other
-/// frames are removed with `overwrite`, and refused without it.
+/// Prepares a folder for the frames of a film. Those that an earlier call made of the same stay; other frames are removed with
+/// `overwrite`, and refused without it.
 pub fn continue_film(
     folder: &Folder,
     scene: &Path,
-    cameras: &dyn Debug,
+    how: &dyn Debug,
     overwrite: bool,
 ) -> Result<()> {
-    let mut film = Sha256::new();
-    File::open(scene)
-        .and_then(|mut file| io::copy(&mut file, &mut film))
-        .map_err(|error| Error::read(scene, error))?;
-    film.update(format!("{cameras:?}"));
-    let film = hex(film);
+    let film = made_of(scene, how)?;
     let mark = folder.file(MARK)?;
     if fs::read_to_string(&mark).is_ok_and(|found| found == film) {
         return Ok(());

@@ -9,8 +9,8 @@ use organza::{Camera, Channel, DeviceScene, Image, Renderer, Result};
 use serde::Serialize;
 
 use super::console::{Console, Progress};
-use super::refuse;
 use super::summary::{Summary, grouped};
+use super::{refuse, text_of};
 
 /// Everything that views are rendered from.
 #[derive(Debug)]
@@ -76,24 +76,24 @@ impl Pictures<'_> {
 #[derive(Clone, Debug, Serialize)]
 pub struct Picture {
     view: usize,
-    file: PathBuf,
+    file: String,
     width: u32,
     height: u32,
     /// Files of the channels, by the channels' names.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    channels: BTreeMap<&'static str, PathBuf>,
+    channels: BTreeMap<&'static str, String>,
 }
 
 impl Picture {
     pub fn new(view: usize, file: &Path, camera: &Camera) -> Self {
         let width = camera.width;
         let height = camera.height;
-        Self { view, file: file.to_owned(), width, height, channels: BTreeMap::new() }
+        Self { view, file: text_of(file), width, height, channels: BTreeMap::new() }
     }
 
     pub fn with_channels(mut self, channels: &[Channel], files: &[PathBuf]) -> Self {
         let names = channels.iter().map(|channel| channel.name());
-        self.channels = names.zip(files.iter().cloned()).collect();
+        self.channels = names.zip(files.iter().map(|file| text_of(file))).collect();
         self
     }
 }

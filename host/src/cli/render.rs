@@ -1,6 +1,7 @@
 //! `organza render`: whole images.
 
-use std::path::{Path, PathBuf};
+use std::fmt::Debug;
+use std::path::PathBuf;
 
 use organza::image::{ChannelFormat, ChannelImage};
 use organza::tile::MAX_TILE_SIDE;
@@ -11,11 +12,11 @@ use super::channels::{ChannelArgs, FormatArgs};
 use super::console::{Console, print_json};
 use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, SceneSource};
-use super::output::{self, Folder, name, refuse_others};
+use super::output::{self, Folder, KeptImages, name, refuse_others};
 use super::picture::{Picture, Pictures, sizes, warn_not_finite};
-use super::refuse;
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::{ViewList, ViewTask, names, warn_distorted};
+use super::{refuse, text_of};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,7 +39,7 @@ A folder with files that are no images of these cameras is refused, unless you p
 
 `--task I/N` renders the views I, I + N, I + 2N and so on, counted in the list of views. Several machines may write to \
 one folder at the same time. With `--missing`, images that are there stay as they are, and the others are rendered: after \
-a task has failed, or was killed.
+a task has failed, or was killed. Images of another scene, or of other cameras or options, are refused.
 
 A channel is written beside the image, as NAME.depth.png. Every channel is 0 where no Gaussian \
 covers a pixel. In a PNG, depth is in thousandths of a world unit unless `--depth-scale` says \
@@ -148,8 +149,15 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         console.note(&format!("{there} of {all} are there from an earlier call"));
     }
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
+    let how = (list, args.scene_args.options(), format);
+    let of_view = |name: &String| folder.join(&format!("{name}.png"));
+    let there: Vec<_> = names(list).iter().map(of_view).filter(|file| file.exists()).collect();
+    let replaced: Vec<_> = rendered.iter().map(|(_, files)| &files[0]).collect();
+    let made_of = (source.file(), &how as &dyn Debug);
+    let kept = KeptImages::check(&folder, made_of, &there, &replaced, args.missing)?;
     let output = (&channels[..], format);
     let cost = write_all(&pictures, &rendered, output, console)?;
+    kept.write()?;
     let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();
     console.note(&match names.as_slice() {
         [] => "nothing to render".to_owned(),
@@ -167,7 +175,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             Picture::new(view, &files[0], &list[view]).with_channels(&channels, &files[1..])
         };
         let images = views.iter().zip(&files).map(image).collect();
-        let folder = &*args.output;
+        let folder = text_of(&args.output);
         let rendered = rendered.len();
         return print_json(&Rendered { folder, images, rendered, cost });
     }
@@ -176,8 +184,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Rendered<'a> {
-    folder: &'a Path,
+struct Rendered {
+    folder: String,
     images: Vec<Picture>,
     /// Number of views that this call rendered. Earlier calls rendered the others.
     rendered: usize,

@@ -13,7 +13,7 @@ use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{Cameras, DataArgs, Expected, SceneSource, told_apart};
 use super::summary::{Cost, Summary, count, grouped};
 use super::views::warn_distorted;
-use super::{output, refuse};
+use super::{output, refuse, text_of};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -136,8 +136,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         console.note(&format!("wrote {}: grad.<tensor>", output.display()));
     }
     if args.json {
-        let file = args.output.as_deref();
-        let gradient = args.grad.as_deref();
+        let file = args.output.as_deref().map(text_of);
+        let gradient = args.grad.as_deref().map(text_of);
         return print_json(&Rendered { file, shape: batch.output_shape(), gradient, cost });
     }
     Ok(())
@@ -145,10 +145,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Rendered<'a> {
-    file: Option<&'a Path>,
+struct Rendered {
+    file: Option<String>,
     shape: [usize; 4],
-    gradient: Option<&'a Path>,
+    gradient: Option<String>,
     #[serde(flatten)]
     cost: Option<Cost>,
 }

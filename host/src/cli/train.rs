@@ -21,13 +21,13 @@ use serde::Serialize;
 use super::console::{Console, print, print_json};
 use super::demo::quoted;
 use super::device::DeviceArgs;
-use super::inputs::DataSet;
+use super::inputs::{DataSet, check_place};
 use super::output::Folder;
 use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread};
 use super::signals::Signals;
 use super::view::ServerArgs;
-use super::{absolute, number_in, refuse, title};
+use super::{absolute, number_in, refuse, text_of, title};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -243,10 +243,10 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
 /// The output of `--json` at the end of a run.
 #[derive(Debug, Default, Serialize)]
 struct Ended {
-    folder: PathBuf,
+    folder: String,
     outcome: &'static str,
-    checkpoint: PathBuf,
-    report: PathBuf,
+    checkpoint: String,
+    report: String,
     step: u32,
     seconds: Option<f64>,
     gaussians: Option<usize>,
@@ -281,9 +281,9 @@ impl Ended {
             Outcome::TimeLimit => "time limit",
             _ => "stopped",
         };
-        let checkpoint = folder.join(CHECKPOINT);
-        let report = folder.join(REPORT);
-        Self { folder: folder.to_owned(), outcome, checkpoint, report, ..self }
+        let checkpoint = text_of(&folder.join(CHECKPOINT));
+        let report = text_of(&folder.join(REPORT));
+        Self { folder: text_of(folder), outcome, checkpoint, report, ..self }
     }
 }
 
@@ -428,7 +428,9 @@ fn command_line() -> Option<String> {
 /// The run's folder and settings.
 fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
-        return Ok((folder.clone(), args.settings.resumed(folder)?));
+        let config = args.settings.resumed(folder)?;
+        check_place(&config.data, folder)?;
+        return Ok((folder.clone(), config));
     }
     let folder = args.output.clone().expect("clap requires it");
     Ok((folder, args.settings.settings(args.data.as_deref())?))
@@ -466,6 +468,7 @@ impl SettingsArgs {
         if let (Some(start), Some(_)) = (&config.start.path, self.options.get("start.path")) {
             config.start.path = Some(absolute(start));
         }
+        config.validate()?;
         Ok(config)
     }
 

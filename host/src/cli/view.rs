@@ -219,7 +219,7 @@ fn surroundings(
         }
     }
     let settings = args.data_args.settings(source, named, usage)?;
-    let data = DataSet::open(settings, source.placement(), console)?.refined(source, named)?;
+    let data = DataSet::of(source, named, settings, console)?;
     let poses = data.cameras()?;
     let (photographs, points) = data.photographs();
     Ok((poses, photographs, points))

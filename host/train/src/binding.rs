@@ -15,6 +15,8 @@ use organza_data::Fingerprint;
 /// The key of a [`Binding`] in a checkpoint's metadata.
 pub(super) const BINDING: &str = "run";
 
+/// The version of this program.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// Settings that may differ freely: the place of the data.
 const FREE: [&str; 2] = ["data.path", "data.keep"];
 /// Settings that a plan changes, also after the run's last checkpoint.
@@ -53,6 +55,9 @@ pub struct Binding {
     settings: String,
     /// Identifies the data set.
     data: Fingerprint,
+    /// The version of the program.
+    #[serde(default)]
+    version: String,
     /// Earlier changes of settings, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     changes: Vec<Change>,
@@ -62,13 +67,20 @@ impl Binding {
     /// The binding of a run, with the history of its settings.
     #[must_use]
     pub fn new(config: &TrainConfig, data: &Fingerprint, changes: Vec<Change>) -> Self {
-        Self { settings: config.to_toml(), data: data.clone(), changes }
+        let version = VERSION.to_owned();
+        Self { settings: config.to_toml(), data: data.clone(), version, changes }
     }
 
     /// Changes in earlier resumes, oldest first.
     #[must_use]
     pub fn changes(&self) -> &[Change] {
         &self.changes
+    }
+
+    /// The data that the run was trained on.
+    #[must_use]
+    pub fn data(&self) -> &Fingerprint {
+        &self.data
     }
 
     /// Reads the binding of a checkpoint; `None` if an older program wrote it.
@@ -135,6 +147,17 @@ impl Binding {
             changes.push(Change { step: u64::from(step), name: name.clone(), from, to });
         }
         Ok(changes)
+    }
+
+    /// What to say if another version of the program wrote the checkpoint.
+    #[must_use]
+    pub fn other_version(&self) -> Option<String> {
+        let then = &self.version;
+        (!then.is_empty() && then != VERSION).then(|| {
+            format!(
+                "organza {then} wrote the checkpoint, and this is {VERSION}: the run goes on, but may not end with the same bits"
+            )
+        })
     }
 
     /// Compares a run's data with those of its checkpoint. Errors name `path`.

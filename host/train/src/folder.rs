@@ -134,6 +134,9 @@ impl Session<'_> {
             ))?;
             return Ok(Vec::new());
         };
+        if let Some(version) = binding.other_version() {
+            watch(Event::Warning(&version))?;
+        }
         let changed = binding.check_settings(self.config, step, self.folder.path())?;
         binding.check_data(&self.dataset.fingerprint, &self.dataset.path)?;
         Ok([binding.changes(), &changed].concat())

@@ -1,10 +1,8 @@
 //! The needs of a run, checked before it begins: settings in range, frames, and the least memory.
 
-use std::path::Path;
-
 use super::config::TrainConfig;
 use muslin_device::memory;
-use organza_core::error::{Error, IN_MEMORY, Result, format_bytes};
+use organza_core::error::{Error, Result, format_bytes};
 use organza_core::tile::Tile;
 use organza_data::Dataset;
 
@@ -63,8 +61,7 @@ fn built_in_bytes(config: &TrainConfig) -> u64 {
 
 /// Settings that were made in code are held to what files are held to.
 pub(super) fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
-    let invalid = |reason| Error::Invalid { origin: Path::new(IN_MEMORY).to_owned(), reason };
-    config.check().map_err(invalid)?;
+    config.validate()?;
     if dataset.train.is_empty() {
         let reason = "the data set has no frame to train on".to_owned();
         return Err(Error::Invalid { origin: dataset.path.clone(), reason });

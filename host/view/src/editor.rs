@@ -83,13 +83,13 @@ pub struct Crop {
 
 /// The answer to the page.
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct Answer {
     left: usize,
     selected: usize,
     /// Of selected Gaussians, some if they are many.
     places: Vec<[f32; 3]>,
     removals: usize,
-    saved: Option<&'a Path>,
+    saved: Option<String>,
 }
 
 /// The scene that is edited.
@@ -175,7 +175,7 @@ impl Editor {
             selected: places.len(),
             places: places.into_iter().step_by(every).collect(),
             removals: self.removals.len(),
-            saved: saved.as_deref(),
+            saved: saved.map(|path| path.display().to_string()),
         };
         serde_json::to_vec(&answer).or_else(|error| refuse(error.to_string()))
     }

@@ -1,6 +1,8 @@
 //! `organza train` from a user's point of view: the files that a run leaves, however it ends.
 
 mod bits;
+#[cfg(target_os = "linux")]
+mod data;
 mod endings;
 mod eval;
 mod exposure;

@@ -304,6 +304,28 @@ fn without_webgpu_a_page_says_so() {
 }
 
 #[test]
+fn a_page_that_was_copied_in_part_says_so() {
+    let Some(program) = program() else { return };
+    let sandbox = Sandbox::new("tiny");
+    sandbox.run("export-web scene.safetensors -o page --size 64x48").assert_ok();
+    let assert_says = |file: &str| {
+        let mut page = Page::open(program, &url(&sandbox.path("page/index.html")), WINDOW);
+        let message = page.eval("document.getElementById('message').innerText");
+        let message = message.as_str().expect("a message");
+        assert!(message.contains(file) && message.contains("copy the whole folder"), "{message}");
+    };
+    let scene = sandbox.path("page/scene.js");
+    let whole = fs::read_to_string(&scene).unwrap();
+    fs::write(&scene, &whole[..whole.len() / 2]).unwrap();
+    assert_says("scene.js");
+    fs::remove_file(&scene).unwrap();
+    assert_says("scene.js");
+    fs::write(&scene, whole).unwrap();
+    fs::remove_file(sandbox.path("page/page.js")).unwrap();
+    assert_says("page.js");
+}
+
+#[test]
 fn a_page_replaces_no_other() {
     let sandbox = Sandbox::new("tiny");
     fs::create_dir(sandbox.path("site")).unwrap();

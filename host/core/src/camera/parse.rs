@@ -200,6 +200,11 @@ impl Source<'_> {
                 format!("row {index} of `transform_matrix` is not four numbers; {EXPECTED}")
             })?;
         }
+        // all of a homogeneous matrix may be multiplied
+        let last = pose[3][3];
+        if last.is_normal() && last != 1.0 {
+            pose.as_flattened_mut().iter_mut().for_each(|value| *value /= last);
+        }
         Ok(straightened(pose))
     }
 

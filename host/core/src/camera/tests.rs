@@ -231,6 +231,20 @@ fn a_scale_of_all_axes_and_rounding_to_three_digits_are_taken_out() {
     assert!(changed(|value| (1e2 * value).round() / 1e2).is_err());
 }
 
+/// A homogeneous matrix means the same when all of it is multiplied.
+#[test]
+fn a_matrix_is_divided_by_its_last_entry() {
+    let pose = Camera::look_at([3.0, -2.0, 1.5], [0.1; 3], [0.0, 0.0, 1.0], 0.8, [96, 72]);
+    let pose = pose.unwrap().camera_to_world;
+    for factor in [2.0, -0.25] {
+        let mut value = file();
+        let multiplied = pose.map(|row| row.map(|value| factor * value));
+        value["frames"][0]["transform_matrix"] = json!(multiplied);
+        // powers of two are exact
+        assert_eq!(parse(&value).unwrap()[0].camera_to_world, pose);
+    }
+}
+
 #[test]
 fn pose_errors() {
     let pose = |row: usize, column: usize, value: f64| {
@@ -241,6 +255,7 @@ fn pose_errors() {
     assert_error(pose(0, 1, 0.01), &["no rotation"]);
     assert_error(pose(2, 2, -1.0), &["mirrors"]);
     assert_error(pose(3, 0, 2.0), &["last row", "transposed"]);
+    assert_error(pose(3, 3, 0.0), &["last row"]);
     assert_error(pose(1, 3, 1e39), &["finite"]);
     let matrix =
         |value: Value| move |file: &mut Value| file["frames"][0]["transform_matrix"] = value;

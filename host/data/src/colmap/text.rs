@@ -42,8 +42,19 @@ pub(super) fn images(source: impl Read, path: &Path) -> Result<Vec<Image>> {
 pub(super) fn points(source: impl Read, path: &Path) -> Result<Points> {
     let mut lines = Lines::new(source, path);
     let mut points = Points::new();
+    let mut colors = Vec::new();
     while lines.next_record()? {
-        points.push(lines.parse(point)?);
+        let (id, position, color, support) = lines.parse(point)?;
+        points.push((id, Point { position, color: None }, support));
+        colors.push(color);
+    }
+    // some programs write 0 to 1
+    let is_part = |value: &f64| *value <= 1.0;
+    let values = colors.as_flattened();
+    let is_parts = values.iter().all(is_part) && values.iter().any(|value| value.fract() > 0.0);
+    let most = if is_parts { 255.0 } else { 1.0 };
+    for ((_, point, _), color) in points.iter_mut().zip(colors) {
+        point.color = Some(color.map(|value| (most * value).round() as u8));
     }
     Ok(points)
 }
@@ -51,7 +62,7 @@ pub(super) fn points(source: impl Read, path: &Path) -> Result<Points> {
 fn camera(mut line: &str) -> Result<(u32, Intrinsics), String> {
     let id = value(&mut line, "CAMERA_ID")?;
     let lenses = Lenses::from_name(word(&mut line))?;
-    let size = [value(&mut line, "WIDTH")?, value(&mut line, "HEIGHT")?];
+    let size = [whole(&mut line, "WIDTH")?, whole(&mut line, "HEIGHT")?];
     let mut values = Vec::new();
     while !line.is_empty() {
         values.push(value(&mut line, "PARAMS[]")?);
@@ -78,15 +89,38 @@ fn is_pose(line: &str) -> bool {
     !is_triples && image(line).is_ok()
 }
 
-fn point(mut line: &str) -> Result<(u64, Point, Support), String> {
-    let id = value(&mut line, "POINT3D_ID")?;
+/// A point's id, position and color, and what holds it.
+type Row = (u64, [f64; 3], [f64; 3], Support);
+
+fn point(mut line: &str) -> Result<Row, String> {
+    let id = value(&mut line, "POINT3D_ID").map_err(|reason| {
+        format!("{reason} without a fraction; a line begins with the point's id: is it left out?")
+    })?;
     let mut next = |name| value(&mut line, name);
     let position = [next("X")?, next("Y")?, next("Z")?];
-    let color = [value(&mut line, "R")?, value(&mut line, "G")?, value(&mut line, "B")?];
+    let color = [channel(&mut line, "R")?, channel(&mut line, "G")?, channel(&mut line, "B")?];
     // Files that people write by hand may end here.
     let error = word(&mut line).parse().unwrap_or(-1.0);
     let images = line.split_whitespace().count() as u64 / 2;
-    Ok((id, Point { position, color: Some(color) }, Support { error, images }))
+    Ok((id, position, color, Support { error, images }))
+}
+
+/// A part of a color, also as `45.0`.
+fn channel(line: &mut &str, name: &str) -> Result<f64, String> {
+    let channel: f64 = value(line, name)?;
+    match (0.0..=255.0).contains(&channel) {
+        true => Ok(channel),
+        false => Err(format!("{name} is `{channel}`, expected 0 to 255")),
+    }
+}
+
+/// A number of pixels, also as `96.0`.
+fn whole(line: &mut &str, name: &str) -> Result<u64, String> {
+    let number: f64 = value(line, name)?;
+    match number >= 0.0 && number.fract() == 0.0 {
+        true => Ok(number as u64),
+        false => Err(format!("{name} is `{number}`, expected a whole number")),
+    }
 }
 
 /// Removes the next word from a line.

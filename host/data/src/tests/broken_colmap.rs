@@ -183,6 +183,16 @@ fn text_errors_say_where() {
         points.replace("255", "256").as_bytes(),
         &["line 2", "R is `256`"],
     );
+    let channel = |value: &str| format!("1 0 0 0 {value} 0 0 0\n");
+    for bad in ["255.5", "-1", "nan", "red"] {
+        let fact = format!("R is `{}`", if bad == "nan" { "NaN" } else { bad });
+        assert_file_error("points3D.txt", channel(bad).as_bytes(), &["line 1", &fact]);
+    }
+    assert_file_error(
+        "points3D.txt",
+        b"0.5 1 2 10 20 30 0.1\n",
+        &["POINT3D_ID is `0.5`", "left out"],
+    );
     assert_file_error("points3D.txt", b"1 2 3\n", &["line 1", "Z is missing"]);
     assert_file_error("points3D.txt", b"\xff\xff\n", &["UTF-8"]);
     let long = "1 ".repeat(1 << 20);

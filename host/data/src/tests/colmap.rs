@@ -92,6 +92,30 @@ fn binary_and_text_are_the_same() {
     assert!(!bent.camera.distorted);
 }
 
+/// Programs that compute with floats write these numbers with a point, or colors from 0 to 1.
+#[test]
+fn numbers_of_other_programs_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = sample();
+    colmap_files::write(folder.path(), &model, false);
+    let expected = load(folder.path()).unwrap();
+    let file = |name: &str| folder.path().join("sparse/0").join(name);
+    let cameras = std::fs::read_to_string(file("cameras.txt")).unwrap();
+    assert!(cameras.contains(" 64 48 "));
+    std::fs::write(file("cameras.txt"), cameras.replace(" 64 48 ", " 64.0 4.8e1 ")).unwrap();
+    for (most, digits) in [(255.0, 1), (255.0, 4), (1.0, 6)] {
+        let line = |(id, [x, y, z], color): &(u64, [f64; 3], [u8; 3])| {
+            let [r, g, b] = color.map(|value| f64::from(value) * most / 255.0);
+            format!("{id} {x} {y} {z} {r:.digits$} {g:.digits$} {b:.digits$} nan 1 0\n")
+        };
+        let lines: String = model.points.iter().map(line).collect();
+        std::fs::write(file("points3D.txt"), lines).unwrap();
+        let found = load(folder.path()).unwrap();
+        assert_eq!(found.points, expected.points);
+        assert_eq!(found.frames, expected.frames);
+    }
+}
+
 #[test]
 fn every_model_that_is_known_is_read() {
     for (name, id, values, expected) in [

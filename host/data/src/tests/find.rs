@@ -165,6 +165,26 @@ fn alpha_can_be_a_mask() {
     assert!(load(folder.path()).unwrap().frames[0].image.all_valid());
 }
 
+/// Photographs that are there, but not where the data set says, and poses of a kind that is not read.
+#[test]
+fn photographs_in_another_folder_are_named() {
+    let folder = nerfstudio_folder(&transforms(2));
+    let root = folder.path();
+    let move_to = format!("move them to {}", root.join("images").display());
+    fs::rename(root.join("images"), root.join("photos")).unwrap();
+    let photos = root.join("photos").display().to_string();
+    assert_refused(root, &["none of the 2 photographs", &photos, &move_to]);
+    for name in ["0.png", "1.png"] {
+        fs::rename(root.join("photos").join(name), root.join(name)).unwrap();
+    }
+    let beside = format!("of these names are in {}", root.display());
+    assert_refused(root, &[&beside, &move_to]);
+    assert_refused(&root.join("transforms.json"), &[&beside, &move_to]);
+    fs::remove_file(root.join("transforms.json")).unwrap();
+    fs::write(root.join("poses_bounds.npy"), "").unwrap();
+    assert_refused(root, &["LLFF", "poses_bounds.npy", "organza capture"]);
+}
+
 #[test]
 fn a_data_set_within_is_named() {
     let folder = tempfile::tempdir().unwrap();

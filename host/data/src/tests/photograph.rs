@@ -26,7 +26,7 @@ fn camera(width: u32, height: u32) -> Camera {
 fn shot(path: PathBuf, camera: Camera, lens: Lens) -> Shot {
     let name = "a".to_owned();
     let mask = None;
-    Shot { name, path, mask, camera, pose: POSE, lens, factor: 1, held_out: false }
+    Shot { name, path, mask, camera, pose: POSE, lens, factor: 1, held_out: false, trained: None }
 }
 
 /// A photograph to be reduced by `factor`.
@@ -165,9 +165,13 @@ fn sizes_must_match_the_camera() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.png");
     write_image(&path, [12, 8], [0; 3]);
-    for (size, hint) in
-        [([24, 16], "resized"), ([8, 12], "rotated"), ([12, 9], "the right photograph")]
-    {
+    for (size, hint) in [
+        ([24, 16], "`images_2`, and use `--downscale 2`"),
+        ([37, 25], "`images_3`, and use `--downscale 3`"),
+        ([18, 12], "resized"),
+        ([8, 12], "rotated"),
+        ([12, 9], "the right photograph"),
+    ] {
         let result = shot(path.clone(), camera(size[0], size[1]), Lens::default()).developed();
         let expected = format!("camera {} x {}", size[0], size[1]);
         assert_facts(result, &["a.png", "12 x 8", &expected, hint]);

@@ -17,9 +17,9 @@ use super::device::{DeviceArgs, SceneArgs};
 use super::inputs::{DataArgs, SceneSource};
 use super::output::{self, Folder, continue_film, remove_frames};
 use super::picture::{Pictures, warn_not_finite};
-use super::refuse;
 use super::signals::Signals;
 use super::summary::{Cost, Summary, count};
+use super::{refuse, text_of};
 use film_path::{Inputs, PathArgs, described};
 
 const TILE_SIZE: u32 = 64;
@@ -141,8 +141,8 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 
 /// The output of `--json`.
 #[derive(Debug, Serialize)]
-struct Made<'a> {
-    film: &'a Path,
+struct Made {
+    film: String,
     frames: usize,
     fps: u32,
     width: u32,
@@ -163,13 +163,13 @@ struct Film<'a> {
 }
 
 impl Film<'_> {
-    fn make<'a>(
+    fn make(
         &self,
-        args: &'a Args,
+        args: &Args,
         kind: FilmKind,
         source: &SceneSource,
         console: Console,
-    ) -> Result<Made<'a>> {
+    ) -> Result<Made> {
         let folder = match kind {
             FilmKind::Frames => args.output.clone(),
             FilmKind::Mp4 | FilmKind::Png => {
@@ -180,8 +180,8 @@ impl Film<'_> {
         };
         let mut folder = Folder::make(&folder)?;
         folder.lock(false)?;
-        let cameras = (self.cameras, self.look);
-        continue_film(&folder, source.file(), &cameras, args.overwrite)?;
+        let how = (self.cameras, self.look, args.scene_args.options());
+        continue_film(&folder, source.file(), &how, args.overwrite)?;
         let file = |frame: usize| folder.file(&format!("{frame:05}.png"));
         let files = (0..self.cameras.len()).map(file).collect::<Result<Vec<_>>>()?;
         let todo: Vec<_> = (0..files.len()).filter(|&frame| !files[frame].exists()).collect();
@@ -211,7 +211,8 @@ impl Film<'_> {
         let [Camera { width, height, .. }, ..] = *self.cameras else { unreachable!("a frame") };
         let frames = files.len();
         let rendered = todo.len();
-        Ok(Made { film: &args.output, frames, fps: args.fps, width, height, rendered, cost })
+        let film = text_of(&args.output);
+        Ok(Made { film, frames, fps: args.fps, width, height, rendered, cost })
     }
 
     /// Renders frames. Returns `None` if a signal asks to stop.

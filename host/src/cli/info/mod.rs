@@ -15,6 +15,7 @@ use serde::Serialize;
 use super::console::{Console, print, print_json};
 use super::inputs::{FileKind, Format, SceneSource, format};
 use crate::cli::summary::{Table, count, number};
+use crate::cli::text_of;
 
 /// Most rows of a table that could have as many rows as a data set has photographs.
 const MOST_ROWS: usize = 24;
@@ -116,7 +117,7 @@ impl TileFile {
         let output_shape = batch.output_shape();
         Self {
             kind: "tiles",
-            file: path.display().to_string(),
+            file: text_of(path),
             file_bytes: file_bytes(path),
             side: batch.side,
             tiles: batch.tiles.len(),
@@ -218,7 +219,7 @@ impl TensorFile {
         let info = tensors.iter().map(|(name, t)| TensorInfo::new(name, &t.shape, &t.data));
         Ok(Self {
             kind: if batch { "rendered batch" } else { "tensors" },
-            file: path.display().to_string(),
+            file: text_of(path),
             file_bytes: file_bytes(path),
             tensors: info.collect(),
         })
@@ -251,7 +252,7 @@ pub struct CameraFile {
     format: Option<String>,
     /// Photographs of a data set that do not exist, and what else it does not use.
     #[serde(skip_serializing_if = "Option::is_none")]
-    missing: Option<Vec<PathBuf>>,
+    missing: Option<Vec<String>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     notes: Option<Vec<String>>,
     cameras: Vec<CameraInfo>,
@@ -294,7 +295,7 @@ impl CameraFile {
     pub fn new(path: &Path, cameras: &[Camera]) -> Self {
         Self {
             kind: "cameras",
-            file: path.display().to_string(),
+            file: text_of(path),
             file_bytes: Some(file_bytes(path)),
             format: None,
             missing: None,
@@ -316,10 +317,10 @@ impl CameraFile {
         let cameras = poses.cameras()?.into_iter().map(info).collect();
         Ok(Self {
             kind: "data set",
-            file: path.display().to_string(),
+            file: text_of(path),
             file_bytes: None,
             format: Some(poses.kind.to_string()),
-            missing: Some(poses.missing),
+            missing: Some(poses.missing.iter().map(|file| text_of(file)).collect()),
             notes: Some(poses.notes),
             cameras,
         })
@@ -340,7 +341,7 @@ impl fmt::Display for CameraFile {
         }
         if let Some([first, others @ ..]) = self.missing.as_deref() {
             let files = count(1 + others.len() as u64, "photograph");
-            writeln!(f, "{files} missing, the first is {}", first.display())?;
+            writeln!(f, "{files} missing, the first is {first}")?;
         }
         self.notes.iter().flatten().try_for_each(|note| writeln!(f, "note: {note}"))?;
         let held_out = self.cameras.iter().filter(|camera| camera.held_out == Some(true)).count();

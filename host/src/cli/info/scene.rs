@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use super::{TensorInfo, table};
 use crate::cli::summary::{Table, count, grouped};
+use crate::cli::text_of;
 
 #[derive(Debug, Serialize)]
 pub struct SceneInfo {
@@ -41,7 +42,7 @@ impl SceneInfo {
             |(spec, data): &(TensorSpec, &[f32])| TensorInfo::new(&spec.name, &spec.shape, data);
         Ok(Self {
             kind: "scene",
-            file: path.display().to_string(),
+            file: text_of(path),
             file_bytes: super::file_bytes(path),
             gaussians: scene.gaussians.len(),
             values: tensors.iter().map(|(_, data)| data.len()).sum(),

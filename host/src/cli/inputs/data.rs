@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use organza::data::{Background, Dataset, DatasetOptions, Point, Pose, Poses};
 use organza::scene::Placement;
 use organza::train::config::DataConfig;
-use organza::train::{Checkpoint, built_in};
+use organza::train::{Binding, CONFIG, Checkpoint, built_in};
 use organza::view::{PhotographSource, Photographs};
 use organza::{Camera, Error, Renderer, Result};
 
@@ -95,9 +95,12 @@ impl DataArgs {
             return Err(told_apart(error, scene.named(), Expected::Scene));
         }
         let mut data = run.map(|config| config.data).unwrap_or_default();
-        if let Some(named) = named {
-            fs::metadata(named).map_err(|source| Error::read(named, source))?;
-            data.path = Some(named.to_owned());
+        match named {
+            Some(named) => {
+                fs::metadata(named).map_err(|source| Error::read(named, source))?;
+                data.path = Some(named.to_owned());
+            }
+            None => check_place(&data, scene.named())?,
         }
         data.allow_outside |= self.allow_outside;
         data.downscale = self.downscale.unwrap_or(data.downscale);
@@ -164,34 +167,87 @@ impl DataSet {
         Ok(Self { settings, poses, motions: Vec::new(), split: Split::All })
     }
 
-    /// The data set with the cameras that the run has refined, if it has refined poses: those of its training frames.
-    /// If the user has named a data set, its own cameras are used.
-    pub fn refined(mut self, scene: &SceneSource, named: Option<&Path>) -> Result<Self> {
-        let run = scene.settings()?.filter(|run| run.poses.refine);
-        let Some(run) = run.filter(|_| named.is_none()) else { return Ok(self) };
-        let learned = Checkpoint::load_poses(scene.file())?;
-        // the frames that the run was trained on, even if others are held out now
-        let frames = match &run.data.path {
-            Some(path) => Poses::load(path, &run.data.options())?.cameras()?,
-            None => built_in_cameras(&run.data),
+    /// [`Self::open`] for a scene. The data set of its run must be what the run was trained on, and gets the cameras that the
+    /// run has refined. One that the user has named is taken as it is.
+    pub fn of(
+        scene: &SceneSource,
+        named: Option<&Path>,
+        settings: DataConfig,
+        console: Console,
+    ) -> Result<Self> {
+        let mut data = Self::open(settings, scene.placement(), console)?;
+        let Some(run) = scene.settings()? else { return Ok(data) };
+        let other = data.as_trained(&run.data)?;
+        let trained = other.as_ref().or(data.poses.as_ref());
+        let binding = Binding::load(scene.file())?;
+        if let (Some(poses), Some(binding)) = (trained, &binding)
+            && let Some(what) = poses.difference(binding.data())
+        {
+            let run_data = &run.data.path;
+            let run = scene.named().display();
+            let reason = format!("its {what} are not those that {run} was trained on");
+            let Some(named) = named else {
+                let way_out = "put them back, or name the data set to take it as it is now";
+                let origin = poses.path.clone();
+                return Err(Error::Invalid { origin, reason: format!("{reason}; {way_out}") });
+            };
+            // another data set is not meant to be the same
+            let own = run_data.as_ref().and_then(|own| fs::canonicalize(own).ok());
+            let is_own = fs::canonicalize(named).is_ok_and(|named| own == Some(named));
+            let say = if is_own { Console::warn } else { Console::note };
+            say(console, &format!("{}: {reason}", named.display()));
+        }
+        if named.is_some() {
+            return Ok(data);
+        }
+        let held_out: Vec<_> = match trained {
+            Some(poses) => poses.cameras()?.iter().map(|pose| pose.held_out).collect(),
+            None => built_in_cameras(&run.data).iter().map(|pose| pose.held_out).collect(),
         };
+        // smaller photographs may be other files
+        let is_same_size = run.data.downscale == data.settings.downscale;
+        if let (Some(poses), Some(binding), true) = (&mut data.poses, binding, is_same_size) {
+            poses.require(binding.data());
+        }
+        if run.poses.refine {
+            data.refine(scene.file(), &held_out)?;
+        }
+        Ok(data)
+    }
+
+    /// The poses as a run has read them, if options now hold out other frames or change the size.
+    fn as_trained(&self, run: &DataConfig) -> Result<Option<Poses>> {
+        let own = self.settings.options();
+        let DataConfig { downscale, hold_out_every, .. } = *run;
+        let trained = DatasetOptions { downscale, hold_out_every, ..own.clone() };
+        match &self.settings.path {
+            Some(path) if trained != own => Poses::load(path, &trained).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// Moves the cameras as a run has refined them. `held_out` says which frames it was not trained on.
+    fn refine(&mut self, checkpoint: &Path, held_out: &[bool]) -> Result<()> {
+        let learned = Checkpoint::load_poses(checkpoint)?;
         let found = learned.len();
-        let trained = frames.iter().filter(|pose| !pose.held_out).count();
+        let trained = held_out.iter().filter(|is_held_out| !**is_held_out).count();
         if found != trained {
             let reason = format!(
                 "it has the poses of {found} photographs, but the data set of the run has {trained} to train on: name the \
                  data set to use its own poses"
             );
-            return Err(Error::Invalid { origin: scene.file().to_owned(), reason });
+            return Err(Error::Invalid { origin: checkpoint.to_owned(), reason });
         }
         let mut learned = learned.into_iter();
-        let motions: Vec<_> =
-            frames.iter().map(|pose| if pose.held_out { None } else { learned.next() }).collect();
+        let motions: Vec<_> = held_out
+            .iter()
+            .map(|is_held_out| if *is_held_out { None } else { learned.next() })
+            .collect();
         match &mut self.poses {
             Some(poses) => poses.move_cameras(&motions)?,
             None => self.motions = motions,
         }
-        Ok(self)
+        Ok(())
     }
 
     /// Refuses a downscale that leaves too little of a photograph to train on.
@@ -304,6 +360,16 @@ impl DataSet {
         }
         Ok(dataset)
     }
+}
+
+/// Fails if the data set of the run in a folder is not where the run's settings say.
+pub fn check_place(data: &DataConfig, folder: &Path) -> Result<()> {
+    let Some(path) = data.path.as_ref().filter(|path| !path.exists()) else { return Ok(()) };
+    let reason = format!(
+        "the run's data set is no longer there; if it has moved, write its new place to `data.path` in {}",
+        folder.join(CONFIG).display()
+    );
+    Err(Error::Invalid { origin: path.clone(), reason })
 }
 
 /// The cameras of the built-in scene, from which its photographs were rendered.

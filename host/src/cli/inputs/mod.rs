@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-pub use data::{DataArgs, DataSet, Split};
+pub use data::{DataArgs, DataSet, Split, check_place};
 pub use kind::{Expected, FileKind, Format, format, told_apart};
 
 use crate::cli::console::Console;
@@ -142,9 +142,7 @@ impl Cameras {
     ) -> Result<Self> {
         let settings = args.settings(scene, named, usage)?;
         let origin = settings.path.as_deref().unwrap_or(scene.named()).to_owned();
-        let poses = DataSet::open(settings, scene.placement(), console)?
-            .refined(scene, named)?
-            .cameras()?;
+        let poses = DataSet::of(scene, named, settings, console)?.cameras()?;
         let photographs = existing(poses.iter().filter_map(|pose| pose.photograph.clone()));
         let all = poses.iter().map(|pose| pose.camera.clone()).collect();
         let split = args.split(Split::All);

@@ -108,7 +108,7 @@ impl ConfigBuilder {
     /// [`Error::Invalid`] for a value out of range.
     pub fn build(self) -> Result<TrainConfig> {
         let config = self.parse().map_err(invalid)?;
-        config.check().map_err(invalid)?;
+        config.validate()?;
         Ok(config)
     }
 
@@ -164,8 +164,25 @@ impl Preset {
 }
 
 impl TrainConfig {
+    /// Checks all values, also if they were set in code.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for the first value that is out of range, or that a settings file cannot hold.
+    pub fn validate(&self) -> Result<()> {
+        self.check().map_err(invalid)
+    }
+
     /// Checks all values. The error is a sentence about the first one out of range.
     pub(crate) fn check(&self) -> Result<(), String> {
+        for (name, path) in [("data", &self.data.path), ("start", &self.start.path)] {
+            if let Some(path) = path.as_ref().filter(|path| path.to_str().is_none()) {
+                return Err(format!(
+                    "`{name}.path` is {}, whose name is not UTF-8, so that the settings of a run cannot hold it: rename it, or \
+                     name a link to it",
+                    path.display()
+                ));
+            }
+        }
         self.check_ranges()?;
         for (name, value) in ["red", "green", "blue"].iter().zip(self.data.background.color()) {
             within(&format!("data.background, {name},"), value, 0.0..=1.0)?;

@@ -8,7 +8,7 @@ use std::ops::{RangeBounds, RangeFrom, RangeInclusive};
 use std::path::PathBuf;
 
 use organza_core::gaussian_tensors;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::LearnExposure;
 use organza_core::scene::{Contraction, GridConfig, MlpConfig};
@@ -148,7 +148,7 @@ macro_rules! define {
             /// The photographs.
             data: DataConfig {
                 /// The data set. Without one, the built-in scene.
-                #[serde(skip_serializing_if = "Option::is_none")]
+                #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_text")]
                 path: Option<PathBuf> = None;
                 /// Shrink photographs by this factor.
                 #[option("--downscale <N>")]
@@ -277,7 +277,7 @@ macro_rules! define {
                 /// Start with the Gaussians of a .ply or .spz file of 3D Gaussian Splatting, instead of points.
                 #[option("--start <FILE>")]
                 #[see("splats.md#import")]
-                #[serde(skip_serializing_if = "Option::is_none")]
+                #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_text")]
                 path: Option<PathBuf> = None;
                 /// Number of first Gaussians if the data set has no points. If it has, there is one at each, up to
                 /// `growth.max_gaussians`.
@@ -356,6 +356,11 @@ gaussian_tensors!(define);
 /// The hash grids of a new scene.
 fn grid() -> GridConfig {
     GridConfig { levels: 8, features: 2, log2_table: 14, base_resolution: 16.0, growth: 1.35 }
+}
+
+/// A path as messages show it: text holds no other bytes than UTF-8. [`TrainConfig::validate`] refuses them.
+fn as_text<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
+    path.as_ref().map(|path| path.display().to_string()).serialize(serializer)
 }
 
 /// The values that a setting can have.

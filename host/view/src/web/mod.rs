@@ -140,8 +140,21 @@ impl WebPage {
     /// The files of the page's folder, by name.
     #[must_use]
     pub fn files(&self) -> [(&'static str, Vec<u8>); 4] {
-        let scripts = "<script src=\"scene.js\"></script>\n<script src=\"page.js\"></script>";
         let [index, page, scene, poster] = Self::FILES;
+        // nothing else can say so
+        let missing = format!(
+            "document.getElementById('status').hidden = true; \
+             const message = document.getElementById('message'); \
+             message.hidden = false; message.className = 'plain'; \
+             message.textContent = 'This is a picture. To turn the scene, the page needs {page} beside it: copy the whole \
+             folder.'; \
+             document.documentElement.dataset.ready = ''"
+        );
+        let scripts = html! {
+            script src=(scene) {}
+            script src=(page) onerror=(missing) {}
+        };
+        let scripts = &scripts.into_string();
         [
             (index, html(&self.title, poster, scripts).into_bytes()),
             (page, script().into_bytes()),

@@ -305,6 +305,7 @@ if (EMBEDDED) document.documentElement.classList.add("embed");
 $("full-button").hidden = !document.fullscreenEnabled;
 $("full-button").onclick = fullScreen;
 try {
+  if (typeof ORGANZA_SCENE === "undefined") throw new Missing("This is a picture. To turn the scene, the page needs scene.js beside it: copy the whole folder.");
   const device = await openDevice();
   const content = await unpack(ORGANZA_SCENE);
   const viewer = new Viewer(device, await Player.open(device, content), content.header);

@@ -1,0 +1,115 @@
+//! The data behind a run: commands that take both say if it has changed, or is no longer there.
+
+use std::fs;
+
+use serde_json::json;
+
+use super::runs::{TINY, VIEWS, sandbox};
+use crate::sandbox::Sandbox;
+
+/// A sandbox with a run of five steps on the photographs in `views`, every third of which is held out.
+fn trained() -> Sandbox {
+    let sandbox = sandbox();
+    sandbox.run(&format!("{TINY} run --steps 5 --hold-out-every 3")).assert_ok();
+    sandbox
+}
+
+/// Moves the first frame to the end, so that others are held out.
+fn reorder(sandbox: &Sandbox) {
+    let frames = sandbox.read_json("views/transforms.json")["frames"].clone();
+    let mut frames = frames.as_array().expect("a list").clone();
+    frames.rotate_left(1);
+    sandbox.edit_json("views/transforms.json", "/frames", json!(frames));
+}
+
+#[test]
+fn every_command_notices_another_order_of_frames() {
+    let sandbox = trained();
+    let score = |words: &str| sandbox.run(&format!("eval {words} --backend cpu --json")).json();
+    let before = score("run");
+    reorder(&sandbox);
+    for words in [
+        "eval run --backend cpu",
+        "eval run --split all --backend cpu",
+        "eval run --hold-out-every 2 --backend cpu",
+        "edit run -o new.safetensors --keep-largest --backend cpu",
+        "render run -o new --backend cpu",
+        "film run -o new.png --backend cpu",
+        "explain run --summary",
+        "export run -o new.ply --backend cpu",
+        "export-web run -o new --backend cpu",
+        "view run --backend cpu",
+        "train --resume run --steps 9 --backend cpu",
+    ] {
+        let facts = ["views", "order", "not those that", "was trained on", "the data set"];
+        sandbox.assert_refuses(words, &facts);
+    }
+    // what is named is taken as it is
+    let outcome = sandbox.run("eval run views --backend cpu").assert_ok();
+    assert!(outcome.stderr.contains("warning: views: its frames"), "{outcome:?}");
+    sandbox.shell("cp -r views other").assert_ok();
+    let outcome = sandbox.run("eval run other --backend cpu").assert_ok();
+    assert!(outcome.stderr.starts_with("other: its frames"), "{outcome:?}");
+    // the order is not that of the files on disk
+    (1..VIEWS).for_each(|_| reorder(&sandbox));
+    assert_eq!(score("run"), before);
+}
+
+#[test]
+fn another_photograph_is_noticed_where_it_is_read() {
+    let sandbox = trained();
+    let file = |view: u32| sandbox.path(&format!("views/view-{view:03}.png"));
+    let before = fs::read(file(0)).unwrap();
+    fs::copy(file(4), file(0)).unwrap();
+    let facts = ["view-000.png", "has changed since the run was trained", "name the data set"];
+    sandbox.assert_refuses("eval run --backend cpu", &facts);
+    sandbox.assert_refuses("edit run -o new.safetensors --keep-largest --backend cpu", &facts);
+    // it is not read, or is smaller than the run's, or was named
+    sandbox.run("eval run --split train --backend cpu").assert_ok();
+    sandbox.run("render run -o images --backend cpu").assert_ok();
+    sandbox.run("eval run views --backend cpu").assert_ok();
+    fs::write(file(0), before).unwrap();
+    sandbox.run("eval run --backend cpu").assert_ok();
+}
+
+#[test]
+fn runs_on_different_data_are_told_apart() {
+    let sandbox = trained();
+    sandbox.shell("cp -r run same").assert_ok();
+    let compare = |words: &str| sandbox.run(&format!("compare {words}")).assert_ok().stderr;
+    assert!(!compare("run same").contains("warning"));
+    reorder(&sandbox);
+    let text = compare("run same");
+    assert_eq!(text.matches("have changed since").count(), 2, "{text}");
+    sandbox.run(&format!("{TINY} other --steps 5 --hold-out-every 3")).assert_ok();
+    let text = compare("run other");
+    assert!(text.contains("warning: run and other were trained on different data"), "{text}");
+    assert!(text.contains("have changed since run was trained"), "{text}");
+}
+
+#[test]
+fn a_data_set_that_has_moved_is_named() {
+    let sandbox = trained();
+    fs::rename(sandbox.path("views"), sandbox.path("moved")).unwrap();
+    for words in ["eval run", "view run", "train --resume run --steps 9"] {
+        let facts = ["views", "no longer there", "`data.path` in run/config.toml"];
+        sandbox.assert_refuses(&format!("{words} --backend cpu"), &facts);
+    }
+    sandbox.run("eval run moved --backend cpu").assert_ok();
+    sandbox.shell("sed -i 's|/views\"|/moved\"|' run/config.toml").assert_ok();
+    sandbox.run("eval run --backend cpu").assert_ok();
+    sandbox.run("train --resume run --steps 9 --backend cpu").assert_ok();
+}
+
+#[test]
+fn a_checkpoint_of_another_version_goes_on_with_a_warning() {
+    let sandbox = trained();
+    sandbox.edit_tensors("run/checkpoint.safetensors", |metadata, _| {
+        let run = metadata.get_mut("run").expect("it is bound");
+        let own = format!("\"version\":\"{}\"", env!("CARGO_PKG_VERSION"));
+        assert!(run.contains(&own), "{run}");
+        *run = run.replace(&own, "\"version\":\"0.0.7\"");
+    });
+    let outcome = sandbox.run("train --resume run --steps 9 --backend cpu").assert_ok();
+    assert!(outcome.stderr.contains("warning: organza 0.0.7 wrote the checkpoint"), "{outcome:?}");
+}

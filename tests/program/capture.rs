@@ -372,7 +372,7 @@ fn frames_keep_the_shape_of_their_video() {
         write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
         capture(&sandbox, "film.mp4 -o data --side 301").assert_ok();
         for name in names {
-            let name = name.replace("000.png", "up.png");
+            let name = name.replace(".000.png", ".up.png");
             let found = image::image_dimensions(sandbox.path("data/images").join(name)).unwrap();
             assert_eq!([found.0, found.1], expected, "{film}");
         }

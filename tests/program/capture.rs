@@ -372,7 +372,7 @@ fn frames_keep_the_shape_of_their_video() {
         write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
         capture(&sandbox, "film.mp4 -o data --side 301").assert_ok();
         for name in names {
-            let name = name.replace("000.png", "up.png");
+            let name = name.replace(".000.png", ".up.png");
             let found = image::image_dimensions(sandbox.path("data/images").join(name)).unwrap();
             assert_eq!([found.0, found.1], expected, "{film}");
         }
@@ -758,15 +758,21 @@ fn photographs_are_found_in_the_folders_of_a_camera() {
         .map(|folder| [1, 2].map(|photo| format!("DCIM-{folder}-IMG_{photo}.png")));
     write_model(&sandbox, "found-1/0", &walk(names.into_iter().flatten()), 0.7, 20);
     let outcome = capture(&sandbox, "card -o data").assert_ok();
-    assert_says(&outcome, &["taking 4 photographs of folders in card", "4 of 4"], &["warning"]);
+    assert_says(
+        &outcome,
+        &["taking 4 photographs of folders within, such as card/DCIM/100APPLE/IMG_1.png", "4 of 4"],
+        &["warning"],
+    );
     // Beside others, they may be edited or small ones.
     write_photo(&sandbox, "photos/edited/small.png", [4, 3], 0);
+    fs::write(sandbox.path("photos/12.heic"), "HEIC").unwrap();
     write_model(&sandbox, "found-2/0", &walk(photos(12)), 0.7, 20);
     let outcome = capture(&sandbox, "photos -o other").assert_ok();
     assert_says(
         &outcome,
         &[
-            "1 photograph of folders below are not taken, such as photos/edited/small.png",
+            "not taking 1 photograph as HEIC; convert",
+            "not taking 1 photograph of folders within, such as photos/edited/small.png",
             "12 of 12",
         ],
         &[],

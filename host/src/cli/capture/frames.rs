@@ -131,7 +131,8 @@ impl CaptureJob<'_> {
         let Some(shape) = usual(&seen.shapes) else {
             return refuse(format!("{} has no frames, expected 3 or more", video.display()));
         };
-        let usual: Vec<_> = (0..all).filter(|&at| seen.shapes.get(at) == Some(&shape)).collect();
+        let is_usual = |at: &usize| seen.shapes.get(*at).is_none_or(|other| *other == shape);
+        let usual: Vec<_> = (0..all).filter(is_usual).collect();
         if usual.len() < all {
             let [width, height] = shape.size;
             self.console.warn(&format!(
@@ -152,10 +153,8 @@ impl CaptureJob<'_> {
         let colors = self.colors(video, seen.transfer.as_deref())?;
         let [width, height] = shape.fit(self.args.side, self.args.camera_model.is_none());
         let mut ffmpeg = self.ffmpeg(video, "error")?;
-        ffmpeg
-            .command
-            .arg("-vf")
-            .arg(format!("select='{}',{colors}scale={width}:{height}", select.join("+")));
+        let filters = format!("select='{}',{colors}scale={width}:{height}", select.join("+"));
+        ffmpeg.command.arg("-vf").arg(filters);
         ffmpeg.option("-fps_mode", "passthrough");
         ffmpeg.command.arg(folder.join("%05d.png"));
         self.console.during("writing frames", || self.programs.run(ffmpeg, |_| {}))?;

@@ -65,39 +65,41 @@ impl<'a> Source<'a> {
 
     /// The photographs of a folder, or else of the folders in it.
     fn folder(path: &Path, console: Console) -> Result<Self> {
-        let Listed { photographs, folders, has_heic } = Listed::of(path)?;
-        let below = below(&folders, DEPTH)?;
-        let own: Vec<_> = photographs.into_iter().map(|path| (name_of(&path), path)).collect();
-        if own.is_empty() && below.is_empty() && has_heic {
-            let path = path.display();
-            return refuse(format!(
-                "{path} has photographs as HEIC, which COLMAP does not read; convert them to JPEG first"
-            ));
-        }
-        let others = count(below.len() as u64, "photograph");
-        if own.is_empty() {
-            if let Some(first) = below.first() {
-                let folder = first.parent().unwrap_or(path).display();
-                console.note(&format!(
-                    "taking {others} of folders in {}, such as {folder}",
-                    path.display()
+        let own = Listed::of(path)?;
+        let below = own.below(DEPTH);
+        let [few, heic] = [below.photographs.len(), own.heic + below.heic]
+            .map(|number| count(number as u64, "photograph"));
+        let taken = match (own.photographs.is_empty(), below.photographs.first()) {
+            (true, None) if own.heic + below.heic > 0 => {
+                let path = path.display();
+                return refuse(format!(
+                    "{path} has photographs as HEIC, which COLMAP does not read; convert them to JPEG first"
                 ));
             }
-            // Cameras begin each folder with the same names.
-            let name = |file: &Path| {
-                let inside = file.strip_prefix(path).unwrap_or(file);
-                inside.iter().map(|part| part.to_string_lossy()).collect::<Vec<_>>().join("-")
-            };
-            let named = below.iter().map(|file| (file.clone(), name(file)));
-            return Self::photographs(named.collect(), path);
+            (true, Some(first)) => {
+                console
+                    .note(&format!("taking {few} of folders within, such as {}", first.display()));
+                below.photographs
+            }
+            (_, first) => {
+                if let Some(first) = first {
+                    let first = first.display();
+                    console
+                        .note(&format!("{few} of folders within are not taken, such as {first}"));
+                }
+                own.photographs
+            }
+        };
+        if own.heic + below.heic > 0 {
+            console.warn(&format!("not taking {heic} as HEIC; convert them to JPEG first"));
         }
-        if let Some(first) = below.first() {
-            console.note(&format!(
-                "{others} of folders below are not taken, such as {}",
-                first.display()
-            ));
-        }
-        Self::photographs(own.into_iter().map(|(name, path)| (path, name)).collect(), path)
+        // Cameras begin each folder with the same names.
+        let name = |file: &Path| {
+            let inside = file.strip_prefix(path).unwrap_or(file);
+            inside.iter().map(|part| part.to_string_lossy()).collect::<Vec<_>>().join("-")
+        };
+        let named = taken.into_iter().map(|file| (name(&file), file));
+        Self::photographs(named.map(|(name, file)| (file, name)).collect(), path)
     }
 
     /// Photographs and their names, of a folder, or those after the first that is `named`.
@@ -218,10 +220,12 @@ pub fn padded(name: &str, digits: usize) -> String {
 }
 
 /// What a folder has, without hidden files: macOS writes `._IMG_1.JPG` beside `IMG_1.JPG`.
+#[derive(Default)]
 struct Listed {
     photographs: Vec<PathBuf>,
     folders: Vec<PathBuf>,
-    has_heic: bool,
+    /// Number of photographs as HEIC.
+    heic: usize,
 }
 
 impl Listed {
@@ -229,23 +233,25 @@ impl Listed {
         let entries = fs::read_dir(folder).map_err(|source| Error::read(folder, source))?;
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
         paths.retain(|path| !name_of(path).starts_with('.'));
-        let has_heic = paths.iter().any(|path| has_extension(path, &["heic", "heif"]));
+        paths.sort();
+        let is_heic = |path: &&PathBuf| has_extension(path, &["heic", "heif"]);
+        let heic = paths.iter().filter(is_heic).count();
         let (folders, files): (Vec<_>, Vec<_>) = paths.into_iter().partition(|path| path.is_dir());
         let photographs = files.into_iter().filter(|path| is_photograph(path)).collect();
-        Ok(Self { photographs, folders, has_heic })
+        Ok(Self { photographs, folders, heic })
     }
-}
 
-/// The photographs in folders, and in those within them.
-fn below(folders: &[PathBuf], depth: usize) -> Result<Vec<PathBuf>> {
-    let mut found = Vec::new();
-    for folder in folders.iter().filter(|_| depth > 0) {
-        // One that may not be read has nothing for us.
-        let Ok(Listed { photographs, folders, .. }) = Listed::of(folder) else { continue };
-        found.extend(photographs);
-        found.extend(below(&folders, depth - 1)?);
+    /// What its folders have, and those within them. One that may not be read has nothing for us.
+    fn below(&self, depth: usize) -> Self {
+        let mut found = Self::default();
+        for folder in self.folders.iter().filter(|_| depth > 0) {
+            let own = Self::of(folder).unwrap_or_default();
+            let below = own.below(depth - 1);
+            found.photographs.extend(own.photographs.into_iter().chain(below.photographs));
+            found.heic += own.heic + below.heic;
+        }
+        found
     }
-    Ok(found)
 }
 
 fn name_of(path: &Path) -> String {

@@ -102,13 +102,13 @@ pub fn import_splats(
     let renderer = renderer.0.clone();
     let cameras = cameras.map(|cameras| cameras.0.clone());
     let imported = job::run_while_awaited(py, move |awaited| {
-        let splats = splats::load(path)?;
+        let file = splats::load(path)?;
         let views = match cameras {
             Some(cameras) => Views::from_cameras(cameras),
-            None => Views::around(splats::bounds(&splats))?,
+            None => file.views()?,
         };
         let options = Import { steps, side, background };
-        splats::import(&renderer, &splats, &views, options, &mut |_| awaited())
+        splats::import(&renderer, file, &views, options, &mut |_| awaited())
     })?;
     Ok((Scene::new(imported.scene), imported.psnr))
 }

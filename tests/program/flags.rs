@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use organza::scene::Placement;
+use organza::splats::{self, Format, Splat};
 use serde_json::Value;
 
 use crate::sandbox::Sandbox;
@@ -139,6 +141,17 @@ pub fn assert_documented(command: &str, results: &[Value]) {
 fn results_are_json_with_documented_keys() {
     let sandbox = runs::sandbox();
     runs::photographs(&sandbox);
+    let splat = Splat {
+        position: [1.0; 3],
+        rotation: [1.0; 4],
+        log_scale: [0.0; 3],
+        opacity: 1.0,
+        color: [[0.1; 3]; 16],
+    };
+    let path = sandbox.path("scene.ply");
+    splats::save(&[splat], path, Format::Ply, [0.0; 3], &Placement::default()).unwrap();
+    let info = ["run", "cameras.json", "data", "tiles.json", "out", "scene.ply"]
+        .map(|x| format!("info {x}"));
     let train = "train data --config tiny.toml --steps 20 --hold-out-every 2 -o run --backend cpu";
     for (command, calls) in [
         ("train", vec![train]),
@@ -147,7 +160,7 @@ fn results_are_json_with_documented_keys() {
         ("film", vec!["film run -o film.png --frames 2 --backend cpu"]),
         ("tiles", vec!["tiles run tiles.json -o out --backend cpu"]),
         ("demo", vec!["demo -o demo --views 2 --size 16 --backend cpu"]),
-        ("info", vec!["info run", "info cameras.json", "info data", "info tiles.json", "info out"]),
+        ("info", info.iter().map(String::as_str).collect()),
         ("bench", vec!["bench run data tiles.json --repeat 1 --backend cpu"]),
         ("kernels", vec!["kernels"]),
     ] {

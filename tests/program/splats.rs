@@ -100,7 +100,7 @@ fn the_printed_psnr_is_that_of_the_file() {
         assert!(!file.ends_with(".glb") || cost.abs() < 0.011, "{exact} {text}");
         // every format comes back with all Gaussians, and with their places
         let load = |name: &str| {
-            let mut splats = splats::load(sandbox.path(name)).expect("Gaussians");
+            let mut splats = splats::load(sandbox.path(name)).expect("Gaussians").splats;
             splats.sort_by(|a, b| a.position[0].total_cmp(&b.position[0]));
             splats
         };
@@ -203,7 +203,7 @@ fn assert_close(found: &[Splat], expected: &[Splat], most: [f32; 6], what: &str)
 #[ignore = "takes splat-transform, from npm"]
 fn another_program_reads_and_writes_the_same() {
     let sandbox = sandbox();
-    let load = |name: &str| splats::load(sandbox.path(name)).expect("Gaussians");
+    let load = |name: &str| splats::load(sandbox.path(name)).expect("Gaussians").splats;
     for name in ["all.ply", "ours.compressed.ply", "ours.spz", "ours.sog"] {
         let words =
             format!("export thin.safetensors around.json -o {name} --steps 0 --backend cpu");

@@ -64,6 +64,11 @@ impl<'a, R: Read> Ply<'a, R> {
         Ok(Self { reader, header, passed: 0, path })
     }
 
+    /// The comments in the header, without spaces before them.
+    pub fn comments(&self) -> &[String] {
+        &self.header.comments
+    }
+
     /// The names of an element's properties; none without that element.
     pub fn properties(&self, name: &str) -> impl Iterator<Item = &str> {
         let element = self.header.elements.get(name);

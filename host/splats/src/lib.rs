@@ -6,6 +6,7 @@
 
 mod distill;
 mod files;
+mod fitted;
 mod harmonics;
 mod placed;
 mod sorted;
@@ -13,8 +14,9 @@ mod sorted_backward;
 mod views;
 
 pub use distill::{Distilled, Fit, distill, psnr};
-pub use files::{Format, base_color, load, read_from, save};
-pub use placed::{save_scene, to_own};
+pub use files::{Format, META, SplatFile, base_color, load, read_from, save};
+pub use fitted::PHOTOGRAPHS;
+pub use placed::save_scene;
 pub use sorted::render;
 pub use views::{Views, bounds};
 

@@ -9,16 +9,8 @@ use organza_core::scene::Placement;
 use super::harmonics::{HARMONICS, harmonics, solve};
 use super::{Format, Splat, save};
 
-/// Offsets beyond this many units of a scene leave too few digits of an f32 to positions.
-const FARTHEST: f64 = 1e4;
-
-/// Moves Gaussians from the world into a scene.
-pub fn to_own(splats: &mut [Splat], placement: &Placement) {
-    if !placement.is_identity() {
-        let place = |place| placement.own(place);
-        turn(splats, placement.rotation().transpose(), 1.0 / placement.scale, place);
-    }
-}
+/// Offsets beyond this many units of a scene leave too few digits of an f32 to positions. What is farther is not seen.
+pub const FARTHEST: f64 = 1e4;
 
 /// Writes the Gaussians of a scene with [`save`]: in the world, and in meters if these are known. `up` is a direction of the
 /// scene. Returns the Gaussians as they are in the file, in the scene's coordinates, and the offset that the file leaves out, because its
@@ -33,27 +25,28 @@ pub fn save_scene(
     up: [f64; 3],
     placement: &Placement,
 ) -> Result<(Vec<Splat>, Option<[f64; 3]>)> {
-    let placement = placement.in_meters();
-    let mut world = splats.to_vec();
-    let offset = to_world(&mut world, &placement);
-    let mut written = save(&world, path, format, placement.world_direction(up))?;
-    to_own(&mut written, &in_file(&placement));
-    Ok((written, offset))
-}
-
-/// Moves Gaussians from a scene into the world of a file. Returns the offset that is left out.
-fn to_world(splats: &mut [Splat], placement: &Placement) -> Option<[f64; 3]> {
-    let in_file = in_file(placement);
+    let (in_file, said) = in_file(placement);
+    let mut file = splats.to_vec();
     if !in_file.is_identity() {
-        turn(splats, in_file.rotation(), in_file.scale, |place| in_file.world(place));
+        turn(&mut file, in_file.rotation(), in_file.scale, |place| in_file.world(place));
     }
-    (in_file != *placement).then_some(placement.offset)
+    let written = save(&file, path, format, placement.world_direction(up), &said)?;
+    let left_out = placement.in_meters().offset;
+    let left_out = (in_file.offset != left_out).then_some(left_out);
+    Ok((written.into_own(placement)?, left_out))
 }
 
-/// A placement without an offset that is many times as large as the scene: the positions of files could not hold it.
-fn in_file(placement: &Placement) -> Placement {
-    let is_far = DVec3::from(placement.offset).length() > FARTHEST * placement.scale;
-    Placement { offset: if is_far { [0.0; 3] } else { placement.offset }, ..*placement }
+/// The place of a scene in the space of a file, and of that in the world. The file's unit is the meter if it is known. The file
+/// leaves out an offset that is many times as large as the scene: positions could not hold it.
+fn in_file(placement: &Placement) -> (Placement, Placement) {
+    let mut in_file = placement.in_meters();
+    let scale = 1.0 / placement.meters.unwrap_or(1.0);
+    let mut said = Placement { scale, ..Placement::default() };
+    if DVec3::from(placement.offset).length() > FARTHEST * placement.scale {
+        in_file.offset = [0.0; 3];
+        said.offset = placement.offset;
+    }
+    (in_file, said)
 }
 
 /// Number of directions that determine how harmonics turn: a few for each of them.
@@ -112,7 +105,7 @@ fn turned_harmonics(turn: DMat3) -> [[f64; HARMONICS]; HARMONICS] {
 mod tests {
     use super::*;
     use crate::harmonics::color_of;
-    use crate::{Views, bounds, render};
+    use crate::{SplatFile, Views, bounds, load, render};
     use glam::DMat3;
 
     /// Gaussians of many shapes and colors, whose color depends on the direction.
@@ -128,6 +121,13 @@ mod tests {
         (0..30).map(splat).collect()
     }
 
+    /// The same in the world.
+    fn moved(placement: &Placement) -> Vec<Splat> {
+        let mut world = splats();
+        turn(&mut world, placement.rotation(), placement.scale, |place| placement.world(place));
+        world
+    }
+
     /// The same cameras, moved alike, show the same image.
     #[test]
     fn gaussians_look_the_same_from_cameras_that_move_along() {
@@ -140,10 +140,8 @@ mod tests {
             meters: None,
         };
         let own = splats();
-        let mut world = own.clone();
-        assert_eq!(to_world(&mut world, &placement), None);
-        let mut back = world.clone();
-        to_own(&mut back, &placement);
+        let world = moved(&placement);
+        let back = SplatFile::new(Path::new(""), "", world.clone()).into_own(&placement).unwrap();
         let views = Views::around(bounds(&own)).unwrap();
         for camera in views.fitted.iter().step_by(9).map(|camera| camera.within(64)) {
             let expected = render(&own, &camera, [0.2; 3]);
@@ -158,14 +156,49 @@ mod tests {
         }
     }
 
+    /// A file says what it leaves out, and its unit.
     #[test]
-    fn an_offset_that_positions_cannot_hold_is_left_out() {
-        let placement =
-            Placement { offset: [5e5, 4.6e6, 300.0], scale: 2.0, ..Placement::default() };
-        let mut world = splats();
-        assert_eq!(to_world(&mut world, &placement), Some(placement.offset));
-        for (found, own) in world.iter().zip(splats()) {
-            assert_eq!(found.position, own.position.map(|x| 2.0 * x));
+    fn scenes_come_back_from_anywhere_in_any_unit() {
+        let folder = tempfile::tempdir().unwrap();
+        let far = Placement { offset: [5e5, 4.6e6, 300.0], scale: 2.0, ..Placement::default() };
+        let turned = Placement { up: [0.0, -1.0, 0.0], right: [0.0, 0.0, 1.0], ..far };
+        let small = Placement { meters: Some(0.02), offset: [3.0, -4.0, 5.0], ..turned };
+        for placement in [far, turned, small, Placement { meters: Some(0.3), ..turned }] {
+            let is_far = placement.offset[0] > 1e5;
+            for (name, format) in [
+                ("a.ply", Format::Ply),
+                ("a.compressed.ply", Format::CompressedPly),
+                ("a.spz", Format::Spz),
+                ("a.sog", Format::Sog),
+                ("a.glb", Format::Glb),
+            ] {
+                let path = folder.path().join(name);
+                let up = [0.0, 0.0, 1.0];
+                let (written, offset) =
+                    save_scene(&splats(), &path, format, up, &placement).unwrap();
+                let expected = is_far.then(|| placement.in_meters().offset);
+                assert_eq!(offset, expected);
+                let file = load(&path).unwrap();
+                assert!(file.is_placed);
+                if let ("a.ply", Some(offset)) = (name, offset) {
+                    let first = file.splats[0].position.map(f64::from);
+                    let world = placement.in_meters().world(splats()[0].position.map(f64::from));
+                    let apart = DVec3::from(first) + DVec3::from(offset) - DVec3::from(world);
+                    assert!(apart.length() < 1e-5, "{apart}");
+                }
+                let found = file.into_own(&placement).unwrap();
+                assert_eq!(found, written);
+                let near = |a: &Splat| {
+                    let apart = |b: &Splat| {
+                        let places = [a, b].map(|splat| Vec3::from(splat.position));
+                        let scales = [a, b].map(|splat| Vec3::from(splat.log_scale));
+                        places[0].distance(places[1]) + 0.01 * scales[0].distance(scales[1])
+                    };
+                    splats().iter().map(apart).fold(f32::INFINITY, f32::min)
+                };
+                let most = found.iter().map(near).fold(0.0, f32::max);
+                assert!(most < 6e-3, "{name}: {most}");
+            }
         }
     }
 

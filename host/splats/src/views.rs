@@ -1,6 +1,6 @@
 //! The views in which a scene is compared with Gaussians of other programs, the cameras between them, and the box of these.
 
-use super::Splat;
+use super::{Splat, SplatFile};
 use glam::DVec3;
 use organza_core::camera::{Camera, CameraPath, Orbit};
 use organza_core::{Result, scene};
@@ -63,6 +63,20 @@ impl Views {
         // alternates between the circles, so that the measured cameras come from all of them
         let at = |at: usize| circles.iter().map(move |circle| circle[at].clone());
         Ok(Self::from_cameras((0..AROUND).flat_map(at).collect()))
+    }
+}
+
+impl SplatFile {
+    /// Cameras of the world around nearly all of the opacity, as [`Views::around`] has them.
+    ///
+    /// # Errors
+    /// The same errors as [`Views::around`].
+    pub fn views(&self) -> Result<Views> {
+        let mut views = Views::around(bounds(&self.splats))?;
+        for camera in views.fitted.iter_mut().chain(&mut views.judges) {
+            *camera = self.placement.world_camera(camera);
+        }
+        Ok(views)
     }
 }
 

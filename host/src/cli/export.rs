@@ -92,9 +92,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let (written, offset) =
         splats::save_scene(&distilled.splats, &args.output, format, up, &placement)?;
     if let Some([x, y, z]) = offset {
+        let said = if format.says_placement() { ", as it says itself" } else { "" };
         console.warn(&format!(
             "the scene is so far from the origin that positions of 32 bits would be rounded too much: those in the file are \
-             relative to {x},{y},{z}"
+             relative to {x},{y},{z}{said}"
         ));
     }
     say_psnr(&views, &distilled, &written, args.steps, console);
@@ -112,7 +113,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         format_bytes(bytes)
     ));
     let is_of_cameras = offset.is_none() && placement.meters.is_none();
-    if is_of_cameras {
+    if is_of_cameras || format.says_placement() {
         let [red, green, blue] = scene.config.background;
         let file = args.output.display();
         let cameras = args.cameras.iter().map(|path| format!(" {}", path.display()));

@@ -1,10 +1,10 @@
 //! `organza import`: makes a scene from another program's Gaussians.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use organza::Result;
-use organza::data::Background;
-use organza::splats::{self, Fit, Import, Views};
+use organza::data::{Background, DatasetOptions, Poses};
+use organza::splats::{self, Fit, Import, PHOTOGRAPHS, SplatFile, Views};
 
 use super::console::Console;
 use super::device::DeviceArgs;
@@ -29,10 +29,10 @@ views that training has not seen. If you have the photographs, `organza train --
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The Gaussians: a .ply, .compressed.ply, .spz, .sog, .glb or .splat file
+    /// The Gaussians: a .ply, .compressed.ply, .spz, .sog, .glb or .splat file, or the folder of an unpacked .sog
     file: PathBuf,
-    /// The views to train on: nerfstudio's transforms.json, or a data set, whose photographs are not read [default:
-    /// views from all around the Gaussians]
+    /// The views to train on: nerfstudio's transforms.json, or a data set. A few photographs show whether the Gaussians
+    /// fit [default: views from all around the Gaussians]
     cameras: Option<PathBuf>,
     /// The scene's file, safetensors
     #[arg(short, long, value_name = "SCENE")]
@@ -55,20 +55,27 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    let source = SceneSource::find(&args.file)?;
+    let source = SceneSource::foreign(&args.file);
     let inputs: Vec<_> = [source.named()].into_iter().chain(args.cameras.as_deref()).collect();
     check_scene_file(&args.output, &inputs)?;
-    let splats = console.during("reading the Gaussians", || splats::load(source.file()))?;
-    console.note(&format!("{} in {}", count(splats.len() as u64, "Gaussian"), args.file.display()));
+    let mut file = console.during("reading the Gaussians", || splats::load(source.file()))?;
+    let name = args.file.display();
+    console.note(&format!("{} in {name}", count(file.splats.len() as u64, "Gaussian")));
     let named = args.cameras.as_deref();
+    let background = args.background.unwrap_or(Background::Auto).color();
     let views = if named.is_some() || args.data.is_given() {
         let usage = "organza import FILE CAMERAS -o SCENE";
-        Views::from_cameras(Cameras::load(&source, named, &args.data, usage, console)?.list)
+        let cameras = Cameras::load(&source, named, &args.data, usage, console)?;
+        let settings = args.data.settings(&source, named, usage)?;
+        let background = Background::Color(background);
+        let options = DatasetOptions { background, ..settings.options() };
+        file = fitted(file, &cameras.origin, &options)?;
+        Views::from_cameras(cameras.list)
     } else {
-        Views::around(splats::bounds(&splats))?
+        file.views()?
     };
+    file.notes.iter().for_each(|note| console.warn(&format!("{name}: {note}")));
     let renderer = args.device.open(console)?;
-    let background = args.background.unwrap_or(Background::Auto).color();
     let options = Import { steps: args.steps, side: args.side, background };
     let imported = {
         let progress = console.progress("training", args.steps as usize, "steps");
@@ -76,7 +83,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
             progress.set(step);
             Ok(())
         };
-        splats::import(&renderer, &splats, &views, options, &mut progress)?
+        splats::import(&renderer, file, &views, options, &mut progress)?
     };
     imported.scene.save(&args.output)?;
     if imported.covered < COVERED {
@@ -94,4 +101,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
     console.note(&format!("wrote {}", args.output.display()));
     Ok(())
+}
+
+/// The file in the axes in which photographs show its Gaussians, if there are any: cameras may have none.
+fn fitted(file: SplatFile, cameras: &Path, options: &DatasetOptions) -> Result<SplatFile> {
+    let Ok(poses) = Poses::load(cameras, options) else { return Ok(file) };
+    let all = poses.cameras()?.len();
+    let some = (0..all).step_by(all.div_ceil(PHOTOGRAPHS).max(1));
+    let frames: Vec<_> = some.filter_map(|index| poses.photograph(index).ok().flatten()).collect();
+    let frames: Vec<_> = frames.iter().collect();
+    Ok(file.fitted(&frames, &poses.placement, options.background.color()))
 }

@@ -10,7 +10,7 @@ use organza_core::scene::{Placement, Scene};
 use organza_core::{Camera, Result};
 use organza_data::{Dataset, Frame, Photograph};
 use organza_render::Renderer;
-use organza_splats::{Splat, Views, render, to_own};
+use organza_splats::{SplatFile, Views, render};
 
 /// Settings for turning Gaussians into a scene.
 #[derive(Clone, Copy, Debug)]
@@ -47,14 +47,15 @@ pub struct Imported {
     pub covered: f64,
 }
 
-/// Makes a scene with the same images as some Gaussians. Training adapts the networks, and moves all values of the
+/// Makes a scene with the same images as the Gaussians of a file. Training adapts the networks, and moves all values of the
 /// Gaussians a little. `progress` is called with the number of finished steps. An error of it ends the training.
 ///
 /// # Errors
-/// The same errors as [`Trainer::start`]; those of `progress`.
+/// The same errors as [`Trainer::start`]; [`Error::Invalid`](organza_core::Error::Invalid) if no camera sees a Gaussian; those of
+/// `progress`.
 pub fn import(
     renderer: &Renderer,
-    splats: &[Splat],
+    file: SplatFile,
     views: &Views,
     options: Import,
     progress: &mut dyn FnMut(usize) -> Result<()>,
@@ -62,8 +63,8 @@ pub fn import(
     let Views { fitted: cameras, judges } = views;
     let all: Vec<_> = cameras.iter().chain(judges).cloned().collect();
     let placement = Placement::of(&all, &[]);
-    let mut splats = splats.to_vec();
-    to_own(&mut splats, &placement);
+    let own: Vec<_> = all.iter().map(|camera| placement.own_camera(camera)).collect();
+    let splats = file.into_seen(&placement, &own)?;
     let frame = |(index, camera): (usize, &Camera)| {
         let camera = camera.within(options.side);
         let own = placement.own_camera(&camera);

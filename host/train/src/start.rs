@@ -30,7 +30,8 @@ const BEHIND: f64 = 0.25;
 /// Last bias of the transmittance network: a large logit, because space is empty at first.
 const TRANSMITTANCE_BIAS: f32 = 5.0;
 
-/// The scene before the first step of a run. Calls `warn` if training does not start from the data set's points.
+/// The scene before the first step of a run. Calls `warn` if training does not start from the data set's points, or if Gaussians
+/// to start from do not fit.
 ///
 /// # Errors
 /// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
@@ -43,7 +44,7 @@ pub(super) fn first_scene(
     let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
     let background = dataset.background;
     let mut scene = match &config.start.path {
-        Some(path) => start_from(path, config, dataset, &cameras)?,
+        Some(path) => start_from(path, config, dataset, &cameras, warn)?,
         None => {
             let frames: Vec<_> = dataset.train_frames().collect();
             let target = Target::from_cameras(&cameras);
@@ -98,17 +99,17 @@ pub fn start(
 /// with the mean color over all directions.
 ///
 /// # Errors
-/// The same errors as [`splats::load`]; [`Error::Invalid`] if there are more Gaussians than a run may have; those of
-/// [`Scene::zeros`].
+/// The same errors as [`splats::load`]; [`Error::Invalid`] if there are more Gaussians than a run may have, or if no camera sees
+/// them; those of [`Scene::zeros`].
 pub fn start_from(
     path: &Path,
     config: &TrainConfig,
     dataset: &Dataset,
     cameras: &[Camera],
+    warn: &mut dyn FnMut(&str) -> Result<()>,
 ) -> Result<Scene> {
-    let mut splats = splats::load(path)?;
-    splats::to_own(&mut splats, &dataset.placement);
-    let count = splats.len();
+    let file = splats::load(path)?;
+    let count = file.splats.len();
     let most = config.growth.max_gaussians;
     if count > most as usize {
         let reason = format!(
@@ -116,6 +117,11 @@ pub fn start_from(
         );
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
+    let frames: Vec<_> = dataset.train_frames().collect();
+    let background = dataset.background.map(|value| value as f32);
+    let file = file.fitted(&frames, &dataset.placement, background);
+    file.notes.iter().try_for_each(|note| warn(&format!("{}: {note}", path.display())))?;
+    let splats = file.into_seen(&dataset.placement, cameras)?;
     from_splats(&splats, config, dataset.background, cameras)
 }
 

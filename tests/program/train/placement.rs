@@ -2,11 +2,14 @@
 
 use std::fs;
 
+use glam::{DMat3, DVec3};
+use organza::scene::Placement;
+use organza::splats::{Format, SplatFile};
 use organza::train::CHECKPOINT;
 use organza::{Camera, Scene, splats};
 use serde_json::{Value, json};
 
-use super::runs::{TINY, sandbox};
+use super::runs::{TINY, built_in, sandbox};
 use crate::sandbox::Sandbox;
 
 /// Moves a sandbox's photographs: `world = offset + scale R old`, where R exchanges the axes if `is_turned`.
@@ -46,6 +49,101 @@ fn a_world_is_learned_alike_in_any_units_and_anywhere() {
     }
 }
 
+/// An exported file says where it lies: its offset, its unit and its axes.
+#[test]
+fn exported_gaussians_come_back_to_their_photographs() {
+    let sandbox = sandbox();
+    let offset = [512_345.25, 4_612_345.5, 312.0];
+    move_world(&sandbox, 3.0, offset, true);
+    let mut scene = built_in();
+    let [up, right] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    scene.config.placement = Placement { offset, scale: 3.0, up, right, meters: None };
+    scene.save(sandbox.path("scene.safetensors")).unwrap();
+    sandbox.run("edit scene.safetensors -o meters.safetensors --scale 0.02").assert_ok();
+    let expected: Vec<_> = positions(&scene);
+    let assert_placed = |name: &str| {
+        let found = Scene::load(sandbox.path(name)).unwrap();
+        for place in positions(&found) {
+            let apart = |other: &[f64; 3]| (0..3).map(|i| (place[i] - other[i]).abs()).sum::<f64>();
+            let nearest = expected.iter().map(apart).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 0.03, "{name}: {place:?} is {nearest} from any");
+        }
+    };
+    let export = |from: &str, to: &str| {
+        let words = format!("export {from}.safetensors views -o {to} --steps 0 --side 16");
+        sandbox.run(&format!("{words} --backend cpu")).assert_ok().stderr
+    };
+    let start = |file: &str, run: &str| {
+        let words = format!("train views --config tiny.toml --backend cpu --steps 1 -o {run}");
+        sandbox.run(&format!("{words} --start {file} --max-gaussians 4000"))
+    };
+    for (index, file) in ["a.ply", "a.spz", "a.sog", "a.glb", "a.compressed.ply"].iter().enumerate()
+    {
+        let text = export(if index % 2 == 0 { "scene" } else { "meters" }, file);
+        assert!(text.contains("as it says itself") && text.contains("back to a scene"), "{text}");
+        let outcome = start(file, &format!("run-{index}")).assert_ok();
+        assert!(!outcome.stderr.contains("Gaussians are"), "{outcome:?}");
+        assert_placed(&format!("run-{index}/{CHECKPOINT}"));
+    }
+    let words = "import a.glb views -o back.safetensors --steps 1 --side 16 --backend cpu";
+    let outcome = sandbox.run(words).assert_ok();
+    assert!(!outcome.stderr.contains("warning"), "{outcome:?}");
+    assert_placed("back.safetensors");
+    sandbox.run("import a.ply -o around.safetensors --steps 1 --side 16 --backend cpu").assert_ok();
+    assert_placed("around.safetensors");
+    // a format without room
+    let text = export("scene", "a.splat");
+    assert!(!text.contains("as it says itself") && !text.contains("back to a scene"), "{text}");
+    start("a.splat", "none").assert_refused(&["a.splat", "see none", "512345.25, 4612345.5, 312"]);
+    sandbox.assert_refuses(
+        "import a.splat views -o none.safetensors --steps 1 --backend cpu",
+        &["a.splat", "see none"],
+    );
+}
+
+/// The places of a scene's Gaussians in the world.
+fn positions(scene: &Scene) -> Vec<[f64; 3]> {
+    let place = |place: &[f32; 3]| scene.config.placement.world(place.map(f64::from));
+    scene.gaussians.position.iter().map(place).collect()
+}
+
+/// Files of other programs may have other axes than the data set, as libspz turns those of COLMAP.
+#[test]
+fn photographs_tell_the_axes_of_a_file() {
+    let sandbox = sandbox();
+    built_in().save(sandbox.path("scene.safetensors")).unwrap();
+    let words = "export scene.safetensors views -o a.ply --steps 0 --side 16 --backend cpu";
+    sandbox.run(words).assert_ok();
+    let file = splats::load(sandbox.path("a.ply")).unwrap();
+    let save = |name: &str, file: &SplatFile| {
+        let path = sandbox.path(name);
+        let place = Placement::default();
+        splats::save(&file.splats, path, Format::Spz2, [0.0; 3], &place).unwrap();
+    };
+    save("right.spz", &file);
+    let half = DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0));
+    save("turned.spz", &file.clone().turned(half));
+    let mut small = file.clone();
+    small.splats.iter_mut().for_each(|splat| splat.position = splat.position.map(|x| 0.2 * x));
+    save("small.spz", &small);
+    let words = "train views --config tiny.toml --backend cpu --steps 1 --max-gaussians 4000";
+    let scene = |name: &str, fact: Option<&str>| {
+        let outcome = sandbox.run(&format!("{words} --start {name}.spz -o {name}")).assert_ok();
+        assert_eq!(outcome.stderr.contains("warning"), fact.is_some(), "{outcome:?}");
+        assert!(fact.is_none_or(|fact| outcome.stderr.contains(fact)), "{outcome:?}");
+        positions(&Scene::load(sandbox.path(name).join(CHECKPOINT)).unwrap())
+    };
+    let expected = scene("right", None);
+    let turned = scene("turned", Some("turned: x, y, z become x, -y, -z"));
+    for (a, b) in expected.iter().zip(turned) {
+        assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-4), "{a:?} {b:?}");
+    }
+    scene("small", Some("show something else where its Gaussians are"));
+    let words = "import turned.spz views -o back.safetensors --steps 1 --side 16 --backend cpu";
+    let outcome = sandbox.run(words).assert_ok();
+    assert!(outcome.stderr.contains("become x, -y, -z"), "{outcome:?}");
+}
+
 /// What goes in and comes out has the coordinates of the data set.
 #[test]
 fn commands_speak_of_the_world() {
@@ -81,7 +179,7 @@ fn commands_speak_of_the_world() {
 
     // Gaussians of the scene, in the world
     sandbox.run("export run -o run.ply --steps 0 --backend cpu").assert_ok();
-    let written = splats::load(sandbox.path("run.ply")).unwrap();
+    let written = splats::load(sandbox.path("run.ply")).unwrap().splats;
     let places: Vec<_> = scene.gaussians.position.iter().collect();
     for splat in &written {
         let own = placement.own(splat.position.map(f64::from)).map(|x| x as f32);
@@ -114,7 +212,8 @@ fn commands_speak_of_the_world() {
         .run("export scaled.safetensors views/transforms.json -o m.ply --steps 0 --backend cpu")
         .assert_ok();
     sandbox.run("export run views/transforms.json -o w.ply --steps 0 --backend cpu").assert_ok();
-    let [meters, world] = ["m.ply", "w.ply"].map(|name| splats::load(sandbox.path(name)).unwrap());
+    let [meters, world] =
+        ["m.ply", "w.ply"].map(|name| splats::load(sandbox.path(name)).unwrap().splats);
     for (meters, world) in meters.iter().zip(&world) {
         let apart = (0..3).map(|i| (meters.position[i] - 0.02 * world.position[i]).abs());
         assert!(apart.fold(0.0, f32::max) < 1e-4, "{meters:?}, {world:?}");

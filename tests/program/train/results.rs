@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use organza::scene::Placement;
 use organza::splats::{self, Format, Splat};
 use organza::train::EVALUATIONS;
 use organza::train::metrics::Record;
@@ -201,10 +202,12 @@ fn first_steps_without_a_gaussian_warn() {
         color: Default::default(),
     };
     let splats: Vec<_> = (0..4).map(far).collect();
-    splats::save(&splats, sandbox.path("far.ply"), Format::Ply, [0.0, 0.0, 1.0]).unwrap();
+    let path = sandbox.path("far.ply");
+    splats::save(&splats, path, Format::Ply, [0.0, 0.0, 1.0], &Placement::default()).unwrap();
     let words = format!("{TINY} run --start far.ply --steps 20 --set growth.end=0");
     let outcome = sandbox.run(&words).assert_ok();
-    let [warning] = warnings(&outcome)[..] else { panic!("{outcome:?}") };
+    let [fit, warning] = warnings(&outcome)[..] else { panic!("{outcome:?}") };
+    assert!(fit.contains("far.ply: the photographs show something else"), "{fit}");
     for fact in ["first 10 steps have shown no Gaussian", "0 of 4 Gaussians", "500.0", "503.0"] {
         assert!(warning.contains(fact), "{fact}: {warning}");
     }

@@ -4,10 +4,11 @@ use std::path::Path;
 
 use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::grid::Problem;
 use crate::camera::{Camera, Target, median, upward};
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// Distance of the cameras from what they look at, in units of the scene. The near plane at 0.01 is then close to them.
 const DISTANCE: f64 = 4.0;
@@ -89,6 +90,19 @@ impl Placement {
         let distance = if target.is_met || is_still { DISTANCE } else { SPREAD_DISTANCE };
         let offset = near.world(target.center.to_array());
         Self { offset, scale: unit * target.distance / distance, ..axes }
+    }
+
+    /// A placement that the file `origin`, which is no scene, has as JSON.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for another structure; [`Error::BadConfig`] for a value that is out of range.
+    pub fn from_json(json: &Value, origin: &Path) -> Result<Self> {
+        let placement = Self::deserialize(json).map_err(|error| {
+            let reason = format!("it does not say where it lies as organza writes it: {error}");
+            Error::Invalid { origin: origin.to_owned(), reason }
+        })?;
+        placement.check().map_err(|problem| problem.at(origin))?;
+        Ok(placement)
     }
 
     /// The same in a world whose unit is the meter, if meters are known.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use muslin::math::sigmoid;
 
-use super::{Splat, base_color, byte, invalid, log_of, logit_of, turned, whole};
+use super::{Splat, SplatFile, base_color, byte, invalid, log_of, logit_of, turned, whole};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
 use organza_core::error::Result;
 
@@ -30,7 +30,7 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     let bytes = whole(source, length, path)?;
     let (rows, rest) = bytes.as_chunks::<BYTES>();
     if !rest.is_empty() {
@@ -52,7 +52,7 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
             color,
         }
     };
-    Ok(rows.iter().map(splat).collect())
+    Ok(SplatFile::new(path, ".splat", rows.iter().map(splat).collect()))
 }
 
 #[cfg(test)]
@@ -86,7 +86,8 @@ mod tests {
         let mut bytes: Vec<u8> = floats.iter().flat_map(|value| value.to_le_bytes()).collect();
         bytes.extend([255, 0, 51, 204, 128, 255, 128, 0]);
         let path = Path::new("a.SPLAT");
-        let [splat] = super::super::read_from(&bytes[..], 32, path).unwrap()[..] else { panic!() };
+        let file = super::super::read_from(&bytes[..], 32, path).unwrap();
+        let [splat] = file.splats[..] else { panic!() };
         assert_eq!(splat.position, [1.0, -2.0, 3.5]);
         assert_eq!(splat.log_scale, [0.5_f32.ln(), 0.0, 2.0_f32.ln()]);
         assert_eq!(splat.rotation, [0.0, 127.0 / 128.0, 0.0, -1.0]);

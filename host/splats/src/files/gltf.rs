@@ -4,23 +4,23 @@
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use glam::{DMat3, DMat4, DQuat, DVec3, Quat, Vec3};
+use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Quat, Vec3};
 use muslin::math::sigmoid;
 use muslin_device::memory;
 use serde_json::{Map, Value, json};
 
-use super::{Splat, base_color, byte, invalid, log_of, turned, whole};
-use crate::harmonics::{DEGREE, HARMONICS};
+use super::{PLACEMENT, Splat, SplatFile, base_color, byte, invalid, log_of, said, turned, whole};
+use crate::harmonics::{DEGREE, FIRST, HARMONICS, MIDDLE};
 use crate::placed::turn;
 use organza_core::error::Result;
 use organza_core::input::parse_json;
-use organza_core::scene::logit;
+use organza_core::scene::{Placement, logit};
 
 const EXTENSION: &str = "KHR_gaussian_splatting";
 /// An extension that only allows more types of components.
 const QUANTIZED: &str = "KHR_mesh_quantization";
-/// What the name of the program that wrote a file begins with, if it was this one.
-const OWN: &str = "organza ";
+/// What is read of the extension: other values are read as these.
+const KNOWN: [(&str, &str); 2] = [("kernel", "ellipse"), ("colorSpace", "srgb_rec709_display")];
 /// Smallest distance of an opacity from 0 and 1: these have no finite logit.
 const OPACITY_EDGE: f32 = 1e-6;
 /// Largest difference of a node's axes from unit vectors at right angles.
@@ -59,7 +59,12 @@ impl Attribute {
     }
 }
 
-pub fn write(splats: &[Splat], up: Vec3, file: &mut dyn Write) -> io::Result<()> {
+pub fn write(
+    splats: &[Splat],
+    up: Vec3,
+    placement: &Placement,
+    file: &mut dyn Write,
+) -> io::Result<()> {
     let mut attributes = attributes(splats);
     let lengths = attributes.iter().map(|attribute| attribute.bytes.len());
     let mut views = Vec::new();
@@ -87,14 +92,15 @@ pub fn write(splats: &[Splat], up: Vec3, file: &mut dyn Write) -> io::Result<()>
     let named: Map<String, Value> = named.collect();
     // in glTF, y points up
     let turn = Quat::from_rotation_arc(up.try_normalize().unwrap_or(Vec3::Y), Vec3::Y);
-    let primitive = json!({"attributes": named, "mode": 0, "extensions": {EXTENSION: {"kernel": "ellipse",
-        "colorSpace": "srgb_rec709_display", "projection": "perspective", "sortingMethod": "cameraDistance"}}});
+    let mut extension = json!({"projection": "perspective", "sortingMethod": "cameraDistance"});
+    KNOWN.into_iter().for_each(|(key, value)| extension[key] = json!(value));
+    let primitive = json!({"attributes": named, "mode": 0, "extensions": {EXTENSION: extension}});
     let json = json!({
-        "asset": {"version": "2.0", "generator": format!("{OWN}{}", env!("CARGO_PKG_VERSION"))},
+        "asset": {"version": "2.0", "generator": concat!("organza ", env!("CARGO_PKG_VERSION"))},
         "extensionsUsed": [EXTENSION],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "rotation": turn.to_array()}],
+        "nodes": [{"mesh": 0, "rotation": turn.to_array(), "extras": {PLACEMENT: placement}}],
         "meshes": [{"primitives": [primitive]}],
         "accessors": accessors,
         "bufferViews": views,
@@ -157,9 +163,20 @@ struct File<'a> {
     path: &'a Path,
 }
 
-/// Reads the Gaussians of all nodes, in the world of the file. If organza wrote it, their axes are those of the scene: the
-/// node that turns them is for other programs.
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+/// What the nodes of a file hold.
+#[derive(Default)]
+struct Found {
+    splats: Vec<Splat>,
+    /// Their positions in the world.
+    positions: Vec<[f64; 3]>,
+    /// Whether nodes have a placement that organza wrote.
+    is_placed: bool,
+    notes: Vec<String>,
+}
+
+/// Reads the Gaussians of all nodes, in the world of the file. A node that organza wrote has a placement. The rotation beside it
+/// is for other programs.
+pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     let bytes = whole(source, length, path)?;
     // after 12 bytes, chunks: a length, a name, and as many bytes
     let chunk = |bytes: &[u8]| -> Option<(usize, [u8; 4])> {
@@ -181,19 +198,23 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
     let required = file.json["extensionsRequired"].as_array().into_iter().flatten();
     let mut unknown = required.filter(|name| **name != EXTENSION && **name != QUANTIZED);
     if let Some(name) = unknown.next() {
-        let reason = format!("the extension {name} is not read; write the Gaussians without it");
+        let reason = format!(
+            "the extension {name} is not read; write the Gaussians without it, or as a .ply"
+        );
         return invalid(path, reason);
     }
-    let mut splats = Vec::new();
+    let mut found = Found::default();
     let count = file.json["nodes"].as_array().map_or(0, Vec::len);
     let mut seen = vec![false; count];
     for root in file.roots() {
-        file.add_node(root, DMat4::IDENTITY, &mut seen, &mut splats)?;
+        file.add_node(root, DMat4::IDENTITY, &mut seen, &mut found)?;
     }
+    let Found { splats, positions, is_placed, notes } = found;
     if splats.is_empty() {
         return invalid(path, format!("it has no Gaussians of {EXTENSION}"));
     }
-    Ok(splats)
+    let file = SplatFile { is_placed, notes, ..SplatFile::new(path, "glTF", splats) };
+    Ok(file.with_positions(&positions))
 }
 
 fn damaged<T>(path: &Path, reason: &str) -> Result<T> {
@@ -229,35 +250,35 @@ impl File<'_> {
         index: usize,
         parent: DMat4,
         seen: &mut [bool],
-        splats: &mut Vec<Splat>,
+        found: &mut Found,
     ) -> Result<()> {
         if seen.get(index) != Some(&false) {
             return damaged(self.path, "a node is missing, or is there twice");
         }
         seen[index] = true;
         let node = &self.json["nodes"][index];
-        let to_world = parent * local(node);
-        let is_own = |name: &str| name.starts_with(OWN);
-        let is_own = self.json["asset"]["generator"].as_str().is_some_and(is_own);
+        let said = said(&node["extras"], self.path)?;
+        let to_world = parent * said.map_or_else(|| local(node), |said| matrix(&said));
         let mesh = node["mesh"].as_u64().map(|mesh| &self.json["meshes"][mesh as usize]);
         for primitive in mesh.and_then(|mesh| mesh["primitives"].as_array()).into_iter().flatten() {
             if primitive["extensions"].get(EXTENSION).is_none() {
                 continue;
             }
-            let bytes = (splats.len() * size_of::<Splat>()) as u64;
+            let bytes = (found.splats.len() * (size_of::<Splat>() + size_of::<[f64; 3]>())) as u64;
             memory::check(bytes, "the Gaussians of a glTF file")?;
-            let mut found = self.primitive(primitive)?;
-            if !is_own {
-                self.place(&mut found, to_world)?;
-            }
-            splats.append(&mut found);
+            let mut splats = self.primitive(primitive, &mut found.notes)?;
+            let place =
+                |splat: &Splat| to_world.transform_point3(Vec3::from(splat.position).as_dvec3());
+            found.positions.extend(splats.iter().map(|splat| place(splat).to_array()));
+            self.turn(&mut splats, to_world)?;
+            found.splats.append(&mut splats);
+            found.is_placed |= said.is_some();
         }
-        indices(&node["children"])
-            .try_for_each(|child| self.add_node(child, to_world, seen, splats))
+        indices(&node["children"]).try_for_each(|child| self.add_node(child, to_world, seen, found))
     }
 
-    /// Moves Gaussians into the world.
-    fn place(&self, splats: &mut [Splat], to_world: DMat4) -> Result<()> {
+    /// Turns Gaussians as a node does, and makes them larger.
+    fn turn(&self, splats: &mut [Splat], to_world: DMat4) -> Result<()> {
         let axes = DMat3::from_mat4(to_world);
         let scale = axes.determinant().abs().cbrt();
         let axes = axes * scale.recip();
@@ -268,19 +289,21 @@ impl File<'_> {
                           program that wrote the file";
             return invalid(self.path, reason);
         }
-        if to_world != DMat4::IDENTITY {
-            turn(splats, axes, scale, |place| {
-                to_world.transform_point3(DVec3::from(place)).to_array()
-            });
+        if DMat3::from_mat4(to_world) != DMat3::IDENTITY {
+            turn(splats, axes, scale, |place| place);
         }
         Ok(())
     }
 
-    fn primitive(&self, primitive: &Value) -> Result<Vec<Splat>> {
+    /// The Gaussians of a primitive. Those of the extension's drafts have their opacity and their first harmonic in the color
+    /// of points, other names, or logarithms as scales.
+    fn primitive(&self, primitive: &Value, notes: &mut Vec<String>) -> Result<Vec<Splat>> {
         let extension = &primitive["extensions"][EXTENSION];
         let inner = extension["extensions"].as_object().and_then(|inner| inner.keys().next());
         if let Some(name) = inner {
-            let reason = format!("its Gaussians need {name}; write them without this extension");
+            let reason = format!(
+                "its Gaussians need {name}; write them without this extension, or as a .ply"
+            );
             return invalid(self.path, reason);
         }
         if extension["colorSpace"] == "lin_rec709_display" {
@@ -288,13 +311,30 @@ impl File<'_> {
                           srgb_rec709_display";
             return invalid(self.path, reason);
         }
+        for (key, known) in KNOWN {
+            let value = extension.get(key).filter(|value| **value != known);
+            let note =
+                value.map(|value| format!("its {key} {value} is unknown, and read as {known}"));
+            notes.extend(note.filter(|note| !notes.contains(note)));
+        }
         let attributes = &primitive["attributes"];
-        let own = |name: &str| attributes[format!("{EXTENSION}:{name}")].as_u64();
+        let own = |name: &str| {
+            let found = attributes.get(format!("{EXTENSION}:{name}"));
+            found.or_else(|| attributes.get(format!("_{name}"))).and_then(Value::as_u64)
+        };
+        let color = attributes["COLOR_0"].as_u64();
+        let is_draft = color.is_some() && own("OPACITY").is_none();
         let positions: Vec<[f32; 3]> = self.values("POSITION", attributes["POSITION"].as_u64())?;
         let rotations: Vec<[f32; 4]> = self.values("ROTATION", own("ROTATION"))?;
         let scales: Vec<[f32; 3]> = self.values("SCALE", own("SCALE"))?;
-        let opacities: Vec<[f32; 1]> = self.values("OPACITY", own("OPACITY"))?;
-        // a draft of the extension had logarithms
+        let colors: Vec<[f32; 4]> = match is_draft {
+            true => self.values("COLOR_0", color)?,
+            false => Vec::new(),
+        };
+        let opacities: Vec<[f32; 1]> = match is_draft {
+            true => colors.iter().map(|color| [color[3]]).collect(),
+            false => self.values("OPACITY", own("OPACITY"))?,
+        };
         let are_logs = scales.as_flattened().iter().any(|scale| *scale < 0.0);
         let count = positions.len();
         let mut splats: Vec<Splat> = memory::zeros(count, "the Gaussians of a glTF file")?;
@@ -310,10 +350,14 @@ impl File<'_> {
         }
         for (harmonic, name) in harmonic_names().take(HARMONICS).enumerate() {
             let index = own(&name);
-            if harmonic > 0 && index.is_none() {
-                break;
-            }
-            let values: Vec<[f32; 3]> = self.values(&name, index)?;
+            let values: Vec<[f32; 3]> = match index {
+                None if harmonic > 0 => break,
+                None if is_draft => {
+                    let first = |value| (value - MIDDLE) / FIRST;
+                    colors.iter().map(|&[r, g, b, _]| [r, g, b].map(first)).collect()
+                }
+                _ => self.values(&name, index)?,
+            };
             if values.len() != count {
                 return damaged(self.path, "its attributes have different lengths");
             }
@@ -386,6 +430,12 @@ fn component(code: u32, bytes: &[u8]) -> f32 {
     }
 }
 
+/// A placement as the transformation of a node.
+fn matrix(placement: &Placement) -> DMat4 {
+    let axes = placement.rotation() * placement.scale;
+    DAffine3::from_mat3_translation(axes, placement.offset.into()).into()
+}
+
 /// The transformation of a node: a matrix, or a translation, a rotation and a scale.
 fn local(node: &Value) -> DMat4 {
     if let Some(matrix) = numbers(&node["matrix"]) {
@@ -406,7 +456,7 @@ mod tests {
 
     fn written() -> Vec<u8> {
         let mut bytes = Vec::new();
-        write(&splats(), Vec3::Z, &mut bytes).unwrap();
+        write(&splats(), Vec3::Z, &Placement::default(), &mut bytes).unwrap();
         bytes
     }
 
@@ -416,7 +466,7 @@ mod tests {
         let length = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]) as usize;
         let (head, rest) = bytes[20..].split_at(length);
         let mut json: Value = serde_json::from_slice(head).unwrap();
-        json["asset"]["generator"] = json!("another program");
+        json["nodes"][0].as_object_mut().unwrap().remove("extras");
         edit(&mut json);
         let json = serde_json::to_vec(&json).unwrap();
         let mut bytes = bytes[..12].to_vec();
@@ -461,6 +511,44 @@ mod tests {
             let color = mirrored.color;
             assert!(near(color[1], splat.color[1]) && near(color[3], splat.color[3].map(|c| -c)));
         }
+    }
+
+    /// A node may hold a place on the Earth, which an f32 cannot.
+    #[test]
+    fn nodes_place_before_positions_are_rounded() {
+        let offset = [3_782_000.25, 902_000.5, 5_038_000.125];
+        let bytes = with(|json| {
+            json["nodes"] = json!([
+                {"children": [1], "translation": offset},
+                {"mesh": 0, "scale": [0.5, 0.5, 0.5]},
+            ]);
+        });
+        let file = super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.glb"));
+        let placement = Placement { offset, scale: 0.5, ..Placement::default() };
+        let found = file.unwrap().into_own(&placement).unwrap();
+        assert_close(&found, &splats(), [1e-6, 1e-5, 0.0, 0.0, 1e-6]);
+    }
+
+    /// Drafts of the extension had the opacity and the first harmonic in the color of points.
+    #[test]
+    fn drafts_are_read_and_unknown_values_noted() {
+        let bytes = with(|json| {
+            json["nodes"][0] = json!({"mesh": 0});
+            let primitive = &mut json["meshes"][0]["primitives"][0];
+            let attributes = primitive["attributes"].as_object_mut().unwrap();
+            attributes.remove("KHR_gaussian_splatting:OPACITY");
+            attributes.remove("KHR_gaussian_splatting:SH_DEGREE_0_COEF_0");
+            for name in ["SCALE", "ROTATION"] {
+                let values = attributes.remove(&format!("{EXTENSION}:{name}")).unwrap();
+                attributes.insert(format!("_{name}"), values);
+            }
+            primitive["extensions"][EXTENSION] = json!({"kernel": "disk"});
+        });
+        let file = super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.glb"));
+        let file = file.unwrap();
+        assert_eq!(file.notes, ["its kernel \"disk\" is unknown, and read as ellipse"]);
+        let half = 0.5 / 255.0 / 0.282;
+        assert_close(&file.splats, &splats(), [0.0, 1e-5, half, 0.0, 1e-6]);
     }
 
     #[test]

@@ -8,17 +8,23 @@ mod ply;
 mod sog;
 mod spz;
 
+pub use sog::META;
+pub use spz::{SYSTEMS, from_axes};
+
 use std::cmp::Ordering;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use muslin_device::memory;
+use serde_json::Value;
 
 use super::harmonics::{FIRST, MIDDLE};
+use super::placed::turn;
 use super::{Splat, VALUES};
-use organza_core::input::{has_extension, open_regular};
-use organza_core::scene::logit;
+use organza_core::camera::median;
+use organza_core::input::{has_extension, open_regular, parse_json};
+use organza_core::scene::{Placement, logit};
 use organza_core::{Error, Result, write_atomic};
 
 /// A file format.
@@ -38,6 +44,76 @@ pub enum Format {
     Glb,
     /// 32 bytes for each Gaussian, with one color for all directions.
     Splat,
+}
+
+/// The Gaussians of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SplatFile {
+    /// Path of the file.
+    pub path: PathBuf,
+    /// Name and version of its format.
+    pub format: &'static str,
+    /// The Gaussians, in a space of their own.
+    pub splats: Vec<Splat>,
+    /// Where this space lies in the world. An f32 has too few digits for a place on the Earth.
+    pub placement: Placement,
+    /// Whether the file says where it lies, as those of organza do.
+    pub is_placed: bool,
+    /// Warnings: what is not read as the file means it.
+    pub notes: Vec<String>,
+}
+
+impl SplatFile {
+    pub(super) fn new(path: &Path, format: &'static str, splats: Vec<Splat>) -> Self {
+        let path = path.to_owned();
+        let placement = Placement::default();
+        Self { path, format, splats, placement, is_placed: false, notes: Vec::new() }
+    }
+
+    /// With the placement that the file says, if it says one.
+    fn placed(self, said: Option<Placement>) -> Self {
+        let is_placed = said.is_some();
+        Self { placement: said.unwrap_or_default(), is_placed, ..self }
+    }
+
+    /// With these positions. If they have more digits than an f32, they become relative to their middle.
+    fn with_positions(mut self, positions: &[[f64; 3]]) -> Self {
+        let is_exact = |x: &f64| f64::from(*x as f32) == *x;
+        let mut offset = [0.0; 3];
+        if !positions.as_flattened().iter().all(is_exact) {
+            offset = [0, 1, 2].map(|axis| median(positions.iter().map(|place| place[axis])));
+        }
+        for (splat, place) in self.splats.iter_mut().zip(positions) {
+            splat.position = [0, 1, 2].map(|axis| (place[axis] - offset[axis]) as f32);
+        }
+        self.placement.offset = self.placement.world(offset);
+        self
+    }
+
+    /// The Gaussians in the space of a scene.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] for a Gaussian that does not fit into it.
+    pub fn into_own(self, placement: &Placement) -> Result<Vec<Splat>> {
+        let Self { path, mut splats, placement: from, .. } = self;
+        if from != *placement {
+            let axes = placement.rotation().transpose() * from.rotation();
+            let place = |place| placement.own(from.world(place));
+            turn(&mut splats, axes, from.scale / placement.scale, place);
+        }
+        check(&splats, &path, "does it lie too far from the cameras?")?;
+        Ok(splats)
+    }
+
+    /// The same file in a world whose axes are turned. `axes` is orthogonal, and may mirror.
+    #[must_use]
+    pub fn turned(mut self, axes: DMat3) -> Self {
+        let rotation = self.placement.rotation();
+        let own = rotation.transpose() * axes * rotation;
+        turn(&mut self.splats, own, 1.0, |place| (own * DVec3::from(place)).to_array());
+        self.placement.offset = (axes * DVec3::from(self.placement.offset)).to_array();
+        self
+    }
 }
 
 impl Format {
@@ -61,10 +137,17 @@ impl Format {
             ),
         }
     }
+
+    /// Whether a file says where its Gaussians lie.
+    #[must_use]
+    pub fn says_placement(self) -> bool {
+        !matches!(self, Self::Spz2 | Self::Splat)
+    }
 }
 
-/// Writes a file, atomically. `up` is the world's upward direction, for formats that have one. Returns the Gaussians as
-/// they are in the file, which most formats round and reorder.
+/// Writes a file, atomically. `up` is the upward direction, for formats that have one, and `placement` says where the space of the
+/// Gaussians lies in the world, for those that [can say it](Format::says_placement). Returns the Gaussians as they are in
+/// the file, which most formats round and reorder.
 ///
 /// # Errors
 /// [`Error::Invalid`] for values that [`load`] would refuse; [`Error::WriteFile`](organza_core::Error::WriteFile).
@@ -73,18 +156,19 @@ pub fn save(
     path: impl AsRef<Path>,
     format: Format,
     up: [f64; 3],
-) -> Result<Vec<Splat>> {
+    placement: &Placement,
+) -> Result<SplatFile> {
     let path = path.as_ref();
     check(splats, path, "no viewer can show it; do the scene's networks overflow?")?;
     let up = DVec3::from(up);
     let mut bytes = Vec::new();
     let encoded = match format {
-        Format::Ply => ply::write(splats, &mut bytes),
-        Format::CompressedPly => packed_ply::write(splats, &mut bytes),
-        Format::Spz => spz::write(splats, up, &mut bytes),
+        Format::Ply => ply::write(splats, placement, &mut bytes),
+        Format::CompressedPly => packed_ply::write(splats, placement, &mut bytes),
+        Format::Spz => spz::write(splats, up, placement, &mut bytes),
         Format::Spz2 => spz::write_2(splats, &mut bytes),
-        Format::Sog => sog::write(splats, &mut bytes),
-        Format::Glb => gltf::write(splats, up.as_vec3(), &mut bytes),
+        Format::Sog => sog::write(splats, placement, &mut bytes),
+        Format::Glb => gltf::write(splats, up.as_vec3(), placement, &mut bytes),
         Format::Splat => dot_splat::write(splats, &mut bytes),
     };
     encoded.map_err(|error| Error::write(path, error))?;
@@ -94,21 +178,24 @@ pub fn save(
         _ => read_from(&bytes[..], length, path)?,
     };
     write_atomic(path, |file| file.write_all(&bytes))?;
-    Ok(read)
+    let said = read.is_placed.then_some(read.placement);
+    Ok(SplatFile { placement: said.unwrap_or(*placement), ..read })
 }
 
 /// Largest absolute logarithm of a scale: beyond it, the scale is not an f32.
 const LARGEST_LOG_SCALE: f32 = 80.0;
 
 /// Reads the Gaussians of a file. Where a format says how the axes point, or a file does, they are turned: SPZ's point to the
-/// right, up and back, and glTF has y up. A file that organza wrote has the axes of the scene.
+/// right, up and back, and glTF has y up. A file that organza wrote says where it lies in the world. A folder is an unpacked
+/// SOG file.
 ///
 /// # Errors
 /// [`Error::ReadFile`]; [`Error::Invalid`] for another kind of file, a truncated one, or values that are not valid
 /// for a Gaussian; [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-pub fn load(path: impl AsRef<Path>) -> Result<Vec<Splat>> {
+pub fn load(path: impl AsRef<Path>) -> Result<SplatFile> {
     let path = path.as_ref();
-    let (file, length) = open_regular(path)?;
+    let meta = path.join(sog::META);
+    let (file, length) = open_regular(if meta.is_file() { &meta } else { path })?;
     read_from(BufReader::new(file), length, path)
 }
 
@@ -137,15 +224,24 @@ fn check(splats: &[Splat], path: &Path, hint: &str) -> Result<()> {
 }
 
 /// [`load`] from a reader of `length` bytes. Errors name `path`.
-pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<Vec<Splat>> {
+pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<SplatFile> {
     let begin = source.fill_buf().map_err(|error| Error::read(path, error))?;
-    let splats = match begin {
+    let file = match begin {
         [0x1f, 0x8b, ..] => spz::read_packed(source, length, path)?,
         [b'N', b'G', b'S', b'P', 1..=3, 0, ..] => spz::read_old(source, length, 1, path)?,
         [b'N', b'G', b'S', b'P', ..] => spz::read(source, length, path)?,
         [b'p', b'l', b'y', ..] => ply::read(source, length, path)?,
         [b'P', b'K', 3 | 5, 4 | 6, ..] => sog::read(source, length, path)?,
         [b'g', b'l', b'T', b'F', ..] => gltf::read(source, length, path)?,
+        _ if begin.trim_ascii_start().starts_with(b"{") => {
+            let json = parse_json(&whole(source, length, path)?, path)?;
+            if json.get("asset").is_some() && json.get("means").is_none() {
+                let reason = "a .gltf has its values in other files: write one .glb with everything in it, for example with \
+                              `npx @gltf-transform/cli copy`";
+                return invalid(path, reason);
+            }
+            sog::read_folder(json, path)?
+        }
         // nothing in such a file says what it is
         _ if has_extension(path, &["splat"]) => dot_splat::read(source, length, path)?,
         _ => {
@@ -156,8 +252,16 @@ pub fn read_from(mut source: impl BufRead, length: u64, path: &Path) -> Result<V
             );
         }
     };
-    check(&splats, path, "is the file damaged?")?;
-    Ok(splats)
+    check(&file.splats, path, "is the file damaged?")?;
+    Ok(file)
+}
+
+/// Key of the [`Placement`] in a file that has room for it.
+const PLACEMENT: &str = "organza";
+
+/// The placement in the JSON of a file, under [`PLACEMENT`].
+fn said(json: &Value, path: &Path) -> Result<Option<Placement>> {
+    json.get(PLACEMENT).map(|said| Placement::from_json(said, path)).transpose()
 }
 
 /// All bytes of a file.
@@ -254,7 +358,8 @@ mod tests {
     }
 
     pub fn read_bytes(bytes: &[u8]) -> Result<Vec<Splat>> {
-        read_from(bytes, bytes.len() as u64, Path::new("a.file"))
+        let file = read_from(bytes, bytes.len() as u64, Path::new("a.file"))?;
+        file.into_own(&Placement::default())
     }
 
     /// Compares with largest errors: of positions, of logarithms of scales, of the first harmonic, of the others, and of

@@ -8,10 +8,13 @@ use muslin::math::sigmoid;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
 use super::clusters::along_a_curve;
-use super::ply::row;
-use super::{Splat, ends, invalid, level, logit_of, smallest_three, turned, with_largest};
+use super::ply::{row, said, write_head};
+use super::{
+    Splat, SplatFile, ends, invalid, level, logit_of, smallest_three, turned, with_largest,
+};
 use crate::harmonics::{FIRST, HARMONICS, MIDDLE};
 use organza_core::error::Result;
+use organza_core::scene::Placement;
 use organza_data::ply::{Ply, number};
 
 /// Gaussians of a chunk.
@@ -48,10 +51,9 @@ const REST_RANGE: f32 = 8.0;
 /// The middle and the range of a quaternion's three smaller parts, which lie between -sqrt(1/2) and sqrt(1/2).
 const PART: [f32; 2] = [-std::f32::consts::FRAC_1_SQRT_2, std::f32::consts::FRAC_1_SQRT_2];
 
-pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
+pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
     let count = splats.len();
-    writeln!(file, "ply\nformat binary_little_endian 1.0")?;
-    writeln!(file, "comment written by organza {}", env!("CARGO_PKG_VERSION"))?;
+    write_head(placement, file)?;
     writeln!(file, "element chunk {}", count.div_ceil(CHUNK))?;
     RANGES.iter().try_for_each(|name| writeln!(file, "property float {name}"))?;
     writeln!(file, "element vertex {count}")?;
@@ -176,7 +178,7 @@ row!(Words, u32, WORDS.len(), |key: &str| WORDS.iter().position(|name| *name == 
 row!(Rest, u8, REST, |key: &str| key.strip_prefix("f_rest_")?.parse().ok());
 
 /// Reads the elements of an opened file. Errors name `path`.
-pub fn read<R: Read>(mut file: Ply<'_, R>, path: &Path) -> Result<Vec<Splat>> {
+pub fn read<R: Read>(mut file: Ply<'_, R>, path: &Path) -> Result<SplatFile> {
     let has_colors = file.properties("chunk").any(|name| name == "min_r");
     let rest = file.properties("sh").filter(|name| name.starts_with("f_rest_")).count();
     if ![0, 9, 24, 45].contains(&rest) {
@@ -207,7 +209,8 @@ pub fn read<R: Read>(mut file: Ply<'_, R>, path: &Path) -> Result<Vec<Splat>> {
         let bytes = bytes.get(index).map_or(&[][..], |rest| &rest.0);
         ranges[index / CHUNK].splat(words.0, bytes, rest / 3)
     };
-    Ok(words.into_iter().enumerate().map(splat).collect())
+    let splats = words.into_iter().enumerate().map(splat).collect();
+    Ok(SplatFile::new(path, "compressed PLY", splats).placed(said(&file, path)?))
 }
 
 #[cfg(test)]
@@ -217,7 +220,7 @@ mod tests {
 
     fn packed(splats: &[Splat]) -> Vec<u8> {
         let mut bytes = Vec::new();
-        write(splats, &mut bytes).unwrap();
+        write(splats, &Placement::default(), &mut bytes).unwrap();
         bytes
     }
 

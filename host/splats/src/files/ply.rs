@@ -5,17 +5,19 @@ use std::path::Path;
 
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
-use super::{Splat, invalid, packed_ply, turned};
+use super::{PLACEMENT, Splat, SplatFile, invalid, packed_ply, turned};
 use crate::harmonics::HARMONICS;
 use organza_core::error::Result;
+use organza_core::input::parse_json;
+use organza_core::scene::Placement;
 use organza_data::ply::{Ply, number};
 
 /// Number of coefficients `f_rest_*`: all but the first harmonic, of red, then of green, then of blue.
 const REST: usize = 3 * (HARMONICS - 1);
 /// Numbered properties: the name, their number, and their index in a [`Row`].
 const NUMBERED: [(&str, usize, usize); 4] =
-    [("f_dc_", 3, 3), ("f_rest_", REST, 6), ("scale_", 3, OPACITY + 1), ("rot_", 4, OPACITY + 4)];
-const OPACITY: usize = 6 + REST;
+    [("f_dc_", 3, 0), ("f_rest_", REST, 3), ("scale_", 3, OPACITY + 1), ("rot_", 4, OPACITY + 4)];
+const OPACITY: usize = 3 + REST;
 /// Properties that a Gaussian must have.
 const NEEDED: [&str; 14] = [
     "x", "y", "z", "f_dc_0", "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1", "scale_2",
@@ -37,9 +39,24 @@ fn names() -> impl Iterator<Item = String> {
         .chain(numbered(3))
 }
 
-pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
+/// Writes the header's first lines.
+pub fn write_head(placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
     writeln!(file, "ply\nformat binary_little_endian 1.0")?;
     writeln!(file, "comment written by organza {}", env!("CARGO_PKG_VERSION"))?;
+    writeln!(file, "comment {PLACEMENT} {}", serde_json::to_string(placement)?)
+}
+
+/// The placement in the comments of [`write_head`].
+pub fn said<R: Read>(file: &Ply<'_, R>, path: &Path) -> Result<Option<Placement>> {
+    let json =
+        |comment: &String| comment.strip_prefix(PLACEMENT)?.strip_prefix(' ').map(str::to_owned);
+    let json = file.comments().iter().find_map(json);
+    let placement = |json: String| Placement::from_json(&parse_json(json.as_bytes(), path)?, path);
+    json.map(placement).transpose()
+}
+
+pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
+    write_head(placement, file)?;
     writeln!(file, "element vertex {}", splats.len())?;
     for name in names() {
         writeln!(file, "property float {name}")?;
@@ -82,15 +99,33 @@ macro_rules! row {
 }
 pub(super) use row;
 
-// The values of a vertex: position, f_dc, f_rest, opacity, scale, rot.
+// The values of a vertex: f_dc, f_rest, opacity, scale, rot.
 row!(Row, f32, OPACITY + 8, place);
+
+/// A vertex. A place on the Earth has more digits than an f32.
+struct Vertex {
+    position: [f64; 3],
+    row: Row,
+}
+
+impl PropertyAccess for Vertex {
+    fn new() -> Self {
+        Self { position: [0.0; 3], row: Row::new() }
+    }
+
+    fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
+        let Some(axis) = ["x", "y", "z"].iter().position(|name| *name == key) else {
+            return self.row.set_property(key, property);
+        };
+        let Some(value) = number(&property) else { return PropertyAccessResult::UnsupportedType };
+        self.position[axis] = value;
+        PropertyAccessResult::Set
+    }
+}
 
 /// The index of a property in a [`Row`].
 fn place(key: &str) -> Option<usize> {
     match key {
-        "x" => Some(0),
-        "y" => Some(1),
-        "z" => Some(2),
         "opacity" => Some(OPACITY),
         _ => NUMBERED.iter().find_map(|(name, count, first)| {
             let index: usize = key.strip_prefix(name)?.parse().ok()?;
@@ -99,13 +134,13 @@ fn place(key: &str) -> Option<usize> {
     }
 }
 
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     let mut file = Ply::open(source, length, path)?;
     if file.properties("vertex").any(|name| name == "packed_position") {
         return packed_ply::read(file, path);
     }
     let rest = file.properties("vertex").filter(|name| name.starts_with("f_rest_")).count();
-    let rows: Vec<Row> = file.element("vertex", &NEEDED)?;
+    let vertices: Vec<Vertex> = file.element("vertex", &NEEDED)?;
     if ![0, 9, 24, 45].contains(&rest) {
         return invalid(
             path,
@@ -115,27 +150,31 @@ pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
         );
     }
     let others = rest / 3;
-    let splat = |Row(row): Row| {
+    let splat = |Vertex { row: Row(row), .. }: &Vertex| {
         let values = |first: usize| std::array::from_fn(|at| row[first + at]);
         Splat {
-            position: [row[0], row[1], row[2]],
+            position: [0.0; 3],
             rotation: std::array::from_fn(|at| row[OPACITY + 4 + at]),
             log_scale: values(OPACITY + 1),
             // some programs write an opacity of 1 as an infinite logit
             opacity: row[OPACITY].clamp(-100.0, 100.0),
             color: std::array::from_fn(|harmonic| match harmonic {
-                0 => values(3),
+                0 => values(0),
                 _ if harmonic > others => [0.0; 3],
-                _ => std::array::from_fn(|channel| row[6 + channel * others + harmonic - 1]),
+                _ => std::array::from_fn(|channel| row[3 + channel * others + harmonic - 1]),
             }),
         }
     };
-    Ok(rows.into_iter().map(splat).collect())
+    let splats = vertices.iter().map(splat).collect();
+    let positions: Vec<_> = vertices.iter().map(|vertex| vertex.position).collect();
+    let said = said(&file, path)?;
+    Ok(SplatFile::new(path, "PLY", splats).placed(said).with_positions(&positions))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{assert_refused, splats};
+    use super::super::read_from;
+    use super::super::tests::{assert_refused, read_bytes, splats};
     use super::*;
 
     /// One Gaussian with harmonics of degree 1, as text.
@@ -149,7 +188,7 @@ mod tests {
     }
 
     fn read_text(text: &str) -> Result<Vec<Splat>> {
-        super::super::read_from(text.as_bytes(), text.len() as u64, Path::new("a.ply"))
+        read_bytes(text.as_bytes())
     }
 
     #[test]
@@ -163,13 +202,26 @@ mod tests {
         assert_eq!(splat.color[4..], [[0.0; 3]; 12]);
     }
 
+    /// A place on the Earth is relative to the scene before it is rounded.
+    #[test]
+    fn doubles_keep_their_digits() {
+        let text = text().replace("property float", "property double");
+        let text = text.replace("1 2 3 0.1", "512345.125001 4612345.250002 312.3 0.1");
+        let file = read_from(text.as_bytes(), text.len() as u64, Path::new("a.ply")).unwrap();
+        let offset = [512_345.0, 4_612_345.0, 312.0];
+        let placement = Placement { offset, ..Placement::default() };
+        let [splat] = file.into_own(&placement).unwrap()[..] else { panic!("one Gaussian") };
+        let expected = [0.125_001, 0.250_002, 0.3];
+        let apart = splat.position.iter().zip(expected).map(|(a, b)| (a - b).abs());
+        assert!(apart.fold(0.0, f32::max) < 1e-7, "{splat:?}");
+    }
+
     #[test]
     fn a_round_trip_keeps_the_splats() {
         let splats = splats();
         let mut bytes = Vec::new();
-        write(&splats, &mut bytes).unwrap();
-        let again =
-            super::super::read_from(&bytes[..], bytes.len() as u64, Path::new("a.ply")).unwrap();
+        write(&splats, &Placement::default(), &mut bytes).unwrap();
+        let again = read_bytes(&bytes).unwrap();
         for (found, expected) in again.iter().zip(&splats) {
             assert_eq!(Splat { rotation: expected.rotation, ..*found }, *expected);
             assert_eq!(found.rotation, turned(expected));
@@ -191,7 +243,7 @@ mod tests {
         let mut splats = splats();
         let mut bytes = Vec::new();
         splats[3].opacity = f32::NAN;
-        write(&splats, &mut bytes).unwrap();
+        write(&splats, &Placement::default(), &mut bytes).unwrap();
         assert_refused(&bytes, &["Gaussian 3", "not finite"]);
         assert_refused(with(" -4 ", " 1e30 ").as_bytes(), &["Gaussian 0", "scale"]);
         assert_refused(with("1 2 3", "1 1e39 3").as_bytes(), &["Gaussian 0", "inf"]);

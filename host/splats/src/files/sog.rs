@@ -1,10 +1,11 @@
 //! PlayCanvas' SOG, "spatially ordered Gaussians", version 2: lossless WebP images with a pixel for each Gaussian, and a
-//! `meta.json` that says what their levels mean, in a ZIP archive.
+//! `meta.json` that says what their levels mean, in a ZIP archive or in a folder.
 //! <https://developer.playcanvas.com/user-manual/gaussian-splatting/formats/sog/>
 
 use std::f32::consts::SQRT_2;
+use std::fs;
 use std::io::{self, Cursor, Read, Seek, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use image_webp::{ColorType, DecodingError, WebPDecoder, WebPEncoder};
 use muslin::math::sigmoid;
@@ -15,14 +16,16 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::clusters::{Clusters, along_a_curve, clusters};
 use super::{
-    Splat, byte, ends, invalid, level, logit_of, smallest_three, turned, whole, with_largest,
+    PLACEMENT, Splat, SplatFile, byte, ends, invalid, level, logit_of, said, smallest_three,
+    turned, whole, with_largest,
 };
 use crate::harmonics::{DEGREE, HARMONICS};
-use organza_core::error::Result;
-use organza_core::input::parse_json;
+use organza_core::error::{Error, Result};
+use organza_core::input::{open_regular, parse_json};
+use organza_core::scene::Placement;
 
-/// The file that describes the others.
-const META: &str = "meta.json";
+/// The file of a SOG file that describes the others.
+pub const META: &str = "meta.json";
 /// Values that a code book has.
 const CODES: usize = 256;
 /// Harmonics but the first, and their numbers.
@@ -65,7 +68,7 @@ impl<W: Write + Seek> Archive<W> {
     }
 }
 
-pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
+pub fn write(splats: &[Splat], placement: &Placement, file: &mut dyn Write) -> io::Result<()> {
     // the archive's index has places of files, so it is put together first
     let mut archive = Archive(ZipWriter::new(Cursor::new(Vec::new())));
     let order = along_a_curve(splats);
@@ -94,7 +97,7 @@ pub fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
     let harmonics = harmonics(&splats, size, &mut archive)?;
     let meta = json!({
         "version": 2,
-        "asset": {"generator": concat!("organza ", env!("CARGO_PKG_VERSION"))},
+        "asset": {"generator": concat!("organza ", env!("CARGO_PKG_VERSION")), PLACEMENT: placement},
         "count": splats.len(),
         "means": means,
         "scales": {"codebook": scale_codes, "files": ["scales.webp"]},
@@ -175,48 +178,77 @@ const MOST_PIXELS: usize = 1024;
 /// A level as it is read: a pixel of an image.
 type Pixel = [u8; 4];
 
-/// The files of an archive that is read.
-struct Files<'a> {
-    archive: ZipArchive<Cursor<Vec<u8>>>,
+/// Where the images of a file are.
+enum Images {
+    /// An archive, and the folder in it that has them: empty, or ending in `/`.
+    Archive(ZipArchive<Cursor<Vec<u8>>>, String),
+    Folder(PathBuf),
+}
+
+/// A file that is read.
+struct File<'a> {
+    images: Images,
     meta: Value,
     /// Number of Gaussians.
     count: usize,
-    /// Bytes of the archive.
+    /// Bytes of the archive, or of the folder.
     length: usize,
     path: &'a Path,
 }
 
-pub fn read(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+/// Reads an archive.
+pub fn read(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     let archive = ZipArchive::new(Cursor::new(whole(source, length, path)?));
     let archive = archive.or_else(|error| damaged(path, error))?;
-    let mut files = Files { archive, meta: Value::Null, count: 0, length: length as usize, path };
-    if files.archive.index_for_name(META).is_none() {
+    // some programs pack the folder, not what is in it
+    let folders = archive.file_names().filter_map(|name| name.strip_suffix(META));
+    let folder =
+        folders.filter(|name| name.is_empty() || name.ends_with('/')).min_by_key(|name| name.len());
+    let Some(folder) = folder.map(str::to_owned) else {
         let reason = format!(
             "it is a ZIP archive without {META}, so it is no SOG file; unpack it, and name a file in it"
         );
         return invalid(path, reason);
-    }
-    files.meta = parse_json(&files.file(META)?, path)?;
-    if files.meta["version"] != 2 {
-        let reason = format!(
-            "it is a SOG file of version {}; expected version 2: write it again with SuperSplat or splat-transform",
-            files.meta.get("version").unwrap_or(&json!(1))
-        );
-        return invalid(path, reason);
-    }
-    files.count = files.number("/count")? as usize;
-    files.splats()
+    };
+    let images = Images::Archive(archive, folder);
+    let mut file = File { images, meta: Value::Null, count: 0, length: length as usize, path };
+    file.meta = parse_json(&file.bytes(META)?, path)?;
+    file.splats()
+}
+
+/// Reads an unpacked file, whose [`META`] has been read: `path` is this, or its folder.
+pub fn read_folder(meta: Value, path: &Path) -> Result<SplatFile> {
+    let folder = if path.is_dir() { path } else { path.parent().unwrap_or(path) };
+    let entries = fs::read_dir(folder).map_err(|error| Error::read(folder, error))?;
+    let length = |entry: io::Result<fs::DirEntry>| entry?.metadata().map(|found| found.len());
+    let length = entries.map(length).sum::<io::Result<u64>>();
+    let length = length.map_err(|error| Error::read(folder, error))? as usize;
+    File { images: Images::Folder(folder.to_owned()), meta, count: 0, length, path }.splats()
 }
 
 fn damaged<T>(path: &Path, reason: impl std::fmt::Display) -> Result<T> {
     invalid(path, format!("not a whole SOG file: {reason}; copy it again, or write it again"))
 }
 
-impl Files<'_> {
-    /// A file of the archive, unpacked.
-    fn file(&mut self, name: &str) -> Result<Vec<u8>> {
+impl File<'_> {
+    /// A file of the archive, unpacked, or of the folder.
+    fn bytes(&mut self, name: &str) -> Result<Vec<u8>> {
         let path = self.path;
-        let file = self.archive.by_name(name);
+        let (archive, folder) = match &mut self.images {
+            Images::Archive(archive, folder) => (archive, folder),
+            Images::Folder(folder) => {
+                if Path::new(name).file_name() != Some(name.as_ref()) {
+                    return damaged(
+                        path,
+                        format!("{META} names a file outside its folder: {name}"),
+                    );
+                }
+                let name = folder.join(name);
+                let (file, length) = open_regular(&name)?;
+                return whole(file, length, &name);
+            }
+        };
+        let file = archive.by_name(&format!("{folder}{name}"));
         let mut file = file.or_else(|error| damaged(path, format!("{name}: {error}")))?;
         let size = file.size();
         memory::check(size, "a file of a SOG archive")?;
@@ -239,7 +271,7 @@ impl Files<'_> {
             return damaged(path, format!("{META} names no file {at}"));
         };
         let broken = |error: DecodingError| format!("{name}: {error}");
-        let bytes = self.file(&name)?;
+        let bytes = self.bytes(&name)?;
         let decoder = WebPDecoder::new(Cursor::new(bytes));
         let mut decoder = decoder.or_else(|error| damaged(path, broken(error)))?;
         let [width, height] = <[u32; 2]>::from(decoder.dimensions()).map(|side| side as usize);
@@ -262,16 +294,29 @@ impl Files<'_> {
         Ok((pixels, width))
     }
 
-    /// The values of a code book.
+    /// The values of a code book. Older programs of PlayCanvas wrote null for the first.
     fn book(&self, of: &str) -> Result<[f32; CODES]> {
-        let values = self.meta[of]["codebook"].as_array().map(Vec::as_slice).unwrap_or_default();
-        let values: Option<Vec<f32>> =
-            values.iter().map(|value| value.as_f64().map(|value| value as f32)).collect();
-        let book = values.unwrap_or_default().try_into();
+        let mut book = self.meta[of]["codebook"].as_array().cloned().unwrap_or_default();
+        if let [first @ Value::Null, Value::Number(second), .., Value::Number(last)] = &mut book[..]
+        {
+            let [second, last] = [second, last].map(|value| value.as_f64().unwrap_or_default());
+            *first = json!(second + (second - last) / 255.0);
+        }
+        let book: Option<Vec<f32>> =
+            book.iter().map(|value| value.as_f64().map(|value| value as f32)).collect();
+        let book = book.unwrap_or_default().try_into();
         book.or_else(|_| damaged(self.path, format!("`{of}` has no code book of {CODES} numbers")))
     }
 
-    fn splats(&mut self) -> Result<Vec<Splat>> {
+    fn splats(&mut self) -> Result<SplatFile> {
+        if self.meta["version"] != 2 {
+            let reason = format!(
+                "it is a SOG file of version {}; expected version 2: write it again with SuperSplat or splat-transform",
+                self.meta.get("version").unwrap_or(&json!(1))
+            );
+            return invalid(self.path, reason);
+        }
+        self.count = self.number("/count")? as usize;
         let count = self.count;
         let positions = self.positions()?;
         let (rotations, _) = self.image("/quats/files/0", count)?;
@@ -298,7 +343,8 @@ impl Files<'_> {
         if self.meta.get("shN").is_some_and(|rest| !rest.is_null()) {
             self.add_harmonics(&mut splats)?;
         }
-        Ok(splats)
+        let said = said(&self.meta["asset"], self.path)?;
+        Ok(SplatFile::new(self.path, "SOG 2", splats).placed(said))
     }
 
     /// Positions: 16 bits in two images over the range of `sign(x) ln(1 + abs(x))`.
@@ -434,7 +480,7 @@ mod tests {
     fn written_files_follow_the_description() {
         let splats = splats();
         let mut bytes = Vec::new();
-        write(&splats, &mut bytes).unwrap();
+        write(&splats, &Placement::default(), &mut bytes).unwrap();
         let expected: Vec<_> = along_a_curve(&splats).into_iter().map(|at| splats[at]).collect();
         // 16 bits of the logarithms between -1.1 and 1.1, and parts of quaternions in steps of sqrt(2) / 255
         let most = [3.0 * 0.5 * 2.2 / 65_535.0, 1e-6, 1e-6, 0.01, 3.0 * 0.71 / 255.0];
@@ -447,8 +493,13 @@ mod tests {
 
     /// An archive with another description, and deflated, as other programs write it.
     fn with(edit: impl FnOnce(&mut Value)) -> Vec<u8> {
+        within("", edit)
+    }
+
+    /// [`with`] in a folder of the archive.
+    fn within(folder: &str, edit: impl FnOnce(&mut Value)) -> Vec<u8> {
         let mut bytes = Vec::new();
-        write(&splats(), &mut bytes).unwrap();
+        write(&splats(), &Placement::default(), &mut bytes).unwrap();
         let mut file = files(bytes.clone());
         let names = ZipArchive::new(Cursor::new(bytes)).unwrap();
         let mut meta: Value = serde_json::from_slice(&file(META)).unwrap();
@@ -456,12 +507,34 @@ mod tests {
         let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
         let deflated = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
         for name in names.file_names() {
-            archive.start_file(name, deflated).unwrap();
+            archive.start_file(format!("{folder}{name}"), deflated).unwrap();
             let content =
                 if name == META { serde_json::to_vec(&meta).unwrap() } else { file(name) };
             archive.write_all(&content).unwrap();
         }
         archive.finish().unwrap().into_inner()
+    }
+
+    #[test]
+    fn an_unpacked_file_is_read_from_its_folder_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("scene");
+        let bytes = with(|_| ());
+        ZipArchive::new(Cursor::new(bytes.clone())).unwrap().extract(&inner).unwrap();
+        let expected = read_bytes(&bytes).unwrap();
+        for path in [inner.clone(), inner.join(META)] {
+            assert_eq!(super::super::load(path).unwrap().splats, expected);
+        }
+        fs::copy(inner.join("quats.webp"), folder.path().join("quats.webp")).unwrap();
+        let mut meta: Value = serde_json::from_slice(&fs::read(inner.join(META)).unwrap()).unwrap();
+        let path = folder.path().join("quats.webp");
+        for name in ["../quats.webp", "..", "", path.to_str().unwrap()] {
+            meta["quats"]["files"][0] = json!(name);
+            fs::write(inner.join(META), meta.to_string()).unwrap();
+            let error = super::super::load(&inner).unwrap_err().to_string();
+            assert!(error.contains("outside its folder"), "{error}");
+        }
+        assert_refused(br#"{"asset": {"version": "2.0"}, "nodes": []}"#, &[".gltf", ".glb"]);
     }
 
     #[test]
@@ -472,6 +545,14 @@ mod tests {
             assert_eq!(Splat { color: one_color.color, ..*all }, one_color);
             assert_eq!(all.color[0], one_color.color[0]);
             assert_eq!(one_color.color[1..], [[0.0; 3]; OTHERS]);
+        }
+        assert_eq!(read_bytes(&within("scene/", |_| ())).unwrap(), all);
+        // the first value goes on as the others do
+        let without = with(|meta| meta["scales"]["codebook"][0] = Value::Null);
+        for (all, found) in all.iter().zip(read_bytes(&without).unwrap()) {
+            let pairs = all.log_scale.iter().zip(found.log_scale);
+            let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(apart < 0.2, "{apart}");
         }
         assert_refused(&with(|meta| meta["version"] = json!(3)), &["version 3"]);
         assert_refused(&with(|meta| drop(meta["version"].take())), &["version null"]);

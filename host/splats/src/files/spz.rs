@@ -15,10 +15,12 @@ use half::f16;
 use muslin::math::sigmoid;
 use muslin_device::memory;
 
-use super::{Splat, byte, invalid, logit_of, smallest_three, turned, with_largest};
+use super::{Splat, SplatFile, byte, invalid, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{DEGREE, HARMONICS};
 use crate::placed::turn;
 use organza_core::error::Result;
+use organza_core::input::parse_json;
+use organza_core::scene::Placement;
 
 /// Cosine of the largest angle between the upward direction and the axis that is named for it: 30 degrees.
 const NEAR: f64 = 0.866;
@@ -35,9 +37,9 @@ const MOST_FRACTION: u8 = 30;
 const EXTENDED: u8 = 2;
 /// Number of Adobe's extension that names the axes.
 const AXES: u32 = 0xadbe_0003;
-/// Number of an extension of organza's own: the axes are those of the scene, also where other programs expect
-/// others, so that the scene's cameras fit the file.
-const OWN_AXES: u32 = 0x4f52_0001;
+/// Number of an extension of organza's own: a [`Placement`] as JSON. The axes are those of the Gaussians as they were
+/// written, whatever [`AXES`] tells other programs.
+const PLACED: u32 = 0x4f52_0001;
 /// Factor and offset that turn the logarithm of a scale into a byte.
 const SCALE: [f32; 2] = [16.0, 160.0];
 /// Factor and offset for a first harmonic.
@@ -54,19 +56,27 @@ const MOST_PACKED_4: u64 = 1 << 15;
 const MOST_PART: f32 = 511.0;
 
 /// Writes version 4. `up` is the world's upward direction.
-pub fn write(splats: &[Splat], up: DVec3, file: &mut dyn Write) -> io::Result<()> {
+pub fn write(
+    splats: &[Splat],
+    up: DVec3,
+    placement: &Placement,
+    file: &mut dyn Write,
+) -> io::Result<()> {
     let fraction = fraction(splats);
     let arrays = arrays(splats, fraction, 4);
     let streams = arrays.iter().map(|array| zstd::bulk::compress(array, LEVEL));
     let streams = streams.collect::<io::Result<Vec<_>>>()?;
+    let mut said = serde_json::to_vec(placement)?;
+    said.resize(said.len().next_multiple_of(4), b' ');
+    let axes = axes_of(up).map_or(Vec::new(), |axes| vec![AXES, 4, axes]);
+    let said_words = said.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word));
     let extensions: Vec<u32> =
-        axes_of(up).map_or(Vec::new(), |axes| vec![AXES, 4, axes, OWN_AXES, 0]);
-    let flags = if extensions.is_empty() { 0 } else { EXTENDED };
+        axes.into_iter().chain([PLACED, said.len() as u32]).chain(said_words).collect();
     let mut words =
         |words: &[u32]| words.iter().try_for_each(|word| file.write_all(&word.to_le_bytes()));
     words(&[MAGIC, 4, splats.len() as u32])?;
     // degree, bits of a coordinate's fraction, flags
-    words(&[u32::from_le_bytes([DEGREE as u8, fraction, flags, streams.len() as u8])])?;
+    words(&[u32::from_le_bytes([DEGREE as u8, fraction, EXTENDED, streams.len() as u8])])?;
     words(&[(HEADER + 4 * extensions.len()) as u32, 0, 0, 0])?;
     words(&extensions)?;
     for (stream, array) in streams.iter().zip(&arrays) {
@@ -86,38 +96,50 @@ fn axes_of(up: DVec3) -> Option<u32> {
     named.into_iter().find(near).map(|(_, number)| number)
 }
 
-/// The matrix from axes with a number to right, up and back.
-fn from_axes(number: u32, path: &Path) -> Result<DMat3> {
-    let Some(bits) = number.checked_sub(1) else { return Ok(DMat3::IDENTITY) };
-    if bits > 15 {
-        return invalid(path, format!("its axes have the number {number}, expected 0 to 16"));
-    }
-    let sign = |bit: u32| if bits >> bit & 1 == 1 { 1.0 } else { -1.0 };
+/// How many systems of axes have a number.
+pub const SYSTEMS: u32 = 16;
+
+/// The matrix from a system of axes, of which there are [`SYSTEMS`], to right, up and back. An extension counts from 1.
+pub fn from_axes(system: u32) -> DMat3 {
+    let sign = |bit: u32| if system >> bit & 1 == 1 { 1.0 } else { -1.0 };
     let right = sign(0) * DVec3::X;
     let up = sign(1) * DVec3::Y;
     let front = -sign(2) * DVec3::Z;
-    // from 9 on, depth is the second axis, and its sign is the opposite
-    let [second, third] = if bits < 8 { [up, front] } else { [-front, up] };
-    Ok(DMat3::from_cols(right, second, third))
+    // from 8 on, depth is the second axis, and its sign is the opposite
+    let [second, third] = if system < 8 { [up, front] } else { [-front, up] };
+    DMat3::from_cols(right, second, third)
 }
 
-/// The matrix from the axes that extensions name to right, up and back. An extension is a number, a length, and as many
-/// bytes.
-fn axes(mut records: &[u8], path: &Path) -> Result<DMat3> {
+/// The matrix from the axes that extensions name to right, up and back, and a placement that organza has written. An
+/// extension is a number, a length, and as many bytes.
+fn extended(mut records: &[u8], path: &Path) -> Result<(DMat3, Option<Placement>)> {
     let mut axes = DMat3::IDENTITY;
     while let Some((&[a, b, c, d, ref length @ ..], rest)) = records.split_first_chunk::<8>() {
         let kind = u32::from_le_bytes([a, b, c, d]);
         let length = u32::from_le_bytes(*length) as usize;
         let Some((content, rest)) = rest.split_at_checked(length) else { return cut(path) };
         match (kind, content.first_chunk()) {
-            (OWN_AXES, _) => return Ok(DMat3::IDENTITY),
-            (AXES, Some(number)) => axes = from_axes(u32::from_le_bytes(*number), path)?,
+            // the first files of organza had only this mark
+            (PLACED, None) => return Ok((DMat3::IDENTITY, Some(Placement::default()))),
+            (PLACED, Some(_)) => {
+                let said = Placement::from_json(&parse_json(content, path)?, path)?;
+                return Ok((DMat3::IDENTITY, Some(said)));
+            }
+            (AXES, Some(number)) => match u32::from_le_bytes(*number) {
+                0 => {}
+                number @ 1..=SYSTEMS => axes = from_axes(number - 1),
+                number => {
+                    let reason =
+                        format!("its axes have the number {number}, expected 0 to {SYSTEMS}");
+                    return invalid(path, reason);
+                }
+            },
             (AXES, None) => return cut(path),
             _ => {}
         }
         records = rest;
     }
-    Ok(axes)
+    Ok((axes, None))
 }
 
 /// Writes version 2.
@@ -231,13 +253,14 @@ impl Header {
     }
 
     /// The Gaussians of the arrays, in axes to the right, up and back.
-    fn placed(&self, arrays: &[Vec<u8>; 6], extensions: &[u8], path: &Path) -> Result<Vec<Splat>> {
+    fn placed(&self, arrays: &[Vec<u8>; 6], extensions: &[u8], path: &Path) -> Result<SplatFile> {
         let mut splats = self.splats(arrays)?;
-        let axes = axes(extensions, path)?;
+        let (axes, said) = extended(extensions, path)?;
         if axes != DMat3::IDENTITY {
             turn(&mut splats, axes, 1.0, |place| (axes * DVec3::from(place)).to_array());
         }
-        Ok(splats)
+        let format = ["SPZ 1", "SPZ 2", "SPZ 3", "SPZ 4"][self.version as usize - 1];
+        Ok(SplatFile::new(path, format, splats).placed(said))
     }
 
     /// The Gaussians of the arrays.
@@ -277,12 +300,12 @@ impl Header {
 }
 
 /// Reads version 1, 2 or 3, which are in gzip.
-pub fn read_packed(source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+pub fn read_packed(source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     read_old(GzDecoder::new(source), length, MOST_PACKED, path)
 }
 
 /// Reads version 1, 2 or 3. `most` is the number of bytes that a byte of the file can expand to.
-pub fn read_old(mut source: impl Read, length: u64, most: u64, path: &Path) -> Result<Vec<Splat>> {
+pub fn read_old(mut source: impl Read, length: u64, most: u64, path: &Path) -> Result<SplatFile> {
     let mut bytes = [0; 16];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
     let header = Header::parse(&bytes, length, most, &[1, 2, 3], path)?;
@@ -298,7 +321,7 @@ pub fn read_old(mut source: impl Read, length: u64, most: u64, path: &Path) -> R
 }
 
 /// Reads version 4.
-pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<Vec<Splat>> {
+pub fn read(mut source: impl Read, length: u64, path: &Path) -> Result<SplatFile> {
     let mut bytes = [0; HEADER];
     source.read_exact(&mut bytes).or_else(|_| cut(path))?;
     let header = Header::parse(&bytes, length, MOST_PACKED_4, &[4], path)?;
@@ -406,7 +429,7 @@ mod tests {
     }
 
     fn write(splats: &[Splat], file: &mut dyn Write) -> io::Result<()> {
-        super::write(splats, DVec3::Z, file)
+        super::write(splats, DVec3::Z, &Placement::default(), file)
     }
 
     #[test]
@@ -446,16 +469,20 @@ mod tests {
         let bytes = packed(write);
         let word = |at: usize| u32::from_le_bytes(std::array::from_fn(|byte| bytes[at + byte]));
         assert_eq!(&bytes[..4], b"NGSP");
-        assert_eq!([word(4), word(8), word(16)], [4, 9, 52]);
+        let said = word(48) as usize;
+        let table = 52 + said;
+        assert_eq!([word(4), word(8), word(16)], [4, 9, table as u32]);
         assert_eq!([bytes[12], bytes[14], bytes[15]], [3, 2, 6]);
         assert_eq!(bytes[20..32], [0; 12]);
-        // axes: right, front, up; and the mark of organza's own axes
+        // axes: right, front, up; and organza's own placement
         assert_eq!([32, 36, 40].map(word), [0xadbe_0003, 4, 12]);
-        assert_eq!([44, 48].map(word), [0x4f52_0001, 0]);
+        assert_eq!(word(44), 0x4f52_0001);
+        let placement: Placement = serde_json::from_slice(&bytes[52..table]).unwrap();
+        assert!(placement.is_identity());
         let lengths: Vec<_> =
-            (0..6).map(|stream| [word(52 + 16 * stream), word(60 + 16 * stream)]).collect();
+            (0..6).map(|at| [word(table + 16 * at), word(table + 8 + 16 * at)]).collect();
         let packed: u32 = lengths.iter().map(|[packed, _]| packed).sum();
-        assert_eq!(bytes.len(), 52 + 6 * 16 + packed as usize);
+        assert_eq!(bytes.len(), table + 6 * 16 + packed as usize);
         let unpacked: Vec<_> = lengths.iter().map(|[_, unpacked]| unpacked / 9).collect();
         assert_eq!(unpacked, [9, 1, 3, 3, 4, 45]);
     }
@@ -486,7 +513,8 @@ mod tests {
         assert_refused(&with_4(12, 0x0500_1403), &["5 streams", "expected 6"]);
         assert_refused(&with_4(16, 31), &["byte 31"]);
         assert_refused(&with_4(16, u32::MAX), &["cut short"]);
-        assert_refused(&with_4(52, 3), &["cut short"]);
+        let table = 52 + usize::from(packed(write)[48]);
+        assert_refused(&with_4(table, 3), &["cut short"]);
         assert_refused(&with_4(40, 17), &["axes", "17"]);
         assert_refused(&with_4(36, 400), &["cut short"]);
     }

@@ -1,6 +1,7 @@
-//! `organza info`: describes a file: a scene, cameras, tiles, or other tensors.
+//! `organza info`: describes a file: a scene, cameras, tiles, Gaussians of other programs, or other tensors.
 
 mod scene;
+mod splats;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -26,13 +27,15 @@ Examples:
   organza info run
   organza info cameras.json
   organza info data/fox
+  organza info scene.ply
   organza info rendered.safetensors --json";
 
-/// Describe a scene, cameras, tiles, a rendered batch or a data set
+/// Describe a scene, cameras, tiles, a rendered batch, a data set, or a .ply, .spz, .sog, .glb or .splat
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The file, which is recognized by its content. Or a folder: a training run's, or a data set
+    /// The file, which is recognized by its content, or by its ending. Or a folder: a training run's, a data set, or an
+    /// unpacked .sog
     file: PathBuf,
     /// Print JSON
     #[arg(long)]
@@ -40,8 +43,10 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
-    if FileKind::from_path(&args.file) == Some(FileKind::DataSet) {
-        return show(args, &CameraFile::from_data_set(&args.file)?);
+    match FileKind::from_path(&args.file) {
+        Some(FileKind::DataSet) => return show(args, &CameraFile::from_data_set(&args.file)?),
+        Some(FileKind::Splats) => return show(args, &splats::SplatInfo::load(&args.file)?),
+        _ => {}
     }
     let source = SceneSource::find(&args.file)?;
     let path = source.file();

@@ -5,7 +5,7 @@ use std::io::{BufReader, Read};
 use std::path::Path;
 
 use organza::train::{CHECKPOINT, CONFIG};
-use organza::{Error, Result, Scene, data};
+use organza::{Error, Result, Scene, data, splats};
 use organza_core::input::{has_extension, open_regular};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -20,7 +20,12 @@ pub enum FileKind {
     Tiles,
     Run,
     DataSet,
+    /// Gaussians of another program.
+    Splats,
 }
+
+/// Endings of files of Gaussians.
+const SPLATS: [&str; 6] = ["ply", "spz", "sog", "glb", "splat", "gltf"];
 
 /// The format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,8 +51,12 @@ impl FileKind {
             let is_run = [CHECKPOINT, CONFIG].iter().any(|name| path.join(name).exists());
             return match data::kind_of(path) {
                 _ if is_run => Some(Self::Run),
+                None if path.join(splats::META).is_file() => Some(Self::Splats),
                 found => found.map(|_| Self::DataSet),
             };
+        }
+        if path.is_file() && (has_extension(path, &SPLATS) || path.ends_with(splats::META)) {
+            return Some(Self::Splats);
         }
         match format(path).ok()? {
             Format::Cameras => Some(Self::Cameras),
@@ -69,6 +78,7 @@ impl FileKind {
             Self::Tiles => "a file of tiles",
             Self::Run => "the folder of a training run",
             Self::DataSet => "a data set",
+            Self::Splats => "a file of 3D Gaussian Splatting",
         }
     }
 }
@@ -95,7 +105,7 @@ impl Expected {
 
     /// What is wrong with a file that another program has written.
     fn foreign(self, path: &Path) -> Option<String> {
-        if self == Self::Scene && has_extension(path, &["ply", "spz", "sog", "glb", "splat"]) {
+        if self == Self::Scene && has_extension(path, &SPLATS) {
             let path = path.display();
             return Some(format!(
                 "this is a file of 3D Gaussian Splatting; `organza import {path} -o NEW.safetensors` makes a scene of it"

@@ -53,6 +53,11 @@ impl SceneSource {
         Err(told_apart(error, path, Expected::Scene))
     }
 
+    /// A file or folder of another program, with the coordinates of the world.
+    pub fn foreign(path: &Path) -> Self {
+        Self { named: path.to_owned(), file: path.to_owned() }
+    }
+
     /// Path of the scene's file.
     pub fn file(&self) -> &Path {
         &self.file
@@ -78,8 +83,7 @@ impl SceneSource {
         Ok(scene)
     }
 
-    /// Where the scene lies in the world. Other files, such as Gaussians to import, have the world's coordinates; what is no
-    /// file of organza is reported when it is read.
+    /// Where the scene lies in the world. What is no file of organza is reported when it is read.
     pub fn placement(&self) -> Placement {
         Scene::load_config(&self.file).map(|config| config.placement).unwrap_or_default()
     }

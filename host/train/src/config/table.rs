@@ -274,7 +274,7 @@ macro_rules! define {
 
             /// Where training starts.
             start: StartConfig {
-                /// Start with the Gaussians of a .ply or .spz file of 3D Gaussian Splatting, instead of points.
+                /// Start with the Gaussians of a .ply, .spz, .sog, .glb or .splat file, instead of points.
                 #[option("--start <FILE>")]
                 #[see("splats.md#import")]
                 #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_text")]

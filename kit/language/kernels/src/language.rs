@@ -1,8 +1,10 @@
-//! Kernels that tests run on every device, because they use what no kernel of organza does.
+//! Packed integers, sorts by storage barriers, subgroups, and arithmetic and comparisons as they are written.
 
 use muslin::math::HUGE;
 use muslin::prelude::*;
 use muslin::subgroup::{SIZES, lanes, lanes_before};
+
+use crate::rows;
 
 /// Parameters of the kernels of this module.
 #[params]
@@ -171,18 +173,6 @@ pub fn keep_positive(
             output.write(4 * row + 3, all.z);
         }
     }
-}
-
-/// Writes values to one element of each row of an output.
-macro_rules! rows {
-    ($output:ident [$count:expr] at $index:expr; $($value:expr,)*) => {
-        let mut at = $index;
-        $(
-            $output.write(at, $value);
-            at += $count;
-        )*
-        let _ = at;
-    };
 }
 
 /// Rows of [`as_written`].

@@ -26,20 +26,20 @@ pub fn byte_histogram(
     bytes: Packed<u8>,
     halves: Packed<u16>,
     bins: Write<u32>,
-    counts: Shared<u32, BINS>,
+    local: Shared<u32, BINS>,
 ) {
     let own = id.local.x;
     let all = BYTES as u32;
-    counts.write(own, 0);
-    counts.write(all + own, 0);
+    local.write(own, 0);
+    local.write(all + own, 0);
     id.barrier();
     if id.index() < params.count {
-        counts.atomic_add(bytes.read(id.index()), 1);
-        counts.atomic_add(all + (halves.read(id.index()) >> 8), 1);
+        local.atomic_add(bytes.read(id.index()), 1);
+        local.atomic_add(all + (halves.read(id.index()) >> 8), 1);
     }
     id.barrier();
-    bins.atomic_add(own, counts.read(own));
-    bins.atomic_add(all + own, counts.read(all + own));
+    bins.atomic_add(own, local.read(own));
+    bins.atomic_add(all + own, local.read(all + own));
 }
 
 /// Parameters of [`sort_rows`].

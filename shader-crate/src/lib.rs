@@ -2,8 +2,8 @@
 //!
 //! The pipeline, in order: [`project`], [`tile`], [`pair`], [`scan`], [`occupancy`], [`segment`], [`transmittance`], [`color`] (both with
 //! [`hash_grid`] and [`dense`]), [`splat`], [`tile_cells`], [`composite`], [`resolve`], [`pixels`]. Gradients run the other way, in the same
-//! files or those named `_backward`; [`loss`], [`ssim`], [`distortion`], [`exposure`] and [`adam`] are for training. [`elementary`] and
-//! [`language`] test what no other kernel uses. `docs/architecture.md` has the map.
+//! files or those named `_backward`; [`loss`], [`ssim`], [`distortion`], [`exposure`] and [`adam`] are for training.
+//! `docs/architecture.md` has the map.
 //!
 //! Rust-GPU compiles this crate to SPIR-V. The host compiles it too, to run kernels on the CPU and to dispatch them.
 #![no_std]
@@ -18,18 +18,15 @@ pub mod color;
 pub mod color_backward;
 pub mod composite;
 pub mod composite_backward;
-pub mod core_functions;
 pub mod count;
 pub mod dense;
 pub mod dense_backward;
 pub mod distortion;
-pub mod elementary;
 pub mod exposure;
 pub mod hash_grid;
 pub mod hash_grid_backward;
 pub mod hash_grid_half;
 pub mod hash_grid_scale;
-pub mod language;
 pub mod limits;
 pub mod loss;
 pub mod occupancy;

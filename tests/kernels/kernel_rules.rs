@@ -116,9 +116,7 @@ fn modules_keep_the_rules() {
             i.operands[0] == Operand::StorageClass(StorageClass::Function)
                 && i.result_type.is_some_and(|id| pointers.contains(&id))
         });
-        // one kernel has them on purpose: it loops over arrays
-        let is_allowed = name == "core_functions";
-        assert!(!has_local || is_allowed, "{name}: a local array stays in memory");
+        assert!(!has_local, "{name}: a local array stays in memory");
     }
 }
 

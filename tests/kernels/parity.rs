@@ -2,10 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use muslin::kernels;
-use muslin::subgroup::SIZES;
 use muslin_check::{KernelRunner, Output, Parity, Rounding, Values, missing};
-use muslin_device::{Device, DeviceOptions, Modules};
 use organza::{InstructionSet, Renderer};
 use organza_parity::project_backward::ProjectBackward;
 use organza_tests::{cases, devices};
@@ -37,24 +34,6 @@ fn the_pipeline_has_no_races() {
         let scene = plain.upload(&case.scene).unwrap();
         let plain = plain.render(&scene, &case.cameras, &case.tiles).unwrap();
         assert!(checked.data == plain.data, "{}: checking changes the image", case.name);
-    }
-}
-
-/// A device chooses the size of its subgroups. The thorough ones run each size beside another.
-#[test]
-fn kernels_with_subgroups_take_every_size() {
-    let checked = SIZES.map(|size| DeviceOptions::checked().subgroup_size(size));
-    let thorough = (0..SIZES.len() as u64).map(DeviceOptions::thorough);
-    let subgroups = kernels().filter(|kernel| kernel.subgroups);
-    let names: Vec<_> = subgroups.map(|kernel| kernel.name).collect();
-    assert!(!names.is_empty());
-    for options in checked.into_iter().chain(thorough) {
-        let device = Device::open(&options, Modules::none()).expect("the CPU");
-        for case in organza_parity::cases().iter().filter(|case| names.contains(&case.kernel)) {
-            let found = case.compare_with_exact(&device, Rounding::AsWritten);
-            let found = found.unwrap_or_else(|error| panic!("{options:?}: {error}"));
-            assert!(found.values > 0 && found.failures == 0, "{}: {options:?}", case.kernel);
-        }
     }
 }
 

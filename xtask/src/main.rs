@@ -25,7 +25,8 @@ fn main() -> ExitCode {
         [task, ..] if task == "new" => {
             Err("usage: `cargo xtask new FOLDER`: it must be new or empty".into())
         }
-        _ => tools(&arguments),
+        [task, rest @ ..] if task == "kit" => tools("kit", rest),
+        _ => tools("tools", &arguments),
     };
     match result {
         Ok(code) => code,
@@ -36,13 +37,13 @@ fn main() -> ExitCode {
     }
 }
 
-/// Builds the kit's tools, and runs them. With the whole workspace and an example, dependencies have the features that they have in
+/// Builds the kit's tools, for organza's kernels or for its own, and runs them. With the whole workspace and an example, dependencies have the features that they have in
 /// `cargo test --workspace`, so nothing is compiled twice.
-fn tools(arguments: &[OsString]) -> Result<ExitCode, String> {
+fn tools(example: &str, arguments: &[OsString]) -> Result<ExitCode, String> {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
-    cargo.args(["build", "--quiet", "--workspace", "--example", "tools"]);
+    cargo.args(["build", "--quiet", "--workspace", "--example", example]);
     let own = env::current_exe().map_err(|error| error.to_string())?;
-    let mut tools = Command::new(own.with_file_name("examples").join("tools"));
+    let mut tools = Command::new(own.with_file_name("examples").join(example));
     for command in [&mut cargo, tools.args(arguments)] {
         let status = command.status().map_err(|error| format!("{command:?}: {error}"))?;
         if !status.success() {

@@ -11,19 +11,16 @@ mod color;
 mod color_backward;
 mod composite;
 mod composite_backward;
-mod core_functions;
 mod count;
 mod dense;
 mod dense_backward;
 mod distortion;
-mod elementary;
 pub mod exact;
 mod exposure;
 mod hash_grid;
 mod hash_grid_backward;
 mod hash_grid_half;
 mod hash_grid_scale;
-mod language;
 mod loss;
 mod occupancy;
 mod pair;
@@ -109,13 +106,5 @@ pub fn cases() -> Vec<Case> {
         Case::new::<statistics::Statistics>(),
         Case::new::<peak::PeakMultiplyAdd>(),
         Case::new::<peak::PeakRead>(),
-        Case::new::<elementary::Elementary>(),
-        Case::new::<language::ByteHistogram>(),
-        Case::new::<language::SortRows>(),
-        Case::new::<language::KeepPositive>(),
-        Case::new::<language::ScanAndShuffle>(),
-        Case::new::<language::AsWritten>(),
-        Case::new::<language::Compared>(),
-        Case::new::<core_functions::CoreFunctions>(),
     ]
 }

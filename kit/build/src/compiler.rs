@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio, exit};
 use std::{env, fmt, fs};
 
 use crate::artifacts::Artifacts;
 use crate::lower::{self, lower};
-use crate::{Project, module, rules, small_integers, validate};
+use crate::{Project, errors, module, rules, small_integers, validate};
 use anyhow::{Context, Result, bail};
 use cargo_gpu_install::install::Install;
 use muslin_kernel::{EntryPoint, KernelInfo};
@@ -218,7 +218,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
     rules::check(&project.root.join(&project.shader_crate))?;
     // Before the build: if a file is saved while it runs, the kernels must be stale.
     let source_hash = manifest::source_hash(&project.root, &project.sources)?;
-    let mut modules = build(&project.root.join(&project.shader_crate), &project.target, compiler)?;
+    let mut modules = build(project, compiler)?;
     let mut entries = Vec::new();
     let mut files = BTreeMap::new();
     refuse_one_name_twice()?;
@@ -229,7 +229,7 @@ pub fn compile(project: &Project, compiler: &Compiler) -> Result<Artifacts> {
         let Some(spirv) = modules.remove(name) else {
             bail!("{}: the kernel `{name}` has no entry point in the SPIR-V", kernel.source());
         };
-        let context = || format!("{}: kernel `{name}`", kernel.source());
+        let context = || format!("{}the kernel `{name}`", errors::declaration(name, &project.root));
         let spirv = lower(&spirv, kernel.fused, kernel.workgroup_size).with_context(context)?;
         module::check(kernel, &point, &spirv).with_context(context)?;
         validate::check(&spirv).with_context(context)?;
@@ -271,20 +271,48 @@ fn refuse_one_name_twice() -> Result<()> {
     Ok(())
 }
 
-/// Runs the compiler on a crate of kernels. Returns the modules by entry point.
-///
-/// # Errors
-/// The compiler's errors.
-pub fn build(
-    shader_crate: &Path,
-    target: &Path,
-    compiler: &Compiler,
-) -> Result<BTreeMap<String, Vec<u8>>> {
+/// Set in the process that runs the compiler for another one, which explains its errors.
+const COMPILES: &str = "MUSLIN_COMPILES";
+
+/// Runs the compiler on a crate of kernels, in another process of this program. Returns the modules by entry point.
+fn build(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, Vec<u8>>> {
+    if env::var_os(COMPILES).is_some() {
+        let modules = build_here(project, compiler)?;
+        modules.into_iter().for_each(|(name, path)| println!("{name}\t{}", path.display()));
+        exit(0);
+    }
+    let mut child = Command::new(env::current_exe()?);
+    // a crash of the compiler leaves a file otherwise
+    child
+        .args(env::args_os().skip(1))
+        .env(COMPILES, "1")
+        .env("RUSTC_ICE", "0")
+        .env("CARGO_TERM_COLOR", "never");
+    let output = child.stdin(Stdio::null()).output()?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        bail!("{}", errors::explain(&said, &project.root));
+    }
+    // warnings of the kernels' crate
+    said.split_inclusive('\n')
+        .skip_while(|line| !line.starts_with("warning"))
+        .for_each(|line| eprint!("{line}"));
+    let modules = String::from_utf8(output.stdout)?;
+    let read = |line: &str| {
+        let (name, path) = line.split_once('\t')?;
+        Some(fs::read(path).map(|module| (name.to_owned(), module)))
+    };
+    Ok(modules.lines().filter_map(read).collect::<Result<_, _>>()?)
+}
+
+/// Runs the compiler on a crate of kernels. Returns the files of the modules by entry point.
+fn build_here(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, PathBuf>> {
+    let shader_crate = project.root.join(&project.shader_crate);
     let mut builder = SpirvBuilder::new(shader_crate, TARGET)
         .release(true)
         .multimodule(true)
         .spirv_metadata(SpirvMetadata::None)
-        .target_dir_path(target.join("spirv"));
+        .target_dir_path(project.target.join("spirv"));
     builder.capabilities =
         [&lower::SUBGROUPS[..], &lower::WIDE, &small_integers::CAPABILITIES, &[lower::AS_WRITTEN]]
             .concat();
@@ -293,8 +321,7 @@ pub fn build(
     let ModuleResult::MultiModule(paths) = result.module else {
         bail!("the compiler gave one module for all kernels, not one for each");
     };
-    let read = |(name, path)| Ok((name, fs::read(&path)?));
-    paths.into_iter().map(read).collect()
+    Ok(paths.into_iter().collect())
 }
 
 fn entry(

@@ -3,10 +3,10 @@
 //! The compiler declares the types and constants of all kernels together. Without this, a change in one kernel would move declarations in
 //! the modules of others.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 use rspirv::dr::{Instruction, Module, Operand};
-use rspirv::spirv::{Op, Word};
+use rspirv::spirv::{Decoration, Op, StorageClass, Word};
 
 /// Orders types, constants and global variables, and everything that lists them.
 pub fn sort(module: &mut Module) {
@@ -75,6 +75,42 @@ pub fn merge_types(module: &mut Module) {
         kept == id
     });
     rename(module.all_inst_iter_mut(), &names);
+}
+
+/// The types of memory that the host fills or reads, and their parts.
+pub fn host_types(module: &Module) -> BTreeSet<Word> {
+    let declared = |id: Word| {
+        module.types_global_values.iter().find(move |instruction| instruction.result_id == Some(id))
+    };
+    let is_of_host = |variable: &&Instruction| match variable.operands.first() {
+        Some(Operand::StorageClass(of)) => {
+            matches!(of, StorageClass::StorageBuffer | StorageClass::Uniform)
+        }
+        _ => false,
+    };
+    let variables = module.types_global_values.iter().filter(is_of_host);
+    let variables = variables.filter(|variable| variable.class.opcode == Op::Variable);
+    let mut left: Vec<_> = variables.filter_map(|variable| variable.result_type).collect();
+    let mut seen = BTreeSet::new();
+    while let Some(id) = left.pop() {
+        if seen.insert(id) {
+            let operands = declared(id).into_iter().flat_map(|of| &of.operands);
+            left.extend(operands.filter_map(Operand::id_ref_any));
+        }
+    }
+    seen
+}
+
+/// Drops the layouts of types that only the kernel knows. The compiler packs them as Rust does, in bytes that naga refuses.
+pub fn drop_layouts(module: &mut Module) {
+    let of_host = host_types(module);
+    module.annotations.retain(|annotation| {
+        let is_layout = annotation.operands.iter().any(|operand| {
+            matches!(operand, Operand::Decoration(Decoration::Offset | Decoration::ArrayStride))
+        });
+        let of = annotation.operands[0].id_ref_any();
+        !is_layout || of.is_some_and(|id| of_host.contains(&id))
+    });
 }
 
 /// Declarations in the order of their first use.

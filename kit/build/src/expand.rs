@@ -6,11 +6,12 @@
 //! | `x != y` is true of NaN, as are other comparisons | naga has only those that are false of NaN | `!(x == y)` |
 //! | NaN is what differs from itself | a compiler may take `x == x` for true | the bits are compared with those of infinity |
 //! | `checked_add` of `i32`, and its kin, overflow where `(b < 0) == (a + b > a)` | that is so for b = 0, too | `(b < 0) == (a + b >= a)` |
+//! | `round` is `Round` | GLSL leaves open where halves go | the fraction is compared with a half |
 
 use std::collections::{BTreeMap, HashMap};
 
 use rspirv::dr::{Builder, Instruction, Module, Operand};
-use rspirv::spirv::{Op, Word};
+use rspirv::spirv::{GlslStd450Op, Op, Word};
 
 use crate::module::{Writer, rewrite};
 
@@ -18,28 +19,42 @@ use crate::module::{Writer, rewrite};
 const SIZE: u32 = 0x7fff_ffff;
 /// Bits of infinity. Those of NaN, without the sign, are larger.
 const INFINITY: u32 = 0x7f80_0000;
+/// Bits of -0.0, of 1.0 and of 0.5.
+const SIGN: u32 = !SIZE;
+const ONE: u32 = 0x3f80_0000;
+const HALF: u32 = 0x3f00_0000;
 
 /// Writes out all such instructions of a module.
 pub fn expand(module: &mut Module) {
     let mut builder = Builder::new_from_module(std::mem::take(module));
     let float = builder.type_float(32, None);
-    let word = builder.type_int(32, 0);
-    let [size, infinity] = [SIZE, INFINITY].map(|bits| builder.constant_bit32(word, bits));
+    let [word, bool] = [builder.type_int(32, 0), builder.type_bool()];
+    let [size, infinity, sign, one] =
+        [SIZE, INFINITY, SIGN, ONE].map(|bits| builder.constant_bit32(word, bits));
+    let half = builder.constant_bit32(float, HALF);
     *module = builder.module();
-    let globals = module.types_global_values.iter();
-    let all = globals.chain(module.functions.iter().flat_map(|f| f.all_inst_iter()));
-    let definitions = all.filter_map(|i| Some((i.result_id?, i.clone()))).collect();
-    let ids = Ids { float, word, size, infinity };
+    let definitions = definitions(module);
+    let ids = Ids { float, word, bool, size, infinity, sign, one, half };
     let mut expansion = Expansion { ids, definitions, sums: HashMap::new() };
     rewrite(module, |writer, instruction| expansion.expand(writer, instruction));
+}
+
+/// The instruction that defines each id.
+pub fn definitions(module: &Module) -> HashMap<Word, Instruction> {
+    let all = module.all_inst_iter();
+    all.filter_map(|instruction| Some((instruction.result_id?, instruction.clone()))).collect()
 }
 
 /// Types and constants.
 struct Ids {
     float: Word,
     word: Word,
+    bool: Word,
     size: Word,
     infinity: Word,
+    sign: Word,
+    one: Word,
+    half: Word,
 }
 
 struct Expansion {
@@ -59,9 +74,13 @@ const MOST: usize = 64;
 impl Expansion {
     fn expand(&mut self, writer: &mut Writer, instruction: Instruction) {
         let op = instruction.class.opcode;
-        let (Some(kind), Some(id), Some([a, b])) =
-            (instruction.result_type, instruction.result_id, pair(&instruction))
-        else {
+        let (Some(kind), Some(id)) = (instruction.result_type, instruction.result_id) else {
+            return writer.instructions.push(instruction);
+        };
+        if let Some((library, x)) = self.rounded(&instruction) {
+            return self.round(writer, id, library, x);
+        }
+        let Some([a, b]) = pair(&instruction) else {
             return writer.instructions.push(instruction);
         };
         if op == Op::SRem {
@@ -81,6 +100,35 @@ impl Expansion {
         } else {
             writer.instructions.push(instruction);
         }
+    }
+
+    /// The number that `Round` takes, after the id of GLSL's functions.
+    fn rounded(&self, of: &Instruction) -> Option<(Word, Word)> {
+        let round = Operand::LiteralExtInstInteger(GlslStd450Op::Round as u32);
+        match &of.operands[..] {
+            [Operand::IdRef(library), function, Operand::IdRef(x)]
+                if *function == round && of.result_type == Some(self.ids.float) =>
+            {
+                Some((*library, *x))
+            }
+            _ => None,
+        }
+    }
+
+    /// The nearest integer, halves away from 0, as Rust's `round`: x without its fraction, and 1 with the sign of x where the fraction is a
+    /// half or more.
+    fn round(&self, writer: &mut Writer, id: Word, library: Word, x: Word) {
+        let Ids { float, word, bool, sign, one, half, .. } = self.ids;
+        let whole = writer.add_function(GlslStd450Op::Trunc, float, library, x);
+        let rest = writer.add(Op::FSub, float, &[x, whole]);
+        let rest = writer.add_function(GlslStd450Op::FAbs, float, library, rest);
+        let is_next = writer.add(Op::FOrdGreaterThanEqual, bool, &[rest, half]);
+        let bits = writer.add(Op::Bitcast, word, &[x]);
+        let bits = writer.add(Op::BitwiseAnd, word, &[bits, sign]);
+        let bits = writer.add(Op::BitwiseOr, word, &[bits, one]);
+        let step = writer.add(Op::Bitcast, float, &[bits]);
+        let next = writer.add(Op::FAdd, float, &[whole, step]);
+        writer.push(Op::Select, float, id, &[is_next, next, whole]);
     }
 
     /// How the bits of a number without sign compare with those of infinity, if the comparison is one of it with itself.
@@ -105,12 +153,13 @@ impl Expansion {
             _ => return None,
         };
         let sign_of = self.definitions.get(&sign)?.clone();
-        let added = self.sum(more).minus(&self.sum(less));
+        let mask = self.mask(result)?;
+        let mut sum = |id| self.sum(id).modulo(mask);
+        let [more, less] = [more, less].map(&mut sum);
+        let added = more.minus(&less).modulo(mask);
         let is_formula = match (sign_of.class.opcode, pair(&sign_of)) {
             (Op::ConstantFalse, _) => added == Sum::default(),
-            (Op::SLessThan, Some([of, zero])) => {
-                self.sum(zero) == Sum::default() && self.sum(of) == added
-            }
+            (Op::SLessThan, Some([of, zero])) => sum(zero) == Sum::default() && sum(of) == added,
             _ => false,
         };
         is_formula.then_some((sign, op, [result, before]))
@@ -143,12 +192,28 @@ impl Expansion {
         sum
     }
 
+    /// The bits that an integer can have.
+    fn mask(&self, id: Word) -> Option<u32> {
+        let of = self.definitions.get(&self.definitions.get(&id)?.result_type?)?;
+        match (of.class.opcode, &of.operands[..]) {
+            (Op::TypeInt, [Operand::LiteralBit32(bits @ 1..=32), _]) => {
+                Some(u32::MAX >> (32 - bits))
+            }
+            _ => None,
+        }
+    }
+
     fn is_float(&self, id: Word) -> bool {
         self.definitions.get(&id).is_some_and(|found| found.result_type == Some(self.ids.float))
     }
 }
 
 impl Sum {
+    /// The sum of integers that have fewer bits.
+    fn modulo(&self, mask: u32) -> Self {
+        Self::new(self.0.iter().map(|(product, factor)| (product.clone(), factor & mask)))
+    }
+
     fn minus(&self, other: &Self) -> Self {
         let negated =
             other.0.iter().map(|(product, factor)| (product.clone(), factor.wrapping_neg()));
@@ -200,10 +265,10 @@ mod tests {
     use super::*;
     use crate::lower::count_fill;
 
-    /// The operations of a function of integers x, y and z, once they are expanded.
-    fn expanded(write: impl Fn(&mut Builder, [Word; 2], [Word; 3])) -> Vec<Op> {
+    /// The operations of a function of integers x, y and z of so many bits, once they are expanded.
+    fn expanded(bits: u32, write: impl Fn(&mut Builder, [Word; 2], [Word; 3])) -> Vec<Op> {
         let mut b = Builder::new();
-        let [int, bool] = [b.type_int(32, 1), b.type_bool()];
+        let [int, bool] = [b.type_int(bits, 1), b.type_bool()];
         let values = [0; 3].map(|usual| b.spec_constant_bit32(int, usual));
         let mut module = count_fill(b, &[], |b| write(b, [int, bool], values));
         expand(&mut module);
@@ -219,8 +284,9 @@ mod tests {
         let simplified: Sum = |b, int, [x, y, _]| [x, b.i_sub(int, None, x, y).unwrap()];
         // another comparison that stands beside a sign
         let another: Sum = |_, _, [x, _, z]| [z, x];
-        for (sum, is_formula) in [(plus, true), (simplified, true), (another, false)] {
-            let ops = expanded(|b, [int, bool], values| {
+        let all = [(plus, true), (simplified, true), (another, false)];
+        for ((sum, is_formula), bits) in all.into_iter().flat_map(|one| [(one, 32), (one, 8)]) {
+            let ops = expanded(bits, |b, [int, bool], values| {
                 let zero = b.constant_bit32(int, 0);
                 let [result, before] = sum(b, int, values);
                 let sign = b.s_less_than(bool, None, values[1], zero).unwrap();
@@ -233,9 +299,21 @@ mod tests {
 
     #[test]
     fn a_remainder_is_written_out() {
-        let ops = expanded(|b, [int, _], [x, y, _]| {
+        let ops = expanded(32, |b, [int, _], [x, y, _]| {
             b.s_rem(int, None, x, y).unwrap();
         });
         assert_eq!(ops, [Op::SDiv, Op::IMul, Op::ISub, Op::Return]);
+    }
+
+    #[test]
+    fn halves_are_rounded_in_one_way() {
+        let ops = expanded(32, |b, _, _| {
+            let float = b.type_float(32, None);
+            let x = b.spec_constant_bit32(float, 0);
+            let library = b.ext_inst_import("GLSL.std.450");
+            let operands = [Operand::IdRef(x)];
+            b.ext_inst(float, None, library, GlslStd450Op::Round as u32, operands).unwrap();
+        });
+        assert!(ops.contains(&Op::FOrdGreaterThanEqual) && ops.contains(&Op::Select), "{ops:?}");
     }
 }

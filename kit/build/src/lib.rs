@@ -9,6 +9,7 @@ mod compiler;
 mod contraction;
 mod coverage;
 mod declarations;
+mod errors;
 mod expand;
 mod loops;
 mod lower;
@@ -27,10 +28,10 @@ use std::time::Instant;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser};
-use muslin_manifest::{List, Manifest};
+use muslin_manifest::{List, Manifest, set_failure, source_hash};
 
 pub use artifacts::Artifacts;
-pub use compiler::{Compiler, build, compile, isolate};
+pub use compiler::{Compiler, compile, isolate};
 pub use lower::lower;
 pub use tool::{IsaOptions, isa};
 
@@ -202,19 +203,27 @@ pub fn run(project: &Project, options: Options) -> Result<()> {
     isolate();
     let compiler = Compiler::find(&project.root.join(&project.shader_crate))?;
     eprintln!("compiling the kernels with {compiler}");
-    let artifacts = compile(project, &compiler)?;
+    let folder = project.root.join(&project.kernels);
+    let artifacts = compile(project, &compiler).or_else(|error| {
+        // tests on a GPU say it, too
+        let hash = source_hash(&project.root, &project.sources)?;
+        if !options.check {
+            set_failure(&folder, Some([&hash, &format!("{error:#}")]))?;
+        }
+        Err(error)
+    })?;
     let seconds = start.elapsed().as_secs_f64();
     println!("{artifacts}");
     if options.validate {
         validate::run(&artifacts)?;
     }
-    let folder = project.root.join(&project.kernels);
     let kernels = &project.kernels;
     if options.check {
         artifacts.check(&folder)?;
         println!("{kernels} is what the sources give (compiled in {seconds:.1} s)");
     } else {
         let changed = artifacts.write(&folder)?;
+        set_failure(&folder, None)?;
         println!("{kernels}: {changed} files changed (compiled in {seconds:.1} s)");
     }
     Ok(())

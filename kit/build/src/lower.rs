@@ -24,10 +24,11 @@ pub fn lower(spirv: &[u8], fused: bool, size: [u32; 3]) -> Result<Vec<u8>> {
     );
     // what other kernels use is not of interest
     declarations::sort(&mut module);
+    declarations::drop_layouts(&mut module);
+    expand::expand(&mut module);
     small_integers::widen(&mut module)?;
     shared_bools::widen(&mut module);
     memory_model::lower(&mut module)?;
-    expand::expand(&mut module);
     loops::end_at_conditions(&mut module)?;
     atomic_arguments::copy(&mut module);
     set_workgroup_size(&mut module, size);

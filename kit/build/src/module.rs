@@ -4,7 +4,7 @@ use anyhow::{Result, anyhow, bail, ensure};
 use muslin_kernel::{EntryPoint, KernelInfo};
 use naga::{AddressSpace, ArraySize, GlobalVariable, ShaderStage, StorageAccess, TypeInner};
 use rspirv::dr::{self, Instruction, Module, Operand};
-use rspirv::spirv::{Capability, Op, Word};
+use rspirv::spirv::{Capability, GlslStd450Op, Op, Word};
 
 use crate::{lower, validate};
 
@@ -185,6 +185,15 @@ impl Writer {
     pub fn add(&mut self, op: Op, kind: Word, operands: &[Word]) -> Word {
         let id = self.id();
         self.push(op, kind, id, operands);
+        id
+    }
+
+    /// Adds a call of one of GLSL's functions, and returns its result.
+    pub fn add_function(&mut self, of: GlslStd450Op, kind: Word, library: Word, x: Word) -> Word {
+        let id = self.add(Op::ExtInst, kind, &[library, x]);
+        if let Some(last) = self.instructions.last_mut() {
+            last.operands.insert(1, Operand::LiteralExtInstInteger(of as u32));
+        }
         id
     }
 

@@ -1,20 +1,21 @@
 //! Rules for the source of kernels, and of the functions that they call. The compiler does not know them.
 //!
-//! - Loops are counted: functions that have some are `#[kernel]` or `#[loops]`.
+//! - Loops are counted: functions that have some are `#[kernel]` or `#[loops]`, and no iterator loops by itself.
 //! - Elementary functions are those of `muslin::math`: a test on the CPU accepts `x.sin()`, and the compiler for GPUs does not know it.
 //! - A loop ends at its condition: naga's reader miscompiles exits through several levels of control flow.
 //! - Nothing panics: a GPU leaves out the rest of the invocation, without a message.
 
+use std::collections::HashSet;
 use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use proc_macro2::{Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{
-    Attribute, BinOp, Expr, ExprBinary, ExprLit, ExprMethodCall, ImplItemFn, Item, ItemFn, Lit,
-    Macro, Signature, Stmt, TraitItemFn, Type,
+    Attribute, BinOp, Expr, ExprBinary, ExprCall, ExprLit, ExprMethodCall, FnArg, ImplItemFn, Item,
+    ItemFn, Lit, Local, Macro, Pat, Signature, Stmt, TraitItemFn, Type,
 };
 
 /// Checks the sources of a crate of kernels.
@@ -100,21 +101,82 @@ struct Function {
     is_const: bool,
 }
 
-/// Methods of `f32` that only a test on the CPU has, and others that the compiler for GPUs lacks. `muslin::math` has some of them.
-const ELEMENTARY: [&str; 12] = [
+/// Methods that only a test on the CPU has, and others that the compiler for GPUs lacks: `muslin::math` has functions of these names.
+const ELEMENTARY: [&str; 16] = [
     "sin",
     "cos",
     "tan",
-    "ln",
-    "log2",
-    "log10",
     "asin",
     "acos",
     "atan",
+    "atan2",
+    "ln",
+    "exp2",
+    "log2",
+    "tanh",
+    "round_ties_even",
+    "powf",
     "saturating_add",
     "saturating_sub",
     "isqrt",
 ];
+
+/// Others, of which `muslin::math` has no function, and what to write.
+const OTHER_ELEMENTARY: [(&str, &str); 10] = [
+    ("log10", "write `math::ln(x) * core::f32::consts::LOG10_E`"),
+    ("log", "write the quotient of two `math::ln`"),
+    ("powi", "write the product, or `math::pow`"),
+    ("hypot", "write `math::sqrt(x * x + y * y)`"),
+    ("cbrt", "write `math::pow(x, 1.0 / 3.0)`, for x from 0 on"),
+    ("sin_cos", "write `math::sin(x)` and `math::cos(x)`"),
+    ("sinh", "write it with `math::exp`"),
+    ("cosh", "write it with `math::exp`"),
+    ("exp_m1", "write `math::exp(x) - 1.0`"),
+    ("ln_1p", "write `math::ln(1.0 + x)`"),
+];
+
+/// Methods of slices, and others that compute with pointers or bytes, which GPUs lack, and what to write.
+const POINTERS: [(&str, &str); 13] = [
+    ("to_be_bytes", "shift, and mask with 0xff"),
+    ("to_le_bytes", "shift, and mask with 0xff"),
+    ("to_ne_bytes", "shift, and mask with 0xff"),
+    ("sort", "compare and exchange elements"),
+    ("sort_unstable", "compare and exchange elements"),
+    ("sort_by", "compare and exchange elements"),
+    ("sort_unstable_by", "compare and exchange elements"),
+    ("sort_unstable_by_key", "compare and exchange elements"),
+    ("iter_mut", "count with an index"),
+    ("windows", "count with an index"),
+    ("chunks", "count with an index"),
+    ("chunks_exact", "count with an index"),
+    ("copy_from_slice", "assign the elements, or the array"),
+];
+
+/// Methods of iterators that loop, and take a closure.
+const ITERATORS: [&str; 15] = [
+    "fold",
+    "rfold",
+    "try_fold",
+    "for_each",
+    "try_for_each",
+    "reduce",
+    "any",
+    "all",
+    "find_map",
+    "position",
+    "rposition",
+    "min_by",
+    "max_by",
+    "min_by_key",
+    "max_by_key",
+];
+
+/// Methods of iterators that loop within one round of a `for` loop.
+const SKIPPING: [&str; 6] =
+    ["filter", "filter_map", "skip_while", "flat_map", "flatten", "map_while"];
+
+/// Methods of ranges that do not loop.
+const OF_RANGES: [&str; 5] = ["contains", "is_empty", "len", "start", "end"];
 
 /// Methods of integers that the compiler for GPUs lacks.
 const PRODUCTS: [&str; 7] = [
@@ -139,12 +201,23 @@ struct Rules<'a> {
     function: Option<Function>,
     /// Number of loops around what is looked at, within its function.
     loops: u32,
+    /// Variables of the function that are ranges or other iterators.
+    iterators: HashSet<Ident>,
+    /// Variables of the function that are arrays.
+    arrays: HashSet<Ident>,
     broken: &'a mut Vec<String>,
 }
 
 impl<'a> Rules<'a> {
     fn new(file: String, broken: &'a mut Vec<String>) -> Self {
-        Self { file, function: None, loops: 0, broken }
+        Self {
+            file,
+            function: None,
+            loops: 0,
+            iterators: HashSet::new(),
+            arrays: HashSet::new(),
+            broken,
+        }
     }
 
     fn report(&mut self, span: Span, what: &str, remedy: &str) {
@@ -172,9 +245,16 @@ impl<'a> Rules<'a> {
         let function = Function { name, is_uncounted: !is_counted, is_const };
         let outer = self.function.replace(function);
         let loops = std::mem::take(&mut self.loops);
+        let named = |is: fn(&Type) -> bool| {
+            signature.inputs.iter().filter_map(move |argument| parameter(argument, is)).collect()
+        };
+        let iterators = std::mem::replace(&mut self.iterators, named(is_range));
+        let arrays = std::mem::replace(&mut self.arrays, named(is_array_type));
         visit(self);
         self.function = outer;
         self.loops = loops;
+        self.iterators = iterators;
+        self.arrays = arrays;
     }
 
     fn uncounted(&mut self, span: Span) {
@@ -186,6 +266,55 @@ impl<'a> Rules<'a> {
     fn exit(&mut self, span: Span, word: &str) {
         let remedy = "naga miscompiles exits of loops; let the loop's condition decide";
         self.report(span, &format!("`{word}`"), remedy);
+    }
+
+    /// Whether an expression is seen to be a range, or an iterator over one or over an array.
+    fn is_iterator(&self, expression: &Expr) -> bool {
+        match expression {
+            Expr::Paren(of) => self.is_iterator(&of.expr),
+            Expr::Range(_) => true,
+            Expr::Path(of) => of.path.get_ident().is_some_and(|name| self.iterators.contains(name)),
+            Expr::MethodCall(call) => {
+                let is = |names: &[&str]| names.iter().any(|name| call.method == name);
+                let is_first = call.args.is_empty() && is(&["iter", "into_iter"]);
+                is_first || self.is_iterator(&call.receiver) && !is(&OF_RANGES)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether an expression is seen to be an array.
+    fn is_array(&self, expression: &Expr) -> bool {
+        match expression {
+            Expr::Paren(of) => self.is_array(&of.expr),
+            Expr::Reference(of) => self.is_array(&of.expr),
+            Expr::Path(of) => of.path.get_ident().is_some_and(|name| self.arrays.contains(name)),
+            expression => matches!(expression, Expr::Array(_) | Expr::Repeat(_)),
+        }
+    }
+
+    /// An iterator that loops: neither the CPU nor the limits of GPUs know how often.
+    fn iterator(&mut self, span: Span, what: &str) {
+        if self.function.as_ref().is_some_and(|function| !function.is_const) {
+            let remedy = "nothing counts the rounds of an iterator; write a `for` loop";
+            self.report(span, what, remedy);
+        }
+    }
+
+    /// What a `for` loop goes over: a range or an array, maybe with methods that take one step for each round.
+    fn iterated(&mut self, of: &Expr) {
+        match of {
+            Expr::Paren(of) => self.iterated(&of.expr),
+            Expr::MethodCall(call) if self.is_iterator(&call.receiver) => {
+                let name = call.method.to_string();
+                if SKIPPING.contains(&&*name) {
+                    self.iterator(call.method.span(), &format!("`.{name}()`"));
+                }
+                self.iterated(&call.receiver);
+                call.args.iter().for_each(|argument| self.visit_expr(argument));
+            }
+            of => self.visit_expr(of),
+        }
     }
 
     /// What the compiler may still compute.
@@ -208,15 +337,66 @@ impl<'a> Rules<'a> {
         let span = call.method.span();
         let name = call.method.to_string();
         let what = format!("`.{name}()`");
+        let remedy = |list: &[(&str, &'static str)]| {
+            list.iter().find(|(method, _)| *method == name).map(|(_, remedy)| *remedy)
+        };
+        if let Some(remedy) = remedy(&OTHER_ELEMENTARY) {
+            return self.report(span, &what, &format!("GPUs lack it; {remedy}"));
+        }
+        if let Some(remedy) = remedy(&POINTERS) {
+            return self.report(span, &what, &format!("GPUs have no pointers; {remedy}"));
+        }
+        let is_iterator = self.is_iterator(&call.receiver) && !OF_RANGES.contains(&&*name);
+        let adds = ["sum", "product"].contains(&&*name) && call.turbofish.is_some();
+        let has_closure = call.args.iter().any(|argument| matches!(argument, Expr::Closure(_)));
+        if is_iterator || adds || has_closure && ITERATORS.contains(&&*name) {
+            return self.iterator(span, &what);
+        }
         match &*name {
             name if ELEMENTARY.contains(&name) => {
-                self.report(span, &what, "use the functions of `muslin::math`");
+                let function = match name {
+                    "powf" => "pow",
+                    "round_ties_even" => "round_even",
+                    name => name,
+                };
+                self.report(span, &what, &format!("use `math::{function}`"));
+            }
+            "zip" => {
+                let remedy =
+                    "the compiler for GPUs is wrong in it; write one `if let` within the other";
+                self.report(span, &what, remedy);
+            }
+            "swap" if call.args.len() == 2 => {
+                let remedy = "GPUs have no pointers; keep one of both in a variable";
+                self.report(span, &what, remedy);
             }
             name if PRODUCTS.contains(&name) => self.missing(span, &what),
             "unwrap" | "expect" => self.panics(span, &what, "use `unwrap_or`, or `if let`"),
             "clamp" if !call.args.iter().all(is_constant) => {
                 let remedy = "use `.max(low).min(high)`, which takes a low above the high, too";
                 self.panics(span, &what, remedy);
+            }
+            _ => {}
+        }
+    }
+
+    /// A function of core that loops, or that makes an integer of bytes.
+    fn call(&mut self, call: &ExprCall) {
+        let Expr::Path(function) = &*call.func else { return };
+        let segments = &function.path.segments;
+        let names: Vec<_> = segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let span = function.span();
+        let what = format!("`{}()`", names.join("::"));
+        match names.last().map(String::as_str) {
+            Some("from_be_bytes" | "from_le_bytes" | "from_ne_bytes") => {
+                self.report(
+                    span,
+                    &what,
+                    "GPUs have no pointers; shift the bytes, and put them together with `|`",
+                );
+            }
+            _ if names.iter().rev().nth(1).is_some_and(|module| module == "iter") => {
+                self.iterator(span, &what);
             }
             _ => {}
         }
@@ -272,6 +452,23 @@ impl<'ast> Visit<'ast> for Rules<'_> {
         }
     }
 
+    fn visit_local(&mut self, local: &'ast Local) {
+        visit::visit_local(self, local);
+        let (pattern, is_array) = match &local.pat {
+            Pat::Type(typed) => (&*typed.pat, is_array_type(&typed.ty)),
+            pattern => (pattern, false),
+        };
+        if let (Pat::Ident(name), Some(init)) = (pattern, &local.init) {
+            let is = [self.is_iterator(&init.expr), is_array || self.is_array(&init.expr)];
+            for (names, is) in [&mut self.iterators, &mut self.arrays].into_iter().zip(is) {
+                match is {
+                    true => names.insert(name.ident.clone()),
+                    false => names.remove(&name.ident),
+                };
+            }
+        }
+    }
+
     fn visit_stmt(&mut self, statement: &'ast Stmt) {
         let attributes = match statement {
             Stmt::Local(local) => &local.attrs,
@@ -286,17 +483,38 @@ impl<'ast> Visit<'ast> for Rules<'_> {
 
     fn visit_expr(&mut self, expression: &'ast Expr) {
         match expression {
-            Expr::While(_) | Expr::ForLoop(_) | Expr::Loop(_) => {
+            Expr::ForLoop(of) => {
+                self.uncounted(of.span());
+                self.iterated(&of.expr);
+                self.loops += 1;
+                self.visit_block(&of.body);
+                self.loops -= 1;
+                return;
+            }
+            Expr::While(_) | Expr::Loop(_) => {
                 self.uncounted(expression.span());
                 self.loops += 1;
                 visit::visit_expr(self, expression);
                 self.loops -= 1;
                 return;
             }
+            Expr::MethodCall(call) if self.is_iterator(&call.receiver) => {
+                self.method(call);
+                self.iterated(&call.receiver);
+                return call.args.iter().for_each(|argument| self.visit_expr(argument));
+            }
+            Expr::Call(call) => self.call(call),
             Expr::Return(_) if self.loops > 0 => self.exit(expression.span(), "return"),
             Expr::Break(_) => self.exit(expression.span(), "break"),
             Expr::Continue(_) => self.exit(expression.span(), "continue"),
             Expr::MethodCall(call) => self.method(call),
+            Expr::Binary(of)
+                if matches!(of.op, BinOp::Eq(_) | BinOp::Ne(_))
+                    && (self.is_array(&of.left) || self.is_array(&of.right)) =>
+            {
+                let remedy = "GPUs have no pointers; compare the elements";
+                self.report(of.op.span(), "a comparison of arrays", remedy);
+            }
             Expr::Binary(of)
                 if can_grow(of)
                     && self.function.as_ref().is_some_and(|of| of.is_uncounted && !of.is_const) =>
@@ -325,6 +543,25 @@ impl<'ast> Visit<'ast> for Rules<'_> {
             self.panics(of.span(), &format!("`{name}!`"), remedy);
         }
         self.tokens(of.tokens.clone());
+    }
+}
+
+/// The name of a parameter of a type.
+fn parameter(argument: &FnArg, is_meant: fn(&Type) -> bool) -> Option<Ident> {
+    let FnArg::Typed(argument) = argument else { return None };
+    let Pat::Ident(name) = &*argument.pat else { return None };
+    is_meant(&argument.ty).then(|| name.ident.clone())
+}
+
+fn is_range(ty: &Type) -> bool {
+    let Type::Path(ty) = ty else { return false };
+    ty.path.segments.last().is_some_and(|name| name.ident.to_string().starts_with("Range"))
+}
+
+fn is_array_type(ty: &Type) -> bool {
+    match ty {
+        Type::Reference(of) => is_array_type(&of.elem),
+        ty => matches!(ty, Type::Array(_)),
     }
 }
 
@@ -386,10 +623,48 @@ mod tests {
     #[test]
     fn elementary_functions_outside_math_are_refused() {
         let text = "fn wave(x: f32) -> f32 {\n    math::cos(x)\n        + x.sin()\n}\n";
-        let expected = "lib.rs:3: `.sin()` in `wave`: use the functions of `muslin::math`";
+        let expected = "lib.rs:3: `.sin()` in `wave`: use `math::sin`";
         let message = broken(text);
         assert!(message.contains(expected), "{message}");
         assert!(!message.contains("cos"), "{message}");
+    }
+
+    #[test]
+    fn iterators_do_not_loop_by_themselves() {
+        let body = |body: &str| {
+            broken(&format!("#[kernel(threads(64), iterations = 9)]\nfn f() {{\n    {body}\n}}\n"))
+        };
+        for (wrong, what) in [
+            ("let y = (0..n).fold(0, |a, b| a + b);", "`.fold()`"),
+            ("let y: u32 = (0..n).map(|k| k * 3).sum();", "`.sum()`"),
+            ("let y = (0..n).rev().max();", "`.max()`"),
+            ("let y = numbers.iter().sum::<u32>();", "`.sum()`"),
+            ("let y = all.into_iter().any(|k| k > 3);", "`.any()`"),
+            ("let all = 0..n; let y = all.count();", "`.count()`"),
+            ("for k in (0..n).filter(|k| k % 2 == 0) {}", "`.filter()`"),
+            (
+                "let y = core::iter::successors(Some(1), |k| Some(k + 1));",
+                "`core::iter::successors()`",
+            ),
+        ] {
+            let message = body(wrong);
+            let start = format!("lib.rs:3: {what} in `f`: nothing counts the rounds");
+            assert!(message.contains(&start), "{wrong}: {message}");
+            assert_eq!(message.lines().count(), 2, "{message}");
+        }
+        for right in [
+            "for k in 0..n {}",
+            "for k in (0..n).rev() {}",
+            "let all = 0..n; for k in all {}",
+            "for (k, x) in numbers.iter().enumerate() {}",
+            "if (0..n).contains(&k) {}",
+            "let y = x.sum() + mask.any() as u32;",
+            "match k { 0..3 => {} _ => {} }",
+            "let part = &numbers[1..3];",
+            "let y = x.max(3);",
+        ] {
+            assert_eq!(body(right), "", "{right}");
+        }
     }
 
     #[test]
@@ -424,6 +699,16 @@ mod tests {
                 "put `#[loops]` on the function",
             ),
             ("let y = z.clamp(x.low, 6);", "`.clamp()`", "use `.max(low).min(high)`"),
+            ("let y = z.log10();", "`.log10()`", "LOG10_E`"),
+            ("let y = z.to_be_bytes();", "`.to_be_bytes()`", "mask with 0xff"),
+            ("let y = u32::from_be_bytes(z);", "`u32::from_be_bytes()`", "shift the bytes"),
+            ("z.swap(1, 2);", "`.swap()`", "keep one of both in a variable"),
+            ("let y = z == [1, 2];", "a comparison of arrays", "compare the elements"),
+            (
+                "let a: [u32; 2] = z; let y = a != z;",
+                "a comparison of arrays",
+                "compare the elements",
+            ),
         ] {
             let message = body(wrong);
             assert!(message.contains(&format!("lib.rs:2: {what} in `f`: ")), "{message}");

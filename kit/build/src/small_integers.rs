@@ -3,14 +3,18 @@
 //!
 //! The upper bits of a widened value are zero. An operation that can set them is followed by a mask, and one that needs a sign first
 //! extends it.
+//!
+//! The compiler is wrong in two of them: it rotates by 32 bits, whatever the type has, and takes the leading zeros of `u8` for 48 too many,
+//! and those of `u16` for 32.
 
 use std::collections::{BTreeSet, HashMap};
 
 use anyhow::{Result, bail, ensure};
 use rspirv::dr::{Builder, Instruction, Module, Operand};
-use rspirv::spirv::{Capability, Op, StorageClass, Word};
+use rspirv::spirv::{Capability, GlslStd450Op, Op, Word};
 
-use crate::declarations::{merge_types, rename};
+use crate::declarations::{host_types, merge_types, rename};
+use crate::expand::definitions;
 use crate::module::{Writer, rewrite};
 
 /// The capabilities of the integers that are widened.
@@ -33,16 +37,21 @@ pub fn widen(module: &mut Module) -> Result<()> {
     if small.is_empty() {
         return Ok(());
     }
-    refuse_in_buffers(module, &small)?;
+    ensure!(
+        !small.keys().any(|id| host_types(module).contains(id)),
+        "a buffer has integers of 8 or 16 bits, which not every GPU has: use `Packed<u8>`, `Packed<u16>` or `u32`"
+    );
+    let zeros = wrong_leading_zeros(module, &small)?;
     let mut builder = Builder::new_from_module(std::mem::take(module));
     let wide = [0, 1].map(|sign| builder.type_int(32, sign));
-    let numbers = small.values().flat_map(|of| [of.mask(), of.shift()]);
+    let numbers = small.values().flat_map(|of| [of.mask(), of.shift(), of.copies(), of.bits - 1]);
     let constants = numbers.map(|number| (number, builder.constant_bit32(wide[0], number)));
     let constants = constants.collect();
     *module = builder.module();
     let value = |of: &Instruction| Some((of.result_id?, *small.get(&of.result_type?)?));
     let values = module.all_inst_iter().filter_map(value).collect();
-    let widening = Widening { small: &small, values, wide, constants };
+    let definitions = definitions(module);
+    let widening = Widening { small: &small, values, wide, constants, definitions, zeros };
     let mut result = Ok(());
     rewrite(module, |writer, instruction| {
         if result.is_ok() {
@@ -81,6 +90,11 @@ impl Integer {
     fn shift(self) -> u32 {
         32 - self.bits
     }
+
+    /// The factor that fills 32 bits with copies of a value.
+    fn copies(self) -> u32 {
+        u32::MAX / self.mask()
+    }
 }
 
 /// A type of integers and its id.
@@ -93,32 +107,65 @@ fn integer(of: &Instruction) -> Option<(Word, Integer)> {
     }
 }
 
-/// Fails if memory that the host fills has small integers: they would move.
-fn refuse_in_buffers(module: &Module, small: &HashMap<Word, Integer>) -> Result<()> {
-    let declared = |id: Word| {
-        module.types_global_values.iter().find(move |instruction| instruction.result_id == Some(id))
+/// The differences of 31 or of a larger number, and the place of the first bit that is set, of which the compiler takes the larger number for
+/// leading zeros of integers of 8 and 16 bits, with these integers.
+///
+/// Such a number is told from one of 32 bits by what stands for the leading zeros of 0. Where that is left out, as in `ilog2`, nothing tells.
+fn wrong_leading_zeros(
+    module: &Module,
+    small: &HashMap<Word, Integer>,
+) -> Result<HashMap<Word, Integer>> {
+    let definitions = definitions(module);
+    let number =
+        |id: Word| match (definitions.get(&id)?.class.opcode, &definitions[&id].operands[..]) {
+            (Op::Constant, [Operand::LiteralBit32(number)]) => Some(*number),
+            _ => None,
+        };
+    let users = |id: Word| {
+        let all = module.functions.iter().flat_map(|function| function.all_inst_iter());
+        all.filter(move |user| user.operands.contains(&Operand::IdRef(id)))
     };
-    let used = module.entry_points.iter().flat_map(|point| &point.operands);
-    let variables = used.filter_map(Operand::id_ref_any).filter_map(declared);
-    let of_host = variables.filter(|variable| match variable.operands.first() {
-        Some(Operand::StorageClass(of)) => {
-            matches!(of, StorageClass::StorageBuffer | StorageClass::Uniform)
-        }
-        _ => false,
-    });
-    let mut left: Vec<_> = of_host.filter_map(|variable| variable.result_type).collect();
-    let mut seen = BTreeSet::new();
-    while let Some(id) = left.pop() {
-        ensure!(
-            !small.contains_key(&id),
-            "a buffer has integers of 8 or 16 bits, which not every GPU has: use `Packed<u8>`, `Packed<u16>` or `u32`"
-        );
-        if seen.insert(id) {
-            let operands = declared(id).into_iter().flat_map(|of| &of.operands);
-            left.extend(operands.filter_map(Operand::id_ref_any));
+    let mut wrong = HashMap::new();
+    for first in module.functions.iter().flat_map(|function| function.all_inst_iter()) {
+        let [_, function, Operand::IdRef(of)] = &first.operands[..] else { continue };
+        let (true, Some(id)) = (is_first_bit(function), first.result_id) else { continue };
+        let source = definitions.get(of).filter(|source| source.class.opcode == Op::UConvert);
+        let source = source.and_then(|source| definitions.get(&source.operands[0].id_ref_any()?));
+        let integer = source.and_then(|source| small.get(&source.result_type?)).copied();
+        let Some(integer) = integer else { continue };
+        for user in users(id) {
+            let zeros = user.result_id.filter(|_| user.class.opcode == Op::ISub);
+            let from = user.operands[0].id_ref_any().and_then(number);
+            let of_zero =
+                zeros.into_iter().flat_map(users).map(|choice| match choice.operands[..] {
+                    [_, Operand::IdRef(of_zero), _] if choice.class.opcode == Op::Select => {
+                        number(of_zero)
+                    }
+                    _ => None,
+                });
+            let of_zero: BTreeSet<_> = of_zero.collect();
+            let bits = integer.bits;
+            match (zeros, from) {
+                (Some(_), Some(31)) if of_zero == [Some(32)].into() => {}
+                (Some(zeros), Some(from))
+                    if from == 63 - bits && of_zero == [Some(bits)].into() =>
+                {
+                    wrong.insert(zeros, integer);
+                }
+                _ => bail!(
+                    "it takes `ilog2`, `next_power_of_two` or leading zeros of an integer of {bits} bits, in which the compiler is wrong: \
+                     write `(x as u32 | 1).ilog2()`, `(x as u32).next_power_of_two()` or `(x as u32).leading_zeros() - {}`",
+                    integer.shift()
+                ),
+            }
         }
     }
-    Ok(())
+    Ok(wrong)
+}
+
+/// Whether a function is that which finds the first bit of an integer without sign.
+fn is_first_bit(function: &Operand) -> bool {
+    *function == Operand::LiteralExtInstInteger(GlslStd450Op::FindUMsb as u32)
 }
 
 /// What the pass knows of a module.
@@ -128,8 +175,11 @@ struct Widening<'a> {
     values: HashMap<Word, Integer>,
     /// The types `u32` and `i32`.
     wide: [Word; 2],
-    /// The masks and shifts of the small integers.
+    /// The numbers that the small integers need: masks, shifts and others.
     constants: HashMap<u32, Word>,
+    definitions: HashMap<Word, Instruction>,
+    /// What [`wrong_leading_zeros`] has found.
+    zeros: HashMap<Word, Integer>,
 }
 
 impl Widening<'_> {
@@ -144,8 +194,65 @@ impl Widening<'_> {
         *id = writer.add(Op::ShiftRightArithmetic, int, &[upper, shift]);
     }
 
+    /// The value that a sum of two shifts rotates, and both shifts: where their numbers of bits are 32 together.
+    fn rotation(&self, of: &Instruction) -> Option<(Word, [(Op, Word); 2])> {
+        let &[Operand::IdRef(one), Operand::IdRef(other)] = &of.operands[..] else { return None };
+        let shift = |id: Word| {
+            let of = self.definitions.get(&id)?;
+            match of.operands[..] {
+                [Operand::IdRef(value), Operand::IdRef(by)] => Some((value, of.class.opcode, by)),
+                _ => None,
+            }
+        };
+        let [(value, one, by), (same, other, rest)] = [shift(one)?, shift(other)?];
+        let is_left = |op| op == Op::ShiftLeftLogical;
+        let is_right = |op| op == Op::ShiftRightLogical;
+        let are_shifts = is_left(one) && is_right(other) || is_right(one) && is_left(other);
+        let is_all = self.is_rest(by, rest) || self.is_rest(rest, by);
+        let found = of.class.opcode == Op::BitwiseOr && value == same && are_shifts && is_all;
+        found.then_some((value, [(one, by), (other, rest)]))
+    }
+
+    /// Whether `rest` is 32 without `by`.
+    fn is_rest(&self, by: Word, rest: Word) -> bool {
+        let number = |id: Word| match self
+            .definitions
+            .get(&id)
+            .map(|of| (of.class.opcode, &of.operands[..]))
+        {
+            Some((Op::Constant, [Operand::LiteralBit32(number)])) => Some(*number),
+            _ => None,
+        };
+        let difference = self.definitions.get(&rest).filter(|of| of.class.opcode == Op::ISub);
+        match difference.map(|of| &of.operands[..]) {
+            Some([Operand::IdRef(from), subtracted]) => {
+                number(*from) == Some(32) && *subtracted == Operand::IdRef(by)
+            }
+            _ => number(by)
+                .zip(number(rest))
+                .is_some_and(|(by, rest)| by.checked_add(rest) == Some(32)),
+        }
+    }
+
+    /// Rotates a value: 32 bits with copies of it, by as many bits, have it rotated in each copy.
+    fn rotate(
+        &self,
+        writer: &mut Writer,
+        integer: Integer,
+        (value, shifts): (Word, [(Op, Word); 2]),
+    ) -> Word {
+        let word = self.wide[0];
+        let value = writer.add(Op::Bitcast, word, &[value]);
+        let copies = writer.add(Op::IMul, word, &[value, self.constants[&integer.copies()]]);
+        let [one, other] = shifts.map(|(op, by)| writer.add(op, word, &[copies, by]));
+        writer.add(Op::BitwiseOr, word, &[one, other])
+    }
+
     /// Writes an instruction in its wide form.
     fn write(&self, mut of: Instruction, writer: &mut Writer) -> Result<()> {
+        if let Some(integer) = of.result_id.and_then(|id| self.zeros.get(&id)) {
+            of.operands[0] = Operand::IdRef(self.constants[&(integer.bits - 1)]);
+        }
         let ids = of.operands.iter().filter_map(Operand::id_ref_any);
         let operand = ids.filter_map(|id| self.values.get(&id)).next().copied();
         let result = of.result_type.and_then(|ty| self.small.get(&ty)).copied();
@@ -153,6 +260,12 @@ impl Widening<'_> {
             writer.instructions.push(of);
             return Ok(());
         };
+        if let (Some(integer), Some(rotation)) = (result, self.rotation(&of)) {
+            let rotated = self.rotate(writer, integer, rotation);
+            let (Some(kind), Some(id)) = (of.result_type, of.result_id) else { return Ok(()) };
+            writer.push(Op::BitwiseAnd, kind, id, &[rotated, self.constants[&integer.mask()]]);
+            return Ok(());
+        }
         let function = match of.operands.get(1) {
             Some(&Operand::LiteralExtInstInteger(number)) => number,
             _ => 0,
@@ -212,9 +325,11 @@ impl Widening<'_> {
     }
 }
 
-// what the pass computes is in the case of organza's kernel `core_functions`
+// what the pass computes is in the cases of `kit/language`
 #[cfg(test)]
 mod tests {
+    use rspirv::spirv::StorageClass;
+
     use super::*;
     use crate::lower::count_fill;
 

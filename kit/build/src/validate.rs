@@ -62,9 +62,28 @@ pub fn read(spirv: &[u8]) -> Result<Module> {
 pub fn check(spirv: &[u8]) -> Result<()> {
     match Validator::new(ValidationFlags::all(), OFFERED).validate(&read(spirv)?) {
         Ok(_) => Ok(()),
-        Err(error) => bail!("naga refuses the module: {:?}", error.into_inner()),
+        Err(error) => {
+            let error = format!("{:?}", error.into_inner());
+            let cause = CAUSES.iter().find(|(part, _)| error.contains(part));
+            let cause =
+                cause.map_or("there is something that GPUs do not take", |(_, cause)| cause);
+            bail!("{cause}. naga says: {error}")
+        }
     }
 }
+
+/// Parts of what naga says, and what it is about.
+const CAUSES: [(&str, &str); 2] = [
+    (
+        "InvalidData",
+        "a closure or a struct holds a buffer, which GPUs cannot; make the closure a function with the buffer as a parameter, and what takes \
+         the struct `#[inline(always)]`",
+    ),
+    (
+        "InvalidArgumentType",
+        "a function takes a pointer that not every GPU has; make it `#[inline(always)]`",
+    ),
+];
 
 /// Translates a module to WGSL; `None` if it needs 16-bit floats.
 #[cfg(feature = "wgsl")]

@@ -3,6 +3,7 @@
 use std::alloc::{self, Layout};
 use std::collections::VecDeque;
 use std::ops::Range;
+use std::panic::Location;
 use std::ptr::NonNull;
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -176,9 +177,21 @@ const WRITTEN: u8 = 2;
 #[derive(Debug)]
 pub struct Written {
     words: Box<[AtomicU8]>,
-    /// The kernel that may have written last, and its name for the buffer.
-    kernel: Mutex<Option<[&'static str; 2]>>,
+    /// The kernel that may have written last.
+    writer: Mutex<Option<Writer>>,
 }
+
+/// A kernel that may have written a buffer.
+#[derive(Clone, Debug)]
+pub struct Writer {
+    pub kernel: &'static str,
+    /// Its name for the buffer.
+    pub name: &'static str,
+    pub ticket: Ticket,
+}
+
+/// Where the additional workgroup of a dispatch has changed an element of any buffer atomically: it may have taken what another workgroup should.
+pub type Ticket = Arc<OnceLock<&'static Location<'static>>>;
 
 /// Elements that nothing has written.
 pub struct Missing {
@@ -192,7 +205,7 @@ impl Written {
     /// Flags for a buffer of `bytes` bytes, all unwritten.
     pub fn none(bytes: usize) -> Self {
         let words = (0..bytes.div_ceil(WORD)).map(|_| AtomicU8::new(UNWRITTEN)).collect();
-        Self { words, kernel: Mutex::default() }
+        Self { words, writer: Mutex::default() }
     }
 
     fn words(&self, bytes: Range<usize>) -> &[AtomicU8] {
@@ -248,14 +261,14 @@ impl Written {
         }
     }
 
-    /// Notes the kernel that may write next, and its name for the buffer.
-    pub fn set_kernel(&self, kernel: &'static str, name: &'static str) {
-        *self.kernel.lock().unwrap_or_else(PoisonError::into_inner) = Some([kernel, name]);
+    /// Notes the kernel that may write next.
+    pub fn set_writer(&self, writer: Writer) {
+        *self.writer.lock().unwrap_or_else(PoisonError::into_inner) = Some(writer);
     }
 
-    /// The kernel that may have written last, and its name for the buffer.
-    pub fn kernel(&self) -> Option<[&'static str; 2]> {
-        *self.kernel.lock().unwrap_or_else(PoisonError::into_inner)
+    /// The kernel that may have written last.
+    pub fn writer(&self) -> Option<Writer> {
+        self.writer.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
 

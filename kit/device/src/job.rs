@@ -1,10 +1,12 @@
 //! A dispatch: its workgroups, and on the CPU its bindings and the ways to run it.
 
+use std::sync::Arc;
+
 use muslin_kernel::kernel::{Access, BindingInfo, CpuBinding, KernelInfo};
 use muslin_kernel::memory::AccessMonitor;
 
 use crate::buffer::{Memory, RawBuffer};
-use crate::cpu_memory::Written;
+use crate::cpu_memory::{Ticket, Writer, Written};
 use crate::races::{Elements, Races};
 
 /// A kernel and its bindings.
@@ -129,6 +131,7 @@ pub fn monitors<'a>(
     workgroups: Workgroups,
 ) -> Vec<Option<Monitor<'a>>> {
     let mut buffers = buffers.iter();
+    let ticket = Ticket::default();
     let monitor = |(binding_info, binding): (&BindingInfo, &CpuBinding<'_>)| {
         if binding_info.access == Access::Uniform {
             return None;
@@ -143,10 +146,11 @@ pub fn monitors<'a>(
             return elements.map(Monitor::Read);
         }
         if let Some(written) = written {
-            written.set_kernel(info.name, binding_info.name);
+            let [kernel, name] = [info.name, binding_info.name];
+            written.set_writer(Writer { kernel, name, ticket: Arc::clone(&ticket) });
         }
         let len = binding.bytes / binding_info.element_bytes as usize;
-        Some(Monitor::Written(Races::new(info, len, workgroups, elements)))
+        Some(Monitor::Written(Races::new(info, len, workgroups, elements, Arc::clone(&ticket))))
     };
     info.bindings.iter().zip(bindings).map(monitor).collect()
 }

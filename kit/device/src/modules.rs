@@ -121,7 +121,7 @@ impl Modules {
     /// [`Error::StaleKernels`] if the kernel has not been compiled yet.
     pub fn find(&'static self, name: &str) -> Result<CompiledKernel> {
         let module = self.table.iter().find(|(found, ..)| *found == name);
-        let module = module.ok_or_else(|| stale(format!("`{name}` is not among them")))?;
+        let module = module.ok_or_else(|| self.stale(format!("`{name}` is not among them")))?;
         Ok(self.compiled(module))
     }
 
@@ -139,20 +139,26 @@ impl Modules {
         if compiled.entry.package != kernel.package {
             let package = kernel.package;
             let other = &compiled.entry.package;
-            return Err(stale(format!(
+            return Err(self.stale(format!(
                 "`{}` of {package} is not among them, but that of {other}",
                 point.name
             )));
         }
         if compiled.entry.interface != Interface::new(kernel, point) {
-            return Err(stale(format!("the declaration of `{}` has changed", point.name)));
+            return Err(self.stale(format!("the declaration of `{}` has changed", point.name)));
         }
         Ok(compiled)
     }
-}
 
-fn stale(reason: String) -> Error {
-    Error::StaleKernels { reason }
+    /// The error of modules that are older than the program. It says why there are no newer ones.
+    fn stale(&'static self, reason: String) -> Error {
+        let failure = self.manifest().failure.as_ref().and_then(|failure| failure.lines().next());
+        let reason = match failure {
+            Some(failure) => format!("{reason}, because the sources do not compile: {failure}"),
+            None => reason,
+        };
+        Error::StaleKernels { reason }
+    }
 }
 
 #[cfg(test)]

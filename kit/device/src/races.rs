@@ -12,7 +12,7 @@ use muslin_kernel::memory::{AccessMonitor, Touch};
 use muslin_kernel::running::{self, unlinear};
 use muslin_kernel::{BindingInfo, KernelInfo};
 
-use crate::cpu_memory::Written;
+use crate::cpu_memory::{Ticket, Written};
 use crate::job::Workgroups;
 
 /// The written elements of a binding.
@@ -78,6 +78,7 @@ pub struct Races<'a> {
     elements: Vec<Touched>,
     /// The written elements, if parts of the buffer may be unwritten.
     written: Option<Elements<'a>>,
+    ticket: Ticket,
 }
 
 /// The invocations that have accessed an element in this dispatch, for each kind of access: none, or the first one,
@@ -131,6 +132,7 @@ impl<'a> Races<'a> {
         len: usize,
         workgroups: Workgroups,
         written: Option<Elements<'a>>,
+        ticket: Ticket,
     ) -> Self {
         Self {
             workgroups: workgroups.all.into(),
@@ -139,6 +141,7 @@ impl<'a> Races<'a> {
             layers: info.z_serial,
             elements: (0..len).map(|_| Touched::default()).collect(),
             written,
+            ticket,
         }
     }
 
@@ -298,6 +301,10 @@ impl AccessMonitor for Races<'_> {
         }
         if !matches!(touch, Touch::Write | Touch::Store) && !self.is_written(index) {
             return Err(unwritten(does, index, name));
+        }
+        if is_atomic && place.is_additional {
+            // the first one is kept
+            let _ = self.ticket.set(at);
         }
         if let Some(written) = self.written.as_ref().filter(|_| touch != Touch::Read) {
             written.set(index, place.is_additional);

@@ -2,8 +2,8 @@
 //!
 //! For [`exp`], [`sqrt`] and [`ceil`] a GPU uses the instructions of GLSL.std.450. The CPU has an instruction for [`sqrt`], and uses the crate
 //! `libm` for the others, so its results do not depend on the system's C library. All other functions are sums, products and quotients that
-//! every device computes: the errors that they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. Organza's kernel
-//! `elementary` tests them.
+//! every device computes: the errors that they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. The kernel
+//! `elementary` of `kit/language` tests them.
 
 #[cfg(target_arch = "spirv")]
 use spirv_std::num_traits::Float;
@@ -146,6 +146,16 @@ pub fn round<L: Lane>(x: L) -> L {
     let rest = x - whole;
     let up = L::select(half.less_equal(rest), whole + L::splat(1.0), whole);
     L::select(rest.less_equal(-half), whole - L::splat(1.0), up)
+}
+
+/// Nearest integer, halves to the even one; infinity, NaN and -0 are what they were.
+#[inline(always)]
+pub fn round_even<L: Lane>(x: L) -> L {
+    let half = L::splat(0.5);
+    let even = L::splat(2.0) * round(x * half);
+    let distance = x - even;
+    let is_nearest = L::both((-half).less_equal(distance), distance.less_equal(half));
+    L::select(is_nearest, even, round(x))
 }
 
 /// The largest angle of [`sin`], [`cos`] and [`tan`].
@@ -425,7 +435,7 @@ pub fn normalize(v: Vec3) -> Vec3 {
     v * (1.0 / sqrt(max(dot(v, v), TINY)))
 }
 
-/// Integers of 32 bits.
+/// Integers of up to 32 bits.
 pub trait Integer: Copy {
     /// See [`saturating_add`].
     #[doc(hidden)]
@@ -462,6 +472,23 @@ impl Integer for i32 {
         if (self ^ other) & (self ^ rest) < 0 { limit(self) } else { rest }
     }
 }
+
+macro_rules! small_integers {
+    ($($integer:ident),*) => {$(
+        impl Integer for $integer {
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                (self as i32 + other as i32).max(Self::MIN as i32).min(Self::MAX as i32) as Self
+            }
+
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                (self as i32 - other as i32).max(Self::MIN as i32).min(Self::MAX as i32) as Self
+            }
+        }
+    )*};
+}
+small_integers!(u8, i8, u16, i16);
 
 /// The limit on this number's side.
 #[inline(always)]
@@ -548,6 +575,9 @@ mod tests {
             assert_eq!((sin(wide).0[3], tan(wide).0[7]), (sin(x), tan(x)), "{x}");
             assert_eq!((floor(wide).0[0], round(wide).0[0]), (floor(x), round(x)), "{x}");
             assert_eq!((floor(x), round(x)), (libm::floorf(x), libm::roundf(x)), "{x}");
+            let half = 0.5 * (step as f32);
+            assert_eq!(round_even(half), libm::rintf(half), "{half}");
+            assert_eq!(round_even(Wide::<8, false>::splat(half)).0[7], round_even(half), "{half}");
         }
         assert!(worst < 1.2e-7, "{worst:e}");
     }

@@ -187,10 +187,12 @@ impl Checks {
     }
 }
 
-/// The array of `array`, `&array`, `[a, b]`, `array.iter()` or `array.iter().enumerate()`, and whether its elements are numbered.
+/// The array of `array`, `of.array`, `arrays[i]`, `&array`, `[a, b]`, `array.iter()` or `array.iter().enumerate()`, and whether its elements are numbered.
 fn array(iterated: &Expr) -> Option<(Expr, bool)> {
     match iterated {
-        Expr::Path(_) | Expr::Array(_) | Expr::Repeat(_) => Some((iterated.clone(), false)),
+        Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Array(_) | Expr::Repeat(_) => {
+            Some((iterated.clone(), false))
+        }
         Expr::Paren(of) => array(&of.expr),
         Expr::Reference(of) => {
             array(&of.expr).map(|(_, is_numbered)| (iterated.clone(), is_numbered))

@@ -62,7 +62,7 @@ fn views(kernel: &Kernel, is_variant: bool) -> Vec<TokenStream> {
         let element = &parameter.element;
         let slot = if parameter.role.is_binding() { &mut binding } else { &mut shared };
         let index = *slot;
-        let text = name.to_string();
+        let text = crate::expand::text(name);
         let view = match &parameter.role {
             Role::Uniform => hygienic!(uniform::<#element>()),
             Role::Read => hygienic!(read::<#element>()),

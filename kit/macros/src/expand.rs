@@ -1,7 +1,8 @@
 //! Writes everything that follows from a kernel's declaration.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote, quote_spanned};
+use syn::ext::IdentExt;
 use syn::parse_quote;
 use syn::spanned::Spanned;
 
@@ -35,12 +36,12 @@ pub fn expand(kernel: &Kernel) -> TokenStream {
 /// The kernel itself. On the CPU it knows who it is and what its buffers are called: for messages.
 pub fn function(kernel: &Kernel) -> syn::ItemFn {
     let mut function = kernel.function.clone();
-    let name = function.sig.ident.to_string();
+    let name = text(&function.sig.ident);
     let id = &kernel.id;
     let buffers = kernel.parameters.iter().filter(|parameter| parameter.role.is_named());
     let named = buffers.map(|parameter| {
         let name = &parameter.name;
-        let text = parameter.name.to_string();
+        let text = text(&parameter.name);
         parse_quote! { #[cfg(not(target_arch = "spirv"))] let #name = #name.named(#text); }
     });
     let [x, y, z] = &kernel.threads;
@@ -93,30 +94,33 @@ fn has_barriers(kernel: &Kernel) -> Option<syn::Expr> {
     kernel.has_shared_tiles().then(|| parse_quote!(false #(|| #tiles)*))
 }
 
+/// A name as text: that of `r#move` is `move`.
+pub fn text(name: &Ident) -> String {
+    name.unraw().to_string()
+}
+
 /// `tile_mask` -> `TileMaskKernel`
 fn dispatch_name(kernel: &Kernel) -> syn::Ident {
-    let camel: String = kernel
-        .function
-        .sig
-        .ident
-        .to_string()
-        .split('_')
-        .map(|word| word[..1].to_uppercase() + &word[1..])
-        .collect();
+    let name = text(&kernel.function.sig.ident);
+    let capital = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
+    };
+    let camel: String = name.split('_').map(capital).collect();
     format_ident!("{camel}Kernel")
 }
 
 fn info_name(kernel: &Kernel) -> syn::Ident {
-    format_ident!("{}_KERNEL", kernel.function.sig.ident.to_string().to_uppercase())
+    format_ident!("{}_KERNEL", text(&kernel.function.sig.ident).to_uppercase())
 }
 
 /// An entry point's name: of the plain one, or of the variant.
 fn entry_name(kernel: &Kernel, is_variant: bool) -> String {
-    let name = &kernel.function.sig.ident;
+    let name = text(&kernel.function.sig.ident);
     match is_variant {
         true if kernel.sums().next().is_some() => format!("{name}_wide"),
         true => format!("{name}_shared"),
-        false => name.to_string(),
+        false => name,
     }
 }
 
@@ -158,26 +162,30 @@ fn entry_point(kernel: &Kernel, is_variant: bool) -> TokenStream {
         false => quote!(::<f32>),
     });
     let each = each(kernel);
+    // bindings can have these names, too
+    let [id, local, workgroup, workgroups, size, lane_index] =
+        ["id", "local", "workgroup", "workgroups", "size", "lane"]
+            .map(|name| Ident::new(name, Span::mixed_site()));
     let lanes = kernel.subgroups.then(|| {
         quote! {
-            #[spirv(subgroup_size)] subgroup_size: u32,
-            #[spirv(subgroup_local_invocation_id)] subgroup_lane: u32,
+            #[spirv(subgroup_size)] #size: u32,
+            #[spirv(subgroup_local_invocation_id)] #lane_index: u32,
         }
     });
-    let subgroup = kernel.subgroups.then(|| quote!(.with_subgroup(subgroup_size, subgroup_lane)));
+    let subgroup = kernel.subgroups.then(|| quote!(.with_subgroup(#size, #lane_index)));
     quote! {
         #[cfg(target_arch = "spirv")]
         #[allow(missing_docs, clippy::too_many_arguments)]
         #[::muslin::dependencies::spirv_std::spirv(compute(threads(1), entry_point_name = #entry_point_name))]
         pub fn #entry(
-            #[spirv(local_invocation_id)] local: ::muslin::dependencies::glam::UVec3,
-            #[spirv(workgroup_id)] workgroup: ::muslin::dependencies::glam::UVec3,
-            #[spirv(num_workgroups)] workgroups: ::muslin::dependencies::glam::UVec3,
+            #[spirv(local_invocation_id)] #local: ::muslin::dependencies::glam::UVec3,
+            #[spirv(workgroup_id)] #workgroup: ::muslin::dependencies::glam::UVec3,
+            #[spirv(num_workgroups)] #workgroups: ::muslin::dependencies::glam::UVec3,
             #lanes
             #(#parameters),*
         ) {
-            let id = ::muslin::invocation::Invocation::new(local, workgroup, workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each) #subgroup;
-            self::#name #lane (id, #(#arguments),*);
+            let #id = ::muslin::invocation::Invocation::new(#local, #workgroup, #workgroups, ::muslin::dependencies::glam::UVec3::new(#x, #y, #z)).with_items(#each) #subgroup;
+            self::#name #lane (#id, #(#arguments),*);
         }
     }
 }
@@ -195,11 +203,11 @@ fn each(kernel: &Kernel) -> TokenStream {
 /// The registry's entry: what the manifest says, and how the CPU runs it.
 fn info(kernel: &Kernel) -> TokenStream {
     let name = &kernel.function.sig.ident;
-    let name_text = name.to_string();
+    let name_text = text(name);
     let info_name = info_name(kernel);
     let [x, y, z] = &kernel.threads;
     let bindings = kernel.parameters.iter().filter_map(|parameter| {
-        let name = parameter.name.to_string();
+        let name = text(&parameter.name);
         let Parameter { element, device_element, .. } = parameter;
         let access = match parameter.role {
             Role::Uniform => quote!(Uniform),
@@ -310,7 +318,7 @@ fn work(kernel: &Kernel) -> TokenStream {
 /// The arrays in workgroup memory, with or without those of shared tiles.
 fn shared(kernel: &Kernel, stages: bool) -> TokenStream {
     let arrays = kernel.parameters.iter().filter_map(|parameter| {
-        let name = parameter.name.to_string();
+        let name = text(&parameter.name);
         let element = &parameter.element;
         let len = match &parameter.role {
             Role::Shared(len) => len,
@@ -336,7 +344,7 @@ fn variant(kernel: &Kernel) -> TokenStream {
     }
     let name = entry_name(kernel, true);
     let shared = shared(kernel, true);
-    let sums = kernel.sums().map(|parameter| parameter.name.to_string());
+    let sums = kernel.sums().map(|parameter| text(&parameter.name));
     quote! {
         ::core::option::Option::Some(::muslin::kernel::EntryPoint { name: #name, shared: &#shared, sums: &[#(#sums),*] })
     }

@@ -6,6 +6,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::Span;
 use quote::{ToTokens, quote_spanned};
 use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{BinOp, Block, Expr, ExprBinary, Ident, Local, Pat, PatIdent, Stmt, parse_quote};
 
@@ -34,6 +35,8 @@ struct Regroup {
     named: HashMap<Ident, (Kind, Vec<Term>)>,
     /// Names whose value may change.
     mutable: HashSet<Ident>,
+    /// Names of references through which a value may change.
+    borrowed: HashSet<Ident>,
 }
 
 /// The kind of an operation, and whether it is the inverse one.
@@ -132,7 +135,11 @@ impl Regroup {
                     }))
                 }
                 _ => {
-                    let text = value.to_token_stream().to_string();
+                    // two calls with effects have two values
+                    let text = match self.has_effects(&value) {
+                        true => name,
+                        false => value.to_token_stream().to_string(),
+                    };
                     all.push(((parse_quote!(#variable), inverse), text));
                 }
             }
@@ -156,6 +163,41 @@ impl Regroup {
         .ok()
     }
 
+    /// Whether a term is seen to change something, such as the state of a random generator.
+    fn has_effects(&self, term: &Expr) -> bool {
+        struct Effects<'a>(&'a Regroup, bool);
+        impl<'ast> Visit<'ast> for Effects<'_> {
+            fn visit_expr(&mut self, expression: &'ast Expr) {
+                let Self(regroup, found) = self;
+                let is_of = |names: &HashSet<Ident>, expression: &Expr| match expression {
+                    Expr::Path(of) => of.path.get_ident().is_some_and(|name| names.contains(name)),
+                    _ => false,
+                };
+                *found |= match expression {
+                    Expr::Reference(of) => of.mutability.is_some(),
+                    Expr::Assign(_) | Expr::Macro(_) => true,
+                    Expr::Binary(of) => is_assignment(&of.op),
+                    Expr::MethodCall(of) => {
+                        of.method.to_string().starts_with("atomic_")
+                            || is_of(&regroup.mutable, &of.receiver)
+                            || is_of(&regroup.borrowed, &of.receiver)
+                    }
+                    Expr::Call(of) => {
+                        let is_atomic = matches!(&*of.func, Expr::Path(of) if of.path.segments.iter().any(|name| name.ident == "atomic"));
+                        is_atomic
+                            || is_of(&regroup.mutable, &of.func)
+                            || of.args.iter().any(|argument| is_of(&regroup.borrowed, argument))
+                    }
+                    _ => false,
+                };
+                visit::visit_expr(self, expression);
+            }
+        }
+        let mut effects = Effects(self, false);
+        effects.visit_expr(term);
+        effects.1
+    }
+
     /// Whether a term is a literal, or a name that keeps its value.
     fn is_fixed(&self, term: &Expr) -> bool {
         match term {
@@ -166,6 +208,12 @@ impl Regroup {
             _ => false,
         }
     }
+}
+
+/// Whether an operation also assigns.
+fn is_assignment(op: &BinOp) -> bool {
+    use BinOp::{AddAssign, BitXorAssign, DivAssign, MulAssign, SubAssign};
+    matches!(op, AddAssign(_) | SubAssign(_) | MulAssign(_) | DivAssign(_) | BitXorAssign(_))
 }
 
 /// Whether a term is this name.
@@ -202,6 +250,11 @@ impl VisitMut for Regroup {
         }
         self.visit_pat_mut(&mut local.pat);
         self.named.extend(named);
+        if let (Pat::Ident(name), Some(init)) = (&local.pat, &local.init)
+            && matches!(&*init.expr, Expr::Reference(of) if of.mutability.is_some())
+        {
+            self.borrowed.insert(name.ident.clone());
+        }
     }
 
     /// A name means something else from here on.

@@ -153,3 +153,22 @@ fn a_limit_of_iterations_names_its_kernel() {
     let text = expand(&kernel).to_string();
     assert!(text.contains("the kernel `blur` declares more than 60,000 iterations"), "{text}");
 }
+
+#[test]
+fn names_are_any_that_rust_has() {
+    for (name, dispatch) in [
+        (quote!(move_), "MoveKernel"),
+        (quote!(blur__x), "BlurXKernel"),
+        (quote!(r#move), "MoveKernel"),
+        (quote!(_größe), "GrößeKernel"),
+    ] {
+        // of bindings, too: the entry point has names of its own
+        let function = quote!(
+            fn #name(id: Invocation, local: Write<u32>, r#in: Read<u32>, workgroup: Shared<u32, 4>) {}
+        );
+        let kernel = Kernel::parse(quote!(threads(64)), function).unwrap();
+        let file: syn::File = syn::parse2(expand(&kernel)).unwrap();
+        let has = |item: &syn::Item| matches!(item, syn::Item::Struct(of) if of.ident == dispatch);
+        assert!(file.items.iter().any(has), "{dispatch}");
+    }
+}

@@ -3,7 +3,7 @@
 use muslin::atomic;
 use muslin::prelude::*;
 use muslin_check::devices;
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Device, DeviceOptions, Modules, Result};
 
 /// Puts the even values into a list.
 #[kernel(threads(64), unordered(list))]
@@ -27,6 +27,45 @@ pub fn list_of_sums(id: Invocation, input: Read<u32>, next: Write<u32>, list: Wr
 pub fn not_zero(id: Invocation, input: Read<f32>, output: Write<u32>) {
     if id.index() < 3 {
         output.write(id.index(), u32::from(input.read(id.index()) != 0.0));
+    }
+}
+
+/// Takes a ticket for each workgroup, which says what the workgroup writes.
+#[kernel(threads(64))]
+pub fn work_by_tickets(
+    id: Invocation,
+    next: Write<u32>,
+    output: Write<u32>,
+    ticket: Shared<u32, 1>,
+) {
+    if id.local.x == 0 {
+        ticket.write(0, atomic::add(next, 0, 1));
+    }
+    id.barrier();
+    let place = 64 * ticket.read(0) + id.local.x;
+    if place < 256 {
+        output.write(place, place);
+    }
+}
+
+/// The next random number from 0 to 1.
+#[inline(always)]
+fn random(state: &mut u32) -> f32 {
+    *state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    (*state >> 8) as f32 * (1.0 / 16_777_216.0)
+}
+
+/// Adds noise of -1 to 1, in three ways: the difference of two calls, which no driver takes for the same.
+#[kernel(threads(64))]
+pub fn dither(id: Invocation, output: Write<f32>) {
+    if id.index() < 100 {
+        let mut state = id.index();
+        let direct = random(&mut state) - random(&mut state);
+        let mut next = || random(&mut state);
+        let closure = next() - next();
+        let reference = &mut state;
+        let passed = random(reference) - random(reference);
+        output.write(id.index(), direct + 10.0 * closure + 100.0 * passed);
     }
 }
 
@@ -54,6 +93,40 @@ fn a_list_without_order_has_the_same_elements() {
     let [input, next, list] = &buffers(&device).unwrap();
     let message = device.run(&ListOfSumsKernel { input, next, list }, 100, 1).unwrap_err();
     assert!(message.to_string().contains("of `list`"), "{message}");
+}
+
+/// What a device says of tickets that are work.
+fn by_tickets(options: &DeviceOptions) -> Result<Vec<u32>> {
+    let device = Device::open(options, Modules::none())?;
+    let [next, output] = [device.zeros("next", 1)?, device.unwritten("output", 256)?];
+    device.run(&WorkByTicketsKernel { next: &next, output: &output }, 256, 1)?;
+    device.read(&output)
+}
+
+#[test]
+fn a_ticket_of_the_additional_workgroup_is_told_apart() {
+    let errors = (0..9).filter_map(|seed| by_tickets(&DeviceOptions::thorough(seed)).err());
+    let messages: Vec<_> = errors.map(|error| error.to_string()).collect();
+    assert!(!messages.is_empty());
+    for message in messages {
+        assert!(
+            message.contains("It has taken a ticket at kit/check/tests/cpu_execution/thorough.rs:"),
+            "{message}"
+        );
+        assert!(message.ends_with("run the kernel with `extra_workgroup(false)`"), "{message}");
+    }
+    for seed in 0..9 {
+        let found = by_tickets(&DeviceOptions::thorough(seed).extra_workgroup(false)).unwrap();
+        assert!(found.into_iter().eq(0..256));
+    }
+}
+
+#[test]
+fn two_calls_with_effects_are_not_the_same_value() {
+    let device = devices::thorough(1);
+    let output = device.unwritten("output", 100).unwrap();
+    device.run(&DitherKernel { output: &output }, 100, 1).expect("no regrouped sum");
+    assert!(device.read(&output).unwrap().iter().all(|noise| *noise != 0.0));
 }
 
 #[test]

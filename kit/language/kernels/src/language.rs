@@ -1,8 +1,10 @@
-//! Kernels that tests run on every device, because they use what no kernel of organza does.
+//! Packed integers, sorts by storage barriers, subgroups, and arithmetic and comparisons as they are written.
 
 use muslin::math::HUGE;
 use muslin::prelude::*;
 use muslin::subgroup::{SIZES, lanes, lanes_before};
+
+use crate::rows;
 
 /// Parameters of the kernels of this module.
 #[params]
@@ -24,20 +26,20 @@ pub fn byte_histogram(
     bytes: Packed<u8>,
     halves: Packed<u16>,
     bins: Write<u32>,
-    counts: Shared<u32, BINS>,
+    local: Shared<u32, BINS>,
 ) {
     let own = id.local.x;
     let all = BYTES as u32;
-    counts.write(own, 0);
-    counts.write(all + own, 0);
+    local.write(own, 0);
+    local.write(all + own, 0);
     id.barrier();
     if id.index() < params.count {
-        counts.atomic_add(bytes.read(id.index()), 1);
-        counts.atomic_add(all + (halves.read(id.index()) >> 8), 1);
+        local.atomic_add(bytes.read(id.index()), 1);
+        local.atomic_add(all + (halves.read(id.index()) >> 8), 1);
     }
     id.barrier();
-    bins.atomic_add(own, counts.read(own));
-    bins.atomic_add(all + own, counts.read(all + own));
+    bins.atomic_add(own, local.read(own));
+    bins.atomic_add(all + own, local.read(all + own));
 }
 
 /// Parameters of [`sort_rows`].
@@ -173,6 +175,7 @@ pub fn keep_positive(
     }
 }
 
+<<<<<<< HEAD:shader-crate/src/language.rs
 /// `found [4, count]`: an exclusive scan of ones, the last lane's inclusive scan of `values`, the lane that the next lane gives, and the lane
 /// that the neighbor in a pair gives. What each must be is subtracted.
 #[kernel(threads(ROW), subgroups)]
@@ -215,6 +218,8 @@ macro_rules! rows {
     };
 }
 
+=======
+>>>>>>> from4:kit/language/kernels/src/language.rs
 /// Rows of [`as_written`].
 pub const AS_WRITTEN_ROWS: usize = 24;
 

@@ -2,7 +2,7 @@
 
 use muslin::math::MAX_ANGLE;
 use muslin_check::prelude::*;
-use organza_shaders::elementary::{ElementaryInputs, ElementaryParams};
+use muslin_language_kernels::elementary::{ElementaryInputs, ElementaryParams};
 
 case!(pub Elementary(ElementaryInputs));
 

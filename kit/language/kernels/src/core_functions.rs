@@ -9,7 +9,7 @@ use muslin::math;
 use muslin::prelude::*;
 
 /// Rows of [`core_functions`].
-pub const ROWS: u32 = 121;
+pub const ROWS: u32 = 122;
 
 /// Invocations of a workgroup.
 pub const WORKGROUP: usize = 64;
@@ -27,6 +27,20 @@ enum Mood {
     Bad = -3,
     Fine = 0,
     Good = 100,
+}
+
+/// An enum with data.
+#[derive(Clone, Copy, PartialEq)]
+enum Shape {
+    Nothing,
+    Ball(f32),
+    Box { width: f32, height: f32 },
+    Pair(f32, i32),
+}
+
+/// An array that is a field.
+struct Shapes {
+    all: [Shape; 3],
 }
 
 /// Arguments of a function.
@@ -77,6 +91,7 @@ fn value(row: u32, of: Arguments) -> u32 {
         63..=83 => of_language(row, of.u, of.v),
         84..=93 => of_small(row, of.u as i32, of.v as i32),
         94..=103 => of_math(row, of),
+        121 => of_enums(of.u, of.v),
         _ => of_remainders_and_overflow(row, of.u as i32, of.v as i32),
     }
 }
@@ -303,6 +318,51 @@ fn of_small(row: u32, i: i32, j: i32) -> u32 {
         _ => (i as i8 as f32 * 2.0) as i32,
     };
     value as u32
+}
+
+/// Of enums with data, of options, and of patterns.
+#[inline(always)]
+#[loops]
+fn of_enums(u: u32, v: u32) -> u32 {
+    let shapes = Shapes { all: [shape(u % 100), shape(v % 100), shape(u % 7)] };
+    let mut sum = 0;
+    for one in shapes.all {
+        sum += match area(one) {
+            Ok(area) => area as u32 * 10,
+            Err(code) => code,
+        };
+    }
+    let pair = if u > v { Some((u % 100, v % 50)) } else { None };
+    if let Some((n, _)) = pair
+        && n.is_multiple_of(3)
+    {
+        sum += 1000;
+    }
+    let Some((n, m)) = pair else { return sum };
+    let [low, .., high] = [n % 3, n % 5, m % 7, m % 11];
+    let is_small = matches!(shapes.all[1], Shape::Ball(radius) if radius < 30.0);
+    sum + 100_000 * low + 10_000 * high + u32::from(is_small)
+}
+
+#[inline(always)]
+fn shape(x: u32) -> Shape {
+    match x % 4 {
+        0 => Shape::Nothing,
+        1 => Shape::Ball(x as f32),
+        2 => Shape::Box { width: x as f32, height: 2.0 },
+        _ => Shape::Pair(x as f32 + 1.0, -(x as i32)),
+    }
+}
+
+#[inline(always)]
+fn area(shape: Shape) -> Result<f32, u32> {
+    match shape {
+        Shape::Nothing => Err(7),
+        Shape::Ball(radius) if radius > 50.0 => Err(9),
+        Shape::Ball(radius) => Ok(radius * 3.0),
+        Shape::Box { width, height } => Ok(width * height),
+        Shape::Pair(x, y) => Ok(x + y as f32),
+    }
 }
 
 #[inline(always)]

@@ -1,7 +1,7 @@
-//! The cases of kernels that use what no kernel of organza does.
+//! The cases of `language.rs`.
 
 use muslin_check::prelude::*;
-use organza_shaders::language::{
+use muslin_language_kernels::language::{
     AS_WRITTEN_ROWS, AsWrittenInputs, BYTES, ByteHistogramInputs, COMPARED_ROWS, ComparedInputs,
     KeepPositiveInputs, LanguageParams, MAX_COLUMNS, MAX_ROW, RowParams, ScanAndShuffleInputs,
     SortParams, SortRowsInputs,

@@ -2,7 +2,7 @@
 
 use muslin::math::HUGE;
 use muslin_check::prelude::*;
-use organza_shaders::core_functions::{CoreFunctionsInputs, CoreParams, ROWS, WORKGROUP};
+use muslin_language_kernels::core_functions::{CoreFunctionsInputs, CoreParams, ROWS, WORKGROUP};
 
 case!(pub CoreFunctions(CoreFunctionsInputs));
 

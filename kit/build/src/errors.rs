@@ -1,0 +1,195 @@
+//! Says what the compiler behind has against a kernel: in words of ours, with the kernel and its line. Its own words follow.
+
+use std::fs;
+use std::path::Path;
+
+use muslin_kernel::kernels;
+use proc_macro2::Span;
+use rspirv::dr::{self, Operand};
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+use syn::{ImplItemFn, ItemFn, Signature};
+
+/// Parts of the compiler's messages, and what it is about.
+const CAUSES: [(&str, &str); 11] = [
+    (
+        "raw_eq",
+        "arrays are compared, by `==` or within a struct with `PartialEq`; compare their elements",
+    ),
+    (
+        "case for source block",
+        "two values are matched together, as in `zip` of two options, in which the compiler is wrong; write one `match` or `if let` within the other",
+    ),
+    (
+        "PolymorphicIter",
+        "a `for` loop does not see that it goes over an array; give the array a name with `let`",
+    ),
+    (
+        "cannot memcpy",
+        "a value moves through a pointer, as in an enum within an enum (`Option<Result<..>>`) or in a slice; make it one enum, or use variables",
+    ),
+    (
+        "to `*[",
+        "an array becomes a slice, and GPUs have no pointers; take its elements by an index, or loop over it with `for`",
+    ),
+    (
+        "cannot cast between pointer types",
+        "a value changes its type through a pointer, which GPUs lack; an enum's variants have data of the same types, or use a struct of numbers",
+    ),
+    (
+        "cannot offset a pointer",
+        "a value is at a place that no type says, as in an enum of which one variant has a vector, or in a `dyn`; give the variant numbers, or use a struct",
+    ),
+    (
+        "Bitcast",
+        "an array of bytes becomes an integer, or an integer such an array; shift, and mask with 0xff",
+    ),
+    ("unsupported unsized", "there is a text, as of a panic, and GPUs have none"),
+    (
+        "not implemented yet",
+        "the compiler for GPUs lacks a method of integers; `muslin::math` has some",
+    ),
+    (
+        "not supported yet",
+        "the compiler for GPUs lacks a method of integers; `muslin::math` has some",
+    ),
+];
+
+/// Most lines of the compiler's own words.
+const LINES: usize = 30;
+
+/// The message for what the compiler has said of the crate of kernels.
+pub fn explain(said: &str, root: &Path) -> String {
+    let lines: Vec<_> = said.lines().collect();
+    let begin = lines.iter().position(|line| line.starts_with("error")).unwrap_or(0);
+    let error = &lines[begin..];
+    let headline = error.first().copied().unwrap_or("it says nothing");
+    let headline = headline.split_once(": ").map_or(headline, |(_, headline)| headline);
+    // others that follow are of the same cause
+    let first = error.iter().take_while(|line| !line.contains("--> "));
+    let has = |part: &&(&str, &str)| first.clone().any(|line| line.contains(part.0));
+    let cause = CAUSES.iter().find(has);
+    let cause = cause.map_or(headline, |(_, cause)| cause);
+    let place = error.iter().find_map(|line| place(line));
+    let named = error.iter().rev().find_map(|line| kernel(line));
+    let named = named.or_else(|| error.iter().rev().find_map(|line| function(said, line)));
+    let within = place.and_then(|(file, line)| enclosing(&root.join(file), line));
+    let start = match (place, named.or(within)) {
+        (Some((file, line)), Some(name)) => format!("{file}:{line}: in `{name}`: "),
+        (Some((file, line)), None) => format!("{file}:{line}: "),
+        (None, Some(name)) => declaration(&name, root) + &format!("in `{name}`: "),
+        (None, None) => String::new(),
+    };
+    let rest = error.len().saturating_sub(LINES);
+    let mut words = error[..error.len() - rest].join("\n  ");
+    if rest > 0 {
+        words += &format!("\n  and {rest} more lines");
+    }
+    format!("{start}{cause}. The compiler behind says:\n  {words}")
+}
+
+/// The file and the line that a line names, if it is one of the workspace's own.
+fn place(line: &str) -> Option<(&str, usize)> {
+    let (_, place) = line.split_once("--> ")?;
+    let (place, _) = place.rsplit_once(':')?;
+    let (file, line) = place.rsplit_once(':')?;
+    let file = file.trim_matches(['<', '>']);
+    (Path::new(file).is_relative() && !file.starts_with("..")).then_some((file, line.parse().ok()?))
+}
+
+/// The kernel that a line names: as the last one who calls, or by its module.
+fn kernel(line: &str) -> Option<String> {
+    let called = line.split_once("called by `").and_then(|(_, name)| name.split_once('`'));
+    let module = line.split_once(".spvs/").and_then(|(_, name)| name.split_once(".spv"));
+    let (name, _) = called.or(module)?;
+    let is_kernel = kernels().any(|kernel| kernel.entry_points().any(|point| point.name == name));
+    is_kernel.then(|| name.to_owned())
+}
+
+/// The entry point with the block that a line names by its id, `(in %7)`, in the module that the compiler has saved.
+fn function(said: &str, line: &str) -> Option<String> {
+    let (_, id) = line.split_once(" in %")?;
+    let id = id.split_once(')')?.0.parse().ok();
+    let (_, path) = said.split_once("module was saved to ")?;
+    let module = dr::load_bytes(fs::read(path.lines().next()?.trim()).ok()?).ok()?;
+    let has_it =
+        |function: &&dr::Function| function.blocks.iter().any(|block| block.label_id() == id);
+    let found = module.functions.iter().find(has_it)?.def_id()?;
+    let point =
+        module.entry_points.iter().find(|point| point.operands.contains(&Operand::IdRef(found)))?;
+    match &point.operands[2] {
+        Operand::LiteralString(name) => Some(name.clone()),
+        _ => None,
+    }
+}
+
+/// The file of a kernel, with the line of its function.
+pub fn declaration(name: &str, root: &Path) -> String {
+    let is_meant =
+        |kernel: &&muslin_kernel::KernelInfo| kernel.entry_points().any(|point| point.name == name);
+    let Some(kernel) = kernels().find(is_meant) else { return String::new() };
+    let file = kernel.source();
+    let text = fs::read_to_string(root.join(&file)).unwrap_or_default();
+    let function = format!("fn {}", kernel.name);
+    match text.lines().position(|line| line.contains(&function)) {
+        Some(line) => format!("{file}:{}: ", line + 1),
+        None => format!("{file}: "),
+    }
+}
+
+/// The function around a line.
+fn enclosing(file: &Path, line: usize) -> Option<String> {
+    struct Functions(usize, Option<String>);
+    impl Functions {
+        fn add(&mut self, span: Span, signature: &Signature) {
+            if (span.start().line..=span.end().line).contains(&self.0) {
+                self.1 = Some(signature.ident.to_string());
+            }
+        }
+    }
+    impl<'ast> Visit<'ast> for Functions {
+        fn visit_item_fn(&mut self, item: &'ast ItemFn) {
+            self.add(item.span(), &item.sig);
+            visit::visit_item_fn(self, item);
+        }
+
+        fn visit_impl_item_fn(&mut self, item: &'ast ImplItemFn) {
+            self.add(item.span(), &item.sig);
+            visit::visit_impl_item_fn(self, item);
+        }
+    }
+    let mut functions = Functions(line, None);
+    functions.visit_file(&syn::parse_file(&fs::read_to_string(file).ok()?).ok()?);
+    functions.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the compiler says of `array.iter().sum()`, of bytes, and of a mistake in Rust.
+    #[test]
+    fn messages_begin_with_the_place_and_words_of_ours() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir(folder.path().join("src")).unwrap();
+        fs::write(folder.path().join("src/lib.rs"), "fn add() {\n    1.sinh();\n}\n").unwrap();
+        for (said, expected) in [
+            (
+                "   Compiling kernels\nerror: cannot cast between pointer types\n       from `*[u32; 3]`\n         to `*[u32]`\n   --> </lib/core/array.rs>:34:6\n \
+                 note: called by `kernels::count_fill`\n --> <src/lib.rs>:7:43\nnote: called by `count_fill`\n",
+                "src/lib.rs:7: in `count_fill`: an array becomes a slice",
+            ),
+            (
+                "error: Expected Result Type to be a pointer: Bitcast\n  = note: module `/target/kernels.spvs/count_fill.spv`\n",
+                "src/count.rs: in `count_fill`: an array of bytes becomes an integer",
+            ),
+            (
+                "error[E0599]: no method named `sinh`\n --> src/lib.rs:2:7\n",
+                "src/lib.rs:2: in `add`: no method named `sinh`. The compiler behind says:\n  error[E0599]",
+            ),
+        ] {
+            let message = explain(said, folder.path());
+            assert!(message.contains(expected), "{message}");
+        }
+    }
+}

@@ -206,20 +206,6 @@ pub fn scan_and_shuffle(
     }
 }
 
-/// Writes values to one element of each row of an output.
-macro_rules! rows {
-    ($output:ident [$count:expr] at $index:expr; $($value:expr,)*) => {
-        let mut at = $index;
-        $(
-            $output.write(at, $value);
-            at += $count;
-        )*
-        let _ = at;
-    };
-}
-
-=======
->>>>>>> from4:kit/language/kernels/src/language.rs
 /// Rows of [`as_written`].
 pub const AS_WRITTEN_ROWS: usize = 24;
 

@@ -175,7 +175,6 @@ pub fn keep_positive(
     }
 }
 
-<<<<<<< HEAD:shader-crate/src/language.rs
 /// `found [4, count]`: an exclusive scan of ones, the last lane's inclusive scan of `values`, the lane that the next lane gives, and the lane
 /// that the neighbor in a pair gives. What each must be is subtracted.
 #[kernel(threads(ROW), subgroups)]

@@ -6,6 +6,7 @@ use std::process::{Command, Stdio};
 
 use glam::{DMat3, DVec3};
 use image::codecs::jpeg::JpegEncoder;
+use image::codecs::png::PngEncoder;
 use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, ImageEncoder, ImageReader};
 use organza::Camera;
@@ -622,32 +623,37 @@ fn panoramas_become_views_of_a_known_lens() {
     assert!(sandbox.path("fisheye/sparse/0/cameras.txt").exists());
 }
 
+/// Writes a photograph of a camera that was held on its side: its right half, which is to be below, is white.
+fn write_turned(mut encoder: impl ImageEncoder) {
+    // A TIFF header, and one entry: tag 0x112 (orientation) is one short, 6. The top is at the right.
+    let exif = b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
+    encoder.set_exif_metadata(exif.to_vec()).unwrap();
+    let pixel = |x: u32, _| image::Rgb([255 * u8::from(x >= 16); 3]);
+    image::RgbImage::from_fn(32, 16, pixel).write_with_encoder(encoder).unwrap();
+}
+
 #[test]
 fn photographs_that_are_to_be_shown_turned_are_turned() {
     let sandbox = with_programs();
     sandbox.shell("rm photos/*").assert_ok();
-    // A TIFF header, and one entry: tag 0x112 (orientation) is one short, 6. The top is at the right.
-    let exif = b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0\x06\0\0\0\0\0\0\0";
-    let pixel = |x: u32, _| image::Rgb([255 * u8::from(x >= 16); 3]);
-    for name in ["1.jpg", "2.jpg", "3.jpg"] {
-        let file = fs::File::create(sandbox.path("photos").join(name)).unwrap();
-        let mut encoder = JpegEncoder::new(file);
-        encoder.set_exif_metadata(exif.to_vec()).unwrap();
-        image::RgbImage::from_fn(32, 16, pixel).write_with_encoder(encoder).unwrap();
-    }
-    let names = ["1.jpg", "2.jpg", "3.jpg"].map(str::to_owned);
-    write_model(&sandbox, "found-1/0", &walk(names.into_iter()), 0.7, 6);
+    let create = |name: &str| fs::File::create(sandbox.path("photos").join(name)).unwrap();
+    let names = ["1.jpg", "2.jpg", "3.png"];
+    names[..2].iter().for_each(|name| write_turned(JpegEncoder::new(create(name))));
+    write_turned(PngEncoder::new(create(names[2])));
+    write_model(&sandbox, "found-1/0", &walk(names.into_iter().map(str::to_owned)), 0.7, 6);
     // Twice as wide as high is not twice as high as wide.
     let outcome = capture(&sandbox, "photos -o data").assert_ok();
     assert_says(&outcome, &["3 of 3 images have a pose"], &["panorama"]);
-    let reader = ImageReader::open(sandbox.path("data/images/2.jpg")).unwrap();
-    let mut decoder = reader.into_decoder().unwrap();
-    assert_eq!(decoder.orientation().unwrap(), Orientation::NoTransforms);
-    assert!(decoder.exif_metadata().unwrap().is_some());
-    let turned = DynamicImage::from_decoder(decoder).unwrap().to_rgb8();
-    assert_eq!(turned.dimensions(), (16, 32));
-    let [top, bottom] = [4, 27].map(|y| turned.get_pixel(8, y)[0]);
-    assert!(top < 5 && bottom > 250, "{top} {bottom}");
+    for name in names {
+        let reader = ImageReader::open(sandbox.path("data/images").join(name)).unwrap();
+        let mut decoder = reader.into_decoder().unwrap();
+        assert_eq!(decoder.orientation().unwrap(), Orientation::NoTransforms);
+        assert!(decoder.exif_metadata().unwrap().is_some());
+        let turned = DynamicImage::from_decoder(decoder).unwrap().to_rgb8();
+        assert_eq!(turned.dimensions(), (16, 32));
+        let [top, bottom] = [4, 27].map(|y| turned.get_pixel(8, y)[0]);
+        assert!(top < 5 && bottom > 250, "{top} {bottom}");
+    }
 }
 
 #[test]

@@ -79,11 +79,8 @@ impl Store {
 
     fn within(folder: PathBuf) -> Result<Self> {
         if !folder.is_dir() {
-            let reason = format!(
-                "`TMPDIR` says that temporary files go to {}, but there is no such folder; make it, or let `TMPDIR` name another",
-                folder.display()
-            );
-            return Err(Error::Argument { reason });
+            let reason = "`TMPDIR` names this folder for temporary files, but it does not exist; make it, or let `TMPDIR` name another";
+            return Err(Error::Invalid { origin: folder, reason: reason.to_owned() });
         }
         let file = tempfile::tempfile_in(&folder).map_err(|e| Error::write(&folder, e))?;
         Ok(Self { folder, file: Mutex::new((file, 0)) })
@@ -195,7 +192,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         Store::within(folder.path().to_owned()).unwrap();
         let error = Store::within(folder.path().join("absent")).unwrap_err().to_string();
-        assert!(error.contains("`TMPDIR` says") && error.contains("absent"), "{error}");
+        assert!(error.contains("absent: `TMPDIR` names this folder"), "{error}");
     }
 
     #[test]

@@ -84,8 +84,7 @@ impl<'a> Source<'a> {
             (_, first) => {
                 if let Some(first) = first {
                     let first = first.display();
-                    console
-                        .note(&format!("{few} of folders within are not taken, such as {first}"));
+                    console.note(&format!("not taking {few} of folders within, such as {first}"));
                 }
                 own.photographs
             }

@@ -383,17 +383,20 @@ fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
         if let Some(factor) = folders.iter().find_map(factor) {
             return Some(format!("; images_{factor} is there: use it with `--downscale {factor}`"));
         }
+        // files written on Windows have backslashes
+        let missing = PathBuf::from(missing.to_string_lossy().replace('\\', "/"));
         let photograph = Path::new(missing.file_name()?);
         let has = |folder: &&Path| find::with_extension(folder, photograph).is_some();
         if let Some(found) = folders.iter().map(PathBuf::as_path).chain([path]).find(has) {
-            let found = found.display();
+            // a tail of a photograph's path is enough
             let wanted = match missing.parent().filter(|parent| *parent != path) {
-                Some(parent) => path.join(parent.file_name().unwrap_or_default()),
+                Some(parent) => path.join(parent.file_name()?),
                 None => path.to_owned(),
             };
-            let wanted = wanted.display();
             return Some(format!(
-                "; photographs of these names are in {found}: move them to {wanted}"
+                "; photographs of these names are in {}: move them to {}",
+                found.display(),
+                wanted.display()
             ));
         }
     }

@@ -210,8 +210,9 @@ fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
     Ok(hex(hash))
 }
 
-/// Images in a folder that only stay if they were made of the same as new ones.
+/// Images in a folder, which only stay beside new ones if they were made of the same.
 pub struct KeptImages {
+    images: Vec<PathBuf>,
     mark: PathBuf,
     made_of: String,
     /// Whether no image of anything else will be left in the folder.
@@ -219,28 +220,31 @@ pub struct KeptImages {
 }
 
 impl KeptImages {
-    /// Looks at what the images in a folder were made of. `replaced` says which of those that are `there` will be replaced. Fails if
-    /// others are `needed` and were made of anything else.
+    /// Looks at what the images in a folder were made of. Some will be `replaced`. Fails if others are `needed` and were made of
+    /// anything else.
     pub fn check(
         folder: &Folder,
+        images: Vec<PathBuf>,
         (scene, how): (&Path, &dyn Debug),
-        there: &[PathBuf],
         replaced: &[&PathBuf],
         is_needed: bool,
     ) -> Result<Self> {
         let mark = folder.file(MARK)?;
         let made_of = made_of(scene, how)?;
         let is_same = fs::read_to_string(&mark).is_ok_and(|found| found == made_of);
-        let stays = there.iter().find(|file| !replaced.contains(file));
-        if let (Some(file), true, false) = (stays, is_needed, is_same) {
-            let file = file.display();
+        let mut there = images.iter().filter(|image| image.exists());
+        let is_empty = there.clone().next().is_none();
+        let stays = there.find(|image| !replaced.contains(image));
+        if let (Some(image), true, false) = (stays, is_needed, is_same) {
+            let image = image.display();
             return refuse(format!(
-                "{file} was not made of this scene, with these cameras, options and version of organza, so it cannot stay: \
+                "{image} was not made of this scene, with these cameras, options and version of organza, so it cannot stay: \
                  leave out `--missing`, or choose another folder"
             ));
         }
-        let kept = Self { mark, made_of, is_whole: is_same || stays.is_none() };
-        if is_same || there.is_empty() {
+        let is_whole = is_same || stays.is_none();
+        let kept = Self { images, mark, made_of, is_whole };
+        if is_same || is_empty {
             kept.write()?;
         } else {
             // until all are replaced, nothing is known of them
@@ -254,6 +258,15 @@ impl KeptImages {
         match self.is_whole {
             true => write_atomic(&self.mark, |writer| writer.write_all(self.made_of.as_bytes())),
             false => Ok(()),
+        }
+    }
+}
+
+impl Drop for KeptImages {
+    fn drop(&mut self) {
+        // a call that failed leaves no mark of nothing
+        if self.images.iter().all(|image| !image.exists()) {
+            let _ = fs::remove_file(&self.mark);
         }
     }
 }

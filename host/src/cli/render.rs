@@ -150,11 +150,10 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     }
     let rendered: Vec<_> = todo.iter().map(|&place| (views[place], &files[place])).collect();
     let how = (list, args.scene_args.options(), format);
-    let of_view = |name: &String| folder.join(&format!("{name}.png"));
-    let there: Vec<_> = names(list).iter().map(of_view).filter(|file| file.exists()).collect();
+    let images = names(list).iter().map(|name| folder.join(&format!("{name}.png"))).collect();
     let replaced: Vec<_> = rendered.iter().map(|(_, files)| &files[0]).collect();
     let made_of = (source.file(), &how as &dyn Debug);
-    let kept = KeptImages::check(&folder, made_of, &there, &replaced, args.missing)?;
+    let kept = KeptImages::check(&folder, images, made_of, &replaced, args.missing)?;
     let output = (&channels[..], format);
     let cost = write_all(&pictures, &rendered, output, console)?;
     kept.write()?;

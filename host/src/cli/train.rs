@@ -439,9 +439,11 @@ fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
 impl SettingsArgs {
     /// The settings of a resumed run: its own, with the changes that the options make.
     pub fn resumed(&self, folder: &Path) -> Result<TrainConfig> {
-        train::changed_settings_of(folder, |config| {
+        let mut config = train::changed_settings_of(folder, |config| {
             self.adjusted(ConfigBuilder::from_config(&config))?.build()
-        })
+        })?;
+        config.data.path = config.data.path.map(|path| absolute(&path));
+        Ok(config)
     }
 
     /// The settings to train on a data set, or on the built-in scene.
@@ -462,11 +464,11 @@ impl SettingsArgs {
         }
         let mut config = builder.build()?;
         if let Some(data) = data {
-            // a run can be resumed from any folder
-            config.data.path = Some(absolute(data));
+            config.data.path = Some(data.to_owned());
         }
-        if let (Some(start), Some(_)) = (&config.start.path, self.options.get("start.path")) {
-            config.start.path = Some(absolute(start));
+        // a run can be resumed from any folder
+        for path in [&mut config.data.path, &mut config.start.path].into_iter().flatten() {
+            *path = absolute(path);
         }
         config.validate()?;
         Ok(config)

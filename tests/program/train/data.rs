@@ -98,7 +98,11 @@ fn a_data_set_that_has_moved_is_named() {
     sandbox.run("eval run moved --backend cpu").assert_ok();
     sandbox.shell("sed -i 's|/views\"|/moved\"|' run/config.toml").assert_ok();
     sandbox.run("eval run --backend cpu").assert_ok();
-    sandbox.run("train --resume run --steps 9 --backend cpu").assert_ok();
+    // a run can be resumed from any folder
+    fs::rename(sandbox.path("moved"), sandbox.path("views")).unwrap();
+    let resume = "train --resume run --steps 9 --set data.path=views --backend cpu";
+    sandbox.run(resume).assert_ok();
+    sandbox.shell("mkdir elsewhere && cd elsewhere && \"$ORGANZA\" eval ../run").assert_ok();
 }
 
 #[test]

@@ -179,6 +179,12 @@ fn photographs_in_another_folder_are_named() {
     }
     let beside = format!("of these names are in {}", root.display());
     assert_refused(root, &[&beside, &move_to]);
+    let mut file = transforms(2);
+    for name in ["/home/nobody/fox/images/0.png", "D:\\fox\\images\\0.png"] {
+        file["frames"][0]["file_path"] = json!(name);
+        write_json(&root.join("transforms.json"), &file);
+        assert_refused(root, &[&beside, &move_to]);
+    }
     assert_refused(&root.join("transforms.json"), &[&beside, &move_to]);
     fs::remove_file(root.join("transforms.json")).unwrap();
     fs::write(root.join("poses_bounds.npy"), "").unwrap();

@@ -3,7 +3,7 @@
 mod film_path;
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use organza::film::{FilmKind, Frames};

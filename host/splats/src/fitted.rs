@@ -148,8 +148,6 @@ impl SplatFile {
     /// [`Error::Invalid`] if they see none; those of [`SplatFile::into_own`].
     pub fn into_seen(self, placement: &Placement, cameras: &[Camera]) -> Result<Vec<Splat>> {
         let origin = self.path.clone();
-        let world = self.placement;
-        let [low, high] = bounds(&self.splats);
         let splats = self.into_own(placement)?;
         let is_seen = |splat: &Splat| {
             let place = splat.position.map(f64::from);
@@ -159,7 +157,8 @@ impl SplatFile {
         if splats.iter().any(is_seen) {
             return Ok(splats);
         }
-        let middle = world.world([0, 1, 2].map(|axis| (low[axis] + high[axis]) / 2.0));
+        let [low, high] = bounds(&splats);
+        let middle = placement.world([0, 1, 2].map(|axis| (low[axis] + high[axis]) / 2.0));
         let reason = format!(
             "the cameras see none of its Gaussians, which lie around {:?}, while the cameras look at {:?}; name the cameras \
              that the Gaussians were trained with",

@@ -119,9 +119,10 @@ pub fn start_from(
     }
     let frames: Vec<_> = dataset.train_frames().collect();
     let background = dataset.background.map(|value| value as f32);
-    let file = file.fitted(&frames, &dataset.placement, background);
-    file.notes.iter().try_for_each(|note| warn(&format!("{}: {note}", path.display())))?;
+    let mut file = file.fitted(&frames, &dataset.placement, background);
+    let notes = std::mem::take(&mut file.notes);
     let splats = file.into_seen(&dataset.placement, cameras)?;
+    notes.iter().try_for_each(|note| warn(&format!("{}: {note}", path.display())))?;
     from_splats(&splats, config, dataset.background, cameras)
 }
 

@@ -75,7 +75,7 @@ fn exported_gaussians_come_back_to_their_photographs() {
     };
     let start = |file: &str, run: &str| {
         let words = format!("train views --config tiny.toml --backend cpu --steps 1 -o {run}");
-        sandbox.run(&format!("{words} --start {file} --max-gaussians 4000"))
+        sandbox.run(&format!("{words} --start {file} --max-gaussians 40000"))
     };
     for (index, file) in ["a.ply", "a.spz", "a.sog", "a.glb", "a.compressed.ply"].iter().enumerate()
     {
@@ -126,7 +126,7 @@ fn photographs_tell_the_axes_of_a_file() {
     let mut small = file.clone();
     small.splats.iter_mut().for_each(|splat| splat.position = splat.position.map(|x| 0.2 * x));
     save("small.spz", &small);
-    let words = "train views --config tiny.toml --backend cpu --steps 1 --max-gaussians 4000";
+    let words = "train views --config tiny.toml --backend cpu --steps 1 --max-gaussians 40000";
     let scene = |name: &str, fact: Option<&str>| {
         let outcome = sandbox.run(&format!("{words} --start {name}.spz -o {name}")).assert_ok();
         assert_eq!(outcome.stderr.contains("warning"), fact.is_some(), "{outcome:?}");

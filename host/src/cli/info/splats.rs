@@ -16,7 +16,9 @@ use crate::cli::summary::grouped;
 pub struct SplatInfo {
     kind: &'static str,
     file: String,
-    file_bytes: u64,
+    /// `None` for a folder.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file_bytes: Option<u64>,
     format: &'static str,
     gaussians: usize,
     /// The largest degree of harmonics that are not all 0.
@@ -46,7 +48,7 @@ impl SplatInfo {
         Ok(Self {
             kind: "Gaussians",
             file: path.display().to_string(),
-            file_bytes: super::file_bytes(path),
+            file_bytes: path.is_file().then(|| super::file_bytes(path)),
             format,
             gaussians: splats.len(),
             degree: (1..=3).rev().find(is_used).unwrap_or(0),
@@ -66,8 +68,9 @@ impl SplatInfo {
 
 impl fmt::Display for SplatInfo {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let size = format_bytes(self.file_bytes);
-        writeln!(f, "{} {}, {}, {size}\n", self.kind, self.file, self.format)?;
+        let size =
+            self.file_bytes.map_or(String::new(), |bytes| format!(", {}", format_bytes(bytes)));
+        writeln!(f, "{} {}, {}{size}\n", self.kind, self.file, self.format)?;
         let [lo, hi] = self.corners;
         let placed = self.placement.map_or_else(
             || "not said by the file".to_owned(),

@@ -291,7 +291,7 @@ fn build(project: &Project, compiler: &Compiler) -> Result<BTreeMap<String, Vec<
     let output = child.stdin(Stdio::null()).output()?;
     let said = String::from_utf8_lossy(&output.stderr);
     if !output.status.success() {
-        bail!("{}", errors::explain(&said, &project.root));
+        bail!("{}", errors::explain(&said, &project.root, &project.shader_crate));
     }
     // warnings of the kernels' crate
     said.split_inclusive('\n')

@@ -8,7 +8,7 @@ use proc_macro2::Span;
 use rspirv::dr::{self, Operand};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
-use syn::{ImplItemFn, ItemFn, Signature};
+use syn::{Attribute, ImplItemFn, Item, ItemFn, Signature, Type};
 
 /// Parts of the compiler's messages, and what it is about.
 const CAUSES: [(&str, &str); 11] = [
@@ -59,7 +59,7 @@ const CAUSES: [(&str, &str); 11] = [
 const LINES: usize = 30;
 
 /// The message for what the compiler has said of the crate of kernels.
-pub fn explain(said: &str, root: &Path) -> String {
+pub fn explain(said: &str, root: &Path, shader_crate: &str) -> String {
     let lines: Vec<_> = said.lines().collect();
     let begin = lines.iter().position(|line| line.starts_with("error")).unwrap_or(0);
     let error = &lines[begin..];
@@ -78,7 +78,8 @@ pub fn explain(said: &str, root: &Path) -> String {
         (Some((file, line)), Some(name)) => format!("{file}:{line}: in `{name}`: "),
         (Some((file, line)), None) => format!("{file}:{line}: "),
         (None, Some(name)) => declaration(&name, root) + &format!("in `{name}`: "),
-        (None, None) => String::new(),
+        // only a crash of the compiler, as of `raw_eq`, says nothing of the place
+        (None, None) => with_arrays(root, Path::new(shader_crate)).unwrap_or_default(),
     };
     let rest = error.len().saturating_sub(LINES);
     let mut words = error[..error.len() - rest].join("\n  ");
@@ -137,6 +138,30 @@ pub fn declaration(name: &str, root: &Path) -> String {
     }
 }
 
+/// The first struct of some sources that has an array, and derives `PartialEq`.
+fn with_arrays(root: &Path, folder: &Path) -> Option<String> {
+    let mut entries: Vec<_> = fs::read_dir(root.join(folder)).ok()?.flatten().collect();
+    entries.sort_by_key(fs::DirEntry::path);
+    entries.iter().find_map(|entry| {
+        let path = folder.join(entry.file_name());
+        if entry.path().is_dir() {
+            return with_arrays(root, &path);
+        }
+        let is_source = path.extension().is_some_and(|name| name == "rs");
+        let text = is_source.then(|| fs::read_to_string(entry.path()).ok()).flatten()?;
+        syn::parse_file(&text).ok()?.items.iter().find_map(|item| {
+            let Item::Struct(item) = item else { return None };
+            let derives = |of: &Attribute| {
+                of.meta.require_list().is_ok_and(|of| of.tokens.to_string().contains("PartialEq"))
+            };
+            let has_array = item.fields.iter().any(|field| matches!(field.ty, Type::Array(_)));
+            let line = item.ident.span().start().line;
+            let found = has_array && item.attrs.iter().any(derives);
+            found.then(|| format!("{}:{line}: maybe in `{}`: ", path.display(), item.ident))
+        })
+    })
+}
+
 /// The function around a line.
 fn enclosing(file: &Path, line: usize) -> Option<String> {
     struct Functions(usize, Option<String>);
@@ -172,7 +197,11 @@ mod tests {
     fn messages_begin_with_the_place_and_words_of_ours() {
         let folder = tempfile::tempdir().unwrap();
         fs::create_dir(folder.path().join("src")).unwrap();
-        fs::write(folder.path().join("src/lib.rs"), "fn add() {\n    1.sinh();\n}\n").unwrap();
+        fs::write(
+            folder.path().join("src/lib.rs"),
+            "fn add() {\n    1.sinh();\n}\n#[derive(PartialEq)]\nstruct Row { all: [u32; 2] }\n",
+        )
+        .unwrap();
         for (said, expected) in [
             (
                 "   Compiling kernels\nerror: cannot cast between pointer types\n       from `*[u32; 3]`\n         to `*[u32]`\n   --> </lib/core/array.rs>:34:6\n \
@@ -187,8 +216,12 @@ mod tests {
                 "error[E0599]: no method named `sinh`\n --> src/lib.rs:2:7\n",
                 "src/lib.rs:2: in `add`: no method named `sinh`. The compiler behind says:\n  error[E0599]",
             ),
+            (
+                "error: internal compiler error: raw_eq must be overridden\n",
+                "src/lib.rs:5: maybe in `Row`: arrays are compared",
+            ),
         ] {
-            let message = explain(said, folder.path());
+            let message = explain(said, folder.path(), "src");
             assert!(message.contains(expected), "{message}");
         }
     }

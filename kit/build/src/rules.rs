@@ -122,9 +122,10 @@ const ELEMENTARY: [&str; 16] = [
 ];
 
 /// Others, of which `muslin::math` has no function, and what to write.
-const OTHER_ELEMENTARY: [(&str, &str); 10] = [
+const OTHER_ELEMENTARY: [(&str, &str); 11] = [
     ("log10", "write `math::ln(x) * core::f32::consts::LOG10_E`"),
     ("log", "write the quotient of two `math::ln`"),
+    ("ilog", "divide in a `for` loop"),
     ("powi", "write the product, or `math::pow`"),
     ("hypot", "write `math::sqrt(x * x + y * y)`"),
     ("cbrt", "write `math::pow(x, 1.0 / 3.0)`, for x from 0 on"),
@@ -371,6 +372,10 @@ impl<'a> Rules<'a> {
                 self.report(span, &what, remedy);
             }
             name if PRODUCTS.contains(&name) => self.missing(span, &what),
+            name if name.starts_with("strict_") => {
+                let remedy = "use the method of this name with `checked_` or `wrapping_`";
+                self.panics(span, &what, remedy);
+            }
             "unwrap" | "expect" => self.panics(span, &what, "use `unwrap_or`, or `if let`"),
             "clamp" if !call.args.iter().all(is_constant) => {
                 let remedy = "use `.max(low).min(high)`, which takes a low above the high, too";
@@ -692,6 +697,7 @@ mod tests {
             ("assert!(x == None);", "`assert!`", "use `debug_assert!`"),
             ("let y = x.unwrap();", "`.unwrap()`", "use `unwrap_or`"),
             ("let y = (z as u64 * 3) >> 32;", "`u64`", "`math::multiply_high`"),
+            ("let y = z.strict_add(3);", "`.strict_add()`", "with `checked_` or `wrapping_`"),
             ("let y = z.pow(3);", "`.pow()`", "use products"),
             (
                 "let y = 3 * (z as usize);",

@@ -34,6 +34,7 @@ pub fn widen(module: &mut Module) -> Result<()> {
         _ => false,
     };
     module.capabilities.retain(|of| !is_meant(of));
+    let zeros = wrong_leading_zeros(module, &small)?;
     if small.is_empty() {
         return Ok(());
     }
@@ -41,7 +42,6 @@ pub fn widen(module: &mut Module) -> Result<()> {
         !small.keys().any(|id| host_types(module).contains(id)),
         "a buffer has integers of 8 or 16 bits, which not every GPU has: use `Packed<u8>`, `Packed<u16>` or `u32`"
     );
-    let zeros = wrong_leading_zeros(module, &small)?;
     let mut builder = Builder::new_from_module(std::mem::take(module));
     let wide = [0, 1].map(|sign| builder.type_int(32, sign));
     let numbers = small.values().flat_map(|of| [of.mask(), of.shift(), of.copies(), of.bits - 1]);
@@ -107,35 +107,43 @@ fn integer(of: &Instruction) -> Option<(Word, Integer)> {
     }
 }
 
-/// The differences of 31 or of a larger number, and the place of the first bit that is set, of which the compiler takes the larger number for
-/// leading zeros of integers of 8 and 16 bits, with these integers.
+/// The differences of a number and the place of the first bit that is set, for which the compiler takes 55 or 47 for leading zeros of integers
+/// of 8 and 16 bits, with these integers.
 ///
-/// Such a number is told from one of 32 bits by what stands for the leading zeros of 0. Where that is left out, as in `ilog2`, nothing tells.
+/// They are told from those of 32 bits, which begin with 31, by what stands for the leading zeros of 0. Where that is left out, as in `ilog2`,
+/// or where the optimizer has put in a constant and computed with it, nothing tells.
 fn wrong_leading_zeros(
     module: &Module,
     small: &HashMap<Word, Integer>,
 ) -> Result<HashMap<Word, Integer>> {
     let definitions = definitions(module);
-    let number =
-        |id: Word| match (definitions.get(&id)?.class.opcode, &definitions[&id].operands[..]) {
-            (Op::Constant, [Operand::LiteralBit32(number)]) => Some(*number),
-            _ => None,
-        };
-    let users = |id: Word| {
-        let all = module.functions.iter().flat_map(|function| function.all_inst_iter());
-        all.filter(move |user| user.operands.contains(&Operand::IdRef(id)))
+    let number = |id: Word| match definitions.get(&id).map(|of| (of.class.opcode, &of.operands[..]))
+    {
+        Some((Op::Constant, [Operand::LiteralBit32(number)])) => Some(*number),
+        _ => None,
     };
+    let all = || module.functions.iter().flat_map(|function| function.all_inst_iter());
+    let users = |id: Word| all().filter(move |user| user.operands.contains(&Operand::IdRef(id)));
     let mut wrong = HashMap::new();
-    for first in module.functions.iter().flat_map(|function| function.all_inst_iter()) {
+    for first in all() {
         let [_, function, Operand::IdRef(of)] = &first.operands[..] else { continue };
         let (true, Some(id)) = (is_first_bit(function), first.result_id) else { continue };
-        let source = definitions.get(of).filter(|source| source.class.opcode == Op::UConvert);
-        let source = source.and_then(|source| definitions.get(&source.operands[0].id_ref_any()?));
-        let integer = source.and_then(|source| small.get(&source.result_type?)).copied();
-        let Some(integer) = integer else { continue };
+        let converted = definitions.get(of).filter(|source| source.class.opcode == Op::UConvert);
+        let integer = converted
+            .and_then(|source| definitions.get(&source.operands[0].id_ref_any()?))
+            .and_then(|source| small.get(&source.result_type?));
         for user in users(id) {
+            let numbers: Vec<_> =
+                user.operands.iter().filter_map(Operand::id_ref_any).filter_map(number).collect();
+            let Some(&integer) = integer else {
+                let is_sum = matches!(user.class.opcode, Op::IAdd | Op::ISub);
+                ensure!(
+                    number(*of).is_none() || !is_sum || numbers.is_empty() || numbers == [31],
+                    "it takes `ilog2` or leading zeros of a constant, in which the compiler can be wrong: compute them in a `const`"
+                );
+                continue;
+            };
             let zeros = user.result_id.filter(|_| user.class.opcode == Op::ISub);
-            let from = user.operands[0].id_ref_any().and_then(number);
             let of_zero =
                 zeros.into_iter().flat_map(users).map(|choice| match choice.operands[..] {
                     [_, Operand::IdRef(of_zero), _] if choice.class.opcode == Op::Select => {
@@ -145,11 +153,9 @@ fn wrong_leading_zeros(
                 });
             let of_zero: BTreeSet<_> = of_zero.collect();
             let bits = integer.bits;
-            match (zeros, from) {
-                (Some(_), Some(31)) if of_zero == [Some(32)].into() => {}
-                (Some(zeros), Some(from))
-                    if from == 63 - bits && of_zero == [Some(bits)].into() =>
-                {
+            match (zeros, &numbers[..]) {
+                (Some(_), [31]) if of_zero == [Some(32)].into() => {}
+                (Some(zeros), [from]) if *from == 63 - bits && of_zero == [Some(bits)].into() => {
                     wrong.insert(zeros, integer);
                 }
                 _ => bail!(

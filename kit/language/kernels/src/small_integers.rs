@@ -80,6 +80,17 @@ macro_rules! integers {
             "overflowing_sub": $x.overflowing_sub($y).0 as u32 ^ ($x.overflowing_sub($y).1 as u32) << 31,
             "overflowing_neg": $x.overflowing_neg().0 as u32 ^ ($x.overflowing_neg().1 as u32) << 31,
             "overflowing_shl": $x.overflowing_shl($n).0 as u32 ^ ($x.overflowing_shl($n).1 as u32) << 31,
+            "overflowing_shr": $x.overflowing_shr($n).0 as u32 ^ ($x.overflowing_shr($n).1 as u32) << 31,
+            "checked_div": $x.checked_div($y).map_or(NONE, |x| x as u32),
+            "checked_rem": $x.checked_rem($y).map_or(NONE, |x| x as u32),
+            "checked_div_euclid": $x.checked_div_euclid($y).map_or(NONE, |x| x as u32),
+            "checked_rem_euclid": $x.checked_rem_euclid($y).map_or(NONE, |x| x as u32),
+            "wrapping_div": $x.wrapping_div($y | 1),
+            "wrapping_rem": $x.wrapping_rem($y | 1),
+            "wrapping_div_euclid": $x.wrapping_div_euclid($y | 1),
+            "wrapping_rem_euclid": $x.wrapping_rem_euclid($y | 1),
+            "overflowing_div": $x.overflowing_div($y | 1).1,
+            "overflowing_rem": $x.overflowing_rem($y | 1).1,
             "unbounded_shl": $x.unbounded_shl($n),
             "unbounded_shr": $x.unbounded_shr($n),
             "saturating_add": math::saturating_add($x, $y),
@@ -130,25 +141,27 @@ macro_rules! integers {
 
 /// What both types without sign have.
 macro_rules! unsigned {
-    ($kernel:ident, $methods:ident, $t:ident, $same:ident) => {
-        integers! { $kernel, $methods, $t, $same, [x, y, n];
-            "/": x / (y | 1),
-            "%": x % (y | 1),
-            "checked_div": x.checked_div(y).map_or(NONE, |x| x as u32),
-            "checked_rem": x.checked_rem(y).map_or(NONE, |x| x as u32),
-            "wrapping_div": x.wrapping_div(y | 1),
-            "wrapping_rem": x.wrapping_rem(y | 1),
-            "div_euclid": x.div_euclid(y | 1),
-            "rem_euclid": x.rem_euclid(y | 1),
-            "div_ceil": x.div_ceil(y | 1),
-            "is_multiple_of": x.is_multiple_of(y),
-            "is_power_of_two": x.is_power_of_two(),
-            "checked_next_multiple_of": x.checked_next_multiple_of(y | 1).map_or(NONE, |x| x as u32),
-            "checked_add_signed": x.checked_add_signed(y as $same).map_or(NONE, |x| x as u32),
-            "wrapping_add_signed": x.wrapping_add_signed(y as $same),
-            "overflowing_add_signed": x.overflowing_add_signed(y as $same).1,
-            "cast_signed": x.cast_signed(),
-            "u32::from": u32::from(x),
+    (
+        $kernel:ident, $methods:ident, $t:ident, $same:ident, [$x:ident, $y:ident, $n:ident];
+        $($more:literal: $value:expr,)*
+    ) => {
+        integers! { $kernel, $methods, $t, $same, [$x, $y, $n];
+            "/": $x / ($y | 1),
+            "%": $x % ($y | 1),
+            "div_euclid": $x.div_euclid($y | 1),
+            "rem_euclid": $x.rem_euclid($y | 1),
+            "div_ceil": $x.div_ceil($y | 1),
+            "is_multiple_of": $x.is_multiple_of($y),
+            "is_power_of_two": $x.is_power_of_two(),
+            "checked_next_multiple_of": $x.checked_next_multiple_of($y | 1).map_or(NONE, |x| x as u32),
+            "checked_add_signed": $x.checked_add_signed($y as $same).map_or(NONE, |x| x as u32),
+            "wrapping_add_signed": $x.wrapping_add_signed($y as $same),
+            "overflowing_add_signed": $x.overflowing_add_signed($y as $same).1,
+            "cast_signed": $x.cast_signed(),
+            "u32::from": u32::from($x),
+            "carrying_add": $x.carrying_add($y, $n & 64 != 0).0 as u32 ^ ($x.carrying_add($y, $n & 64 != 0).1 as u32) << 31,
+            "borrowing_sub": $x.borrowing_sub($y, $n & 64 != 0).0 as u32 ^ ($x.borrowing_sub($y, $n & 64 != 0).1 as u32) << 31,
+            $($more: $value,)*
         }
     };
 }
@@ -164,15 +177,10 @@ macro_rules! signed {
             "signum": x.signum(),
             "is_negative": x.is_negative() as u32 + 2 * x.is_positive() as u32,
             "/": (x as i32 / (y | 1) as i32) as $t,
-            "wrapping_div": x.wrapping_div(y | 1),
-            "checked_div": x.checked_div(y).map_or(NONE, |x| x as u32),
-            "overflowing_div": x.overflowing_div(y | 1).1,
             "% 7": x % 7,
             "/ 7": x / 7,
             "rem_euclid": x.rem_euclid(7),
             "div_euclid": x.div_euclid(7),
-            "wrapping_rem": x.wrapping_rem(y | 1),
-            "wrapping_rem_euclid": x.wrapping_rem_euclid(y | 1),
             "checked_add_unsigned": x.checked_add_unsigned(y as $same).map_or(NONE, |x| x as u32),
             "checked_sub_unsigned": x.checked_sub_unsigned(y as $same).map_or(NONE, |x| x as u32),
             "wrapping_add_unsigned": x.wrapping_add_unsigned(y as $same),
@@ -182,7 +190,19 @@ macro_rules! signed {
     };
 }
 
-unsigned!(u8_methods, U8_METHODS, u8, i8);
-unsigned!(u16_methods, U16_METHODS, u16, i16);
+unsigned! { u8_methods, U8_METHODS, u8, i8, [x, y, n];
+    "is_ascii": x.is_ascii(),
+    "is_ascii_alphabetic": x.is_ascii_alphabetic(),
+    "is_ascii_alphanumeric": x.is_ascii_alphanumeric(),
+    "is_ascii_digit": x.is_ascii_digit(),
+    "is_ascii_hexdigit": x.is_ascii_hexdigit(),
+    "is_ascii_punctuation": x.is_ascii_punctuation(),
+    "is_ascii_whitespace": x.is_ascii_whitespace(),
+    "is_ascii_control": x.is_ascii_control(),
+    "to_ascii_uppercase": x.to_ascii_uppercase(),
+    "to_ascii_lowercase": x.to_ascii_lowercase(),
+    "eq_ignore_ascii_case": x.eq_ignore_ascii_case(&y),
+}
+unsigned! { u16_methods, U16_METHODS, u16, i16, [x, y, n]; }
 signed!(i8_methods, I8_METHODS, i8, u8);
 signed!(i16_methods, I16_METHODS, i16, u16);

@@ -22,6 +22,9 @@ const BETTER: f64 = 0.1;
 /// another place a quarter at most.
 const LEAST: f64 = 0.3;
 
+/// The part of a pixel from which on it counts as covered.
+const COVERED: f32 = 0.5;
+
 /// A photograph as a coarse image.
 struct Coarse {
     camera: Camera,
@@ -49,6 +52,27 @@ impl Coarse {
         let colors = (0..camera.width * camera.height).into_par_iter().map(pixel).collect();
         Self { camera, colors }
     }
+
+    /// The image of some Gaussians before the color that the photograph has around them, and how much of each pixel they cover.
+    fn shown(&self, splats: &[Splat]) -> Vec<([f32; 3], f32)> {
+        let [black, white] = [0.0, 1.0].map(|level| render(splats, &self.camera, [level; 3]));
+        let open = black.iter().zip(&white).map(|(black, white)| white[0] - black[0]);
+        let open: Vec<_> = open.map(|open| open.clamp(0.0, 1.0)).collect();
+        // least squares of `color = black + open background`
+        let mut sums = [0.0; 3];
+        let mut squares = 0.0;
+        for ((black, open), color) in black.iter().zip(&open).zip(&self.colors) {
+            let Some(color) = color else { continue };
+            squares += open * open;
+            let terms = color.iter().zip(black).map(|(color, black)| open * (color - black));
+            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        }
+        let background = sums.map(|sum| if squares > 0.0 { sum / squares } else { 0.0 });
+        let pixel = |(black, open): (&[f32; 3], &f32)| {
+            (std::array::from_fn(|channel| black[channel] + open * background[channel]), 1.0 - open)
+        };
+        black.iter().zip(&open).map(pixel).collect()
+    }
 }
 
 /// How well Gaussians explain photographs: 1 if their images differ in nothing but contrast and brightness.
@@ -61,25 +85,24 @@ struct Score {
 }
 
 impl Score {
-    fn new(splats: &[Splat], views: &[Coarse], background: [f32; 3]) -> Self {
-        let images = views.iter().map(|view| render(splats, &view.camera, background));
-        let images: Vec<_> = images.collect();
-        let share = |hidden: Option<[f32; 3]>| {
+    fn new(splats: &[Splat], views: &[Coarse]) -> Self {
+        let images: Vec<_> = views.iter().map(|view| view.shown(splats)).collect();
+        let share = |least: f32| {
             let pairs = images.iter().zip(views);
-            let pairs = pairs.map(|(image, view)| variance(image, &view.colors, hidden));
+            let pairs = pairs.map(|(image, view)| variance(image, &view.colors, least));
             let [explained, all] =
                 pairs.fold([0.0; 2], |sum, pair| [sum[0] + pair[0], sum[1] + pair[1]]);
             if all > 0.0 { explained / all } else { 0.0 }
         };
-        Self { whole: share(None), covered: share(Some(background)) }
+        Self { whole: share(0.0), covered: share(COVERED) }
     }
 }
 
 /// The variance of colors, summed over pixels and channels: the part that an image explains by a gain and an offset, and all.
-/// Pixels where the image is `hidden` do not count.
-fn variance(image: &[[f32; 3]], colors: &[Option<[f32; 3]>], hidden: Option<[f32; 3]>) -> [f64; 2] {
-    let pairs = image.iter().zip(colors).filter(|(found, _)| Some(**found) != hidden);
-    let pairs: Vec<_> = pairs.filter_map(|(found, color)| Some([*found, (*color)?])).collect();
+/// Pixels of which Gaussians cover less than `least` do not count.
+fn variance(image: &[([f32; 3], f32)], colors: &[Option<[f32; 3]>], least: f32) -> [f64; 2] {
+    let pairs = image.iter().zip(colors).filter(|((_, cover), _)| *cover >= least);
+    let pairs: Vec<_> = pairs.filter_map(|((found, _), color)| Some([*found, (*color)?])).collect();
     let mut sums = [0.0; 2];
     for channel in 0..3 {
         let value = |pair: &[[f32; 3]; 2], of: usize| f64::from(pair[of][channel]);
@@ -101,7 +124,7 @@ impl SplatFile {
     /// The same file, turned to the axes in which photographs show its Gaussians, unless it says where it lies. A note says so,
     /// and it says what does not fit in any axes. `placement` is that of the photographs' cameras.
     #[must_use]
-    pub fn fitted(self, frames: &[&Frame], placement: &Placement, background: [f32; 3]) -> Self {
+    pub fn fitted(self, frames: &[&Frame], placement: &Placement) -> Self {
         let some = frames.iter().step_by(frames.len().div_ceil(PHOTOGRAPHS).max(1));
         let views: Vec<_> = some.map(|frame| Coarse::new(frame)).collect();
         if views.is_empty() {
@@ -111,7 +134,7 @@ impl SplatFile {
         let score = |axes: DMat3| {
             let own = few.clone().turned(axes).into_own(placement);
             // Gaussians that do not fit into the scene explain nothing
-            own.map_or(Score::default(), |splats| Score::new(&splats, &views, background))
+            own.map_or(Score::default(), |splats| Score::new(&splats, &views))
         };
         let mut best = (DMat3::IDENTITY, score(DMat3::IDENTITY));
         if !self.is_placed {
@@ -162,8 +185,8 @@ impl SplatFile {
         let reason = format!(
             "the cameras see none of its Gaussians, which lie around {:?}, while the cameras look at {:?}; name the cameras \
              that the Gaussians were trained with",
-            middle.map(|x| x as f32),
-            placement.offset.map(|x| x as f32)
+            middle.map(rounded),
+            placement.offset.map(rounded)
         );
         Err(Error::Invalid { origin, reason })
     }
@@ -178,6 +201,11 @@ impl SplatFile {
         let placement = self.placement;
         Self { placement, ..Self::new(&self.path, self.format, splats.collect()) }
     }
+}
+
+/// With three digits after the point.
+fn rounded(x: f64) -> f64 {
+    (1e3 * x).round() / 1e3
 }
 
 /// What x, y and z become, such as `x, -y, -z`.
@@ -244,12 +272,12 @@ mod tests {
         let frames: Vec<_> = frames.iter().collect();
         let expected = file();
         let placed = SplatFile { placement, ..expected.clone() };
-        let found = placed.clone().fitted(&frames, &placement, [0.0; 3]);
+        let found = placed.clone().fitted(&frames, &placement);
         assert_eq!(found, placed);
         let mut names = Vec::new();
         for axes in (0..SYSTEMS).map(from_axes).filter(|axes| *axes != DMat3::IDENTITY) {
             let turned = placed.clone().turned(axes.transpose());
-            let found = turned.clone().fitted(&frames, &placement, [0.0; 3]);
+            let found = turned.clone().fitted(&frames, &placement);
             let [note] = &found.notes[..] else { panic!("{:?}", found.notes) };
             names.push(note.rsplit("become ").next().unwrap().to_owned());
             for (a, b) in positions(found, &placement).iter().zip(&expected.splats) {
@@ -258,7 +286,7 @@ mod tests {
             }
             // what a file says is not changed, but said
             let sure = SplatFile { is_placed: true, ..turned };
-            let found = sure.clone().fitted(&frames, &placement, [0.0; 3]);
+            let found = sure.clone().fitted(&frames, &placement);
             assert!(found.notes[0].contains("something else"), "{:?}", found.notes);
             assert_eq!(found.placement, sure.placement);
         }
@@ -279,7 +307,7 @@ mod tests {
             SplatFile { placement, ..file() }
         };
         for file in [at(0.3, 0.0), at(50.0, 0.0), at(1.0, 1.5)] {
-            let found = file.fitted(&frames, &placement, [0.0; 3]);
+            let found = file.fitted(&frames, &placement);
             assert!(found.notes[0].contains("something else"), "{:?}", found.notes);
         }
         let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();

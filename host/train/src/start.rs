@@ -118,8 +118,7 @@ pub fn start_from(
         return Err(Error::Invalid { origin: path.to_owned(), reason });
     }
     let frames: Vec<_> = dataset.train_frames().collect();
-    let background = dataset.background.map(|value| value as f32);
-    let mut file = file.fitted(&frames, &dataset.placement, background);
+    let mut file = file.fitted(&frames, &dataset.placement);
     let notes = std::mem::take(&mut file.notes);
     let splats = file.into_seen(&dataset.placement, cameras)?;
     notes.iter().try_for_each(|note| warn(&format!("{}: {note}", path.display())))?;

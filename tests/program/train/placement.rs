@@ -3,6 +3,8 @@
 use std::fs;
 
 use glam::{DMat3, DVec3};
+use image::RgbImage;
+use organza::image::to_8_bit;
 use organza::scene::Placement;
 use organza::splats::{Format, SplatFile};
 use organza::train::CHECKPOINT;
@@ -49,13 +51,41 @@ fn a_world_is_learned_alike_in_any_units_and_anywhere() {
     }
 }
 
+/// Few Gaussians of the built-in scene, which are larger.
+fn few() -> Scene {
+    let mut scene = built_in();
+    let some: Vec<_> = (0..scene.gaussians.len()).step_by(16).collect();
+    scene.gaussians = scene.gaussians.select(&some);
+    let scales = scene.gaussians.log_scale.as_flattened_mut();
+    scales.iter_mut().for_each(|log| *log += 4_f32.ln());
+    scene
+}
+
+/// Takes the photographs of a file's Gaussians, as a viewer that sorts shows them.
+fn photograph(sandbox: &Sandbox, file: &str) {
+    let file = splats::load(sandbox.path(file)).unwrap();
+    let placement = file.placement;
+    let cameras = placement.load_cameras(sandbox.path("views/transforms.json")).unwrap();
+    let shown = file.into_own(&placement).unwrap();
+    let background = built_in().config.background.map(|value| value as f32);
+    for camera in &cameras {
+        let pixels = splats::render(&shown, camera, background).into_iter();
+        let bytes: Vec<_> = pixels.flat_map(|color| color.map(to_8_bit)).collect();
+        let image = RgbImage::from_raw(camera.width, camera.height, bytes).unwrap();
+        let name = camera.file_path.as_deref().unwrap();
+        let path = sandbox.path("views").join(name).with_extension("png");
+        assert!(path.exists(), "{path:?}");
+        image.save(path).unwrap();
+    }
+}
+
 /// An exported file says where it lies: its offset, its unit and its axes.
 #[test]
 fn exported_gaussians_come_back_to_their_photographs() {
     let sandbox = sandbox();
     let offset = [512_345.25, 4_612_345.5, 312.0];
     move_world(&sandbox, 3.0, offset, true);
-    let mut scene = built_in();
+    let mut scene = few();
     let [up, right] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     scene.config.placement = Placement { offset, scale: 3.0, up, right, meters: None };
     scene.save(sandbox.path("scene.safetensors")).unwrap();
@@ -75,8 +105,10 @@ fn exported_gaussians_come_back_to_their_photographs() {
     };
     let start = |file: &str, run: &str| {
         let words = format!("train views --config tiny.toml --backend cpu --steps 1 -o {run}");
-        sandbox.run(&format!("{words} --start {file} --max-gaussians 40000"))
+        sandbox.run(&format!("{words} --start {file} --max-gaussians 4000"))
     };
+    export("scene", "a.ply");
+    photograph(&sandbox, "a.ply");
     for (index, file) in ["a.ply", "a.spz", "a.sog", "a.glb", "a.compressed.ply"].iter().enumerate()
     {
         let text = export(if index % 2 == 0 { "scene" } else { "meters" }, file);
@@ -94,7 +126,7 @@ fn exported_gaussians_come_back_to_their_photographs() {
     // a format without room
     let text = export("scene", "a.splat");
     assert!(!text.contains("as it says itself") && !text.contains("back to a scene"), "{text}");
-    start("a.splat", "none").assert_refused(&["a.splat", "see none", "512345.25, 4612345.5, 312"]);
+    start("a.splat", "none").assert_refused(&["a.splat", "see none", "512345.", "4612345."]);
     sandbox.assert_refuses(
         "import a.splat views -o none.safetensors --steps 1 --backend cpu",
         &["a.splat", "see none"],
@@ -111,9 +143,10 @@ fn positions(scene: &Scene) -> Vec<[f64; 3]> {
 #[test]
 fn photographs_tell_the_axes_of_a_file() {
     let sandbox = sandbox();
-    built_in().save(sandbox.path("scene.safetensors")).unwrap();
+    few().save(sandbox.path("scene.safetensors")).unwrap();
     let words = "export scene.safetensors views -o a.ply --steps 0 --side 16 --backend cpu";
     sandbox.run(words).assert_ok();
+    photograph(&sandbox, "a.ply");
     let file = splats::load(sandbox.path("a.ply")).unwrap();
     let save = |name: &str, file: &SplatFile| {
         let path = sandbox.path(name);
@@ -126,7 +159,7 @@ fn photographs_tell_the_axes_of_a_file() {
     let mut small = file.clone();
     small.splats.iter_mut().for_each(|splat| splat.position = splat.position.map(|x| 0.2 * x));
     save("small.spz", &small);
-    let words = "train views --config tiny.toml --backend cpu --steps 1 --max-gaussians 40000";
+    let words = "train views --config tiny.toml --backend cpu --steps 1 --max-gaussians 4000";
     let scene = |name: &str, fact: Option<&str>| {
         let outcome = sandbox.run(&format!("{words} --start {name}.spz -o {name}")).assert_ok();
         assert_eq!(outcome.stderr.contains("warning"), fact.is_some(), "{outcome:?}");
@@ -136,7 +169,8 @@ fn photographs_tell_the_axes_of_a_file() {
     let expected = scene("right", None);
     let turned = scene("turned", Some("turned: x, y, z become x, -y, -z"));
     for (a, b) in expected.iter().zip(turned) {
-        assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-4), "{a:?} {b:?}");
+        // but for a step of training
+        assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-2), "{a:?} {b:?}");
     }
     scene("small", Some("show something else where its Gaussians are"));
     let words = "import turned.spz views -o back.safetensors --steps 1 --side 16 --backend cpu";

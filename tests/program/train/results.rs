@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use organza::Scene;
 use organza::train::EVALUATIONS;
 use organza::train::metrics::Record;
 
@@ -201,7 +202,10 @@ fn first_steps_without_a_gaussian_warn() {
     });
     let outcome = sandbox.run("train --resume run --steps 20 --backend cpu").assert_ok();
     let [warning] = warnings(&outcome)[..] else { panic!("{outcome:?}") };
-    for fact in ["first 10 steps have shown no Gaussian", "0 of 200 Gaussians", "500.0"] {
+    let config = Scene::load_config(sandbox.path("run/checkpoint.safetensors")).unwrap();
+    let world = config.placement.world([500.0; 3])[0].floor();
+    let place = format!("they lie at {world}.");
+    for fact in ["first 10 steps have shown no Gaussian", "0 of 200 Gaussians", &place] {
         assert!(warning.contains(fact), "{fact}: {warning}");
     }
 }

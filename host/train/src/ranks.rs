@@ -173,7 +173,7 @@ fn decode(bytes: &[u8], frame: &Frame) -> (Evaluation, Image) {
     let (words, pixels) = bytes.split_at(WORDS * size_of::<u64>());
     let words: Vec<u64> = bytemuck::pod_collect_to_vec(words);
     let score = |at: usize| (words[at] != 0).then(|| f64::from_bits(words[at + 1]));
-    let mean = Score { psnr: score(1), ssim: score(3), psnr_fitted: score(5), ..Score::default() };
+    let mean = Score { psnr: score(1), ssim: score(3), psnr_fitted: score(5) };
     let views = vec![ViewScore { name: frame.name.clone(), score: mean }];
     let size = [frame.camera.width, frame.camera.height];
     let image = Image::from_pixels(size, pixels.as_chunks().0);

@@ -271,7 +271,7 @@ fn arcsine_of_size<L: Lane>(x: L) -> (L::Mask, L) {
     let square = (number(1.0) - x.min(number(1.0))) * half;
     let z = L::select(is_large, square, x * x);
     let root = L::select(is_large, square.sqrt(), x);
-    let series = (number(4.216_32e-2) * z + number(2.418_131_1e-2)) * z + number(4.547_002_6e-2);
+    let series = (number(4.216_32e-2) * z + number(2.418_131e-2)) * z + number(4.547_002_6e-2);
     let series = ((series * z + number(7.495_300_3e-2)) * z + number(1.666_675_2e-1)) * z;
     let angle = series * root + root;
     (is_large, L::select(is_large, angle + angle, angle))
@@ -286,8 +286,7 @@ pub fn tanh<L: Lane>(x: L) -> L {
     let large = with_sign_of(x, (one - e) / (one + e));
     // Cephes' polynomial: the difference above would lose the digits of a small x
     let z = x * x;
-    let series =
-        (number(-5.704_988_7e-3) * z + number(2.063_908_9e-2)) * z - number(5.373_971_6e-2);
+    let series = (number(-5.704_988_7e-3) * z + number(2.063_909e-2)) * z - number(5.373_971_6e-2);
     let series = ((series * z + number(1.333_144_2e-1)) * z - number(3.333_328e-1)) * z;
     L::select(size(x).less(number(0.625)), series * x + x, large)
 }

@@ -43,7 +43,6 @@ Examples:
   organza train data/fox -o run --start scene.ply      from Gaussians that another program has made
   organza train data/fox -o run --ranks 2              on two GPUs
   mpirun -n 8 organza train data/fox -o run --ranks mpi
-  mpirun -n 8 organza train data/city -o run --ranks mpi --split gaussians   more than one GPU holds
   organza train --preset best --print-config > mine.toml
   organza eval run
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use muslin_kernel::kernels;
+use muslin_kernel::{KernelInfo, kernels};
 use proc_macro2::Span;
 use rspirv::dr::{self, Operand};
 use syn::spanned::Spanned;
@@ -103,8 +103,12 @@ fn kernel(line: &str) -> Option<String> {
     let called = line.split_once("called by `").and_then(|(_, name)| name.split_once('`'));
     let module = line.split_once(".spvs/").and_then(|(_, name)| name.split_once(".spv"));
     let (name, _) = called.or(module)?;
-    let is_kernel = kernels().any(|kernel| kernel.entry_points().any(|point| point.name == name));
-    is_kernel.then(|| name.to_owned())
+    kernel_of(name).map(|_| name.to_owned())
+}
+
+/// The kernel that has an entry point of this name.
+fn kernel_of(name: &str) -> Option<&'static KernelInfo> {
+    kernels().find(|kernel| kernel.entry_points().any(|point| point.name == name))
 }
 
 /// The entry point with the block that a line names by its id, `(in %7)`, in the module that the compiler has saved.
@@ -126,9 +130,7 @@ fn function(said: &str, line: &str) -> Option<String> {
 
 /// The file of a kernel, with the line of its function.
 pub fn declaration(name: &str, root: &Path) -> String {
-    let is_meant =
-        |kernel: &&muslin_kernel::KernelInfo| kernel.entry_points().any(|point| point.name == name);
-    let Some(kernel) = kernels().find(is_meant) else { return String::new() };
+    let Some(kernel) = kernel_of(name) else { return String::new() };
     let file = kernel.source();
     let text = fs::read_to_string(root.join(&file)).unwrap_or_default();
     let function = format!("fn {}", kernel.name);

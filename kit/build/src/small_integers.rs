@@ -38,8 +38,9 @@ pub fn widen(module: &mut Module) -> Result<()> {
     if small.is_empty() {
         return Ok(());
     }
+    let of_host = host_types(module);
     ensure!(
-        !small.keys().any(|id| host_types(module).contains(id)),
+        !small.keys().any(|id| of_host.contains(id)),
         "a buffer has integers of 8 or 16 bits, which not every GPU has: use `Packed<u8>`, `Packed<u16>` or `u32`"
     );
     let mut builder = Builder::new_from_module(std::mem::take(module));
@@ -117,11 +118,7 @@ fn wrong_leading_zeros(
     small: &HashMap<Word, Integer>,
 ) -> Result<HashMap<Word, Integer>> {
     let definitions = definitions(module);
-    let number = |id: Word| match definitions.get(&id).map(|of| (of.class.opcode, &of.operands[..]))
-    {
-        Some((Op::Constant, [Operand::LiteralBit32(number)])) => Some(*number),
-        _ => None,
-    };
+    let number = |id| number(&definitions, id);
     let all = || module.functions.iter().flat_map(|function| function.all_inst_iter());
     let users = |id: Word| all().filter(move |user| user.operands.contains(&Operand::IdRef(id)));
     let mut wrong = HashMap::new();
@@ -167,6 +164,15 @@ fn wrong_leading_zeros(
         }
     }
     Ok(wrong)
+}
+
+/// The value of a constant of 32 bits.
+fn number(definitions: &HashMap<Word, Instruction>, id: Word) -> Option<u32> {
+    let of = definitions.get(&id)?;
+    match (of.class.opcode, &of.operands[..]) {
+        (Op::Constant, [Operand::LiteralBit32(number)]) => Some(*number),
+        _ => None,
+    }
 }
 
 /// Whether a function is that which finds the first bit of an integer without sign.
@@ -221,14 +227,7 @@ impl Widening<'_> {
 
     /// Whether `rest` is 32 without `by`.
     fn is_rest(&self, by: Word, rest: Word) -> bool {
-        let number = |id: Word| match self
-            .definitions
-            .get(&id)
-            .map(|of| (of.class.opcode, &of.operands[..]))
-        {
-            Some((Op::Constant, [Operand::LiteralBit32(number)])) => Some(*number),
-            _ => None,
-        };
+        let number = |id| number(&self.definitions, id);
         let difference = self.definitions.get(&rest).filter(|of| of.class.opcode == Op::ISub);
         match difference.map(|of| &of.operands[..]) {
             Some([Operand::IdRef(from), subtracted]) => {

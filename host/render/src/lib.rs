@@ -28,7 +28,7 @@ pub use pass::recording::Recording;
 pub use pass::renderer::Renderer;
 pub use scene::device_scene::DeviceScene;
 pub use scene::options::UploadOptions;
-pub use scene::packed::{pack, unpack, upload};
+pub use scene::packed::{pack, replace_gaussians, unpack, upload};
 pub use stages::counts::Capacity;
 pub use stages::exposure::ExposureGradient;
 pub use stages::gradient::{SceneGradient, TensorGradient};

@@ -5,8 +5,10 @@ use organza_shaders::adam::{AdamKernel, AdamParams};
 use super::config::{EPSILON, OptimizerConfig};
 use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_core::scene::{FieldTensors, Gaussians, Scene, Tensors};
-use organza_render::{DeviceScene, SceneGradient, TensorGradient, pack, unpack, upload};
+use organza_core::scene::{FieldTensors, Scene, Tensors};
+use organza_render::{
+    DeviceScene, SceneGradient, TensorGradient, pack, replace_gaussians, unpack, upload,
+};
 
 /// Both moments of every parameter, and the flag of tensors that are never sparse.
 #[derive(Debug)]
@@ -26,11 +28,7 @@ impl Optimizer {
     /// The moments of the Gaussians are these from now on.
     pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
         for (own, moment) in self.moments.iter_mut().zip(moments) {
-            // not both at once
-            for gaussians in [&Gaussians::default(), &moment.gaussians] {
-                let tensors = gaussians.tensors();
-                own.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;
-            }
+            replace_gaussians(device, own, &moment.gaussians)?;
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use organza_shaders::hash_grid::GridLevel;
 
 use super::field::DeviceField;
-use super::packed::{pack, unpack};
+use super::packed::{pack, replace_gaussians, unpack};
 use crate::stages::occupancy::Occupancy;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
@@ -150,13 +150,9 @@ impl DeviceScene {
     /// # Errors
     /// The same errors as [`Device::upload`]. Some Gaussians are missing then.
     pub fn replace_gaussians(&mut self, device: &Device, gaussians: &Gaussians) -> Result<()> {
-        for gaussians in [&Gaussians::default(), gaussians] {
-            // not both at once
-            self.gaussians = 0;
-            let tensors = gaussians.tensors();
-            self.tensors.gaussians = tensors.try_map(|name, values| device.upload(name, values))?;
-            self.gaussians = gaussians.len() as u32;
-        }
+        self.gaussians = 0;
+        replace_gaussians(device, &mut self.tensors, gaussians)?;
+        self.gaussians = gaussians.len() as u32;
         self.version = Arc::default();
         self.update_occupancy(device)
     }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::network::{pack_network, packed_len, unpack_network};
 use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_core::scene::{Field, FieldTensors, Network, Scene, SceneConfig, Tensors};
+use organza_core::scene::{Field, FieldTensors, Gaussians, Network, Scene, SceneConfig, Tensors};
 
 /// A scene's tensors as kernels read them.
 pub fn pack(scene: &Scene) -> Tensors<Cow<'_, [f32]>> {
@@ -33,6 +33,22 @@ pub fn upload(
     tensors: Tensors<Cow<'_, [f32]>>,
 ) -> muslin_device::Result<Tensors<Buffer<f32>>> {
     tensors.try_map(|name, values| device.upload(name, &values))
+}
+
+/// The tensors are those of these Gaussians from now on. A device never has both at once.
+///
+/// # Errors
+/// The same errors as [`Device::upload`]. Some Gaussians are missing then.
+pub fn replace_gaussians(
+    device: &Device,
+    tensors: &mut Tensors<Buffer<f32>>,
+    gaussians: &Gaussians,
+) -> muslin_device::Result<()> {
+    for gaussians in [&Gaussians::default(), gaussians] {
+        let values = gaussians.tensors();
+        tensors.gaussians = values.try_map(|name, values| device.upload(name, values))?;
+    }
+    Ok(())
 }
 
 /// Where a tensor goes on the host.

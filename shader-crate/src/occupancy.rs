@@ -18,7 +18,8 @@ use muslin::prelude::*;
 pub const FULL: u32 = 1 << 12;
 /// Most nodes to either side of a Gaussian's center, along an axis.
 pub const MAX_HALF: u32 = 3;
-const MAX_NODES: u32 = (2 * MAX_HALF + 1).pow(3);
+/// Most nodes along an axis.
+const MAX_NODES: u32 = 2 * MAX_HALF + 1;
 /// The outermost nodes, in standard deviations.
 const REACH: f32 = 2.0;
 /// 1 / sqrt(2 pi)
@@ -78,7 +79,7 @@ fn node(index: u32, half: u32) -> (f32, f32) {
 }
 
 /// Adds each Gaussian to the cells of its nodes, in [`FULL`]ths, until they are full: `counts [entries^3]`, x fastest.
-#[kernel(threads(64), iterations = MAX_NODES)]
+#[kernel(threads(64), iterations = MAX_NODES * (1 + MAX_NODES * (1 + MAX_NODES)))]
 pub fn occupancy_add(
     id: Invocation,
     params: &OccupancyParams,
@@ -103,20 +104,27 @@ pub fn occupancy_add(
         let half_x = half_of(cells.x);
         let half_y = half_of(cells.y);
         let half_z = half_of(cells.z);
-        let nodes_x = 2 * half_x + 1;
-        let nodes_y = 2 * half_y + 1;
-        let nodes = nodes_x * nodes_y * (2 * half_z + 1);
-        let mut index = 0;
-        while index < nodes {
-            let (a, part_x) = node(index % nodes_x, half_x);
-            let (b, part_y) = node(index / nodes_x % nodes_y, half_y);
-            let (c, part_z) = node(index / (nodes_x * nodes_y), half_z);
-            let count = fill * (part_x * part_y * part_z) * FULL as f32 + 0.5;
-            if count >= 1.0 {
-                let place = center + x * (a * scale.x) + y * (b * scale.y) + z * (c * scale.z);
-                add(params, scene_box, place, min(count, FULL as f32), counts);
+        let mut i = 0;
+        while i <= 2 * half_x {
+            let (a, part_x) = node(i, half_x);
+            let plane = center + x * (a * scale.x);
+            let mut j = 0;
+            while j <= 2 * half_y {
+                let (b, part_y) = node(j, half_y);
+                let line = plane + y * (b * scale.y);
+                let mut k = 0;
+                while k <= 2 * half_z {
+                    let (c, part_z) = node(k, half_z);
+                    let count = fill * (part_x * part_y * part_z) * FULL as f32 + 0.5;
+                    if count >= 1.0 {
+                        let place = line + z * (c * scale.z);
+                        add(params, scene_box, place, min(count, FULL as f32), counts);
+                    }
+                    k += 1;
+                }
+                j += 1;
             }
-            index += 1;
+            i += 1;
         }
     }
 }
@@ -143,10 +151,13 @@ fn add(params: &OccupancyParams, scene_box: SceneBox, place: Vec3, count: f32, c
         let row = (z as u32 + 1) * entries + y as u32 + 1;
         let entry = row * entries + x as u32 + 1;
         let count = count as u32;
-        let before = atomic::add(counts, entry, count);
-        // in any order, it ends as the smaller of the sum and this; it cannot overflow
-        if before + count > FULL {
-            counts.atomic_min(entry, FULL);
+        // Most cells that Gaussians reach are full soon, and a look is cheaper than an addition.
+        if counts.atomic_load(entry) < FULL {
+            let before = atomic::add(counts, entry, count);
+            // in any order, it ends as the smaller of the sum and this; it cannot overflow
+            if before + count > FULL {
+                counts.atomic_min(entry, FULL);
+            }
         }
     }
 }

@@ -58,7 +58,7 @@ pub struct Benchmark {
     pub peak_gbs: f64,
     /// Kernels of a forward pass, the slowest first.
     pub forward_kernels: Vec<KernelShare>,
-    /// Kernels of a forward and backward pass, the slowest first. Those of a forward pass if only that was measured.
+    /// Kernels of a forward and backward pass, the slowest first; of a forward pass alone if only that was measured.
     pub kernels: Vec<KernelShare>,
 }
 

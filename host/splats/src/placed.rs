@@ -1,4 +1,4 @@
-//! Gaussians in other coordinates: files have those of the world, scenes their own.
+//! Gaussians in other coordinates: files have the world's, scenes their own.
 
 use std::path::Path;
 

@@ -40,7 +40,7 @@ The result is a scene's file, for every command that takes a scene.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The views that count: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The views that count: nerfstudio's transforms.json, or a data set [default: the run's]
     data: Option<PathBuf>,
     /// The file of the new scene, safetensors; an older file of this name is replaced
     #[arg(short, long, value_name = "NEW")]

@@ -34,7 +34,7 @@ weights: Gaussians with half of S are nearer. The table shows the shares of the 
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
     /// Index of the view [default: 0; all with --summary]
     #[arg(long, value_name = "V")]

@@ -132,7 +132,7 @@ impl Folder {
         Ok(folder)
     }
 
-    /// Locks the folder until this value is dropped, so that no other call mixes its files with those of this one.
+    /// Locks the folder until this value is dropped, so that no other call writes files into it.
     /// With `shared`, calls that also share the lock may write at the same time.
     pub fn lock(&mut self, shared: bool) -> Result<()> {
         let lock = if shared { FolderLock::shared } else { FolderLock::exclusive };

@@ -52,7 +52,7 @@ file, the values are as they are.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
     /// The folder for the images; created if it does not exist
     #[arg(short, long, value_name = "DIR")]

@@ -39,7 +39,7 @@ tensor of the scene, `grad.<tensor>`.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
     /// The tiles, JSON
     tiles: PathBuf,

@@ -76,7 +76,7 @@ fn check_subgroups(kernel: &KernelInfo, module: &Module) -> Result<()> {
     Ok(())
 }
 
-/// A kernel with loops declares their iterations, those of its helpers included.
+/// A kernel with loops declares their iterations, its helpers' included.
 fn check_loops(kernel: &KernelInfo, module: &Module) -> Result<()> {
     let is_loop = |instruction: &&Instruction| instruction.class.opcode == Op::LoopMerge;
     let loops = module.all_inst_iter().filter(is_loop).count();
@@ -169,7 +169,7 @@ fn check_buffer(
 #[derive(Default)]
 pub struct Writer {
     bound: Word,
-    /// The number of the block among those of all functions.
+    /// The number of the block among the blocks of all functions.
     pub block: usize,
     pub instructions: Vec<Instruction>,
 }

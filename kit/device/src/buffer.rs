@@ -121,7 +121,7 @@ impl<T: Pod> Buffer<T> {
     }
 }
 
-/// Marks the host's side of kernels: buffers are those of a [`Device`](crate::Device).
+/// Marks the host's side of kernels: buffers belong to a [`Device`](crate::Device).
 #[derive(Debug)]
 pub enum Host {}
 

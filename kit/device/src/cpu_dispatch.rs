@@ -76,7 +76,7 @@ impl Launch<'_> {
             CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
             CpuRun::Workgroup(run) => {
                 let run = |part| {
-                    // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
+                    // SAFETY: the bindings come from the typed dispatch, and kernels do not write to the same
                     // element from two invocations without atomics. `Cpu::new` has checked the instruction set.
                     unsafe { run(self.bindings, place, self.workgroups, part) }
                 };

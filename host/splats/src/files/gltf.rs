@@ -295,7 +295,7 @@ impl File<'_> {
         Ok(())
     }
 
-    /// The Gaussians of a primitive. Those of the extension's drafts have their opacity and their first harmonic in the color
+    /// The Gaussians of a primitive. In the extension's drafts, they have their opacity and their first harmonic in the color
     /// of points, other names, or logarithms as scales.
     fn primitive(&self, primitive: &Value, notes: &mut Vec<String>) -> Result<Vec<Splat>> {
         let extension = &primitive["extensions"][EXTENSION];

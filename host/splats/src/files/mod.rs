@@ -57,7 +57,7 @@ pub struct SplatFile {
     pub splats: Vec<Splat>,
     /// Where this space lies in the world. An f32 has too few digits for a place on the Earth.
     pub placement: Placement,
-    /// Whether the file says where it lies, as those of organza do.
+    /// Whether the file says where it lies, as organza's do.
     pub is_placed: bool,
     /// Warnings: what is not read as the file means it.
     pub notes: Vec<String>,
@@ -324,7 +324,7 @@ fn logit_of(opacity: u8) -> f32 {
     logit(f32::from(opacity).clamp(0.25, 254.75) / 255.0)
 }
 
-/// The logarithm of a scale. That of 0 is not finite, so it is replaced by one that is too small to see.
+/// The logarithm of a scale. A scale of 0 has no finite one, so it gets one that is too small to see.
 fn log_of(scale: f32) -> f32 {
     if scale == 0.0 { -69.0 } else { scale.ln() }
 }

@@ -18,7 +18,7 @@ use crate::cli::refuse;
 /// Folder of the undistorted images and their cameras, in the work.
 pub const UNDISTORTED: &str = "undistorted";
 const DATABASE: &str = "database.db";
-/// Folders of COLMAP's models, in the work: the first ones, and those of all pairs of images.
+/// Folders of COLMAP's models, in the work: the first ones, and the ones after all pairs of images were compared.
 const MODELS: [&str; 2] = ["models", "models-of-all"];
 /// Folders without content: they say that a step on the database is done.
 const FEATURES: &str = "features";
@@ -105,7 +105,7 @@ impl<'a> Colmap<'a> {
 
     /// The matcher that suits the images.
     fn matcher(&self) -> Matcher {
-        // Panoramas are few places, and views of one place hardly need those of all others.
+        // Panoramas are few places, and views of one place hardly need all others.
         match self.images <= if self.is_video || self.are_views { FEW } else { SOME } {
             true => Matcher::Exhaustive,
             false => Matcher::Sequential,

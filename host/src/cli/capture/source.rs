@@ -257,7 +257,7 @@ fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Whether a file's name is that of a photograph.
+/// Whether a file's name has a photograph's ending.
 fn is_photograph(path: &Path) -> bool {
     has_extension(path, &["jpg", "jpeg", "png"])
 }

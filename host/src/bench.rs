@@ -23,7 +23,7 @@ pub struct BenchOptions {
     pub repeat: usize,
     /// Whether to measure the backward pass as well.
     pub backward: bool,
-    /// Whether the batch is the image of the first camera, which is painted in 8 bits.
+    /// Whether to measure an image of the first camera, with 8 bits a channel, instead of tiles.
     pub frame: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Compares the Gaussians of a file with photographs, in its own axes and in those that other files have.
+//! Compares the Gaussians of a file with photographs, in its own axes and in other files' axes.
 
 use glam::{DMat3, DVec3};
 use organza_core::scene::Placement;
@@ -18,8 +18,8 @@ const SIDE: u32 = 64;
 const MOST_SPLATS: usize = 20_000;
 /// The least share of the photographs' variance that Gaussians must explain more in other axes to be turned.
 const BETTER: f64 = 0.1;
-/// Gaussians that explain less do not belong to the photographs. Trained ones explain more than a half, and the same at
-/// another place a quarter at most.
+/// Gaussians that explain less do not belong to the photographs. Trained ones explain more than a half; moved to
+/// another place, a quarter at most.
 const LEAST: f64 = 0.3;
 
 /// The part of a pixel from which on it counts as covered.

@@ -239,7 +239,7 @@ impl Args {
             bar.set_of(done + 1, cameras.len());
         }
         drop(bar);
-        // indices of those that are left
+        // indices of the Gaussians that are left
         let mut left: Vec<_> = (0..scene.gaussians.len()).collect();
         if let Some(least) = self.least_contribution {
             // a Gaussian that contributes NaN is visible, so it stays

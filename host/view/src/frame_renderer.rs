@@ -125,7 +125,7 @@ impl FrameRenderer {
             "gaussians": stage.scene.len(),
             "pairs": report.pairs,
             "members": report.members,
-            // those computed for this image: earlier images made others known
+            // computed for this image; the eye keeps others from earlier images
             "samples": report.samples,
             "renewed": eye.cache.work().evaluated,
             // the length of T's steps, as a multiple of sigma

@@ -1,4 +1,4 @@
-//! Writes out what compilers and devices take differently.
+//! Writes out instructions that compilers and devices understand differently.
 //!
 //! | as the compiler writes it | what is wrong | as it becomes |
 //! | --- | --- | --- |

@@ -1,4 +1,4 @@
-//! Compares a compiled module with its kernel's declaration, and writes instructions anew for passes that put some in the place of others.
+//! Compares a compiled module with its kernel's declaration, and replaces instructions for other passes.
 
 use anyhow::{Result, anyhow, bail, ensure};
 use muslin_kernel::{EntryPoint, KernelInfo};

@@ -95,7 +95,7 @@ fn is_of_host(attributes: &[Attribute]) -> bool {
 /// A function that is looked at.
 struct Function {
     name: String,
-    /// Whether nothing counts its loops.
+    /// Whether its loops are not counted.
     is_uncounted: bool,
     /// Whether the compiler can run it.
     is_const: bool,

@@ -27,7 +27,7 @@ struct Launch<'a> {
     shared: &'static [SharedInfo],
     bindings: &'a [CpuBinding<'a>],
     workgroups: UVec3,
-    /// Those that are not additional.
+    /// The workgroups that are not additional.
     needed: UVec3,
     is_checked: bool,
     time_limit: Option<Duration>,

@@ -31,7 +31,7 @@ const FEW: usize = 50;
 pub const SOME: usize = 200;
 /// With fewer poses than this part of the images, all pairs are compared after all.
 const ENOUGH: f64 = 0.8;
-/// Neighbors on each side that an image is compared with. COLMAP adds those at distances of 2, 4, 8 and so on.
+/// Neighbors on each side that an image is compared with. COLMAP adds neighbors at distances of 2, 4, 8 and so on.
 const OVERLAP: &str = "15";
 /// Most features of an image without CUDA. The time of a comparison grows as their square: of COLMAP's own 8,192, two
 /// cores compare 100 pairs a minute.

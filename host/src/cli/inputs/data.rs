@@ -77,7 +77,7 @@ impl DataArgs {
         self.split.unwrap_or(default)
     }
 
-    /// The settings of the data set: the scene's run's, unless an argument or an option says otherwise.
+    /// The settings of the data set: from the scene's run, unless an argument or an option says otherwise.
     /// `usage` shows how to name a data set.
     pub fn settings(
         &self,

@@ -122,7 +122,7 @@ impl MemoryPool {
 }
 
 // Parameters that only the device knows. `count_fill` writes them into the uniform buffer, after the dispatches that
-// count and before those that read.
+// count and before dispatches that read.
 
 /// The kernel `count_fill`.
 pub static COUNT_FILL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {

@@ -21,7 +21,7 @@ Examples:
   organza explain run --split held-out --view 0 --pixel 64,64
   organza explain run --split held-out --summary
 
-The columns are those of docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
+The columns follow docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
 sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.
 
 --summary looks at up to 1024 evenly spaced pixels of each view. The surface of a pixel is the median depth of its \

@@ -29,7 +29,7 @@ Examples:
   organza render scene.safetensors transforms.json -o images --task 0/4    the first of four machines
   organza render scene.safetensors transforms.json -o images --missing     what is not there yet
 
-The cameras of a data set are those of training: undistorted and downscaled. With a run's folder, its settings say \
+A data set's cameras are used as in training: undistorted and downscaled. With a run's folder, its settings say \
 which frames are held out. `--views` counts the frames that `--split` chooses.
 
 If each camera names a photograph of its own, files are named after these; otherwise after the \

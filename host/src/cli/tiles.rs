@@ -23,7 +23,7 @@ Examples:
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --channels depth,alpha
   organza tiles scene.safetensors cameras.json tiles.json --grad-tiles G.safetensors --grad gradient.safetensors
 
-CAMERAS may be a data set: its cameras are those of training, and `camera` is an index among the \
+CAMERAS may be a data set: its cameras are used as in training, and `camera` is an index among the \
 frames of `--split`.
 
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \

@@ -5,7 +5,7 @@
 #
 # usage: scripts/release.sh [FOLDER]      (target/release-files by default)
 #
-# It needs rustup, Python with venv, and jq. Zig is the linker, because it knows the symbols of old versions of glibc, and those of Windows. macOS
+# It needs rustup, Python with venv, and jq. Zig is the linker, because it knows the symbols of old versions of glibc, and of Windows. macOS
 # needs Apple's SDK in SDKROOT. What cannot be linked here is left out, and a message says what it takes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -41,7 +41,7 @@ licenses() {
 # Whether programs for a platform can be linked here.
 can_link() {
   if [[ $1 == *-apple-* && -z ${SDKROOT:-} ]]; then
-    echo "left out $1: set SDKROOT to a macOS SDK, such as that of \`xcrun --show-sdk-path\` on a Mac" >&2
+    echo "left out $1: set SDKROOT to a macOS SDK, such as \`xcrun --show-sdk-path\` prints on a Mac" >&2
     return 1
   fi
   if [[ ! -d $(rustc --print target-libdir --target "$1") ]] && ! timeout 300 rustup target add "$1"; then

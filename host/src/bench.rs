@@ -23,7 +23,7 @@ pub struct BenchOptions {
     pub repeat: usize,
     /// Whether to measure the backward pass as well.
     pub backward: bool,
-    /// Whether the batch is the image of the first camera, which is painted in 8 bits.
+    /// Whether to measure an image of the first camera, with 8 bits a channel, instead of tiles.
     pub frame: bool,
 }
 
@@ -58,7 +58,7 @@ pub struct Benchmark {
     pub peak_gbs: f64,
     /// Kernels of a forward pass, the slowest first.
     pub forward_kernels: Vec<KernelShare>,
-    /// Kernels of a forward and backward pass, the slowest first. Those of a forward pass if only that was measured.
+    /// Kernels of a forward and backward pass, the slowest first; of a forward pass alone if only that was measured.
     pub kernels: Vec<KernelShare>,
 }
 

@@ -1,4 +1,4 @@
-//! From [binned] sums to gradients: those of the networks and of the cameras' poses.
+//! From [binned] sums to gradients of the networks and of the cameras' poses.
 
 use muslin::binned;
 use muslin::prelude::*;

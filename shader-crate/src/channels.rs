@@ -1,5 +1,5 @@
 //! The values that a pair adds to the channels beside color: depth, visibility and normal. [`splat`](crate::splat) takes these three
-//! values in the place of a color, so that the same sums are taken of them (Eq. 12).
+//! values in the place of a color, so that Eq. 12 sums them in the same way.
 
 use glam::{Vec3, Vec4};
 

@@ -72,7 +72,7 @@ fn material_backward_work(params: &MaterialBackwardParams, _: Shape<'_>) -> Work
     Work { flops: 0, bytes: 2 * NUMBER * samples * material }
 }
 
-/// The gradient of every pair's material, taken from that of the color network's input (Eq. 1): `input_gradient
+/// The gradient of every pair's material, a part of the color network's input (Eq. 1): `input_gradient
 /// [rows, stride]` to `pair_material [pairs, material]`.
 #[kernel(threads(64), iterations = MAX_VECTOR, counts(samples), work(material_backward_work))]
 pub fn material_backward(

@@ -100,7 +100,7 @@ impl Source<u32> for MemberCells<'_> {
     }
 }
 
-/// Operations and bytes of [`composite`]. At most: every member at every pixel of its tile.
+/// Operations and bytes of [`composite`]. An upper limit: every member at every pixel of its tile.
 #[cfg(not(target_arch = "spirv"))]
 fn composite_work(params: &CompositeParams, shape: Shape<'_>) -> Work {
     /// The binding of the members, among the storage buffers.

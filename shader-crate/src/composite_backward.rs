@@ -49,8 +49,8 @@ struct Span {
 }
 
 impl Span {
-    /// Those of `begin .. end` whose centers lie within `extent` of `center`; the extent's margin is wider than what
-    /// is rounded here.
+    /// The pixels of `begin .. end` whose centers lie within `extent` of `center`; the extent's margin is wider than
+    /// the rounding here.
     #[inline(always)]
     fn new(center: f32, extent: f32, origin: i32, begin: u32, end: u32) -> Self {
         let low = begin as f32;
@@ -180,7 +180,7 @@ fn all_moments<L: Lane>(
     sum
 }
 
-/// Operations and bytes of [`composite_backward`]. At most: every member at every pixel of its tile.
+/// Operations and bytes of [`composite_backward`]. An upper limit: every member at every pixel of its tile.
 #[cfg(not(target_arch = "spirv"))]
 fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Work {
     /// Operations of a member at a pixel.
@@ -193,12 +193,12 @@ fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Wo
     }
 }
 
-/// Adds to `member_gradient [members, 3]` what each member's splat has of some rows of its tile, of
+/// Adds to `member_gradient [members, 3]` the gradient of each member's splat from some rows of its tile, given
 /// `sum_gradient [tiles, 4, S, S]`, dL/dC and dL/dS: `(d mean2d x, y, d weight, 0), (d conic xx, xy, yy, 0),
 /// (d color, 0)`.
 ///
 /// The derivative of Eq. 12: with `alpha = weight falloff(q)`, `dL/dalpha = dL/dC . c + dL/dS`, and
-/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  The weight is that without its [`Compensation`], which depends on
+/// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  The weight is the one before its [`Compensation`], which depends on
 /// the conic.  One invocation for each member of a tile: pixels are summed
 /// in an order that nothing changes.
 #[kernel(threads(64), iterations = u32::BITS + MAX_BAND, lanes, counts(members), work(composite_backward_work))]

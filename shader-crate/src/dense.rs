@@ -197,7 +197,7 @@ fn one_column<S: Samples>(
     write_rectified(output, sum, first * 4, params, sample);
 }
 
-/// Writes four rows of `max(value, 0)`, those of a layer's outputs from a row on.
+/// Writes four rows of `max(value, 0)`, the outputs of a layer from a row on.
 #[inline(always)]
 pub fn write_rectified<S: Samples>(
     output: WriteFours<f32>,

@@ -35,11 +35,11 @@ pub struct DenseBackwardParams {
     pub columns: u32,
     /// Where the layer's weights begin.
     pub weight: u32,
-    /// The first input whose gradient somebody needs.
+    /// The first input that requires a gradient.
     pub first_input: u32,
-    /// The last one, and one: with `rectified`, the padding of the layer below, too.
+    /// Exclusive end of the inputs: with `rectified`, after the padding of the layer below.
     pub end_input: u32,
-    /// 1 if the inputs are a hidden layer's outputs: the gradient is then that of their values before the activation.
+    /// 1 if the inputs are a hidden layer's outputs: the gradient is then by their values before the activation.
     pub rectified: u32,
 }
 
@@ -251,7 +251,7 @@ pub struct DenseWeightBackwardParams {
     pub cameras: u32,
     /// Words of a camera's mask.
     pub words: u32,
-    /// 1 for samples of the transmittance network, 0 for those of the color network: they are the pairs.
+    /// 1 for samples of the transmittance network, 0 for samples of the color network, which are the pairs.
     pub of_rays: u32,
     /// Samples of a slice.
     pub slice: u32,
@@ -285,12 +285,12 @@ pub struct Few {
     pub at: u32,
     /// The first sample that counts.
     pub begin: u32,
-    /// The last one, and one.
+    /// Exclusive end.
     pub end: u32,
 }
 
 impl Few {
-    /// Whether a loop goes on here: over whole vectors while there are any, or over others to the next whole one.
+    /// Whether a loop goes on here: over whole vectors while there are any, or over single samples up to the next whole vector.
     #[inline(always)]
     fn is_next<const WHOLE: bool>(self) -> bool {
         let first = FEW * self.at;
@@ -457,7 +457,7 @@ pub fn weight_invocations(inputs: u32, columns: u32) -> u32 {
 const BLOCKS_TOGETHER: u32 = 4;
 
 /// The block of inputs and the column of outputs of an invocation. The 32 lanes of a subgroup take 4 blocks and 8 columns, where
-/// there are so many: their rows lie in 48 cache lines, and those of 2 blocks and 16 columns in 72.
+/// there are so many: their rows lie in 48 cache lines, while 2 blocks and 16 columns lie in 72.
 #[inline(always)]
 fn place_of(index: u32, columns: u32) -> [u32; 2] {
     if columns.is_multiple_of(8) {
@@ -501,12 +501,12 @@ fn camera_of(
     low
 }
 
-/// What a chunk has of a slice.
+/// The part of a slice that lies in a chunk.
 #[derive(Clone, Copy)]
 pub struct SlicePart {
     /// The first sample, counted from the chunk's.
     pub begin: u32,
-    /// The last one, and one.
+    /// Exclusive end.
     pub end: u32,
     /// Whether the slice begins in the chunk before: its sums go on.
     pub continues: bool,
@@ -544,7 +544,7 @@ pub struct Outputs {
     pub end: u32,
 }
 
-/// Adds what an invocation has of a slice; of one that ends in another chunk, leaves it in `carry`.
+/// Adds an invocation's sums over a slice; leaves them in `carry` if the slice ends in another chunk.
 #[inline(always)]
 fn add_slice<L: Lane>(
     params: &DenseWeightBackwardParams,
@@ -626,8 +626,8 @@ fn sum_column<L: Lane>(
     total(lanes, rest)
 }
 
-/// Adds four sums of a slice to those of all slices, or leaves them for the next chunk: of a row of parameters that begins
-/// at `to`. The layer has them all if they are `WHOLE`.
+/// Adds four sums of a slice to the sums of all slices, in the row of parameters that begins at `to`; or leaves them for the
+/// next chunk. If they are `WHOLE`, the layer has all four.
 #[inline(always)]
 pub fn add_sums<const WHOLE: bool>(
     params: &DenseWeightBackwardParams,
@@ -702,8 +702,8 @@ pub fn begin_sums<L: Lane>(
     ]
 }
 
-/// Sums of the products of four inputs and a column of outputs' gradients, over as many whole lanes of samples as there are;
-/// and the first sample after those.
+/// Sums of the products of four inputs and a column of outputs' gradients, over the samples that fill all lanes; and the
+/// first sample after them.
 #[inline(always)]
 fn sum_products<L: Lane>(
     before: [LaneVec4<L>; 4],
@@ -782,7 +782,7 @@ fn sum_few<L: Lane, const WHOLE: bool>(
     ([sum0, sum1, sum2, sum3], few)
 }
 
-/// Sums of a column's four rows, over as many whole lanes of samples as there are; and the first sample after those.
+/// Sums of a column's four rows, over the samples that fill all lanes; and the first sample after them.
 #[inline(always)]
 fn sum_lanes<L: Lane>(
     before: LaneVec4<L>,
@@ -931,7 +931,7 @@ mod tests {
                 dense_backward::<Four>(id.with_items(4), &back, weights, input, gradient, output);
             }
             assert_eq!(one, four, "{samples} samples");
-            assert_eq!(back_one, back_four, "{samples} samples on the way back");
+            assert_eq!(back_one, back_four, "{samples} samples, backward");
             assert!(four.iter().any(|&value| value > 0.0 && value != 9.0));
         }
     }

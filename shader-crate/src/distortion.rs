@@ -1,4 +1,4 @@
-//! The distortion of a pixel: how far apart the Gaussians are whose weighted sum it is, as a term of the loss.
+//! The distortion of a pixel, a term of the loss: how far apart the Gaussians of its weighted sum are.
 //!
 //! With the weights `alpha_i` of Eq. 12 and the inverse distances `u_i` of the Gaussians' centers from the eye, let
 //! `M_n = sum_i alpha_i u_i^n`, so that `M_0` is S. The distortion is `min(S, 1)^2 (S M_2 / M_1^2 - 1)`: the variance of u

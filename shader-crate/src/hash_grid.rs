@@ -27,7 +27,7 @@ pub struct GridLevel {
 
 /// Parameters of [`hash_grid`].
 ///
-/// Points come in chunks: the rows of a chunk lie together, behind those of the chunk before.
+/// Points come in chunks: the rows of a chunk lie together, behind the rows of the chunk before.
 #[params]
 pub struct HashGridParams {
     /// Points to encode.

@@ -1,7 +1,7 @@
 //! The unit of the fixed-point sums of [`hash_grid_backward`](crate::hash_grid_backward): a power of two, so small that
 //! no sum overflows.
 //!
-//! A network's gradient is at most as large as that of its outputs, times `max_i sum_o |W[o, i]|` of each layer; ReLU
+//! A network's gradient is at most as large as its outputs' gradient, times `max_i sum_o |W[o, i]|` of each layer; ReLU
 //! makes none larger.  A sum has at most as many terms of that size as there are samples: the weights of a sample's
 //! corners add up to 1.
 
@@ -26,7 +26,7 @@ pub const STATUS_LIMIT: u32 = 1;
 /// In `status`: a gradient of a pair or a weight was infinite or NaN, and nothing was added.
 pub const STATUS_NOT_FINITE: u32 = 2;
 
-/// The bits of infinity; those of NaN are above, those of numbers below.
+/// The bits of infinity; NaN's are above, numbers' below.
 const INFINITY_BITS: u32 = 0x7f80_0000;
 
 /// The bits of 1.

@@ -26,7 +26,7 @@ pub const MAX_SAMPLES: u32 = 16_384;
 /// Members that one dispatch of [`composite`](crate::composite::composite) adds up; a fuller tile takes more passes.
 pub const MAX_MEMBERS: u32 = 16_384;
 
-/// Tiles of one part of a batch: [`pair_mask`](crate::pair::pair_mask) loops over those of a camera.
+/// Tiles of one part of a batch: [`pair_mask`](crate::pair::pair_mask) loops over a camera's tiles.
 pub const MAX_TILES: u32 = 16_384;
 
 /// Largest number of values of a sample in the color network's input, the wider of the two (Eq. 1).

@@ -27,7 +27,7 @@ pub struct Pinhole {
     ratio: Vec2,
 }
 
-/// The least and the greatest ratios x/z and y/z in J: those of the image's border, and 0.3 of its half width more.
+/// The smallest and the largest ratios x/z and y/z in J: the image's border, and 0.3 of its half width more.
 #[inline(always)]
 fn ratio_limits(camera: &Camera) -> [Vec2; 2] {
     let inverse_focal = Vec2::new(1.0 / camera.focal.x, 1.0 / camera.focal.y);

@@ -57,11 +57,11 @@ pub struct PoseBackwardParams {
     pub blur: f32,
 }
 
-/// Adds what the pairs of a camera have to the six values of its place in `sum [17, values, 2]`: blocks of pairs along x
+/// Adds the gradients of a camera's pairs by its pose to six values of `sum [17, values, 2]`: blocks of pairs along x
 /// and y.  A block is summed in f32, and blocks [exactly](binned).
 ///
-/// `pair [pairs]` and `first_pair [cameras, words + ..]` are those of [`pair_fill`](crate::pair::pair_fill), with the number of
-/// all pairs at the end; `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward).
+/// `pair [pairs]` and `first_pair [cameras, words + ..]` come from [`pair_fill`](crate::pair::pair_fill), with the number of
+/// all pairs at the end; `pair_gradient [pairs, 3]` comes from [`splat_backward`](crate::splat::splat_backward).
 #[kernel(threads(64), iterations = BLOCK)]
 pub fn pose_backward(
     id: Invocation,

@@ -141,7 +141,7 @@ pub const EVERYWHERE: [f32; WINDOW] = [f32::MIN, f32::MIN, f32::MAX, f32::MAX];
 /// Whether Gaussians that the camera sees end before a window of the image, for certain. It costs less than
 /// [`project_gaussian`].
 ///
-/// The longest axis of `J W Sigma W^T J^T` is at most that of Sigma times the Frobenius norm of J: W turns. The margin is wider
+/// The longest axis of `J W Sigma W^T J^T` is at most Sigma's, times the Frobenius norm of J: W only turns. The margin is wider
 /// than the one of [`reaches`](crate::tile::reaches).
 #[inline(always)]
 pub fn is_elsewhere<L: Lane>(
@@ -205,7 +205,7 @@ fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
 ///
 /// `window [cameras, 4]` holds a camera's tiles, see [`WINDOW`]. `projection [cameras, gaussians, 2]` is `(mean2d, radius,
 /// extent x), (conic, extent y)`: all zeros but the negative radius where a Gaussian is culled. `degenerate [1]` counts
-/// those that may reach a window and cannot be projected.
+/// Gaussians that may reach a window and cannot be projected.
 #[kernel(threads(64), iterations = 1, lanes(gaussians), work(project_work))]
 pub fn project<L: Lane>(
     id: Invocation,

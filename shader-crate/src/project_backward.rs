@@ -1,4 +1,4 @@
-//! The derivative of the EWA projection: from gradients of pairs' centers and conics to those of Gaussians.
+//! The derivative of the EWA projection: from gradients of pairs' centers and conics to gradients of Gaussians.
 
 use glam::{Vec2, Vec3, Vec4};
 
@@ -49,7 +49,7 @@ pub fn rotation_columns_backward(q: Vec4, gradient: [Vec3; 3]) -> Vec4 {
 pub struct FootprintGradient {
     /// Of the position in the camera's space.
     pub t: Vec3,
-    /// Of the first row of `J W`, but for what t changes there.
+    /// Of the first row of `J W`, with t held constant.
     pub row_x: Vec3,
     /// Of the second row of `J W`, likewise.
     pub row_y: Vec3,
@@ -148,10 +148,10 @@ pub struct ProjectBackwardParams {
     pub bits: u32,
 }
 
-/// Adds what the pairs of a Gaussian have in some of the cameras, one after the other, to `gradient [11 gaussians]`: position `[N, 3]`, rotation
+/// Adds the gradients of a Gaussian's pairs in some of the cameras, one after the other, to `gradient [11 gaussians]`: position `[N, 3]`, rotation
 /// `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
 ///
-/// `pair_gradient [pairs, 3]` is that of [`splat_backward`](crate::splat::splat_backward).
+/// `pair_gradient [pairs, 3]` comes from [`splat_backward`](crate::splat::splat_backward).
 #[kernel(threads(64), iterations = MAX_CAMERAS)]
 pub fn project_backward(
     id: Invocation,

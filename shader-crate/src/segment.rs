@@ -46,7 +46,7 @@ pub struct ContractedRay {
     pub radius: f32,
     /// r of the Gaussian.
     pub begin: f32,
-    /// r of the camera, less that of the Gaussian.
+    /// r of the camera minus r of the Gaussian.
     pub way: f32,
     /// K; 0 without a ray.
     pub count: u32,
@@ -96,8 +96,8 @@ fn stretch<L: Lane>(r: L, radius: f32) -> L {
 
 /// The ray between a Gaussian and a camera, both from the cube's center, in steps of about `step` (sigma).
 ///
-/// The length L is that of r, which is the contracted ray's own where it is near the box; farther away the contraction is a
-/// division by the distance.
+/// The length L is measured in r. Near the box, r is the contracted ray's own length; farther away, the contraction divides by
+/// the distance.
 #[inline(always)]
 pub fn contracted_ray(p: Vec3, eye: Vec3, step: f32) -> ContractedRay {
     let p = limited(p);

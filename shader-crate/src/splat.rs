@@ -34,11 +34,11 @@ pub struct Compensation {
     pub log_slope: Vec3,
 }
 
-/// The least [`Compensation::factor`]: that of a Gaussian so thin that rounding decides on its quotient.
+/// The smallest [`Compensation::factor`]: for a Gaussian so thin that rounding decides on its quotient.
 pub const LEAST_COMPENSATION: f32 = 1.0 / 255.0;
 
 impl Compensation {
-    /// That of a Gaussian's conic (xx, xy, yy) and a blur; 1 without a blur.
+    /// From a Gaussian's conic (xx, xy, yy) and a blur; 1 without a blur.
     #[inline(always)]
     pub fn new(conic: Vec3, blur: f32) -> Self {
         let x = 1.0 - blur * conic.x;

@@ -109,7 +109,7 @@ pub fn ssim_rows(
     }
 }
 
-/// `1 - SSIM` of a window, channel by channel, and how it depends on a pixel i in it:
+/// `1 - SSIM` of a window, channel by channel, and its derivative by a pixel i in it:
 /// `d(1 - SSIM) / dx_i = w_i m_i (constant + d_i by_difference + s_i by_sum)`.
 ///
 /// The last components are not used.

@@ -1,4 +1,4 @@
-//! Statistics that growth decides by: how far a Gaussian's images are pulled, in how many cameras, and how large they are.
+//! Statistics that densification decides by: how far a Gaussian's images are pulled, in how many cameras, and how large they are.
 
 use glam::{Vec3, Vec4};
 
@@ -23,8 +23,8 @@ pub struct StatisticsParams {
 /// Adds the pairs of a Gaussian in some of the cameras, one after the other, to `statistics [gaussians]`: the sum of |dL/dmean2d| over cameras,
 /// the cameras that have the Gaussian as a pair, its largest radius in pixels, 0.
 ///
-/// `projection [cameras, gaussians, 2]` is that of [`project`](crate::project::project), `pair_gradient [pairs, 3]` that
-/// of [`splat_backward`](crate::splat::splat_backward).
+/// `projection [cameras, gaussians, 2]` comes from [`project`](crate::project::project), `pair_gradient [pairs, 3]`
+/// from [`splat_backward`](crate::splat::splat_backward).
 #[kernel(threads(64), iterations = MAX_CAMERAS)]
 pub fn statistics(
     id: Invocation,

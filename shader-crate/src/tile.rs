@@ -12,7 +12,7 @@ use muslin::prelude::*;
 /// A tile as kernels see it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
-    /// Slot of the camera among those of the batch.
+    /// Slot of the camera in the batch.
     pub camera: u32,
     /// `o_t`, in pixels.
     pub origin: [i32; 2],

@@ -1,7 +1,7 @@
 //! B3. Which cells of its tile a member can reach, so that a pixel can skip the other members.
 //!
 //! A tile is cut into 4 columns and 8 rows of cells; a member's cells are the bits of a word. They include everything that
-//! [`touches`] lets through, because both round alike. So the image does not depend on them.
+//! [`touches`] accepts, because both round alike. So the image does not depend on them.
 
 use glam::Vec4;
 

@@ -61,7 +61,7 @@ fn owner_among(first_sample: Read<u32>, low: u32, high: u32, sample: u32) -> u32
     low
 }
 
-/// Operations and bytes of [`transmittance_inputs`]. Values that are written alone: what they come from has many samples.
+/// Operations and bytes of [`transmittance_inputs`]. Only values that are written count: what they are computed from serves many samples.
 #[cfg(not(target_arch = "spirv"))]
 fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -> Work {
     let [samples, extra] = wide([params.samples, params.extra]);
@@ -217,7 +217,7 @@ pub fn transmittance_head<L: Lane>(
 pub struct SegmentProductParams {
     /// Pairs in the batch.
     pub pairs: u32,
-    /// 1. If steps are n times as long as sigma (Eq. 8), n: `s_factor` was of those steps, and it is an exponent.
+    /// An exponent: n if steps are n times as long as sigma (Eq. 8), because `s_factor` counts these longer steps; otherwise 1.
     pub power: f32,
 }
 

@@ -75,7 +75,7 @@ fn transmittance_head_backward_work(params: &HeadParams, _: Shape<'_>) -> Work {
 /// The gradient of the scalar network's output, which is computed once more: `dL/da_k = dL/dlog_rho_k s_factor
 /// sigmoid(-a_k)` of Eq. 11.
 ///
-/// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: those of
+/// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: of
 /// the chunk, wherever it begins.
 #[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_backward_work))]
 pub fn transmittance_head_backward<L: Lane>(
@@ -114,7 +114,7 @@ pub struct ExtraBackwardParams {
     pub extra_row: u32,
 }
 
-/// Adds the gradients of the network's input (Eq. 9) of a pair's samples in this chunk to that of the pair's extra
+/// Adds the gradients of the network's input (Eq. 9) of a pair's samples in this chunk to the gradient of the pair's extra
 /// vector: pairs along x and y, the vector's values along z.
 ///
 /// `first_sample [all pairs + 1]`, `input_gradient [rows, stride]`, `pair_extra [all pairs, extra]`.
@@ -145,7 +145,7 @@ pub fn extra_backward<L: Lane>(
     }
 }
 
-/// The sum of as many whole lanes as there are, and the index after those.
+/// The sum of the values that fill all lanes, and the index after them.
 #[loops]
 #[inline(always)]
 fn sum_lanes<L: Lane>(before: L, values: Read<f32>, begin: u32, end: u32) -> (L, u32) {

@@ -26,7 +26,7 @@ const OUTPUTS: u32 = 4;
 const TILE_INPUTS: u32 = SIDE * INPUTS;
 /// Outputs of a tile.
 const TILE_OUTPUTS: u32 = SIDE * OUTPUTS;
-/// Vectors of four samples that are copied at once, by as many neighbors.
+/// Vectors of four samples that are copied at once, each by one of as many neighbors.
 const QUADS: u32 = 8;
 /// Distance of two rows in workgroup memory. It is odd, so that eight neighbors read from different banks.
 const PITCH: u32 = QUADS + 1;
@@ -72,7 +72,7 @@ fn weights_of(params: &DenseWeightBackwardParams, input: u32) -> u32 {
     4 * (params.weight + least(input, params.inputs - 1) * params.columns)
 }
 
-/// Adds what a workgroup's tile has of a slice; of one that ends in another chunk, leaves it in `carry`.
+/// Adds the sums of a workgroup's tile over a slice; leaves them in `carry` if the slice ends in another chunk.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 pub fn add_tile(
@@ -159,7 +159,7 @@ fn add_row(
     }
 }
 
-/// Four sums, as the plain kernel has them: of lanes, and of no samples that are left over.
+/// Four sums in the plain kernel's form: the sums of the lanes, with no samples left over.
 #[inline(always)]
 fn rounded(value: LaneVec4<f32>) -> Vec4 {
     total(value, LaneVec4::<f32>::splat(Vec4::ZERO))

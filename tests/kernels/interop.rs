@@ -109,7 +109,7 @@ fn kernels_run_on_a_device_and_buffers_of_the_program() {
     assert_eq!(device.read(&copied).unwrap(), expected());
     assert_eq!(device.wgpu().map(|(device, _)| device), Some(&engine));
 
-    // the memory of a dropped buffer becomes that of the next, but not if it is the program's
+    // the next buffer takes the memory of a dropped one, but not if it is the program's
     drop(prefix);
     device.submit();
     let next = device.unwritten::<u32>("next", COUNT as usize).unwrap();

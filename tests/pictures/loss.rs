@@ -201,7 +201,7 @@ fn masked_pixels_have_no_influence() {
     }
 }
 
-/// For windows inside the image, SSIM equals that of the evaluation.
+/// For windows inside the image, SSIM equals the evaluation's.
 #[test]
 fn windows_inside_match_the_metric() {
     const SIDE: usize = 33;

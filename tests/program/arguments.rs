@@ -118,7 +118,7 @@ fn folders_of_the_system_take_no_files() {
     }
 }
 
-/// The cameras of a data set are those of training: with `--downscale`, they have the smaller size.
+/// Commands take a data set's cameras as training does: with `--downscale`, they have the smaller size.
 #[test]
 fn a_run_is_rendered_from_its_own_views() {
     let sandbox = trained();

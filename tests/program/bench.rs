@@ -90,7 +90,7 @@ fn a_batch_is_measured() {
     for (name, expected) in [("project", 1), ("composite", 1), ("project_backward", 1)] {
         assert_eq!(dispatches(&found["kernels"], name), Some(expected), "{name}");
     }
-    // the counts are those of `organza tiles`
+    // the counts equal `organza tiles`'s
     let words = "tiles scene.safetensors cameras.json tiles.json -o out --backend cpu --verbose";
     let said = sandbox.run(words).assert_ok().stderr.replace(',', "");
     for (key, thing) in
@@ -129,7 +129,7 @@ fn operations_are_counted() {
     }
 }
 
-/// A GPU's kernels have times, too. Their counts equal those of the previous case, because the batch is the same.
+/// A GPU's kernels have times, too. Their counts equal the previous case's, because the batch is the same.
 #[test]
 fn kernels_of_a_gpu_have_times() {
     if !devices::has_gpu() {

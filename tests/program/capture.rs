@@ -161,7 +161,7 @@ fn bad_inputs_are_refused() {
 }
 
 /// Stands in for COLMAP: it refuses options that are not in the file `known`. Its mapper finds the models of the folder
-/// `found-1`, then those of `found-2`.
+/// `found-1`, then `found-2`.
 const COLMAP: &str = r#"#!/bin/sh
 case "$1 $2" in
     help*) echo "COLMAP $(sed -n 's/^colmap //p' known) -- Structure-from-Motion" && exit ;;
@@ -216,7 +216,7 @@ case $last in
 esac
 "#;
 
-/// Options that all versions know: those of ffmpeg 5.0 to 9.0, and of COLMAP 3.8 to 4.1 in its sources and helps.
+/// Options that ffmpeg 5.0 to 9.0 and COLMAP 3.8 to 4.1 know, by their sources and helps.
 const KNOWN: [(&str, &str); 7] = [
     ("", "-v -hide_banner -nostats -nostdin -y -reinit_filter -i -map -vf -pix_fmt -f"),
     (
@@ -428,7 +428,7 @@ fn frames_are_those_of_the_film() {
     let names = (4..10).map(|frame| format!("frame-{frame:06}.png"));
     write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
     let outcome = capture(&sandbox, "film.h264 -o data").assert_ok();
-    assert_says(&outcome, &["those of 36 x 64 pixels are used, and 4 of 10 are left out"], &[]);
+    assert_says(&outcome, &["36 x 64 pixels are used, and 4 of 10 are left out"], &[]);
     for (frame, name) in names.enumerate() {
         let image = image::open(sandbox.path("data/images").join(&name)).unwrap().to_rgb8();
         assert_eq!(image.dimensions(), (36, 64));
@@ -464,7 +464,7 @@ fn colors_of_hlg_become_those_of_screens() {
     let names = (0..5).map(|frame| format!("frame-{frame:06}.png"));
     write_model(&sandbox, "found-1/0", &walk(names.clone()), 0.7, 20);
     let outcome = capture(&sandbox, "film.mkv -o data").assert_ok();
-    assert_says(&outcome, &["mapping the colors of HLG to those of screens"], &["warning"]);
+    assert_says(&outcome, &["mapping the colors of HLG to a screen's"], &["warning"]);
     for (frame, name) in names.enumerate() {
         let image = image::open(sandbox.path("data/images").join(&name)).unwrap().to_rgb8();
         // The inverse of HLG is E^2 / 3 here, its display makes that a power of 1.2, and another one has a gamma of 2.4.
@@ -795,7 +795,7 @@ fn frames_of_another_size_and_of_more_brightness_are_said() {
     write_model(&sandbox, "found-1/0", &walk(frames.take(40)), 0.7, 20);
     let outcome = capture(&sandbox, "film.mp4 -o data").assert_ok();
     let words = [
-        "the frames of film.mp4 change their size: those of 960 x 540 pixels are used, and 20 of 60 are left out",
+        "the frames of film.mp4 change their size: 960 x 540 pixels are used, and 20 of 60 are left out",
         "taking the 40 sharpest of 60 frames",
         "film.mp4 has colors of HLG, and this ffmpeg has no filter `zscale`",
         "40 of 40",

@@ -32,7 +32,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("organza train garden", "it needs what `organza capture` makes"),
     ("organza train still", "it needs what `organza capture` makes"),
     ("organza film garden-run", "it needs ffmpeg, which not everybody has"),
-    ("organza export-web garden-run", "its scene is that of `organza capture`"),
+    ("organza export-web garden-run", "it needs what `organza capture` makes"),
     ("pip ", "it needs PyPI"),
     ("python scripts/lpips.py", "it needs packages of PyPI"),
     ("python scripts/tensorboard.py", "it needs packages of TensorBoard"),
@@ -230,7 +230,7 @@ fn rust_in_the_readme_is_compiled() {
     }
 }
 
-/// Rust code of the guide is that of the example, which is built and tested as a project of its own.
+/// Rust code of the guide is in the example, which is built and tested as a project of its own.
 #[test]
 fn rust_in_the_guide_is_in_the_example() {
     let read = |file: &str| fs::read_to_string(root().join("kit/examples/picture").join(file));

@@ -30,7 +30,7 @@ fn build() -> PathBuf {
     let profile = profile.map_or("dev", |name| if name == "debug" { "dev" } else { name });
     let output = Command::new(cargo)
         // The features of dependencies depend on what is built. With the whole workspace and an example they are
-        // those of `cargo test --workspace`, so nothing is compiled again.
+        // the features of `cargo test --workspace`, so nothing is compiled again.
         .args(["build", "--quiet", "--workspace", "--bin", "organza", "--example", "render_tiles"])
         .args(["--message-format", "json", "--profile", profile])
         .current_dir(env!("CARGO_MANIFEST_DIR"))

@@ -6,7 +6,7 @@ use crate::sandbox::Sandbox;
 
 const RENDER: &str = "render scene.safetensors cameras.json --backend cpu --channels depth";
 
-/// Three tasks run at the same time, and one is killed. After rendering missing images, the folder equals that of a
+/// Three tasks run at the same time, and one is killed. After rendering missing images, the folder equals the folder of a
 /// single call.
 #[test]
 fn tasks_and_missing_images_equal_one_call() {

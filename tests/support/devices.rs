@@ -1,4 +1,4 @@
-//! The devices that tests run on: those of [`muslin_check`], with organza's kernels.
+//! The devices that tests run on: [`muslin_check`]'s, with organza's kernels.
 
 pub use muslin_check::devices::{checked, checked_variants, cpu, cpus, skip, thorough, with};
 use organza::{Device, MODULES};

@@ -113,7 +113,7 @@ fn speed(record: &Record) -> f64 {
 struct Source<'a> {
     steps: Vec<&'a Record>,
     evaluations: Vec<&'a Record>,
-    /// Index of the table of steps; that of evaluations follows.
+    /// Index of the table of steps; the table of evaluations follows.
     table: usize,
 }
 

@@ -1,7 +1,7 @@
 //! A run's folder `pictures`: small JPEG files of held-out views, for the report.
 //!
 //! `view-1-photograph.jpg` is the first view's photograph, `view-1-step-000500.jpg` its rendered image after 500
-//! steps, and `view-1-error-000500.jpg` its error. Only those of the last evaluation are kept. `over-time-000500.jpg`
+//! steps, and `view-1-error-000500.jpg` its error. Only the last evaluation's are kept. `over-time-000500.jpg`
 //! stays: a thumbnail of the first view after each evaluation.
 
 use std::fs;

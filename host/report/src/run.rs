@@ -224,7 +224,7 @@ impl Reporter {
     /// Writes what belongs to an event.
     ///
     /// # Errors
-    /// [`Error::WriteFile`](organza_core::Error::WriteFile); after the log is complete, those of [`Run::load`], too.
+    /// [`Error::WriteFile`](organza_core::Error::WriteFile); after the log is complete, errors of [`Run::load`], too.
     pub fn see(&mut self, event: &Event<'_>) -> Result<()> {
         match event {
             Event::Opened { step, .. } => self.pictures.begin(*step),

@@ -31,7 +31,7 @@ const LEAST_WEIGHT: [f32; 2] = [0.02, 0.002];
 const OPACITIES: [f32; 2] = [0.002, 0.98];
 /// Largest absolute value of an opacity's logit.
 const LARGEST_LOGIT: f32 = 9.0;
-/// Adam's rates at the first step. That of a position is relative to the Gaussian's own size.
+/// Adam's rates at the first step. A position's is relative to the Gaussian's own size.
 const POSITION: f32 = 0.02;
 const ROTATION: f32 = 4e-3;
 const LOG_SCALE: f32 = 8e-3;
@@ -119,7 +119,7 @@ struct Target {
 /// fit.
 ///
 /// # Errors
-/// [`Error::Argument`] without cameras; those of [`Renderer::render`]; those of `progress`.
+/// [`Error::Argument`] without cameras; errors of [`Renderer::render`] and of `progress`.
 pub fn distill(
     renderer: &Renderer,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! Compares the Gaussians of a file with photographs, in its own axes and in those that other files have.
+//! Compares the Gaussians of a file with photographs, in its own axes and in other files' axes.
 
 use glam::{DMat3, DVec3};
 use organza_core::scene::Placement;
@@ -18,8 +18,8 @@ const SIDE: u32 = 64;
 const MOST_SPLATS: usize = 20_000;
 /// The least share of the photographs' variance that Gaussians must explain more in other axes to be turned.
 const BETTER: f64 = 0.1;
-/// Gaussians that explain less are not those of the photographs. Trained ones explain more than a half, and the same at
-/// another place a quarter at most.
+/// Gaussians that explain less do not belong to the photographs. Trained ones explain more than a half; moved to
+/// another place, a quarter at most.
 const LEAST: f64 = 0.3;
 
 /// The part of a pixel from which on it counts as covered.
@@ -122,7 +122,7 @@ fn variance(image: &[([f32; 3], f32)], colors: &[Option<[f32; 3]>], least: f32) 
 
 impl SplatFile {
     /// The same file, turned to the axes in which photographs show its Gaussians, unless it says where it lies. A note says so,
-    /// and it says what does not fit in any axes. `placement` is that of the photographs' cameras.
+    /// and it says what does not fit in any axes. `placement` is the photographs' cameras'.
     #[must_use]
     pub fn fitted(self, frames: &[&Frame], placement: &Placement) -> Self {
         let some = frames.iter().step_by(frames.len().div_ceil(PHOTOGRAPHS).max(1));
@@ -168,7 +168,7 @@ impl SplatFile {
     /// The Gaussians in the space of a scene, some of which its cameras must see.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if they see none; those of [`SplatFile::into_own`].
+    /// [`Error::Invalid`] if they see none; errors of [`SplatFile::into_own`].
     pub fn into_seen(self, placement: &Placement, cameras: &[Camera]) -> Result<Vec<Splat>> {
         let origin = self.path.clone();
         let splats = self.into_own(placement)?;

@@ -1,4 +1,4 @@
-//! The harmonics of 3D Gaussian Splatting: those of Eq. 1, up to degree 3.
+//! The harmonics of 3D Gaussian Splatting: as in Eq. 1, up to degree 3.
 
 use glam::Vec3;
 use muslin::prelude::Write;
@@ -20,7 +20,7 @@ pub const FIRST: f32 = 0.282_094_79;
 /// others. If a color is hardly known, its harmonics stay small.
 const RIDGE: [f64; 2] = [1e-6, 1e-2];
 
-/// The harmonics of the direction from an eye to a place. If the two are equal, those of z.
+/// The harmonics of the direction from an eye to a place; of z, if the two are equal.
 pub fn harmonics(eye: Vec3, place: [f32; 3]) -> [f32; HARMONICS] {
     let direction = (Vec3::from(place) - eye).try_normalize().unwrap_or(Vec3::Z);
     let mut values = [0.0; HARMONICS];
@@ -116,7 +116,7 @@ mod tests {
         // uniform samples separate the equations of all harmonics: their squares have the mean 1 / 4 pi
         let square = 0.25 / std::f32::consts::PI;
         let kept = RIDGE.map(|ridge| square / (square + ridge as f32));
-        // x is harmonic 3, and z is harmonic 2; y^2 is 1/3 minus half the polynomial of 8 and a sixth of that of 6
+        // x is harmonic 3, and z is harmonic 2; y^2 is 1/3 minus half the polynomial of 8 and a sixth of 6's
         let expected = [
             (0, 1, 0.1 / FIRST * kept[0]),
             (3, 0, -0.2 / 0.488_602_5 * kept[1]),

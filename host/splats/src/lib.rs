@@ -23,7 +23,7 @@ pub use views::{Views, bounds};
 use bytemuck::{Pod, Zeroable};
 use harmonics::HARMONICS;
 
-/// One Gaussian, in world space, or in that of a scene. The fit can change every value.
+/// One Gaussian, in world space, or in a scene's own. The fit can change every value.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Splat {

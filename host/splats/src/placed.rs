@@ -1,4 +1,4 @@
-//! Gaussians in other coordinates: files have those of the world, scenes their own.
+//! Gaussians in other coordinates: files have the world's, scenes their own.
 
 use std::path::Path;
 
@@ -36,7 +36,7 @@ pub fn save_scene(
     Ok((written.into_own(placement)?, left_out))
 }
 
-/// The place of a scene in the space of a file, and of that in the world. The file's unit is the meter if it is known. The file
+/// The place of a scene in the space of a file, and of the file in the world. The file's unit is the meter if it is known. The file
 /// leaves out an offset that is many times as large as the scene: positions could not hold it.
 fn in_file(placement: &Placement) -> (Placement, Placement) {
     let mut in_file = placement.in_meters();

@@ -106,7 +106,7 @@ fn blend_backward(
     }
 }
 
-/// The derivative of [`Placed::new`]: turns derivatives in the image into those of a Gaussian's values.
+/// The derivative of [`Placed::new`]: turns derivatives in the image into derivatives by a Gaussian's values.
 fn placed_backward(camera: &KernelCamera, splat: &Splat, placed: &Placed, slope: &Slope) -> Splat {
     let position = Vec3::from(splat.position);
     let rotation = Vec4::from(splat.rotation);

@@ -32,7 +32,7 @@ are timed in the same passes. On a GPU, they are timed in separate passes, by ti
 organza waits for each dispatch, and its time includes the way to the device and back. GFLOP/s and GB/s are counted by \
 formulas (docs/performance.md). `of peak` compares them with the device's own peaks in multiply-adds and in reading \
 memory, and is the larger of the two; caches can bring it above 100%. The peaks are measured after the batch. Peak \
-memory is that of the process, including reading the scene, but not a GPU's memory.";
+memory is the process's, with the scene's file and without a GPU's memory.";
 
 /// Measure a batch, forward and backward, and each kernel's part of it
 #[derive(Debug, clap::Args)]

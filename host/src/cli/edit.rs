@@ -40,7 +40,7 @@ The result is a scene's file, for every command that takes a scene.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The views that count: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The views that count: nerfstudio's transforms.json, or a data set [default: the run's]
     data: Option<PathBuf>,
     /// The file of the new scene, safetensors; an older file of this name is replaced
     #[arg(short, long, value_name = "NEW")]
@@ -239,7 +239,7 @@ impl Args {
             bar.set_of(done + 1, cameras.len());
         }
         drop(bar);
-        // indices of those that are left
+        // indices of the Gaussians that are left
         let mut left: Vec<_> = (0..scene.gaussians.len()).collect();
         if let Some(least) = self.least_contribution {
             // a Gaussian that contributes NaN is visible, so it stays

@@ -38,7 +38,7 @@ images is infinite, and null too. scripts/lpips.py measures LPIPS of rendered im
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The data set: a folder or a transforms.json [default: that of the run]
+    /// The data set: a folder or a transforms.json [default: the run's]
     data: Option<PathBuf>,
     /// Background of photographs with an alpha channel: a name such as white, or red, green and blue
     /// from 0 to 1 such as 1,1,1 [default: the scene's background]

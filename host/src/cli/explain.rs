@@ -21,7 +21,7 @@ Examples:
   organza explain run --split held-out --view 0 --pixel 64,64
   organza explain run --split held-out --summary
 
-The columns are those of docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
+The columns follow docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
 sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.
 
 --summary looks at up to 1024 evenly spaced pixels of each view. The surface of a pixel is the median depth of its \
@@ -34,7 +34,7 @@ weights: Gaussians with half of S are nearer. The table shows the shares of the 
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
     /// Index of the view [default: 0; all with --summary]
     #[arg(long, value_name = "V")]

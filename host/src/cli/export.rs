@@ -40,7 +40,7 @@ in views that the fit has not seen.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The views to compare: nerfstudio's transforms.json, or a data set [default: those of the run, or views from
+    /// The views to compare: nerfstudio's transforms.json, or a data set [default: the run's, or views from
     /// all around the scene]
     cameras: Option<PathBuf>,
     /// The file. Its extension chooses the format: .ply and .glb have all values; .compressed.ply, .spz and .sog

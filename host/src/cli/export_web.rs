@@ -38,7 +38,7 @@ pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     #[arg(required_unless_present = "gallery")]
     scene: Option<PathBuf>,
-    /// The cameras to start from: nerfstudio's transforms.json, or a data set [default: those of the run, or views
+    /// The cameras to start from: nerfstudio's transforms.json, or a data set [default: the run's, or views
     /// around the scene]
     cameras: Option<PathBuf>,
     /// The folder of the page, created if it does not exist; with --single-file, the file
@@ -59,7 +59,7 @@ pub struct Args {
     /// The title of the page [default: the scene's name; with --gallery, Scenes]
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
-    /// Keep both hash grids in full precision: the page is larger, and its images are those of `render`. Without
+    /// Keep both hash grids in full precision: the page is larger, and its images equal `render`'s. Without
     /// this, each feature is off by at most 1/2048
     #[arg(long)]
     full_grids: bool,

@@ -132,7 +132,7 @@ impl Folder {
         Ok(folder)
     }
 
-    /// Locks the folder until this value is dropped, so that no other call mixes its files with those of this one.
+    /// Locks the folder until this value is dropped, so that no other call writes files into it.
     /// With `shared`, calls that also share the lock may write at the same time.
     pub fn lock(&mut self, shared: bool) -> Result<()> {
         let lock = if shared { FolderLock::shared } else { FolderLock::exclusive };
@@ -210,7 +210,7 @@ fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
     Ok(hex(hash))
 }
 
-/// Images in a folder, which only stay beside new ones if they were made of the same.
+/// Images in a folder. They stay beside new ones only if they were made of the same inputs.
 pub struct KeptImages {
     images: Vec<PathBuf>,
     mark: PathBuf,
@@ -295,7 +295,7 @@ pub fn refuse_others(folder: &Folder, is_own: impl Fn(&str) -> bool) -> Result<(
     ))
 }
 
-/// Prepares a folder for the frames of a film. Those that an earlier call made of the same stay; other frames are removed with
+/// Prepares a folder for the frames of a film. Frames that an earlier call made of the same inputs stay; others are removed with
 /// `overwrite`, and refused without it.
 pub fn continue_film(
     folder: &Folder,

@@ -29,7 +29,7 @@ Examples:
   organza render scene.safetensors transforms.json -o images --task 0/4    the first of four machines
   organza render scene.safetensors transforms.json -o images --missing     what is not there yet
 
-The cameras of a data set are those of training: undistorted and downscaled. With a run's folder, its settings say \
+A data set's cameras are used as in training: undistorted and downscaled. With a run's folder, its settings say \
 which frames are held out. `--views` counts the frames that `--split` chooses.
 
 If each camera names a photograph of its own, files are named after these; otherwise after the \
@@ -52,7 +52,7 @@ file, the values are as they are.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
     /// The folder for the images; created if it does not exist
     #[arg(short, long, value_name = "DIR")]

@@ -23,7 +23,7 @@ Examples:
   organza tiles scene.safetensors cameras.json tiles.json -o rendered.safetensors --channels depth,alpha
   organza tiles scene.safetensors cameras.json tiles.json --grad-tiles G.safetensors --grad gradient.safetensors
 
-CAMERAS may be a data set: its cameras are those of training, and `camera` is an index among the \
+CAMERAS may be a data set: its cameras are used as in training, and `camera` is an index among the \
 frames of `--split`.
 
 TILES holds {\"side\": 64, \"tiles\": [{\"camera\": 0, \"origin\": [128, 96]}, ...]}: a tile's \
@@ -39,7 +39,7 @@ tensor of the scene, `grad.<tensor>`.";
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// The cameras: nerfstudio's transforms.json, or a data set [default: those of the run]
+    /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
     /// The tiles, JSON
     tiles: PathBuf,

@@ -83,8 +83,8 @@ pub struct Args {
     /// Print all settings as TOML, and do nothing else
     #[arg(long)]
     print_config: bool,
-    /// Finish after this many seconds of training, at any step of the run. Unlike with --minutes, growth and
-    /// learning rates are not planned for this time
+    /// Finish after this many seconds of training, at any step of the run. Unlike with --minutes, learning
+    /// rates and densification do not depend on this time
     #[arg(long, value_name = "SECONDS", conflicts_with = "minutes")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..))]
     time_limit: Option<u32>,

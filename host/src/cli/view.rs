@@ -40,10 +40,10 @@ const CLIENT_SIZE: [u32; 2] = [1920, 1080];
 pub struct Args {
     /// The scene, safetensors, or the folder of a training run
     scene: PathBuf,
-    /// A data set, or a transforms.json, with or without photographs [default: that of the run]
+    /// A data set, or a transforms.json, with or without photographs [default: the run's]
     data: Option<PathBuf>,
     /// Let the browser render with its own GPU: serve the page of `organza export-web`. Browsers allow that (WebGPU) only
-    /// for pages at `localhost`, where `ssh -L` also puts those of other machines. The page has no photographs, and
+    /// for pages at `localhost`, where `ssh -L` also puts other machines' pages. The page has no photographs, and
     /// explains no pixels
     #[arg(long, help_heading = "Page")]
     client: bool,
@@ -190,7 +190,7 @@ fn serve_client(args: &Args, source: &SceneSource, console: Console) -> Result<(
     Ok(())
 }
 
-/// Cameras, photographs and points of the data set that the user named, or of that of the run. A scene's file alone has none.
+/// Cameras, photographs and points of the data set that the user named, or of the run's. A scene's file alone has none.
 fn surroundings(
     args: &Args,
     source: &SceneSource,

@@ -75,7 +75,7 @@ impl About {
             "device": renderer.device().choice(),
             "gaussians": scene.len(),
             "aabb": config.aabb,
-            // the page computes in the scene's coordinates, and shows those of the world
+            // the page computes in the scene's coordinates, and shows the world's
             "placement": config.placement,
             "step": config.step,
             "background": config.background,

@@ -1,6 +1,6 @@
 //! Removes parts of a scene for a page.
 //!
-//! The scene on the device is replaced by one of the Gaussians that are left. So every image, number and film is of them.
+//! The scene on the device is replaced by one of the Gaussians that are left. So every image, number and film shows them.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -59,7 +59,7 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// Whether the brush has come over a place, on its way from place to place.
+    /// Whether the stroke passes over a place.
     fn is_over(&self, at: DVec2) -> bool {
         let next = self.places.iter().skip(1).chain(self.places.last());
         self.places.iter().zip(next).any(|(&from, &to)| {
@@ -86,7 +86,7 @@ pub struct Crop {
 struct Answer {
     left: usize,
     selected: usize,
-    /// Of selected Gaussians, some if they are many.
+    /// Places of selected Gaussians; some of them if there are many.
     places: Vec<[f32; 3]>,
     removals: usize,
     saved: Option<String>,
@@ -96,13 +96,13 @@ struct Answer {
 #[derive(Debug)]
 pub struct Editor {
     all: Gaussians,
-    /// The scene of those that are left.
+    /// The scene of the Gaussians that are left.
     scene: Scene,
     shown: Option<Arc<DeviceScene>>,
     options: UploadOptions,
     /// The scene's file, from which the names of further ones follow.
     file: PathBuf,
-    /// Indices of those that are left, ascending.
+    /// Indices of the Gaussians that are left, ascending.
     left: Vec<usize>,
     /// Which of them are selected.
     selected: Vec<bool>,
@@ -205,7 +205,7 @@ impl Editor {
         Ok(())
     }
 
-    /// Removes some of those that are left.
+    /// Removes some of the Gaussians that are left.
     fn remove(&mut self, stage: Stage<'_>, is_removed: &[bool]) -> Result<()> {
         let choose = |wanted: bool| {
             let both = self.left.iter().zip(is_removed);

@@ -91,7 +91,7 @@ impl FrameRenderer {
         let begin = Instant::now();
         let truth = match (job.request.mode, job.request.view) {
             (Mode::Error, Some(view)) => Some(self.photographs.get(stage.renderer, view)?),
-            (Mode::Error, None) => return refuse("an error is that of a photograph".to_owned()),
+            (Mode::Error, None) => return refuse("an error needs a photograph".to_owned()),
             _ => None,
         };
         let queue = Arc::clone(&self.queue);
@@ -125,7 +125,7 @@ impl FrameRenderer {
             "gaussians": stage.scene.len(),
             "pairs": report.pairs,
             "members": report.members,
-            // those computed for this image: earlier images made others known
+            // computed for this image; the eye keeps others from earlier images
             "samples": report.samples,
             "renewed": eye.cache.work().evaluated,
             // the length of T's steps, as a multiple of sigma

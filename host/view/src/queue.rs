@@ -160,7 +160,7 @@ impl Queue {
         }
     }
 
-    /// Takes the next request, waiting for it for up to `patience`. It is that of the client whose images have taken
+    /// Takes the next request, waiting for it for up to `patience`. It belongs to the client whose images have taken
     /// the least time.
     pub(super) fn take(&self, patience: Duration) -> Option<NextJob> {
         let mut state = self.state();
@@ -235,7 +235,7 @@ mod tests {
         answer
     }
 
-    /// The first client's images take 1 ms, and those of five others 10 ms: in turns of one image each, the first would
+    /// The first client's images take 1 ms, and five others' 10 ms: in turns of one image each, the first would
     /// get a sixth of the images.
     #[test]
     fn clients_share_the_time_and_not_the_number_of_images() {

@@ -36,7 +36,7 @@ pub fn forbid(module: &mut Module) -> Result<()> {
     Ok(())
 }
 
-/// Bits of a float: its sign, all others, and those of infinity and of NaN.
+/// Bits of a float: its sign, all others, infinity, and NaN.
 const SIGN: u32 = 1 << 31;
 const SIZE: u32 = !SIGN;
 const INFINITY: u32 = 0x7f80_0000;
@@ -148,7 +148,7 @@ const PRODUCTS: [Op; 3] = [Op::FMul, Op::FDiv, Op::VectorTimesScalar];
 struct Numbers {
     /// Bits of the constants.
     bits: HashMap<Word, u32>,
-    /// The elements of each constant: one, or those of a vector.
+    /// The elements of each constant: one, or a vector's.
     parts: HashMap<Word, Vec<Word>>,
     /// The lengths of the vectors' types.
     lanes: HashMap<Word, usize>,

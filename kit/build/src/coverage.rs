@@ -14,7 +14,7 @@ use crate::{Project, tool};
 /// Set where this program runs as the compiler.
 const AS_COMPILER: &str = "MUSLIN_COVERAGE";
 
-/// If cargo runs this program as the compiler of a crate, compiles it, and counts what runs in it if it is that of the kernels.
+/// If cargo runs this program as the compiler of a crate, compiles it, and counts what runs in it if it is the kernels' crate.
 pub fn as_compiler(kernels: &str) -> Option<ExitCode> {
     env::var_os(AS_COMPILER)?;
     let mut arguments = env::args_os().skip(1);

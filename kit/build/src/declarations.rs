@@ -184,7 +184,7 @@ mod tests {
     use super::*;
     use crate::lower::count_fill;
 
-    /// A module that adds a number to itself. Other kernels have left declarations, and the order is theirs.
+    /// A module that adds a number to itself, with declarations of other kernels, in their order.
     fn module(of_another: bool) -> Module {
         let mut b = Builder::new();
         let early = of_another.then(|| b.type_int(32, 1));

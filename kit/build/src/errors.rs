@@ -1,4 +1,4 @@
-//! Says what the compiler behind has against a kernel: in words of ours, with the kernel and its line. Its own words follow.
+//! Explains an error of the SPIR-V compiler in words of ours, with the kernel and its line. Its own words follow.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Attribute, ImplItemFn, Item, ItemFn, Signature, Type};
 
-/// Parts of the compiler's messages, and what it is about.
+/// Parts of the compiler's messages, and our words for them.
 const CAUSES: [(&str, &str); 11] = [
     (
         "raw_eq",
@@ -65,7 +65,7 @@ pub fn explain(said: &str, root: &Path, shader_crate: &str) -> String {
     let error = &lines[begin..];
     let headline = error.first().copied().unwrap_or("it says nothing");
     let headline = headline.split_once(": ").map_or(headline, |(_, headline)| headline);
-    // others that follow are of the same cause
+    // others that follow have the same cause
     let first = error.iter().take_while(|line| !line.contains("--> "));
     let has = |part: &&(&str, &str)| first.clone().any(|line| line.contains(part.0));
     let cause = CAUSES.iter().find(has);

@@ -1,10 +1,10 @@
-//! Writes out what compilers and devices take differently.
+//! Writes out instructions that compilers and devices understand differently.
 //!
 //! | as the compiler writes it | what is wrong | as it becomes |
 //! | --- | --- | --- |
 //! | `%` of signed integers is `OpSRem` | Vulkan leaves it undefined if a number is negative | `a - b (a / b)` |
 //! | `x != y` is true of NaN, as are other comparisons | naga has only those that are false of NaN | `!(x == y)` |
-//! | NaN is what differs from itself | a compiler may take `x == x` for true | the bits are compared with those of infinity |
+//! | NaN is what differs from itself | a compiler may take `x == x` for true | the bits are compared with infinity's |
 //! | `checked_add` of `i32`, and its kin, overflow where `(b < 0) == (a + b > a)` | that is so for b = 0, too | `(b < 0) == (a + b >= a)` |
 //! | `round` is `Round` | GLSL leaves open where halves go | the fraction is compared with a half |
 
@@ -17,7 +17,7 @@ use crate::module::{Writer, rewrite};
 
 /// Bits of a number without its sign.
 const SIZE: u32 = 0x7fff_ffff;
-/// Bits of infinity. Those of NaN, without the sign, are larger.
+/// Bits of infinity. NaN's, without the sign, are larger.
 const INFINITY: u32 = 0x7f80_0000;
 /// Bits of -0.0, of 1.0 and of 0.5.
 const SIGN: u32 = !SIZE;
@@ -131,7 +131,7 @@ impl Expansion {
         writer.push(Op::Select, float, id, &[is_next, next, whole]);
     }
 
-    /// How the bits of a number without sign compare with those of infinity, if the comparison is one of it with itself.
+    /// How the bits of a number without sign compare with infinity's, if the number is compared with itself.
     fn test_of_nan(&self, op: Op, a: Word, b: Word) -> Option<Op> {
         match op {
             _ if a != b || !self.is_float(a) => None,

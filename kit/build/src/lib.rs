@@ -42,7 +42,7 @@ pub struct Project {
     pub root: PathBuf,
     /// The folder of the crate of kernels, relative to the workspace.
     pub shader_crate: String,
-    /// Folders with sources of kernels, including that of the crate, relative to the workspace.
+    /// Folders with sources of kernels, including the crate's, relative to the workspace.
     pub sources: Vec<String>,
     /// The folder of the modules and their manifest, relative to the workspace.
     pub kernels: String,
@@ -118,7 +118,7 @@ struct More {
 }
 
 /// The whole xtask of a project: its tools, which `cargo xtask help` lists. The arguments are the crate of kernels, its folder in
-/// the workspace, and fields of [`Project`] that differ from those of [`Project::from_xtask`].
+/// the workspace, and fields of [`Project`] that differ from [`Project::from_xtask`]'s.
 ///
 /// ```ignore
 /// muslin_build::xtask!(my_kernels in "kernels");

@@ -73,7 +73,7 @@ pub const SUBGROUPS: [Capability; 4] = [
 /// The capabilities of 64-bit sums, which the compiler gives to every module.
 pub const WIDE: [Capability; 2] = [Capability::Int64, Capability::Int64Atomics];
 
-/// Whether a type is that of 64-bit integers.
+/// Whether a type is a 64-bit integer's.
 fn is_wide(of: &Instruction) -> bool {
     of.class.opcode == Op::TypeInt && of.operands[0] == Operand::LiteralBit32(64)
 }

@@ -58,7 +58,7 @@ fn has_storage_barrier(module: &Module) -> bool {
     })
 }
 
-/// Makes the storage buffers coherent that are written. The decoration is that of the struct's member, as GLSL compilers
+/// Makes the storage buffers coherent that are written. The decoration is the struct's member's, as GLSL compilers
 /// write it: naga leaves that out, so that WGSL, where a barrier needs no decoration, has none.
 fn decorate_coherent(module: &mut Module) {
     let is_read_only = |id: Word| {

@@ -1,4 +1,4 @@
-//! Compares a compiled module with its kernel's declaration, and writes instructions anew for passes that put some in the place of others.
+//! Compares a compiled module with its kernel's declaration, and replaces instructions for other passes.
 
 use anyhow::{Result, anyhow, bail, ensure};
 use muslin_kernel::{EntryPoint, KernelInfo};
@@ -76,7 +76,7 @@ fn check_subgroups(kernel: &KernelInfo, module: &Module) -> Result<()> {
     Ok(())
 }
 
-/// A kernel with loops declares their iterations, those of its helpers included.
+/// A kernel with loops declares their iterations, its helpers' included.
 fn check_loops(kernel: &KernelInfo, module: &Module) -> Result<()> {
     let is_loop = |instruction: &&Instruction| instruction.class.opcode == Op::LoopMerge;
     let loops = module.all_inst_iter().filter(is_loop).count();
@@ -169,7 +169,7 @@ fn check_buffer(
 #[derive(Default)]
 pub struct Writer {
     bound: Word,
-    /// The number of the block among those of all functions.
+    /// The number of the block among the blocks of all functions.
     pub block: usize,
     pub instructions: Vec<Instruction>,
 }

@@ -1,7 +1,7 @@
 //! Rules for the source of kernels, and of the functions that they call. The compiler does not know them.
 //!
 //! - Loops are counted: functions that have some are `#[kernel]` or `#[loops]`, and no iterator loops by itself.
-//! - Elementary functions are those of `muslin::math`: a test on the CPU accepts `x.sin()`, and the compiler for GPUs does not know it.
+//! - Elementary functions come from `muslin::math`: a test on the CPU accepts `x.sin()`, and the compiler for GPUs does not know it.
 //! - A loop ends at its condition: naga's reader miscompiles exits through several levels of control flow.
 //! - Nothing panics: a GPU leaves out the rest of the invocation, without a message.
 
@@ -32,7 +32,7 @@ pub fn check(shader_crate: &Path) -> Result<()> {
     }
 }
 
-/// Checks a file, and those of its modules, which are in `folder`.
+/// Checks a file, and the files of its modules, which are in `folder`.
 fn check_file(path: &Path, folder: &Path, broken: &mut Vec<String>) -> Result<()> {
     let text =
         fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
@@ -95,7 +95,7 @@ fn is_of_host(attributes: &[Attribute]) -> bool {
 /// A function that is looked at.
 struct Function {
     name: String,
-    /// Whether nothing counts its loops.
+    /// Whether its loops are not counted.
     is_uncounted: bool,
     /// Whether the compiler can run it.
     is_const: bool,

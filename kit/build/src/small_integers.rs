@@ -5,7 +5,7 @@
 //! extends it.
 //!
 //! The compiler is wrong in two of them: it rotates by 32 bits, whatever the type has, and takes the leading zeros of `u8` for 48 too many,
-//! and those of `u16` for 32.
+//! and of `u16` for 32.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -111,7 +111,7 @@ fn integer(of: &Instruction) -> Option<(Word, Integer)> {
 /// The differences of a number and the place of the first bit that is set, for which the compiler takes 55 or 47 for leading zeros of integers
 /// of 8 and 16 bits, with these integers.
 ///
-/// They are told from those of 32 bits, which begin with 31, by what stands for the leading zeros of 0. Where that is left out, as in `ilog2`,
+/// They are told from the ones of 32 bits, which begin with 31, by what stands for the leading zeros of 0. Where that is left out, as in `ilog2`,
 /// or where the optimizer has put in a constant and computed with it, nothing tells.
 fn wrong_leading_zeros(
     module: &Module,
@@ -287,7 +287,7 @@ impl Widening<'_> {
             Op::IAdd | Op::ISub | Op::IMul | Op::SNegate | Op::Not => (0, true),
             Op::ShiftLeftLogical | Op::ConvertFToU | Op::ConvertFToS => (0, true),
             Op::ShiftRightArithmetic => (1, true),
-            // Rust-GPU takes the sign of the new type, and Rust that of the old one
+            // Rust-GPU takes the sign of the new type, and Rust the old one's
             Op::UConvert | Op::SConvert => {
                 (usize::from(operand.is_some_and(|of| of.is_signed)), true)
             }

@@ -1,4 +1,4 @@
-//! The tools of a project: tests that run where its cases, its compiled kernels and its devices are, its machine code and its snapshots; and
+//! The tools of a project: its tests, its machine code, and its snapshots; and running
 //! something again whenever a source is saved.
 
 use std::fmt::Write as _;

@@ -72,7 +72,7 @@ pub fn check(spirv: &[u8]) -> Result<()> {
     }
 }
 
-/// Parts of what naga says, and what it is about.
+/// Parts of naga's messages, and our words for them.
 const CAUSES: [(&str, &str); 2] = [
     (
         "InvalidData",

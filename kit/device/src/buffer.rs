@@ -38,7 +38,7 @@ pub(super) enum Memory {
 }
 
 impl Memory {
-    /// Whether it is the same memory, of which each can be a part.
+    /// Whether both lie in the same memory.
     pub(super) fn is(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Cpu(one), Self::Cpu(other)) => Arc::ptr_eq(one, other),
@@ -121,7 +121,7 @@ impl<T: Pod> Buffer<T> {
     }
 }
 
-/// Marks the host's side of kernels: buffers are those of a [`Device`](crate::Device).
+/// Marks the host's side of kernels: buffers belong to a [`Device`](crate::Device).
 #[derive(Debug)]
 pub enum Host {}
 

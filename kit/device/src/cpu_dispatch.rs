@@ -27,7 +27,7 @@ struct Launch<'a> {
     shared: &'static [SharedInfo],
     bindings: &'a [CpuBinding<'a>],
     workgroups: UVec3,
-    /// Those that are not additional.
+    /// The workgroups that are not additional.
     needed: UVec3,
     is_checked: bool,
     time_limit: Option<Duration>,
@@ -76,7 +76,7 @@ impl Launch<'_> {
             CpuRun::Lanes(_) => unreachable!("`run_of` has chosen an instruction set"),
             CpuRun::Workgroup(run) => {
                 let run = |part| {
-                    // SAFETY: the bindings are those of the typed dispatch, and kernels do not write to the same
+                    // SAFETY: the bindings come from the typed dispatch, and kernels do not write to the same
                     // element from two invocations without atomics. `Cpu::new` has checked the instruction set.
                     unsafe { run(self.bindings, place, self.workgroups, part) }
                 };

@@ -42,9 +42,9 @@ pub struct RunMode {
 /// The workgroups of a dispatch, along each axis.
 #[derive(Clone, Copy, Debug)]
 pub struct Workgroups {
-    /// Those that run.
+    /// The workgroups that run.
     pub all: [u32; 3],
-    /// Those that the caller has asked for.
+    /// The workgroups that the caller has asked for.
     pub needed: [u32; 3],
 }
 

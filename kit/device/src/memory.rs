@@ -103,7 +103,7 @@ fn free_in_control_groups() -> Option<u64> {
     free_in_groups(&groups, Path::new("/sys/fs/cgroup"))
 }
 
-/// Control groups of version 2 are in one tree. In those of version 1, memory has a tree of its own, and other names.
+/// Control groups of version 2 are in one tree. In version 1, memory has a tree of its own, and other names.
 fn free_in_groups(groups: &str, root: &Path) -> Option<u64> {
     let second = groups.lines().filter_map(|line| {
         let path = line.strip_prefix("0::/")?;

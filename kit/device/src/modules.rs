@@ -140,7 +140,7 @@ impl Modules {
             let package = kernel.package;
             let other = &compiled.entry.package;
             return Err(self.stale(format!(
-                "`{}` of {package} is not among them, but that of {other}",
+                "`{}` of {package} is not among them, only the one of {other}",
                 point.name
             )));
         }

@@ -22,7 +22,7 @@ impl Gpu {
     }
 }
 
-/// Methods of what does not exist.
+/// Stubs: without the feature `gpu`, no value of these types exists.
 macro_rules! methods {
     ($($name:ident($($argument:ty),*) -> $result:ty;)*) => {
         impl Gpu {$(

@@ -65,7 +65,7 @@ fn unwritten(does: &str, index: u32, name: &str) -> String {
     format!("{does} element {index} of `{name}`, which nothing has written")
 }
 
-/// Monitors a storage buffer during one dispatch: only storage barriers order the accesses of different invocations, and only those of
+/// Monitors a storage buffer during one dispatch: only storage barriers order the accesses of different invocations, and only of
 /// one workgroup.
 pub struct Races<'a> {
     workgroups: UVec3,
@@ -222,7 +222,7 @@ impl<'a> Races<'a> {
         format!("{does} {element}, which {who} {did} in the same dispatch{barrier}")
     }
 
-    /// An error if the kernel has written NaN; `data` is that of the binding.
+    /// An error if the kernel has written NaN; `data` is the binding's.
     pub fn nan(&self, info: &BindingInfo, data: &[u8]) -> Option<String> {
         let element = info.element.rsplit("::").next().unwrap_or_default().trim();
         if !["f32", "Vec2", "Vec3", "Vec4"].contains(&element) {

@@ -245,8 +245,8 @@ impl Flushing {
     }
 
     fn set(bits: u32) {
-        // SAFETY: The bits are those of the register, which has no others. Compilers compute constants without flushing: such a result
-        // is that of the usual run, and then nothing is found.
+        // SAFETY: The register has no other bits. Compilers compute constants without flushing: such a result
+        // equals the usual run's, and then nothing is found.
         unsafe { std::arch::asm!("ldmxcsr [{}]", in(reg) &raw const bits) };
     }
 }

@@ -1,6 +1,6 @@
 //! Ends a workgroup that does not end by itself, and turns a kernel's panic into an error with its place and its invocation.
 //!
-//! Loops of kernels are counted, but those of helpers only if the helper says so. The watchdog needs no help: it interrupts the thread with
+//! Loops of kernels are counted, but a helper's only if it says so. The watchdog needs no help: it interrupts the thread with
 //! a signal, and leaves the workgroup's stack. Where that is not possible, it ends the program.
 
 use std::any::Any;

@@ -320,7 +320,7 @@ BB6:
     fn the_loops_that_hold_no_other_are_found() {
         let found = loops(TWO_LOOPS);
         let sizes: Vec<_> = found.iter().map(|it| it.instructions).collect();
-        // that of BB1 has the one of BB2 within, and a branch forward is none
+        // BB1's has BB2's within, and a branch forward is none
         assert_eq!(sizes, [4, 3]);
         let [inner, last] = &found[..] else { panic!() };
         let counts = |it: &Loop| {

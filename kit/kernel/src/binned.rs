@@ -18,7 +18,7 @@ use crate::memory::{ReadBuffer, WriteBuffer};
 const RANGE: u32 = 16;
 /// Ranges of exponents.
 const RANGES: u32 = 256 / RANGE;
-/// Rows of a sum: the ranges, and that of what is infinite or NaN.
+/// Rows of a sum: the ranges, and one for what is infinite or NaN.
 pub const ROWS: u32 = RANGES + 1;
 
 /// A NaN. Other bits may be set beside these.

@@ -1,4 +1,4 @@
-//! Buffers in the host's memory: those of a test.
+//! Buffers in the host's memory, for tests.
 
 extern crate std;
 

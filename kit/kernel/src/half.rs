@@ -34,7 +34,7 @@ pub fn half_bits(x: f32) -> u32 {
     let sign = bits >> 16 & 0x8000;
     let size = bits & 0x7fff_ffff;
     let exponent = size >> 23;
-    // digits after those of a half: more for what is smaller than 2^-14, a multiple of 2^-24
+    // digits after a half's: more for what is smaller than 2^-14, a multiple of 2^-24
     let (value, dropped) = if exponent < 113 {
         let digits = size & 0x7f_ffff | 0x80_0000;
         // 2^-26 is less than half of the smallest one
@@ -58,7 +58,7 @@ pub fn pack_halves([low, high]: [f32; 2]) -> u32 {
     half_bits(low) | half_bits(high) << 16
 }
 
-/// The two halves of a word, that of the lower bits first.
+/// The two halves of a word, the lower bits first.
 #[inline(always)]
 pub fn unpack_halves(word: u32) -> [f32; 2] {
     [half_value(word & 0xffff), half_value(word >> 16)]

@@ -115,7 +115,7 @@ pub const fn workgroup_bytes(shared: &[SharedInfo]) -> u32 {
 pub struct EntryPoint {
     /// Name of the entry point, and of its module.
     pub name: &'static str,
-    /// Workgroup memory: the kernel's, and in the variant that of its [shared tiles](crate::shared_tile).
+    /// Workgroup memory: the kernel's, and in the variant also of its [shared tiles](crate::shared_tile).
     pub shared: &'static [SharedInfo],
     /// Bindings that are [integers of 64 bits](crate::atomic::SumWord), which a device can lack.
     pub sums: &'static [&'static str],
@@ -204,7 +204,7 @@ impl KernelInfo {
 /// The function with which the CPU runs a kernel.
 ///
 /// # Safety
-/// All functions take the bindings in the order of [`KernelInfo::bindings`], then those of [`KernelInfo::shared`].
+/// All functions take the bindings in the order of [`KernelInfo::bindings`], then of [`KernelInfo::shared`].
 /// Each contains values of the declared type, with its alignment. Nobody else writes to a written binding meanwhile.
 #[derive(Clone, Copy)]
 pub enum CpuRun {
@@ -470,7 +470,7 @@ impl<'a, S: Storage, K: Dispatch<'a, S>, const N: usize> Dispatch<'a, S> for Cou
 #[linkme::distributed_slice]
 pub static KERNELS: [KernelInfo];
 
-/// Every kernel that the program is linked with, including those of its dependencies.
+/// Every kernel that the program is linked with, including its dependencies'.
 pub fn kernels() -> impl Iterator<Item = &'static KernelInfo> {
     KERNELS.iter()
 }

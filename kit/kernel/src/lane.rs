@@ -3,6 +3,10 @@
 //! A kernel declared with `lanes(samples)` is generic over [`Lane`]. A GPU runs it with `f32`: an invocation already
 //! is a lane. The CPU runs it with [`Wide`]: as many invocations along x at once as its registers hold. The rest runs
 //! with one lane of the same arithmetic, so no result depends on the end of a group of lanes.
+//!
+//! With plain `lanes`, the CPU makes one call per invocation, which uses the lanes for a loop of its own, and
+//! [`Lane::One`] for the loop's rest. [`Lane::sum`] has another order for each width, so such a kernel can round
+//! differently with another instruction set.
 
 use core::ops::{Add, BitAnd, BitXor, Div, Mul, Neg, Sub};
 

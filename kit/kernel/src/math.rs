@@ -2,7 +2,7 @@
 //!
 //! For [`exp`], [`sqrt`] and [`ceil`] a GPU uses the instructions of GLSL.std.450. The CPU has an instruction for [`sqrt`], and uses the crate
 //! `libm` for the others, so its results do not depend on the system's C library. All other functions are sums, products and quotients that
-//! every device computes: the errors that they state hold everywhere, unlike those of a GPU's own `sin`, `log` or `pow`. The kernel
+//! every device computes: the errors that they state hold everywhere, unlike the errors of a GPU's own `sin`, `log` or `pow`. The kernel
 //! `elementary` of `kit/language` tests them.
 
 #[cfg(target_arch = "spirv")]
@@ -54,7 +54,7 @@ pub fn sqrt(x: f32) -> f32 {
     {
         Float::sqrt(x)
     }
-    // not that of `libm`: its assembly is SSE even among AVX instructions, where it stalls CPUs of Intel
+    // not `libm`'s: its assembly is SSE even among AVX instructions, where it stalls CPUs of Intel
     #[cfg(not(target_arch = "spirv"))]
     {
         x.sqrt()
@@ -315,7 +315,7 @@ pub fn ln(x: f32) -> f32 {
     n * 0.693_359_4 + (s + (rest - n * 2.121_944_4e-4))
 }
 
-/// Logarithm to the base 2, to 5e-7 of its size, for what [`ln`] takes. That of a power of two is exact.
+/// Logarithm to the base 2, to 5e-7 of its size, for what [`ln`] takes. A power of two has the exact one.
 #[inline(always)]
 #[cfg_attr(not(target_arch = "spirv"), track_caller)]
 pub fn log2(x: f32) -> f32 {

@@ -18,7 +18,7 @@ pub use device::{
 #[cfg(not(target_arch = "spirv"))]
 pub use host::{AccessMonitor, Packed, Read, ReadFours, Shared, Touch, Write, WriteFours};
 
-/// Numbers of which a GPU reads and writes four at once: those of [`ReadFours`] and [`WriteFours`].
+/// Numbers of which a GPU reads and writes four at once, in [`ReadFours`] and [`WriteFours`].
 pub trait Fours {
     /// Four of them.
     type Vector: Copy;

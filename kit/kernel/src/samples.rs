@@ -7,7 +7,8 @@
 //!
 //! Rows of samples are [`ReadFours`] and [`WriteFours`]: on a GPU, buffers of vectors. So four samples are one load. Some
 //! drivers would make four loads of four numbers. A row begins at a multiple of four, and on the CPU the buffers
-//! are those of single numbers.
+//! are buffers of single numbers. A kernel reads up to three values after the last sample of a row, and does not write
+//! them.
 
 use crate::lane::Lane;
 #[cfg(target_arch = "spirv")]

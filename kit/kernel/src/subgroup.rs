@@ -61,7 +61,7 @@ use crate::workgroup::{meet, subgroup_size as size};
 /// The sizes that the subgroups of a device can have.
 pub const SIZES: [u32; 6] = [4, 8, 16, 32, 64, 128];
 
-/// A number that subgroups exchange: `u32` or `f32`. The methods are those of [`Invocation`].
+/// A number that subgroups exchange: `u32` or `f32`. [`Invocation`] has the methods.
 #[allow(missing_docs)]
 pub trait SubgroupNumber: Copy {
     #[doc(hidden)]

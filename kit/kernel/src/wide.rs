@@ -12,7 +12,7 @@ use crate::memory::{Read, Write};
 
 /// `N` values. With `FUSED`, the instruction set has a fused multiply-add.
 ///
-/// Inlined into a function with the right target features, the operations are vector instructions: those of `wide_vectors` for AVX2 and
+/// Inlined into a function with the right target features, the operations are vector instructions: from `wide_vectors` for AVX2 and
 /// AVX-512, and what the compiler makes of arrays otherwise.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
@@ -452,7 +452,7 @@ mod tests {
         floats.chain(integers.map(|lanes| lanes.0.map(f32::from_bits))).collect()
     }
 
-    /// Compares them with those of one lane, for all pairs of special values.
+    /// Compares them with one lane's, for all pairs of special values.
     fn are_those_of_one_lane<const N: usize>() {
         let values = [0.0, -0.0, 1.0, -1.5, 1e-40, f32::NAN, f32::INFINITY, -f32::INFINITY, 3e9];
         let values = [&values[..], &[-3e9, 88.9, -87.4, 0.3]].concat();

@@ -24,7 +24,7 @@ macro_rules! vectors {
         match (N, FUSED) {
             // SAFETY: these lanes belong to the run of a CPU with AVX2 and FMA
             (8, true) => unsafe { $crate::wide_vectors::avx2::$name::<N>($($x),*) },
-            // SAFETY: and these to that of one with AVX-512
+            // SAFETY: and these to the run of a CPU with AVX-512
             (16, true) => unsafe { $crate::wide_vectors::avx512::$name::<N>($($x),*) },
             _ => $array,
         }

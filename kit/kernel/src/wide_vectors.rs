@@ -1,7 +1,7 @@
-//! Eight lanes as instructions of AVX2, and sixteen as those of AVX-512.
+//! Eight lanes as instructions of AVX2, and sixteen as instructions of AVX-512.
 //!
 //! LLVM makes vectors of arrays by itself, but not well where a comparison decides: of eight lanes it computed the `exp` of four, then of two,
-//! then of two more, and it put sixteen together anew in each round of a loop. The operations here are those of
+//! then of two more, and it put sixteen together anew in each round of a loop. The operations here belong to
 //! [`Wide`](crate::lane::Wide), and have the same bits.
 //!
 //! # Safety
@@ -102,7 +102,7 @@ pub mod avx2 {
     }
 }
 
-/// Sixteen lanes. A mask in memory is as that of eight lanes, and has a register of its own kind.
+/// Sixteen lanes. A mask in memory is as for eight lanes, and has a register of its own kind.
 pub mod avx512 {
     use super::*;
 

@@ -1,7 +1,15 @@
 //! Counts the operations and bytes of a dispatch from its parameters.
 //!
 //! A kernel declares its formula: `#[kernel(threads(64), work(square_work))]`. The formula is a function of the
-//! parameters and the dispatch's [`Shape`]. Write it next to the parameters.
+//! parameters and the dispatch's [`Shape`]. Write it next to the parameters:
+//!
+//! ```ignore
+//! #[cfg(not(target_arch = "spirv"))]
+//! fn square_work(params: &SquareParams, _: Shape<'_>) -> Work {
+//!     let count = u64::from(params.count);
+//!     Work { flops: count, bytes: 2 * count * NUMBER }
+//! }
+//! ```
 
 use core::ops::AddAssign;
 

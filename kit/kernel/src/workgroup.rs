@@ -117,7 +117,7 @@ fn suspend(at: &'static Location<'static>) {
 
 /// Runs the invocations of one workgroup in a dispatch, from barrier to barrier. `run` takes the workgroup memory
 /// `shared` after the bindings, and every access to it is checked if it `is_watched`. `order` has the indices of the invocations, if it
-/// is not the usual one. `subgroup_size` is that of a kernel with subgroups.
+/// is not the usual one. `subgroup_size` is set for a kernel with subgroups.
 ///
 /// # Errors
 /// A mistake in its use of barriers or memory.

@@ -118,7 +118,7 @@ fn other(stamp: u64, own: u64) -> Option<UVec3> {
     conflict.then(|| unlinear(invocation, phase::size()))
 }
 
-/// Adds a stamp, and keeps that of one other invocation.
+/// Adds a stamp, and keeps one other invocation's.
 fn leave([last, before]: &[AtomicU64; 2], own: u64) {
     let found = load(last);
     if found != own {

@@ -144,7 +144,7 @@ fn a_step_that_does_not_fit_goes_in_parts() {
                 break;
             }
             match found {
-                // parts end between cameras, so their bits are those of the whole step
+                // parts end between cameras, so they give the bits of the whole step
                 Ok(bits) => {
                     split += 1;
                     assert!(bits == whole, "{name}: buffer {number}");

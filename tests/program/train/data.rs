@@ -50,7 +50,7 @@ fn every_command_notices_another_order_of_frames() {
     sandbox.shell("cp -r views other").assert_ok();
     let outcome = sandbox.run("eval run other --backend cpu").assert_ok();
     assert!(outcome.stderr.starts_with("other: its frames"), "{outcome:?}");
-    // the order is not that of the files on disk
+    // the order differs from the files' on disk
     (1..VIEWS).for_each(|_| reorder(&sandbox));
     assert_eq!(score("run"), before);
 }

@@ -74,7 +74,7 @@ fn assert_shows(batch: &LossBatch<'_>, dataset: &Dataset) {
     }
 }
 
-/// For the loss's dL/dY, the step's gradient must equal that of [`Renderer::gradient`], in one part and in many.
+/// For the loss's dL/dY, the step's gradient must equal [`Renderer::gradient`]'s, in one part and in many.
 #[test]
 fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
     let (config, checkpoint, dataset) = begun();

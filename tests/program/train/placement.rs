@@ -139,7 +139,7 @@ fn positions(scene: &Scene) -> Vec<[f64; 3]> {
     scene.gaussians.position.iter().map(place).collect()
 }
 
-/// Files of other programs may have other axes than the data set, as libspz turns those of COLMAP.
+/// Files of other programs may have other axes than the data set, as libspz turns COLMAP's.
 #[test]
 fn photographs_tell_the_axes_of_a_file() {
     let sandbox = sandbox();
@@ -193,7 +193,7 @@ fn commands_speak_of_the_world() {
     }
     assert_eq!(given[0].camera_to_world, refined[0].camera_to_world);
 
-    // the same view by its own name and from a file of the world; depths are those of the world
+    // the same view by its own name and from a file of the world; depths are in the world's units
     let depth = "--channels depth --format exr --backend cpu --views 1";
     sandbox.run(&format!("render run -o by-run {depth}")).assert_ok();
     sandbox.run(&format!("render run run/cameras.json -o by-file {depth}")).assert_ok();

@@ -1,4 +1,4 @@
-//! Films of the page must equal those of `organza film`.
+//! Films of the page must equal `organza film`'s.
 
 use std::io::Write;
 use std::time::{Duration, Instant};

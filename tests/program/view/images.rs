@@ -1,4 +1,4 @@
-//! Images and numbers of the page must equal those of other commands.
+//! Images and numbers of the page must equal other commands'.
 
 use std::fs;
 
@@ -47,7 +47,7 @@ fn images_at_rest_are_the_bytes_of_render() {
     }
 }
 
-/// Compares numbers of the page with those of the command.
+/// Compares numbers of the page with the command's.
 #[test]
 fn a_pixel_is_explained_with_the_numbers_of_explain() {
     assert_explained("basic");

@@ -74,7 +74,7 @@ fn played(page: &mut Page, camera: &Camera, steps: u16) -> (Vec<f32>, [u64; 3], 
     (bytemuck::pod_collect_to_vec(&bytes), counts, found["small"].as_u64().expect("a number"))
 }
 
-/// Asserts that the page's image equals that of the program on the CPU, with the same tiles and 16-bit grids. Returns
+/// Asserts that the page's image equals the program's on the CPU, with the same tiles and 16-bit grids. Returns
 /// the number of plans that were too small.
 fn assert_same(page: &mut Page, scene: &Scene, camera: &Camera, steps: u16) -> u64 {
     let cpu = Renderer::new(devices::cpu(None));
@@ -353,7 +353,7 @@ fn a_page_replaces_no_other() {
         "{:?}",
         files.keys()
     );
-    // the poster's bytes are those of `view`'s images: JPEG
+    // the poster is a JPEG, as `view`'s images are
     assert!(files["poster.jpg"].starts_with(&[0xff, 0xd8]));
     for words in ["--size 5x5", "--size 9000x10", "--size wide"] {
         let words = format!("export-web scene.safetensors -o page {words}");

@@ -115,7 +115,7 @@ function plot(chart, element) {
     },
     legend: { markers: { width: 0, fill: (u, at) => css(curve(chart, at).color) } },
     hooks: {
-      // A mean is shown and hidden with the values that it is of.
+      // A mean is shown and hidden with its values.
       setSeries: [(u, at, change) => {
         if (change.show != null && at && u.series[at + 1]?.class === "behind") u.setSeries(at + 1, { show: change.show });
       }],
@@ -128,7 +128,7 @@ function plot(chart, element) {
   charts.push([chart, drawn]);
 }
 
-// Of which curve a column is: noise has two.
+// The curve of a column: noise has two columns.
 function curve(chart, at) {
   return chart.series.flatMap((one) => (one.style === "noise" ? [one, one] : [one]))[at - 1];
 }

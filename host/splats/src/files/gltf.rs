@@ -19,7 +19,7 @@ use organza_core::scene::{Placement, logit};
 const EXTENSION: &str = "KHR_gaussian_splatting";
 /// An extension that only allows more types of components.
 const QUANTIZED: &str = "KHR_mesh_quantization";
-/// What is read of the extension: other values are read as these.
+/// The values of the extension that are known; others are read as these.
 const KNOWN: [(&str, &str); 2] = [("kernel", "ellipse"), ("colorSpace", "srgb_rec709_display")];
 /// Smallest distance of an opacity from 0 and 1: these have no finite logit.
 const OPACITY_EDGE: f32 = 1e-6;
@@ -232,7 +232,7 @@ fn indices(value: &Value) -> impl Iterator<Item = usize> {
 }
 
 impl File<'_> {
-    /// The nodes of the scene that the file shows, or else those that are in no other.
+    /// The nodes of the scene that the file shows, or else the nodes that are in no other.
     fn roots(&self) -> Vec<usize> {
         let scene = self.json["scene"].as_u64().unwrap_or_default() as usize;
         if let Some(scene) = self.json["scenes"].get(scene) {
@@ -295,7 +295,7 @@ impl File<'_> {
         Ok(())
     }
 
-    /// The Gaussians of a primitive. Those of the extension's drafts have their opacity and their first harmonic in the color
+    /// The Gaussians of a primitive. In the extension's drafts, they have their opacity and their first harmonic in the color
     /// of points, other names, or logarithms as scales.
     fn primitive(&self, primitive: &Value, notes: &mut Vec<String>) -> Result<Vec<Splat>> {
         let extension = &primitive["extensions"][EXTENSION];

@@ -57,7 +57,7 @@ pub struct SplatFile {
     pub splats: Vec<Splat>,
     /// Where this space lies in the world. An f32 has too few digits for a place on the Earth.
     pub placement: Placement,
-    /// Whether the file says where it lies, as those of organza do.
+    /// Whether the file says where it lies, as organza's do.
     pub is_placed: bool,
     /// Warnings: what is not read as the file means it.
     pub notes: Vec<String>,
@@ -70,13 +70,13 @@ impl SplatFile {
         Self { path, format, splats, placement, is_placed: false, notes: Vec::new() }
     }
 
-    /// With the placement that the file says, if it says one.
+    /// With the placement in the file, if it has one.
     fn placed(self, said: Option<Placement>) -> Self {
         let is_placed = said.is_some();
         Self { placement: said.unwrap_or_default(), is_placed, ..self }
     }
 
-    /// With these positions. If they have more digits than an f32, they become relative to their middle.
+    /// With these positions. If an f32 is too short for them, they become relative to their middle.
     fn with_positions(mut self, positions: &[[f64; 3]]) -> Self {
         let is_exact = |x: &f64| f64::from(*x as f32) == *x;
         let mut offset = [0.0; 3];
@@ -146,7 +146,7 @@ impl Format {
 }
 
 /// Writes a file, atomically. `up` is the upward direction, for formats that have one, and `placement` says where the space of the
-/// Gaussians lies in the world, for those that [can say it](Format::says_placement). Returns the Gaussians as they are in
+/// Gaussians lies in the world, for formats that [can say it](Format::says_placement). Returns the Gaussians as they are in
 /// the file, which most formats round and reorder.
 ///
 /// # Errors
@@ -324,7 +324,7 @@ fn logit_of(opacity: u8) -> f32 {
     logit(f32::from(opacity).clamp(0.25, 254.75) / 255.0)
 }
 
-/// The logarithm of a scale. That of 0 is not finite, so it is replaced by one that is too small to see.
+/// The logarithm of a scale. A scale of 0 has no finite one, so it gets one that is too small to see.
 fn log_of(scale: f32) -> f32 {
     if scale == 0.0 { -69.0 } else { scale.ln() }
 }

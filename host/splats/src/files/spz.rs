@@ -27,7 +27,7 @@ const NEAR: f64 = 0.866;
 const MAGIC: u32 = 0x5053_474e;
 /// Bytes of the header of version 4.
 const HEADER: usize = 32;
-/// Bytes of a stream in version 4's table: its length, and that of what it unpacks to.
+/// Bytes of a stream's entry in version 4's table: its length, packed and unpacked.
 const ENTRY: usize = 16;
 /// Zstandard's level, of 1 to 22.
 const LEVEL: i32 = 12;
@@ -37,7 +37,7 @@ const MOST_FRACTION: u8 = 30;
 const EXTENDED: u8 = 2;
 /// Number of Adobe's extension that names the axes.
 const AXES: u32 = 0xadbe_0003;
-/// Number of an extension of organza's own: a [`Placement`] as JSON. The axes are those of the Gaussians as they were
+/// Number of an extension of organza's own: a [`Placement`] as JSON. Its axes are the Gaussians' as they were
 /// written, whatever [`AXES`] tells other programs.
 const PLACED: u32 = 0x4f52_0001;
 /// Factor and offset that turn the logarithm of a scale into a byte.

@@ -18,7 +18,7 @@ use crate::cli::refuse;
 /// Folder of the undistorted images and their cameras, in the work.
 pub const UNDISTORTED: &str = "undistorted";
 const DATABASE: &str = "database.db";
-/// Folders of COLMAP's models, in the work: the first ones, and those of all pairs of images.
+/// Folders of COLMAP's models, in the work: the first ones, and the ones after all pairs of images were compared.
 const MODELS: [&str; 2] = ["models", "models-of-all"];
 /// Folders without content: they say that a step on the database is done.
 const FEATURES: &str = "features";
@@ -31,7 +31,7 @@ const FEW: usize = 50;
 pub const SOME: usize = 200;
 /// With fewer poses than this part of the images, all pairs are compared after all.
 const ENOUGH: f64 = 0.8;
-/// Neighbors on each side that an image is compared with. COLMAP adds those at distances of 2, 4, 8 and so on.
+/// Neighbors on each side that an image is compared with. COLMAP adds neighbors at distances of 2, 4, 8 and so on.
 const OVERLAP: &str = "15";
 /// Most features of an image without CUDA. The time of a comparison grows as their square: of COLMAP's own 8,192, two
 /// cores compare 100 pairs a minute.
@@ -105,7 +105,7 @@ impl<'a> Colmap<'a> {
 
     /// The matcher that suits the images.
     fn matcher(&self) -> Matcher {
-        // Panoramas are few places, and views of one place hardly need those of all others.
+        // Panoramas are few places, and views of one place hardly need all others.
         match self.images <= if self.is_video || self.are_views { FEW } else { SOME } {
             true => Matcher::Exhaustive,
             false => Matcher::Sequential,

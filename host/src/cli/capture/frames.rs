@@ -136,7 +136,7 @@ impl CaptureJob<'_> {
         if usual.len() < all {
             let [width, height] = shape.size;
             self.console.warn(&format!(
-                "the frames of {} change their size: those of {width} x {height} pixels are used, and {} of {all} are left out",
+                "the frames of {} change their size: {width} x {height} pixels are used, and {} of {all} are left out",
                 video.display(),
                 all - usual.len()
             ));
@@ -190,25 +190,25 @@ impl CaptureJob<'_> {
         Ok(Seen { sharpness, shapes, transfer })
     }
 
-    /// The filter that maps a video's colors to those of screens, if it has others.
+    /// The filter that maps a video's colors to a screen's, if it has others.
     fn colors(&self, video: &Path, transfer: Option<&str>) -> Result<&'static str> {
         let Some([_, name]) = HDR.iter().find(|[known, _]| Some(*known) == transfer) else {
             return Ok("");
         };
         let help = output(command("ffmpeg").args(["-hide_banner", "-h", "filter=zscale"]))?;
         if help.contains("Filter zscale") {
-            self.console.note(&format!("mapping the colors of {name} to those of screens"));
+            self.console.note(&format!("mapping the colors of {name} to a screen's"));
             return Ok(TO_SDR);
         }
         self.console.warn(&format!(
-            "{} has colors of {name}, and this ffmpeg has no filter `zscale`, which maps them to those of screens: images will \
+            "{} has colors of {name}, and this ffmpeg has no filter `zscale`, which maps them to a screen's: images will \
              look pale. Install an ffmpeg with zimg, or film without HDR",
             video.display()
         ));
         Ok("")
     }
 
-    /// ffmpeg, reading the first stream of a video that is no cover picture. Its messages are those of a level.
+    /// ffmpeg, reading the first stream of a video that is no cover picture. It prints messages of one level.
     fn ffmpeg(&self, video: &Path, level: &str) -> Result<Call> {
         let mut ffmpeg = command("ffmpeg");
         // A name such as `-x` or `http:x` is a file's, too.
@@ -235,7 +235,7 @@ impl Shape {
         Some(Self { size, pixel })
     }
 
-    /// The size with square pixels and at most `side` of them a side. That of a panorama, if there may be one, is larger: a
+    /// The size with square pixels and at most `side` of them a side. A panorama's, if there may be one, is larger: a
     /// view of it has a 3.14th part of its columns.
     fn fit(self, side: u32, may_be_panorama: bool) -> [u32; 2] {
         let [width, height] = self.size.map(f64::from);

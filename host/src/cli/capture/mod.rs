@@ -160,7 +160,7 @@ fn done(folder: &Folder, key: &str) -> Result<Option<Done>> {
     }
 }
 
-/// The folder of unfinished steps. Those of other inputs are an error: they may have taken hours.
+/// The folder of unfinished steps. Steps of other inputs are an error: they may have taken hours.
 fn begin(folder: &Folder, key: &str) -> Result<PathBuf> {
     let work = folder.join(WORK);
     let found = fs::symlink_metadata(&work);

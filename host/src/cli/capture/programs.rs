@@ -150,7 +150,7 @@ impl<'a> Programs<'a> {
         Self { log: work.join("log.txt"), stop, console }
     }
 
-    /// A command whose options are those of the help that the program prints with these arguments.
+    /// A command whose options are in the help that the program prints with these arguments.
     pub fn call(&self, command: Command, help: &[&str]) -> Result<Call> {
         let help = output(self::command(&command.get_program().to_string_lossy()).args(help))?;
         Ok(Call { command, help, console: self.console })

@@ -1,4 +1,4 @@
-//! What a capture is made from: a video, or photographs, which are their content.
+//! The source of a capture: a video, or photographs, which are known by their content.
 
 use std::collections::HashMap;
 use std::fs::{self, File};
@@ -101,7 +101,7 @@ impl<'a> Source<'a> {
         Self::photographs(named.map(|(name, file)| (file, name)).collect(), path)
     }
 
-    /// Photographs and their names, of a folder, or those after the first that is `named`.
+    /// The photographs of some files with their names. Errors call them `named`.
     fn photographs(files: Vec<(PathBuf, String)>, named: &Path) -> Result<Self> {
         let mut paths = HashMap::new();
         for (path, name) in &files {
@@ -128,7 +128,7 @@ impl<'a> Source<'a> {
         Ok(Self::Photographs(photographs))
     }
 
-    /// Fills up numbers in names with zeros, if neighbors are to be compared and COLMAP has others: it sorts by letters.
+    /// Pads numbers in names with zeros, if neighbors are to be compared: COLMAP sorts names by letters, and would have other neighbors.
     pub fn number(&mut self, matcher: Option<Matcher>, console: Console) {
         let Self::Photographs(photographs) = self else { return };
         let is_sequential =
@@ -240,7 +240,7 @@ impl Listed {
         Ok(Self { photographs, folders, heic })
     }
 
-    /// What its folders have, and those within them. One that may not be read has nothing for us.
+    /// The files of its folders, and of folders within them. A folder that may not be read has none.
     fn below(&self, depth: usize) -> Self {
         let mut found = Self::default();
         for folder in self.folders.iter().filter(|_| depth > 0) {
@@ -257,7 +257,7 @@ fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Whether a file's name is that of a photograph.
+/// Whether a file's name has a photograph's ending.
 fn is_photograph(path: &Path) -> bool {
     has_extension(path, &["jpg", "jpeg", "png"])
 }

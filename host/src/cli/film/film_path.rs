@@ -48,7 +48,7 @@ pub struct PathArgs {
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true, requires = "orbit")]
     #[arg(value_parser = number_in(Orbit::ELEVATIONS, "degrees from -89 to 89"))]
     elevation: Option<f64>,
-    /// Horizontal field of view of an orbit, in degrees, 1 to 170 [default: that of the first camera]
+    /// Horizontal field of view of an orbit, in degrees, 1 to 170 [default: the first camera's]
     #[arg(long, value_name = "DEGREES", requires = "orbit")]
     #[arg(value_parser = number_in(Orbit::FIELDS_OF_VIEW, "degrees from 1 to 170"))]
     field_of_view: Option<f64>,
@@ -144,7 +144,7 @@ impl PathArgs {
         frames: usize,
         size: impl Fn(&Camera) -> [u32; 2],
     ) -> Result<Vec<Camera>> {
-        // the user's numbers are those of the world
+        // the user gives coordinates of the world
         let orbit = Orbit {
             center: self.center.map_or(found.center, |center| placement.own(center)),
             up: self.up.map_or(found.up, |up| placement.own_direction(up)),
@@ -154,7 +154,7 @@ impl PathArgs {
             ..found
         };
         let cameras = orbit.cameras(frames)?;
-        // a field of view that the user gave is that of the film
+        // a field of view that the user gave is the film's
         if self.field_of_view.is_some() {
             let size = size(&cameras[0]);
             return Orbit { size, ..orbit }.cameras(frames);

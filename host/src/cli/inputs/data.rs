@@ -77,7 +77,7 @@ impl DataArgs {
         self.split.unwrap_or(default)
     }
 
-    /// The settings of the data set: those of the scene's run, unless an argument or an option says otherwise.
+    /// The settings of the data set: from the scene's run, unless an argument or an option says otherwise.
     /// `usage` shows how to name a data set.
     pub fn settings(
         &self,
@@ -319,7 +319,7 @@ impl DataSet {
         Ok(self)
     }
 
-    /// Reads the photographs, or renders those of the built-in scene.
+    /// Reads the photographs, or renders the built-in scene's.
     pub fn read(mut self, renderer: &Renderer, console: Console) -> Result<Dataset> {
         let Some(poses) = self.poses.take() else {
             let data = &self.settings;

@@ -111,8 +111,9 @@ pub struct Cameras {
 }
 
 impl Cameras {
-    /// Reads cameras, in the scene's coordinates. Those of a data set are undistorted and downscaled. A folder is a data set, and so is a file if an option of [`DataArgs`] is given. Without a name, the data set is
-    /// that of the scene's run. `usage` shows how to name cameras.
+    /// Reads cameras, in the scene's coordinates. A data set's cameras are undistorted and downscaled. A folder is a data
+    /// set, and so is a file if an option of [`DataArgs`] is given. Without a name, the scene's run has the data set.
+    /// `usage` shows how to name cameras.
     pub fn load(
         scene: &SceneSource,
         named: Option<&Path>,

@@ -29,7 +29,7 @@ export class Explain {
     }
   }
 
-  // The depth of the Gaussian that a pixel is most of; null where there is none.
+  // The depth of the Gaussian with the largest alpha in a pixel; null where there is none.
   async depth(pixel) {
     const answer = await this.fetch(pixel);
     return answer?.gaussians[0]?.depth ?? null;

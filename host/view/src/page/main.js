@@ -56,7 +56,7 @@ const view = {
     compare();
   },
   click: (pixel) => (measure.isOn ? measure.click(pixel) : explain.ask(pixel.map(Math.floor))),
-  // Orbit around what is behind a pixel: the depth is that of the Gaussian with the largest alpha.
+  // Orbit around what is behind a pixel: its depth is the depth of the Gaussian with the largest alpha.
   async focus(pixel) {
     const depth = await explain.depth(pixel.map(Math.floor));
     if (depth) view.center = unproject(view.camera, pixel, depth / scene.placement.scale);
@@ -177,7 +177,7 @@ for (const [at, [mode]] of scene.modes.entries()) {
 }
 
 function setMode(mode, quiet) {
-  // an error is that of a photograph
+  // an error needs a photograph
   if (mode === "error" && view.index == null) goTo(nearest());
   view.mode = mode;
   for (const chip of $("modes").children) chip.ariaChecked = chip.dataset.mode === mode;

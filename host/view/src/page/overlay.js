@@ -11,7 +11,7 @@ export class Overlay {
     this.context = canvas.getContext("2d");
   }
 
-  // The canvas has the screen's pixels, not those of the image.
+  // The canvas has the screen's pixels, not the image's.
   fit() {
     const box = this.canvas.getBoundingClientRect(), dense = devicePixelRatio || 1;
     const [width, height] = [box.width, box.height].map((side) => Math.max(1, Math.round(side * dense)));

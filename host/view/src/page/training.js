@@ -44,7 +44,7 @@ export class Training {
       const before = this.state;
       this.state = await (await fetch("training.json")).json();
       this.show();
-      // what rests is refined; what goes on is looked at as it is
+      // a paused training's scene is refined; a running one's is shown as it is
       this.frames.refines = this.state.paused;
       if (before && before.step !== this.state.step) this.frames.refresh();
       else if (before && !before.paused && this.state.paused) this.frames.settle();

@@ -391,7 +391,7 @@ fn replayed(shape: &FrameShape, frame: &Frame, scene_buffers: u32) -> Value {
         "side": shape.side,
         "steps": shape.steps,
         "capacity": [pairs, members, samples],
-        // lengths of the plan's own buffers, in bytes; their numbers follow those of the scene's buffers
+        // lengths of the plan's own buffers, in bytes; they are numbered after the scene's buffers
         "buffers": plan.buffers.iter().map(|buffer| buffer.bytes).collect::<Vec<_>>(),
         // buffers with initial content, as words
         "contents": contents.collect::<Vec<_>>(),

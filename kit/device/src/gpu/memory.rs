@@ -8,10 +8,10 @@ use super::pipeline::Pipeline;
 use crate::buffer::{Count, Memory, Total};
 use muslin_kernel::KernelInfo;
 
-/// Number of submissions after which unused memory goes back to the driver.
+/// Number of submissions after which unused memory returns to the driver.
 pub const SUBMISSIONS: u64 = 64;
 
-/// A buffer that goes back to its pool when nobody has it anymore.
+/// A buffer that returns to its pool when nobody has it anymore.
 #[derive(Clone, Debug)]
 pub struct GpuMemory(Arc<Lent>);
 
@@ -94,14 +94,14 @@ impl MemoryPool {
         GpuMemory(Arc::new(Lent { buffer, pool: self.clone(), is_foreign }))
     }
 
-    /// Makes a new buffer come to the pool when nobody has it anymore.
+    /// A new buffer that joins the pool when nobody has it anymore.
     pub fn lend(&self, buffer: wgpu::Buffer) -> GpuMemory {
         let mut unused = self.unused();
         unused.made += 1;
         self.hold((unused.made, buffer), false)
     }
 
-    /// A buffer that was made elsewhere, and never comes to the pool.
+    /// A buffer that was made elsewhere, and never joins the pool.
     pub fn adopt(&self, buffer: wgpu::Buffer) -> GpuMemory {
         self.hold((0, buffer), true)
     }
@@ -122,7 +122,7 @@ impl MemoryPool {
 }
 
 // Parameters that only the device knows. `count_fill` writes them into the uniform buffer, after the dispatches that
-// count and before those that read.
+// count and before dispatches that read.
 
 /// The kernel `count_fill`.
 pub static COUNT_FILL: LazyLock<&'static KernelInfo> = LazyLock::new(|| {

@@ -83,7 +83,7 @@ impl Pipelines {
     }
 }
 
-/// Fails if a kernel needs what a device has not.
+/// Fails if a kernel needs what a device lacks.
 fn require(kernel: &KernelInfo, features: wgpu::Features) -> Result<()> {
     if !kernel.subgroups || features.contains(wgpu::Features::SUBGROUP) {
         return Ok(());

@@ -248,7 +248,7 @@ impl Recorder {
         self.bind_groups.submitted();
     }
 
-    /// Forgets all bind groups, so that the memory that they hold can go back to the driver.
+    /// Forgets all bind groups, so that the memory that they hold can return to the driver.
     pub fn forget_bind_groups(&mut self) {
         self.bind_groups.clear();
     }
@@ -409,7 +409,7 @@ impl Timer {
         }
     }
 
-    /// Returns the time of each dispatch. `period` is that of [`wgpu::Queue::get_timestamp_period`]. Empty for a lost
+    /// Returns the time of each dispatch. `period` is [`wgpu::Queue::get_timestamp_period`]. Empty for a lost
     /// device.
     pub fn take(&mut self, period: f32) -> Vec<(&'static str, Duration)> {
         let mut times = Vec::new();

@@ -43,6 +43,7 @@ pub mod spherical_harmonics;
 pub mod splat;
 pub mod ssim;
 pub mod statistics;
+pub mod target;
 pub mod tile;
 pub mod tile_cells;
 pub mod transmittance;

@@ -35,6 +35,7 @@ pub mod segment;
 mod splat;
 mod ssim;
 mod statistics;
+mod target;
 pub mod tile;
 mod tile_cells;
 mod transmittance;
@@ -73,6 +74,7 @@ pub fn cases() -> Vec<Case> {
         Case::new::<composite::Composite>(),
         Case::new::<resolve::Resolve>(),
         Case::new::<pixels::Pixels>(),
+        Case::new::<target::TargetTiles>(),
         Case::new::<exposure::Expose>(),
         Case::new::<loss::LossTerms>(),
         Case::new::<ssim::SsimRows>(),

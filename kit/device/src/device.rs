@@ -370,13 +370,12 @@ impl Device {
         }
     }
 
-    /// Number of times that the host has waited to read from a GPU; 0 on a CPU.
-    #[doc(hidden)]
+    /// What a GPU was asked for since it was opened; zeros on another device.
     #[must_use]
-    pub fn waits(&self) -> u64 {
+    pub fn traffic(&self) -> Traffic {
         match &self.kind {
-            DeviceKind::Gpu(gpu) => gpu.waits(),
-            _ => 0,
+            DeviceKind::Gpu(gpu) => gpu.traffic(),
+            _ => Traffic::default(),
         }
     }
 
@@ -385,6 +384,41 @@ impl Device {
     pub fn lose(&self) {
         if let DeviceKind::Gpu(gpu) = &self.kind {
             gpu.lose();
+        }
+    }
+}
+
+/// What a GPU was asked for: see [`Device::traffic`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Traffic {
+    /// Times that the host has waited for all that it had submitted.
+    pub waits: u64,
+    /// Submissions to the queue.
+    pub submissions: u64,
+    /// Command buffers in them.
+    pub command_buffers: u64,
+    /// Dispatches in these.
+    pub dispatches: u64,
+    /// Bytes that the host has written, with the kernels' parameters.
+    pub bytes_up: u64,
+    /// Bytes that the host has asked to read.
+    pub bytes_down: u64,
+    /// Buffers that the driver has made, because no unused one had the size.
+    pub buffers: u64,
+}
+
+impl std::ops::Sub for Traffic {
+    type Output = Self;
+
+    fn sub(self, before: Self) -> Self {
+        Self {
+            waits: self.waits - before.waits,
+            submissions: self.submissions - before.submissions,
+            command_buffers: self.command_buffers - before.command_buffers,
+            dispatches: self.dispatches - before.dispatches,
+            bytes_up: self.bytes_up - before.bytes_up,
+            bytes_down: self.bytes_down - before.bytes_down,
+            buffers: self.buffers - before.buffers,
         }
     }
 }

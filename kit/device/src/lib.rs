@@ -92,7 +92,7 @@ mod transfer;
 mod watchdog;
 
 pub use buffer::{Buffer, Count, Host, TAIL_ALIGNMENT};
-pub use device::{Device, KernelTime};
+pub use device::{Device, KernelTime, Traffic};
 pub use error::{Error, Result, format_bytes};
 pub use gpu::adapters;
 #[doc(hidden)]
@@ -102,6 +102,7 @@ pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};
 pub use plan::{DevicePlan, Part, PlannedBuffer, PlannedCount, Step};
+pub use transfer::Pending;
 /// The version of wgpu whose devices and buffers [`Device::from_wgpu`] and [`Buffer::from_wgpu`] take.
 #[cfg(feature = "gpu")]
 pub use wgpu;

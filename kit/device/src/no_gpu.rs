@@ -5,7 +5,7 @@ use std::time::Duration;
 use muslin_kernel::{EntryPoint, KernelInfo};
 
 use crate::buffer::{Count, GpuBuffer, RawBuffer};
-use crate::{AdapterInfo, DeviceOptions, Error, Modules, Result};
+use crate::{AdapterInfo, DeviceOptions, Error, Modules, Result, Traffic};
 
 /// Every GPU that the system offers: none, because the feature `gpu` is off.
 #[must_use]
@@ -15,6 +15,9 @@ pub fn adapters() -> Vec<AdapterInfo> {
 
 #[derive(Debug)]
 pub enum Gpu {}
+
+#[derive(Debug)]
+pub enum Reading {}
 
 impl Gpu {
     pub fn open(_: &DeviceOptions, _: &'static Modules) -> Result<Self> {
@@ -43,6 +46,8 @@ methods! {
     allocate(&'static str, u64, bool) -> Result<GpuBuffer>;
     write(&GpuBuffer, &[u8]) -> ();
     read(&[(&RawBuffer, u64, usize)], impl FnMut(&[u8]) -> Result<()>) -> Result<()>;
+    read_later(&[(&RawBuffer, u64, usize)]) -> Reading;
+    finish_reading(Reading, impl FnMut(&[u8]) -> Result<()>) -> Result<()>;
     dispatch(&'static KernelInfo, &[u8], &[(usize, &Count)], &[&RawBuffer], [u32; 3]) -> Result<()>;
     clear(&RawBuffer) -> ();
     copy(&RawBuffer, &RawBuffer, u64) -> ();
@@ -51,6 +56,6 @@ methods! {
     wait() -> Result<()>;
     time_dispatches(bool) -> bool;
     take_times() -> Vec<(&'static str, Duration)>;
-    waits() -> u64;
+    traffic() -> Traffic;
     lose() -> ();
 }

@@ -102,6 +102,8 @@ pub struct DeviceOptions {
     /// entry point. By default, a hardware device runs variants. The CPU runs variants if this is set together with
     /// [`check_races`](Self::check_races).
     pub variants: Option<bool>,
+    /// Whether a software GPU gets work in a card's portions. For tests of what a card is asked for: it is slower.
+    pub like_a_card: bool,
 }
 
 impl DeviceOptions {
@@ -167,6 +169,7 @@ setters! {
     subgroup_size: impl Into<Option<u32>>,
     instruction_set: impl Into<Option<InstructionSet>>,
     variants: impl Into<Option<bool>>,
+    like_a_card: bool,
 }
 
 impl Device {

@@ -95,9 +95,9 @@ fn a_step_waits_once_and_that_changes_nothing() {
         let mut trainer = resume(&renderer, &checkpoint);
         let mut waits = Vec::new();
         for _ in 0..4 {
-            let before = device.waits();
+            let before = device.traffic();
             trainer.step().expect("a step");
-            waits.push(device.waits() - before);
+            waits.push((device.traffic() - before).waits);
         }
         match device.backend() {
             "cpu" => assert_eq!(waits, [0; 4]),

@@ -5,14 +5,13 @@ mod memory;
 mod pipeline;
 mod recorder;
 
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
 
 use crate::buffer::{Count, Memory, RawBuffer};
-use crate::{DeviceOptions, Error, Modules, Result, SpirvPath};
+use crate::{DeviceOptions, Error, Modules, Result, SpirvPath, Traffic};
 pub use adapter::adapters;
 pub use memory::GpuMemory;
 use memory::{COUNT_FILL, MemoryPool};
@@ -34,11 +33,21 @@ pub struct Gpu {
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
     memory: MemoryPool,
-    /// The buffer for the next bytes that the host reads.
-    staging: Mutex<Option<wgpu::Buffer>>,
+    /// Unused buffers for bytes that the host reads.
+    staging: Mutex<Vec<wgpu::Buffer>>,
     failures: Arc<Mutex<Failures>>,
-    /// Number of times that the host has waited to read.
-    waits: AtomicU64,
+    /// Whether this is a software device that has not been opened [like a card](DeviceOptions::like_a_card).
+    is_software: bool,
+}
+
+/// Bytes that a submission copies for the host.
+#[derive(Debug)]
+pub struct Reading {
+    staging: wgpu::Buffer,
+    /// Of each range, in `staging`: the first byte, and the number of bytes.
+    ranges: Vec<(usize, usize)>,
+    submission: Option<wgpu::SubmissionIndex>,
+    mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
 
 impl Gpu {
@@ -71,19 +80,20 @@ impl Gpu {
     ) -> Self {
         let variants = Variants::new(&device, options.variants);
         let memory = MemoryPool::default();
+        let info = device.adapter_info();
         Self {
             recorder: Mutex::new(Recorder::new(&device, &memory)),
             memory,
             staging: Mutex::default(),
             pipelines: Pipelines::new(spirv, variants, modules),
-            info: device.adapter_info(),
+            is_software: info.device_type == wgpu::DeviceType::Cpu && !options.like_a_card,
+            info,
             limits: device.limits(),
             device,
             queue,
             spirv,
             variants,
             failures: Arc::default(),
-            waits: AtomicU64::new(0),
         }
     }
 
@@ -132,7 +142,7 @@ impl Gpu {
     }
 
     pub fn is_software(&self) -> bool {
-        self.info.device_type == wgpu::DeviceType::Cpu
+        self.is_software
     }
 
     pub fn max_buffer_bytes(&self) -> u64 {
@@ -167,6 +177,7 @@ impl Gpu {
         });
         let new =
             new.ok_or_else(|| Error::OutOfMemory { needed: bytes, available: None, what: what() })?;
+        self.recorder().traffic.buffers += 1;
         Ok(self.memory.lend(new))
     }
 
@@ -185,6 +196,7 @@ impl Gpu {
     }
 
     pub fn write(&self, buffer: &wgpu::Buffer, bytes: &[u8]) {
+        self.recorder().traffic.bytes_up += bytes.len() as u64;
         // wgpu writes whole words
         let (words, rest) = bytes.split_at(bytes.len() / 4 * 4);
         if !words.is_empty() {
@@ -201,9 +213,15 @@ impl Gpu {
     pub fn read(
         &self,
         ranges: &[(&RawBuffer, u64, usize)],
-        mut take: impl FnMut(&[u8]) -> Result<()>,
+        take: impl FnMut(&[u8]) -> Result<()>,
     ) -> Result<()> {
-        self.waits.fetch_add(1, Ordering::Relaxed);
+        let reading = self.read_later(ranges);
+        self.recorder().traffic.waits += 1;
+        self.finish_reading(reading, take)
+    }
+
+    /// Submits all recorded work, which then copies each range for the host: a buffer, an offset in it, and a length.
+    pub fn read_later(&self, ranges: &[(&RawBuffer, u64, usize)]) -> Reading {
         // wgpu copies whole words
         let words = |&(buffer, first, len): &(&RawBuffer, u64, usize)| {
             let begin = buffer.begin + first;
@@ -211,58 +229,74 @@ impl Gpu {
         };
         let size: u64 = ranges.iter().map(words).map(|words| words.end - words.start).sum();
         let staging = self.take_staging(size);
-        {
-            let mut recorder = self.recorder();
-            let mut at = 0;
-            for range in ranges {
-                let words = words(range);
-                let memory = self.memory(range.0);
-                recorder.copy(&self.device, memory, words.clone(), &staging, at);
-                at += words.end - words.start;
-            }
-            recorder.submit(&self.device, &self.queue);
-        }
-        let (sender, receiver) = std::sync::mpsc::channel();
-        staging.slice(..size).map_async(wgpu::MapMode::Read, move |result| {
-            // the receiver is gone only if this function has returned an error
-            let _ = sender.send(result);
-        });
-        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
-        self.check()?;
-        polled.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
-        let mapped = receiver
-            .recv()
-            .map_err(|_| Error::DeviceLost { reason: "it did not answer".into() })?;
-        mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
-        let mapped = staging.slice(..size).get_mapped_range();
-        let mapped = mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let mut places = Vec::with_capacity(ranges.len());
+        let mut recorder = self.recorder();
         let mut at = 0;
-        let mut taken = Ok(());
         for range in ranges {
             let words = words(range);
-            let first = at + (range.0.begin + range.1 - words.start) as usize;
-            taken = taken.and_then(|()| take(&mapped[first..first + range.2]));
-            at += (words.end - words.start) as usize;
+            let memory = self.memory(range.0);
+            recorder.copy(&self.device, memory, words.clone(), &staging, at);
+            places.push(((at + range.0.begin + range.1 - words.start) as usize, range.2));
+            at += words.end - words.start;
         }
-        drop(mapped);
+        let submission = recorder.submit(&self.device, &self.queue);
+        recorder.traffic.bytes_down += size;
+        drop(recorder);
+        let (sender, mapped) = mpsc::channel();
+        staging.slice(..size).map_async(wgpu::MapMode::Read, move |result| {
+            // the receiver is gone only if nobody wants the bytes anymore
+            let _ = sender.send(result);
+        });
+        Reading { staging, ranges: places, submission, mapped }
+    }
+
+    /// Waits for the submission that copies the bytes, and gives the bytes of each range to `take`. Later submissions go on.
+    pub fn finish_reading(
+        &self,
+        reading: Reading,
+        mut take: impl FnMut(&[u8]) -> Result<()>,
+    ) -> Result<()> {
+        let Reading { staging, ranges, submission, mapped } = reading;
+        let lost = |reason: String| Error::DeviceLost { reason };
+        let polled =
+            self.device.poll(wgpu::PollType::Wait { submission_index: submission, timeout: None });
+        self.check()?;
+        polled.map_err(|error| lost(error.to_string()))?;
+        let mapped = mapped.recv().map_err(|_| lost("it did not answer".into()))?;
+        mapped.map_err(|error| lost(error.to_string()))?;
+        let bytes =
+            staging.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
+        let taken =
+            ranges.into_iter().try_for_each(|(first, len)| take(&bytes[first..first + len]));
+        drop(bytes);
         staging.unmap();
         if staging.size() <= MAX_STAGING {
-            *self.staging.lock().unwrap_or_else(PoisonError::into_inner) = Some(staging);
+            self.staging().push(staging);
         }
         taken
     }
 
+    fn staging(&self) -> std::sync::MutexGuard<'_, Vec<wgpu::Buffer>> {
+        self.staging.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// A buffer that the host can read, of at least `size` bytes.
     fn take_staging(&self, size: u64) -> wgpu::Buffer {
-        let last = self.staging.lock().unwrap_or_else(PoisonError::into_inner).take();
-        last.filter(|last| last.size() >= size).unwrap_or_else(|| {
-            self.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("read back"),
-                size,
-                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            })
-        })
+        let mut unused = self.staging();
+        let large_enough = unused.iter().position(|buffer| buffer.size() >= size);
+        match large_enough {
+            Some(place) => unused.swap_remove(place),
+            None => {
+                // a larger one takes the place of one that is too small
+                unused.pop();
+                self.device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some("read back"),
+                    size,
+                    usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                    mapped_at_creation: false,
+                })
+            }
+        }
     }
 
     pub fn dispatch(
@@ -358,9 +392,8 @@ impl Gpu {
         }
     }
 
-    /// Number of times that the host has waited to read.
-    pub fn waits(&self) -> u64 {
-        self.waits.load(Ordering::Relaxed)
+    pub fn traffic(&self) -> Traffic {
+        self.recorder().traffic
     }
 
     pub fn lose(&self) {

@@ -10,6 +10,7 @@ use muslin_kernel::{Access, KernelInfo};
 
 use super::memory::{COUNT_FILL, Fill, Fills, MemoryPool, SUBMISSIONS};
 use super::pipeline::Pipeline;
+use crate::Traffic;
 use crate::buffer::Count;
 
 /// Bytes of a uniform slot: the largest alignment that an adapter may require.
@@ -52,6 +53,7 @@ pub struct Recorder {
     times: bool,
     memory: MemoryPool,
     bind_groups: BindGroups,
+    pub traffic: Traffic,
 }
 
 impl Recorder {
@@ -78,6 +80,7 @@ impl Recorder {
             times: false,
             memory: memory.clone(),
             bind_groups: BindGroups::default(),
+            traffic: Traffic::default(),
         }
     }
 
@@ -137,6 +140,7 @@ impl Recorder {
         pass.set_pipeline(&pipeline.pipeline);
         pass.set_bind_group(0, &bind_group, if has_uniform { &slot } else { &[] });
         pass.dispatch_workgroups(x, y, z);
+        self.traffic.dispatches += 1;
     }
 
     fn begin_pass(
@@ -217,13 +221,18 @@ impl Recorder {
             let bind_group = self.bind_groups.get(device, COUNT_FILL.name, layout, &buffers);
             pass.set_bind_group(0, bind_group, &[]);
             pass.dispatch_workgroups(numbers.div_ceil(COUNT_FILL.workgroup_size[0]), 1, 1);
+            self.traffic.dispatches += 1;
         }
         drop(pass);
         self.finished.push(encoder.finish());
     }
 
-    /// Submits all commands to the device.
-    pub fn submit(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+    /// Submits all commands to the device. Returns the number of the submission, if there was something to submit.
+    pub fn submit(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+    ) -> Option<wgpu::SubmissionIndex> {
         self.pass = None;
         if let Some(timer) = self.timer.as_mut().filter(|timer| timer.has_unresolved()) {
             // not `self.encoder()`, which would also borrow the timer
@@ -232,7 +241,7 @@ impl Recorder {
         self.publish_counts(device);
         let first = self.first.take().map(wgpu::CommandEncoder::finish);
         if self.finished.is_empty() && first.is_none() {
-            return;
+            return None;
         }
         // happens after earlier submissions and before the next one
         for (buffer, bytes) in
@@ -240,12 +249,16 @@ impl Recorder {
         {
             if !bytes.is_empty() {
                 queue.write_buffer(buffer, 0, bytes);
+                self.traffic.bytes_up += bytes.len() as u64;
                 bytes.clear();
             }
         }
-        queue.submit(first.into_iter().chain(self.finished.drain(..)));
+        self.traffic.submissions += 1;
+        self.traffic.command_buffers += self.finished.len() as u64 + u64::from(first.is_some());
+        let submission = queue.submit(first.into_iter().chain(self.finished.drain(..)));
         self.memory.submitted();
         self.bind_groups.submitted();
+        Some(submission)
     }
 
     /// Forgets all bind groups, so that the memory that they hold can return to the driver.

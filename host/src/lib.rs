@@ -46,7 +46,7 @@
 //! - `cli`: the program. Needs `viewer`.
 //! - `mpi`: ranks that are MPI's processes. Off by default.
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "bench")]
 #[doc(hidden)]
 pub mod bench;
 #[cfg(feature = "train")]

@@ -68,9 +68,7 @@ program() {
 }
 
 wheel() {
-  # the versions that everything else is built with
-  cp Cargo.lock python/Cargo.lock
-  (cd python && CARGO_TARGET_DIR=$target/python maturin build --release --zig --compatibility manylinux2014 --target "$platform" --out "$out")
+  (cd python && maturin build --release --locked --zig --compatibility manylinux2014 --target "$platform" --out "$out")
 }
 
 # Both, where nothing of the repository is.

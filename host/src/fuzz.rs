@@ -4,10 +4,10 @@
 
 use crate::camera::parse;
 use crate::data::fuzz::{colmap, origin, photograph, ply, transforms};
-use crate::input::parse_json;
 use crate::scene::{Scene, read_tensors_from};
 use crate::tile::TileBatch;
 use crate::train::{Checkpoint, TrainConfig, metrics};
+use organza_core::input::parse_json;
 use organza_splats::read_from;
 
 /// A parser of bytes, which must return.

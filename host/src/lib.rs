@@ -37,30 +37,45 @@
 //! [`Renderer::gradient`] computes the gradient of any loss, and [`Renderer::record`] the tiles as well.
 //! [`train::StepHooks`] passes a loss to a [`Trainer`].
 
+//! # Features
+//!
+//! All are on by default. Without them, this is the renderer alone.
+//!
+//! - `train`: photographs ([`data`]), [training](train), and [files for viewers that sort](splats).
+//! - `viewer`: pages of runs, the [viewer](view), [films](film), and [the page that renders by itself](web). Needs `train`.
+//! - `cli`: the program. Needs `viewer`.
+//! - `mpi`: ranks that are MPI's processes. Off by default.
+
+#[cfg(feature = "bench")]
 #[doc(hidden)]
 pub mod bench;
+#[cfg(feature = "train")]
 #[doc(hidden)]
 pub mod fuzz;
 pub mod ranks;
 
-pub use data::{Dataset, DatasetOptions};
+#[cfg(feature = "train")]
+pub use data::{Dataset, DatasetOptions, still_life};
 pub use muslin_device::{
     BackendChoice, Buffer, Device, DeviceOptions, InstructionSet, Modules, SpirvPath,
 };
-use organza_core::input;
 pub use organza_core::{
     Camera, Channel, Error, Gradient, Image, RenderReport, RenderedTiles, Result, Scene, Tile,
-    TileBatch, camera, demo, edit, error, image, metrics, scene, still_life, tile,
+    TileBatch, camera, demo, edit, error, image, metrics, scene, tile,
 };
+#[cfg(feature = "train")]
 pub use organza_data as data;
 pub use organza_render::{
     self as render, DeviceScene, Inspection, MODULES, Recording, Renderer, Stages, UploadOptions,
     open_device,
 };
+#[cfg(feature = "train")]
 pub use organza_train::{COMMIT, Evaluation, TrainConfig, Trainer, evaluate};
+#[cfg(feature = "viewer")]
 pub use organza_view::{self as view, film, web};
 
 /// Gaussians for 3D Gaussian Splatting viewers: their files, the fit of a scene's Gaussians, and scenes made of such files.
+#[cfg(feature = "train")]
 pub mod splats {
     pub use organza_splats::*;
     pub use organza_train::evaluate::{SplatComparison, compare_splats};
@@ -68,7 +83,9 @@ pub mod splats {
 }
 
 /// Training: from photographs with poses to a scene.
+#[cfg(feature = "train")]
 pub mod train {
+    #[cfg(feature = "viewer")]
     pub use organza_report as report;
     pub use organza_train::*;
 }

@@ -23,7 +23,7 @@ class Cameras:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Cameras:
-        """Reads nerfstudio's `transforms.json`.
+        """Reads nerfstudio's `transforms.json`, or the cameras of a data set's folder, without their lenses' distortion.
 
         Raises `FileNotFoundError`, and `ValueError` for a file that does not describe pinhole cameras.
         """

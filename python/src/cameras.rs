@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use numpy::ndarray::{Array2, Array3};
 use numpy::{IntoPyArray, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
 use organza::camera::{CameraPath, Orbit};
+use organza::data::{DatasetOptions, Poses};
 use organza::scene::{Placement, SceneConfig};
 use pyo3::prelude::*;
 
@@ -18,9 +19,16 @@ pub struct Cameras(pub Vec<organza::Camera>);
 
 #[pymethods]
 impl Cameras {
+    /// The cameras of a file, or of a data set's folder.
     #[staticmethod]
     fn load(path: PathBuf) -> PyResult<Self> {
-        organza::Camera::load_all(path).map(Self).map_err(raise)
+        if !path.is_dir() {
+            return organza::Camera::load_all(path).map(Self).map_err(raise);
+        }
+        let world = Some(Placement::default());
+        let options = DatasetOptions { placement: world, ..DatasetOptions::default() };
+        let poses = Poses::load(&path, &options).and_then(|poses| poses.cameras());
+        Ok(Self(poses.map_err(raise)?.into_iter().map(|pose| pose.camera).collect()))
     }
 
     fn save(&self, path: PathBuf) -> PyResult<()> {

@@ -4,7 +4,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::process::Command;
 
-use organza_core::FolderLock;
+use organza::train::FolderLock;
 
 use crate::sandbox::Sandbox;
 use crate::train::runs::{self, TINY};

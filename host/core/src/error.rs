@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
 
-pub use muslin_device::{Error as DeviceError, format_bytes};
+pub use muslin_error::{Error as DeviceError, format_bytes};
 
 /// The result of every fallible operation of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -241,7 +241,7 @@ pub enum Error {
 
     /// A device could not be opened, ran out of memory, was lost, or could not run a kernel.
     #[error(transparent)]
-    Device(#[from] muslin_device::Error),
+    Device(#[from] muslin_error::Error),
 }
 
 /// Joins the messages of an error and of its sources.

@@ -15,7 +15,7 @@ use png::{BitDepth, ColorType};
 use rayon::prelude::*;
 
 use crate::{Error, RenderedTiles, Result, Tile, TileBatch, write_atomic};
-use muslin_device::memory;
+use muslin_error::memory;
 
 /// Side of the tiles that a whole image is cut into, in pixels. No image depends on it.
 pub const TILE_SIDE: u32 = 64;

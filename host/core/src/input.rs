@@ -11,7 +11,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::error::{Error, Result, format_bytes};
-use muslin_device::memory;
+use muslin_error::memory;
 
 /// Largest JSON file, in bytes. No camera or tile list needs more; a larger file was named by mistake.
 const MAX_JSON_BYTES: u64 = 256 << 20;

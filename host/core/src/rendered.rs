@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use muslin_device::memory;
+use muslin_error::memory;
 use serde::Serialize;
 
 use crate::{Result, TileBatch};

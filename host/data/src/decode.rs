@@ -14,9 +14,9 @@ use image::{
 };
 
 use super::find::invalid;
-use muslin_device::memory;
 use organza_core::error::{DeviceError, Error, Result};
 use organza_core::input::{open_regular, read_file};
+use organza_core::memory;
 
 /// What a file is, for messages.
 pub(super) const PHOTOGRAPH: &str = "photograph";

@@ -8,9 +8,9 @@ use super::find::invalid;
 use super::fingerprint::Digest;
 use super::lens::{Lens, Undistortion};
 use super::{Alpha, DatasetOptions, Frame, Photograph, decode};
-use muslin_device::memory;
 use organza_core::image::to_8_bit;
 use organza_core::input::read_file;
+use organza_core::memory;
 use organza_core::{Camera, Result};
 
 /// An existing photograph, with its camera and lens.

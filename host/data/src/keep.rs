@@ -12,8 +12,8 @@ use bytemuck::NoUninit;
 use memmap2::{Mmap, MmapOptions};
 use serde::{Deserialize, Serialize};
 
-use muslin_device::memory;
 use organza_core::error::{Error, Result};
+use organza_core::memory;
 
 /// The storage for photographs while they are used. Their bits do not depend on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -16,6 +16,8 @@ pub mod panorama;
 mod photograph;
 pub mod ply;
 mod poses;
+mod random;
+pub mod still_life;
 pub mod sweep;
 #[cfg(test)]
 mod tests;
@@ -43,6 +45,7 @@ use organza_core::scene::Placement;
 use organza_core::{Camera, Result};
 pub use photograph::{DatasetKind, Frame, Photograph, Point};
 pub use poses::{Pose, Poses, kind_of};
+pub use random::random;
 
 /// Focal lengths of lenses, as multiples of an image's longer side: 160 degrees to half a degree.
 const LIKELY_FOCALS: RangeInclusive<f64> = 0.08..=100.0;

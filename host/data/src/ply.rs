@@ -12,9 +12,9 @@ use ply_rs_bw::ply::{
 };
 
 use super::{Point, invalid};
-use muslin_device::memory;
 use organza_core::error::{Error, Result};
 use organza_core::input::open_regular;
+use organza_core::memory;
 
 /// Longest header and longest line of text, in bytes. The header of a scan with all its comments has a few kilobytes.
 const MAX_LINE: u64 = 1 << 20;

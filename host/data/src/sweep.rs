@@ -9,8 +9,8 @@ use glam::{DMat3, DVec3, Vec3};
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
+use crate::random;
 use crate::{Frame, Photograph, Point};
-use organza_core::random;
 
 const SWEEP: u64 = 5;
 

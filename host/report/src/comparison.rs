@@ -10,7 +10,8 @@ use super::charts::Charts;
 use super::page::{clean, curves, duration, image, page, score, section, table};
 use super::pictures::{Content, Picture};
 use super::run::Run;
-use organza_core::{Result, grouped, write_atomic};
+use muslin_device::grouped;
+use organza_core::{Result, write_atomic};
 
 /// Largest number of pictures on the page: with many runs it shows few views.
 const MAX_PICTURES: usize = 48;

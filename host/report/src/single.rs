@@ -11,8 +11,9 @@ use super::page::{
 };
 use super::pictures::{Content, Picture};
 use super::run::{Evaluation, Run};
+use muslin_device::grouped;
 use organza_core::metrics::ERROR_FACTOR;
-use organza_core::{Result, grouped, write_inside};
+use organza_core::{Result, write_inside};
 use organza_train::config::TrainConfig;
 use organza_train::evaluate::ViewScore;
 use organza_train::metrics::TimingRow;

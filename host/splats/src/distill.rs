@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use bytemuck::Zeroable;
 use glam::Vec3;
 use muslin::math::sigmoid;
-use muslin_device::memory;
+use organza_core::memory;
 use rayon::prelude::*;
 
 use super::harmonics::{HARMONICS, Sample, fit, harmonics};

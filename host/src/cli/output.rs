@@ -6,10 +6,11 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use organza::splats::Format;
+use organza::train::FolderLock;
 use organza::train::{self, CONFIG};
 use organza::{Error, Result};
 use organza_core::input::has_extension;
-use organza_core::{FolderLock, hex, write_atomic};
+use organza_core::{hex, write_atomic};
 use sha2::{Digest, Sha256};
 
 use super::inputs::FileKind;

@@ -12,6 +12,7 @@ mod coarse;
 pub mod config;
 pub mod evaluate;
 mod folder;
+mod folder_lock;
 mod growth;
 mod held_out;
 mod hooks;
@@ -38,6 +39,7 @@ pub use folder::{
     BEST, CAMERAS, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT, RunFolder,
     is_run_file,
 };
+pub use folder_lock::FolderLock;
 pub use growth::Grown;
 pub use hooks::{GradientHook, StepGradient, StepHooks};
 pub use import::{Import, Imported, import};

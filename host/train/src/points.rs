@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use rand::seq::SliceRandom;
 
 use organza_core::camera::Target;
-use organza_core::random;
+use organza_data::random;
 use organza_data::{Frame, Point};
 
 const SHUFFLE: u64 = 6;

@@ -48,7 +48,7 @@ fn check_photographs(
     let photographs = serde_json::to_string(&dataset.fingerprint).unwrap_or_default();
     ranks::check_agreement(
         ranks,
-        renderer.device(),
+        &renderer.device().arithmetic(),
         crate::COMMIT.unwrap_or_default(),
         ("photographs", &photographs),
         mixed,

@@ -6,8 +6,8 @@ use rand::{Rng, RngExt};
 use super::config::{LossConfig, RunConfig};
 use muslin_device::memory;
 use organza_core::error::Result;
-use organza_core::random;
 use organza_core::tile::{Tile, TileBatch};
+use organza_data::random;
 use organza_data::{Frame, Photograph, mean};
 use organza_render::LossTarget;
 

@@ -17,8 +17,8 @@ use super::requirements;
 use super::space::scene_box;
 use organza_core::camera::{Camera, Target};
 use organza_core::error::{Error, Result};
-use organza_core::random;
 use organza_core::scene::{Network, Scene, logit};
+use organza_data::random;
 use organza_data::{Dataset, Frame, Point, sweep};
 use organza_splats::{self as splats, Splat};
 

@@ -12,10 +12,9 @@ use rayon::prelude::*;
 
 use crate::buffer::RawBuffer;
 use crate::cpu::Cpu;
-use crate::error::{Error, Result};
 use crate::job::{KernelJob, Monitor, RunMode, Workgroups, bind, monitors};
 use crate::thorough::Flushing;
-use crate::{thorough, watchdog};
+use crate::{Error, Result, thorough, watchdog};
 
 /// Workgroups that a thread runs in sequence, so that the cost of handing them over counts less.
 const AT_ONCE: u64 = 8;

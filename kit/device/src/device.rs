@@ -11,9 +11,8 @@ use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInf
 use muslin_kernel::work::Work;
 
 use crate::buffer::{Count, Host, RawBuffer};
-use crate::error::{Error, Result};
 use crate::job::{MOST, Workgroups, workgroups_for};
-use crate::{cpu, gpu, plan};
+use crate::{Error, Result, cpu, gpu, plan};
 
 /// A device that runs kernels.
 ///

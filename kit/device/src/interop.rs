@@ -22,9 +22,8 @@ use bytemuck::Pod;
 
 use crate::buffer::{Buffer, Memory, RawBuffer};
 use crate::device::{Device, DeviceKind};
-use crate::error::{Error, Result};
 use crate::gpu::Gpu;
-use crate::{DeviceOptions, Modules};
+use crate::{DeviceOptions, Error, Modules, Result};
 
 impl Device {
     /// A device that the program has opened. Of the options, it takes [`spirv`](DeviceOptions::spirv),

@@ -76,13 +76,11 @@ mod cpu;
 mod cpu_dispatch;
 mod cpu_memory;
 mod device;
-mod error;
 #[cfg_attr(not(feature = "gpu"), path = "no_gpu.rs")]
 mod gpu;
 #[cfg(feature = "gpu")]
 mod interop;
 mod job;
-pub mod memory;
 mod modules;
 mod options;
 mod plan;
@@ -93,11 +91,11 @@ mod watchdog;
 
 pub use buffer::{Buffer, Count, Host, TAIL_ALIGNMENT};
 pub use device::{Device, KernelTime, Traffic};
-pub use error::{Error, Result, format_bytes};
 pub use gpu::adapters;
 #[doc(hidden)]
 pub use modules::Aligned;
 pub use modules::{CompiledKernel, Modules};
+pub use muslin_error::{Error, Result, format_bytes, memory};
 pub use muslin_kernel::kernel::{InstructionSet, kernels_of};
 pub use muslin_manifest::{List, STALE, Table, grouped};
 pub use options::{AdapterInfo, BackendChoice, DeviceOptions, SpirvPath};

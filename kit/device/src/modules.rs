@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use muslin_kernel::{EntryPoint, KernelInfo};
 use muslin_manifest::{Interface, KernelEntry, Manifest};
 
-use crate::error::{Error, Result};
+use crate::{Error, Result};
 
 /// Bytes aligned to four, so that they can be read as words.
 #[derive(Debug)]

@@ -6,7 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use muslin_kernel::KernelInfo;
 
 use crate::buffer::{Count, Memory, RawBuffer};
-use crate::error::{Error, Result};
+use crate::{Error, Result};
 
 /// Largest buffer that every browser with WebGPU can bind, in bytes: `maxStorageBufferBindingSize`.
 const MAX_BUFFER_BYTES: u64 = 128 << 20;

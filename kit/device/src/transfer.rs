@@ -8,8 +8,8 @@ use bytemuck::Pod;
 use crate::buffer::{Buffer, Memory, RawBuffer};
 use crate::cpu_memory::Writer;
 use crate::device::{Device, DeviceKind};
-use crate::error::{Error, Result};
 use crate::gpu::Reading;
+use crate::{Error, Result};
 
 impl Device {
     /// Creates a buffer of `len` zeros.

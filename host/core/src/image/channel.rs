@@ -8,7 +8,7 @@ use png::{BitDepth, ColorType};
 
 use super::{Image, Pixels, to_8_bit, visible_pixels};
 use crate::{Channel, Error, RenderedTiles, Result, TileBatch, write_atomic};
-use muslin_device::memory;
+use muslin_error::memory;
 
 /// Default levels of a 16-bit PNG for one unit of depth. A level is a thousandth, as in the depth images that
 /// nerfstudio reads.

@@ -8,7 +8,6 @@ mod threads;
 use std::fmt::Debug;
 
 use crate::error::{Error, Result};
-use muslin_device::Device;
 pub use threads::ThreadRanks;
 
 /// Communication between ranks. Every call waits for all ranks.
@@ -68,20 +67,21 @@ fn ended(rank: usize, message: &str) -> Error {
 }
 
 /// Makes sure that all ranks compute the same bits from the same input: that they run the same version of the
-/// program, on devices that round alike. `commit` is the program's commit. `input` names each input that the ranks
-/// have read, with a value that identifies it, such as a hash. `mixed` allows different programs and devices.
+/// program, on devices that round alike. `arithmetic` names the device's rounding, and `commit` the program's commit.
+/// `input` names each input that the ranks have read, with a value that identifies it, such as a hash. `mixed` allows
+/// different programs and devices.
 ///
 /// # Errors
 /// [`Error::Rank`], on every rank, for the first rank that differs from rank 0; those of [`Ranks::max`].
 pub fn check_agreement(
     ranks: &dyn Ranks,
-    device: &Device,
+    arithmetic: &str,
     commit: &str,
     (what, input): (&str, &str),
     mixed: bool,
 ) -> Result<()> {
     let program = format!("organza {} {commit}", env!("CARGO_PKG_VERSION"));
-    let mine = [program.trim_end(), &device.arithmetic(), input].join("\n");
+    let mine = [program.trim_end(), arithmetic, input].join("\n");
     let all = ranks.gather(mine.into_bytes())?;
     let parts = |bytes: &[u8]| -> Vec<String> {
         String::from_utf8_lossy(bytes).splitn(3, '\n').map(str::to_owned).collect()

@@ -11,7 +11,7 @@ use super::tensors::TensorSpec;
 use super::validate::check_sizes;
 use crate::error::{Error, Result};
 use crate::input::open_regular;
-use muslin_device::memory;
+use muslin_error::memory;
 
 /// The `format` of a scene file's metadata.
 pub(super) const FORMAT: &str = "organza.scene";

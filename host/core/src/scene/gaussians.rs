@@ -3,7 +3,7 @@
 use super::config::SceneConfig;
 use super::tensors::TensorSpec;
 use crate::error::Result;
-use muslin_device::memory;
+use muslin_error::memory;
 
 /// Calls the macro `$with` with the table of per-Gaussian tensors: one line per tensor.
 ///

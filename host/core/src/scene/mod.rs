@@ -33,7 +33,7 @@ pub use tensor_file::{
 pub use tensors::{FieldTensors, TensorSpec, Tensors};
 
 use crate::error::Result;
-use muslin_device::memory;
+use muslin_error::memory;
 
 /// A scene: its configuration and all its tensors.
 ///

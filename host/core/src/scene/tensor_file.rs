@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::input::open_regular;
 use crate::{Error, Result, write_atomic};
-use muslin_device::memory;
+use muslin_error::memory;
 
 /// Largest header, in bytes. The few dozen tensors of a scene need far less; safetensors itself allows 100 MB.
 const MAX_HEADER_BYTES: u64 = 16 << 20;

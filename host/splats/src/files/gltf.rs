@@ -6,7 +6,7 @@ use std::path::Path;
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3, Quat, Vec3};
 use muslin::math::sigmoid;
-use muslin_device::memory;
+use organza_core::memory;
 use serde_json::{Map, Value, json};
 
 use super::{PLACEMENT, Splat, SplatFile, base_color, byte, invalid, log_of, said, turned, whole};

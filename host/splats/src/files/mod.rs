@@ -16,7 +16,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use glam::{DMat3, DVec3};
-use muslin_device::memory;
+use organza_core::memory;
 use serde_json::Value;
 
 use super::harmonics::{FIRST, MIDDLE};

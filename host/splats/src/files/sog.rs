@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use image_webp::{ColorType, DecodingError, WebPDecoder, WebPEncoder};
 use muslin::math::sigmoid;
-use muslin_device::memory;
+use organza_core::memory;
 use serde_json::{Value, json};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};

@@ -13,7 +13,7 @@ use flate2::write::GzEncoder;
 use glam::{DMat3, DVec3};
 use half::f16;
 use muslin::math::sigmoid;
-use muslin_device::memory;
+use organza_core::memory;
 
 use super::{Splat, SplatFile, byte, invalid, logit_of, smallest_three, turned, with_largest};
 use crate::harmonics::{DEGREE, HARMONICS};

@@ -8,7 +8,7 @@ use rand_pcg::Pcg64;
 use super::super::config::TrainConfig;
 use super::super::start::start;
 use super::*;
-use organza_core::random;
+use organza_data::random;
 
 fn numbers() -> Pcg64 {
     random(7, 0, 0)

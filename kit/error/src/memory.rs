@@ -6,7 +6,7 @@ use std::path::Path;
 
 use bytemuck::Zeroable;
 
-use crate::error::{Error, Result};
+use crate::{Error, Result};
 
 /// Smaller allocations are made without a check, in bytes.
 const SMALL: u64 = 64 << 20;
@@ -56,7 +56,8 @@ thread_local! {
 }
 
 /// Runs an allocation that may fail. The caller turns the failure into an error.
-pub(crate) fn asking<T>(allocate: impl FnOnce() -> T) -> T {
+#[doc(hidden)]
+pub fn asking<T>(allocate: impl FnOnce() -> T) -> T {
     let before = ASKING.replace(true);
     let result = allocate();
     ASKING.set(before);

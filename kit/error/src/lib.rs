@@ -1,6 +1,8 @@
-//! Errors of a device.
+//! Errors of a device, and allocations that fail with one.
 //!
 //! The `Display` text of an [`Error`] is complete: what happened, where, and what to do about it.
+
+pub mod memory;
 
 /// The result of every fallible operation of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;

@@ -5,7 +5,7 @@ use std::io::{self, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use crate::error::{Error, Result};
+use organza_core::{Error, Result};
 
 /// The lock file. It is removed at the end.
 const LOCK: &str = ".organza-lock";

@@ -6,7 +6,7 @@
 //! table from one side only. The photographs are in the public domain (CC0 1.0).
 //!
 //! ```
-//! use organza_core::still_life::StillLife;
+//! use organza_data::still_life::StillLife;
 //!
 //! let walk = StillLife::new(40, [64, 48])?;
 //! assert_eq!(walk.photograph(3)?.size(), [64, 48]);
@@ -21,7 +21,9 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use crate::{Camera, Image, Result, random};
+use organza_core::{Camera, Image, Result};
+
+use crate::random;
 
 /// Purpose of the random numbers of a photograph.
 const PHOTOGRAPH: u64 = 0x7374_696c;
@@ -52,7 +54,7 @@ impl StillLife {
     /// A walk of `count` photographs of `size` pixels.
     ///
     /// # Errors
-    /// [`Error::Camera`](crate::Error::Camera) if the size is out of range.
+    /// [`Error::Camera`](organza_core::Error::Camera) if the size is out of range.
     pub fn new(count: usize, size: [u32; 2]) -> Result<Self> {
         let cameras = (0..count).map(|index| camera(index, count, size)).collect::<Result<_>>()?;
         Ok(Self { cameras, objects: Objects::new() })

@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
     let mut scene = Scene::load(scene)?;
-    let cameras = scene.config.placement.load_cameras(cameras)?;
+    let cameras = scene.load_cameras(cameras)?;
     let [width, height] = [cameras[0].width, cameras[0].height];
     let batch = TileBatch::cover(0, width, height, 32)?;
 

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{}", renderer.device().choice());
 
     let scene = Scene::load(scene)?;
-    let cameras = scene.config.placement.load_cameras(cameras)?;
+    let cameras = scene.load_cameras(cameras)?;
     let scene = renderer.upload(&scene)?;
     let batch = TileBatch::load(tiles)?;
 

@@ -11,7 +11,7 @@
 //!
 //! let renderer = Renderer::new(organza::open_device(&DeviceOptions::default())?);
 //! let scene = Scene::load("scene.safetensors")?;
-//! let cameras = scene.config.placement.load_cameras("cameras.json")?;
+//! let cameras = scene.load_cameras("cameras.json")?;
 //! let scene = renderer.upload(&scene)?;
 //! let tiles = renderer.render(&scene, &cameras, &TileBatch::load("tiles.json")?)?; // [K, 3, S, S]
 //! renderer.render_view(&scene, &cameras[0])?.save_png("view.png")?;

@@ -32,6 +32,9 @@ pub use tensor_file::{
 };
 pub use tensors::{FieldTensors, TensorSpec, Tensors};
 
+use std::path::Path;
+
+use crate::camera::Camera;
 use crate::error::Result;
 use muslin_error::memory;
 
@@ -70,6 +73,15 @@ impl Scene {
     pub fn visible_box(&self) -> [[f64; 3]; 2] {
         let Gaussians { position, log_scale, opacity, .. } = &self.gaussians;
         bounds(position, log_scale, opacity)
+    }
+
+    /// Reads cameras of the world, as [`Camera::load_all`] does, into this scene. A scene has coordinates of its own: see
+    /// [`Placement`].
+    ///
+    /// # Errors
+    /// The same errors as [`Camera::load_all`].
+    pub fn load_cameras(&self, path: impl AsRef<Path>) -> Result<Vec<Camera>> {
+        self.config.placement.load_cameras(path)
     }
 
     /// A scene of `gaussians` Gaussians in which every tensor is zero: a start to fill in, or storage for gradients.

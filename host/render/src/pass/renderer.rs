@@ -22,7 +22,7 @@ use organza_core::scene::Scene;
 ///
 /// // DeviceOptions::default() takes a GPU if there is one
 /// let renderer = Renderer::new(open_device(&DeviceOptions::cpu(None))?);
-/// // or Scene::load("scene.safetensors"), and scene.config.placement.load_cameras("cameras.json")
+/// // or Scene::load("scene.safetensors"), and scene.load_cameras("cameras.json")
 /// let scene = renderer.upload(&demo::scene())?;
 /// let cameras = demo::turntable(2, 48);
 ///

@@ -1,6 +1,6 @@
 //! Losses of the caller's, on the host and on the device.
 
-use organza::render::{DeviceLossGradient, Loss, LossBatch, LossGradient, TileLoss};
+use organza::render::{DeviceLossGradient, LossBatch, LossGradient, TileLoss, image_loss};
 use organza::train::{Checkpoint, StepHooks, Trainer};
 use organza::{Dataset, Error, Renderer};
 use organza_tests::devices;
@@ -23,10 +23,7 @@ fn the_same_loss_on_the_device_gives_the_same_bits() {
         let mut plain = trainer();
         let mut own = trainer();
         let mut hooks = StepHooks::new().device_loss(|batch| {
-            let pixels = (batch.side * batch.side) as usize;
-            let tiles = batch.inputs.valid.len() / pixels;
-            let loss = Loss::new(batch.device, batch.side, tiles as u32)?;
-            let output = loss.evaluate(batch.device, &batch.inputs)?;
+            let output = image_loss(batch.device, batch.side, &batch.inputs)?;
             let loss = TileLoss::total(&output.sums(batch.device)?).value(weight);
             Ok(DeviceLossGradient { loss, grad_tiles: output.grad_tiles })
         });

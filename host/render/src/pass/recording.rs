@@ -3,8 +3,12 @@
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::pass::Parts;
-use crate::{DeviceScene, POSE, Renderer, SceneGradient};
+use super::batch::Parts;
+use super::output::Output;
+use super::renderer::Renderer;
+use crate::gradient::{POSE, SceneGradient};
+use crate::loss::compare::LossSource;
+use crate::scene::device_scene::DeviceScene;
 use organza_core::scene::Gradient;
 use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
 
@@ -65,12 +69,13 @@ impl Renderer {
         batch: &TileBatch,
         channels: &[Channel],
     ) -> Result<Recording> {
-        batch.validate(cameras)?;
         scene.require_gradients()?;
         let version = scene.version.load(Ordering::Relaxed);
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
-        let tiles = pass.forward_tiles(&mut parts, batch, channels, true, &mut |_, _| {})?;
+        let mut tiles = RenderedTiles::new(batch, channels)?;
+        let output = &mut Output::Tiles { tiles: &mut tiles, channels };
+        pass.forward(&mut parts, true, output, &mut |_| {})?;
         Ok(Recording {
             renderer: self.clone(),
             scene: scene.clone(),
@@ -132,7 +137,7 @@ impl Renderer {
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
         gradient.snapshot(self.device());
-        pass.backward_from(&mut parts, grad_tiles, gradient)?;
+        pass.backward(&mut parts, &mut LossSource::Given(grad_tiles), gradient)?;
         gradient.check(self.device())
     }
 }
@@ -204,7 +209,7 @@ impl Recording {
     fn add_to(&self, grad_tiles: &[f32], gradient: &SceneGradient) -> Result<()> {
         let pass = self.renderer.pass(&self.scene, &self.cameras);
         gradient.snapshot(self.renderer.device());
-        pass.backward_from(&mut self.parts(), grad_tiles, gradient)
+        pass.backward(&mut self.parts(), &mut LossSource::Given(grad_tiles), gradient)
     }
 
     /// Adds to a new gradient, and reads it, with that of the poses if it is wanted.

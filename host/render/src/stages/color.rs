@@ -14,7 +14,8 @@ use super::field::backward::{CameraSamples, ChunkScratch, GroupScratch};
 use super::field::samples::{BlockOf, Blocks, Chunk};
 use super::pairs::{PairVectors, Pairs};
 use super::tiles::Bins;
-use crate::{DeviceScene, SceneGradient};
+use crate::gradient::SceneGradient;
+use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device, Result};
 
 /// Color of every pair.

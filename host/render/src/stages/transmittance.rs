@@ -18,10 +18,10 @@ use organza_shaders::unit_cube::Split;
 use super::field::Scratch;
 use super::field::backward::{CameraSamples, ChunkScratch, GroupScratch};
 use super::field::samples::{BlockOf, Blocks, Chunk, Layout};
-use super::gradient::SceneGradient;
 use super::pairs::{PairVectors, Pairs};
 use super::scan::exclusive_scan;
 use super::tiles::Bins;
+use crate::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::field::DeviceField;
 use muslin_device::{Buffer, Count, Device, Error, Result};
@@ -44,19 +44,17 @@ pub struct Transmittance {
 }
 
 impl Transmittance {
-    /// `keep` says whether [`Transmittance::backward`] will be called: its inputs are kept then, as far as they fit.
-    /// `count_samples` says how many samples there are, of the exclusive sums `[pairs + 1]`.
+    /// Evaluates [`segments`], which have a number of samples. `keep` says whether [`Transmittance::backward`] will be
+    /// called: its inputs are kept then, as far as they fit.
     pub fn evaluate(
         scene: &DeviceScene,
         pairs: &Pairs,
+        (segment, first_sample): (Buffer<Vec4>, Buffer<u32>),
+        samples: Count,
         keep: bool,
-        count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
         let device = scene.device();
         let capacity = pairs.count.upper_bound();
-        let (segment, first_sample) = segments(scene, pairs)?;
-        let samples = count_samples(&first_sample)?;
-
         let inputs = scene.config.transmittance_inputs();
         let end = |&pair: &u32| Ok(device.read_range(&first_sample, pair as usize, 1)?[0]);
         let ends: Vec<_> = pairs.chunk_ends(keep).iter().map(end).collect::<Result<_>>()?;

@@ -7,11 +7,11 @@ use organza_shaders::dense_backward::{
 };
 
 use super::samples::{BlockOf, Blocks, Chunk, Layout};
+use crate::gradient::FieldGradient;
 use crate::scene::device_scene::DeviceScene;
 use crate::scene::field::DeviceField;
 use crate::scene::network::LayerPlace;
 use crate::stages::cut::words;
-use crate::stages::gradient::FieldGradient;
 use crate::stages::tiles::Bins;
 use muslin_device::{Buffer, Device, Result};
 

@@ -1,7 +1,6 @@
 //! A hash grid and its network on a device: the grid block by block, the network chunk by chunk.
 
 pub mod backward;
-pub mod hash_grid;
 pub mod samples;
 
 use organza_shaders::dense::{DenseKernel, DenseParams, HeadParams, OUTPUTS_PER_INVOCATION};

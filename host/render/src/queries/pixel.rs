@@ -11,8 +11,9 @@ use crate::pass::part::Part;
 use crate::stages::color::Color;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::stages::pairs::Pairs;
-use crate::stages::project::project;
-use crate::stages::transmittance::{Ray, Transmittance};
+use crate::stages::project::{Projection, project};
+use crate::stages::scan::total;
+use crate::stages::transmittance::{Ray, Transmittance, segments};
 use crate::{DeviceScene, Renderer};
 
 use muslin_device::Count;
@@ -151,7 +152,8 @@ impl Renderer {
 
     fn every_pair(&self, scene: &DeviceScene, camera: &Camera) -> Result<(Pairs, Transmittance)> {
         let device = self.device();
-        let (camera, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let projection = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let Projection { camera, values: projection, .. } = projection;
         let every: Vec<u32> = (0..scene.gaussians).collect();
         let pairs = Pairs {
             count: Count::known(scene.gaussians),
@@ -160,9 +162,9 @@ impl Renderer {
             projection,
             view_ends: Vec::new(),
         };
-        let transmittance = Transmittance::evaluate(scene, &pairs, false, |first| {
-            pairs.read_samples(device, first)
-        })?;
+        let segments = segments(scene, &pairs)?;
+        let samples = total(device, &segments.1)?;
+        let transmittance = Transmittance::evaluate(scene, &pairs, segments, samples, false)?;
         Ok((pairs, transmittance))
     }
 

@@ -5,56 +5,34 @@ use std::ops::Range;
 use glam::Vec4;
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
-use crate::stages::field::hash_grid::HashGridGradient;
-use crate::{DeviceScene, SceneGradient, TensorGradient};
-use muslin_device::{Buffer, Count, Device};
+use super::hash_grid::HashGridGradient;
+use super::{SceneGradient, TensorGradient};
+use muslin_device::{Buffer, Device};
+use organza_core::Result;
 use organza_core::ranks::Ranks;
-use organza_core::{Error, Result};
 
 fn tables(gradient: &SceneGradient) -> [&HashGridGradient; 2] {
     [&gradient.color.table, &gradient.transmittance.table]
 }
 
-/// One scale for all that ranks will add to the hash grids: its bound is the largest of all ranks' bounds. `samples` are
-/// those of the color and of the transmittance field, of this rank.
-pub fn set_scales(
+/// Raises the bounds of both hash grids' sums to the largest of all ranks' bounds, and adds up the samples of the color and
+/// of the transmittance field.
+pub fn share_bounds(
     device: &Device,
-    ranks: Option<&dyn Ranks>,
-    scene: &DeviceScene,
+    ranks: &dyn Ranks,
     gradient: &SceneGradient,
-    mut samples: [i64; 2],
+    samples: &mut [i64; 2],
 ) -> Result<()> {
-    ranks.map_or(Ok(()), |ranks| ranks.sum(&mut samples))?;
-    if let Some(ranks) = ranks {
-        let [color, transmittance] = tables(gradient).map(|table| device.read(&table.bound));
-        let color = color?;
-        let transmittance = transmittance?;
-        let mut bounds = [&color[..], &transmittance[..]].concat();
-        ranks.max(&mut bounds)?;
-        let (first, second) = bounds.split_at(color.len());
-        for (table, bound) in tables(gradient).into_iter().zip([first, second]) {
-            device.write(&table.bound, 0, bound)?;
-        }
-    }
-    let fields = [&scene.color, &scene.transmittance];
-    for ((table, field), samples) in tables(gradient).into_iter().zip(fields).zip(samples) {
-        let Ok(samples) = u32::try_from(samples) else {
-            let reason = format!(
-                "the step has {samples} samples, and their gradients are counted in 32 bits: use fewer tiles in a step"
-            );
-            return Err(Error::Argument { reason });
-        };
-        table.set_scale(device, field, &Count::known(samples))?;
+    ranks.sum(samples)?;
+    let [color, transmittance] = tables(gradient).map(|table| device.read(&table.bound));
+    let color = color?;
+    let mut bounds = [&color[..], &transmittance?[..]].concat();
+    ranks.max(&mut bounds)?;
+    let (first, second) = bounds.split_at(color.len());
+    for (table, bound) in tables(gradient).into_iter().zip([first, second]) {
+        device.write(&table.bound, 0, bound)?;
     }
     Ok(())
-}
-
-/// Adds the sums of all ranks, and makes gradients of them.
-pub fn finish(device: &Device, ranks: Option<&dyn Ranks>, gradient: &SceneGradient) -> Result<()> {
-    if let Some(ranks) = ranks {
-        sum(device, ranks, gradient)?;
-    }
-    gradient.finish(device)
 }
 
 /// Integers on the device that all ranks have some of.
@@ -82,8 +60,8 @@ impl<'a> SharedSums<'a> {
     }
 }
 
-/// Only blocks that some rank has touched travel.
-fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
+/// Adds up the sums of all ranks. Only blocks that some rank has touched travel.
+pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
     let mut all = Vec::new();
     let mut flags = Vec::new();
     for table in tables(gradient) {

@@ -62,7 +62,7 @@ fn evaluate(
     let part = Part::evaluate(scene, cameras, plan, true, capacity).expect("a part");
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;
-    let d_tiles = TileGradient { d_tiles: image.view(), valid: image.view(), terms: Vec::new() };
+    let d_tiles = TileGradient { d_tiles: image.view(), terms: Vec::new() };
     let d_splats = part.composite.backward(part.context(scene), &d_tiles).expect("a gradient");
     part.raise_bounds(scene, &d_splats, &gradient).expect("bounds");
     let counts = [&part.bins.pairs.count, &part.transmittance.samples];

@@ -20,7 +20,6 @@ use organza_core::input::read_text;
 use organza_core::scene::{FieldTensors, GaussianTensors, Placement, SceneConfig, Tensors};
 use organza_core::{Error, Result, gaussian_tensors, write_atomic};
 use organza_data::{Background, Dataset, DatasetOptions};
-use organza_render::CompositedTerm;
 use serde::{Deserialize, Serialize};
 use table::within;
 
@@ -207,14 +206,6 @@ macro_rules! define {
 }
 
 gaussian_tensors!(define);
-
-impl LossConfig {
-    /// The terms beside the image.
-    pub(crate) fn terms(&self) -> Vec<CompositedTerm> {
-        let terms = [CompositedTerm::distortion(self.distortion_weight)];
-        terms.into_iter().filter(|term| term.weight > 0.0).collect()
-    }
-}
 
 impl OptimizerConfig {
     /// A rate after the part `fraction` of the run, 0 to 1: see [`RunConfig::fraction`](RunConfig::fraction).

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::exposure::{self, Exposed, ExposureGradient};
 use super::image::{LossInputs, LossTarget, TileLoss, image_loss};
 use super::own::{DeviceLoss, DeviceLossBatch};
-use crate::stages::composite::TileGradient;
+use crate::stages::composite::{CompositedTerm, MaskedTerm, TileGradient};
 use crate::stages::cut::{PartTiles, values_of_tiles};
 use muslin_device::{Buffer, Device};
 use organza_core::ranks::Ranks;
@@ -75,7 +75,7 @@ impl LossSource<'_> {
             Self::Given(d_tiles) => {
                 let values = values_of_tiles(d_tiles, &plan.tiles, 3 * plan.area());
                 let d_tiles = device.upload("gradient of the tiles", &values)?;
-                Ok(TileGradient { valid: d_tiles.view(), d_tiles, terms: Vec::new() })
+                Ok(TileGradient { d_tiles, terms: Vec::new() })
             }
         }
     }
@@ -149,9 +149,12 @@ impl<'a> Comparison<'a> {
         if let Some(exposed) = exposed {
             self.sums.push(exposed.backward(device, rendered, &d_tiles)?.view());
         }
-        let factor = |weight: f32| (f64::from(weight) / target.valid_pixels.max(1.0)) as f32;
-        let terms = target.terms.iter().map(|term| (*term, factor(term.weight))).collect();
-        Ok(TileGradient { d_tiles, valid, terms })
+        let masked = |term: &CompositedTerm| MaskedTerm {
+            term: *term,
+            valid: valid.view(),
+            factor: (f64::from(term.weight) / target.valid_pixels.max(1.0)) as f32,
+        };
+        Ok(TileGradient { d_tiles, terms: target.terms.iter().map(masked).collect() })
     }
 
     fn take(&mut self, plan: &PartTiles, words: &[Vec<u32>]) {

@@ -177,10 +177,19 @@ impl Recording {
     /// The same errors as [`Recording::backward`].
     pub fn backward_into(&self, gradient: &SceneGradient, grad_tiles: &[f32]) -> Result<()> {
         let device = self.renderer.device();
-        self.check(grad_tiles)?;
-        gradient.clear(device);
-        self.add_to(grad_tiles, gradient)?;
-        gradient.check(device)
+        let found = grad_tiles.len();
+        let shape = self.batch.output_shape();
+        let reason = if found != shape.iter().product::<usize>() {
+            format!("the gradient has {found} values, but the batch is {shape:?}")
+        } else if self.version != self.scene.version.load(Ordering::Relaxed) {
+            "the scene has been written to since the batch was recorded: record it again".to_owned()
+        } else {
+            gradient.clear(device);
+            let pass = self.renderer.pass(&self.scene, &self.cameras);
+            pass.backward(&mut self.parts(), &mut LossSource::Given(grad_tiles), gradient)?;
+            return gradient.check(device);
+        };
+        Err(Error::Argument { reason })
     }
 
     /// Gives up the memory of kept parts. [`Recording::backward`] then renders again.
@@ -192,40 +201,17 @@ impl Recording {
         self.parts.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn check(&self, grad_tiles: &[f32]) -> Result<()> {
-        let found = grad_tiles.len();
-        let shape = self.batch.output_shape();
-        let reason = if found != shape.iter().product::<usize>() {
-            format!("the gradient has {found} values, but the batch is {shape:?}")
-        } else if self.version != self.scene.version.load(Ordering::Relaxed) {
-            "the scene has been written to since the batch was recorded: record it again".to_owned()
-        } else {
-            return Ok(());
-        };
-        Err(Error::Argument { reason })
-    }
-
-    /// Adds dL/dtensor to a gradient that is zero.
-    fn add_to(&self, grad_tiles: &[f32], gradient: &SceneGradient) -> Result<()> {
-        let pass = self.renderer.pass(&self.scene, &self.cameras);
-        gradient.snapshot(self.renderer.device());
-        pass.backward(&mut self.parts(), &mut LossSource::Given(grad_tiles), gradient)
-    }
-
-    /// Adds to a new gradient, and reads it, with that of the poses if it is wanted.
     fn download(
         &self,
         grad_tiles: &[f32],
         has_poses: bool,
     ) -> Result<(Gradient, Vec<[f32; POSE]>)> {
-        self.check(grad_tiles)?;
         let device = self.renderer.device();
         let mut gradient = SceneGradient::new(device, &self.scene)?;
         if has_poses {
             gradient = gradient.with_poses(device, self.cameras.len())?;
         }
-        self.add_to(grad_tiles, &gradient)?;
-        gradient.check(device)?;
+        self.backward_into(&gradient, grad_tiles)?;
         let found = gradient.download(device, &self.scene.config, self.scene.len())?;
         Ok((found, gradient.read_poses(device)?))
     }

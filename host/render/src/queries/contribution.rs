@@ -135,7 +135,7 @@ impl Renderer {
     ) -> Result<Vec<(usize, GaussianSums)>> {
         let device = self.device();
         let d_tiles = device.upload("red of the pixels", &red(camera, plan))?;
-        let red = TileGradient { valid: d_tiles.view(), d_tiles, terms: Vec::new() };
+        let red = TileGradient { d_tiles, terms: Vec::new() };
         let part = Part::evaluate(scene, from_ref(camera), plan, false, None)?;
         let context = part.context(scene);
         let gradient = device.run_in_pool(|| part.composite.backward(context, &red))?;

@@ -113,15 +113,16 @@ impl Renderer {
         let grid_width = scene.config.color_grid.width();
         let mut sh = Vec::new();
         let mut color_encoding = Vec::new();
-        let color = Color::evaluate_with(scene, &pairs, false, &mut |chunk| {
-            let rows = device.read(&chunk.input)?;
-            for sample in 0..chunk.samples as usize {
-                let column = |row: usize| rows[row * chunk.stride as usize + sample];
+        // kept, so that the network's input can be read
+        let color = Color::evaluate(scene, &pairs, true)?;
+        for chunk in color.blocks.iter().flat_map(|block| block.chunks().collect::<Vec<_>>()) {
+            let rows = device.read(&chunk.input())?;
+            for sample in 0..chunk.samples() as usize {
+                let column = |row: usize| rows[row * chunk.stride() as usize + sample];
                 sh.extend((0..sh_width).map(column));
                 color_encoding.extend((sh_width..sh_width + grid_width).map(column));
             }
-            Ok(())
-        })?;
+        }
 
         let projection = device.read(&pairs.projection)?;
         let first = device.read(&transmittance.first_sample)?;

@@ -44,10 +44,18 @@ pub struct CompositedTerm {
 pub struct TileGradient {
     /// dL/dY `[tiles, 3, S, S]`
     pub d_tiles: Buffer<f32>,
-    /// `[tiles, S, S]`: the pixels that count for the terms; any buffer without terms.
+    /// Terms beside the image.
+    pub terms: Vec<MaskedTerm>,
+}
+
+/// A term for the tiles of a part.
+#[derive(Debug)]
+pub struct MaskedTerm {
+    pub term: CompositedTerm,
+    /// `[tiles, S, S]`: 1 where a pixel counts, 0 elsewhere.
     pub valid: Buffer<f32>,
-    /// Terms beside the image, and the factor of each pixel.
-    pub terms: Vec<(CompositedTerm, f32)>,
+    /// Each pixel's: the term's weight, divided by how many pixels of the batch count.
+    pub factor: f32,
 }
 
 /// The composited tiles of a part.
@@ -104,9 +112,9 @@ impl Composite {
         device.run_over(&kernel, [side, side, bins.tiles])?;
         let member_gradient = members_gradient(device, bins)?;
         add_members(context, (&self.splat, true), &sum_gradient, &member_gradient)?;
-        for (term, factor) in &gradient.terms {
+        for MaskedTerm { term, valid, factor } in &gradient.terms {
             let (sum, splat) = weighted_sum(context, &(term.values)(context)?)?;
-            let sum_gradient = (term.backward)(context, &sum, &gradient.valid, *factor)?;
+            let sum_gradient = (term.backward)(context, &sum, valid, *factor)?;
             add_members(context, (&splat, false), &sum_gradient, &member_gradient)?;
         }
 

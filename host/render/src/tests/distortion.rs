@@ -1,7 +1,7 @@
 //! The gradient of the distortion beside differences of it.
 
 use super::{all_devices, every, tiles};
-use crate::loss::distortion::powers;
+use crate::loss::terms::powers;
 use crate::pass::part::Part;
 use crate::stages::composite::weighted_sum;
 use crate::stages::cut::{PART_BYTES, PartTiles};

@@ -1,4 +1,4 @@
-//! The distortion of pixels, a term of the loss. [`organza_shaders::distortion`] has the formula.
+//! Terms of the loss that look at weighted sums of other values of each pair than its color.
 
 use organza_shaders::distortion::{
     DistortionBackwardKernel, DistortionParams, PairInverseDistanceKernel,
@@ -9,10 +9,10 @@ use crate::stages::composite::{CompositedTerm, TileContext};
 use muslin_device::{Buffer, Result};
 
 impl CompositedTerm {
-    /// The distortion, which reduces haze.
+    /// The distortion, which reduces haze. [`organza_shaders::distortion`] has the formula.
     #[must_use]
     pub fn distortion(weight: f32) -> Self {
-        Self { weight, values: powers, backward }
+        Self { weight, values: powers, backward: distortion_backward }
     }
 }
 
@@ -33,8 +33,8 @@ pub fn powers(TileContext { scene, bins, .. }: TileContext<'_>) -> Result<Buffer
     Ok(power)
 }
 
-/// The derivative by M_1, M_2, 0 and S of each pixel: `[tiles, 4, S, S]`.
-fn backward(
+/// The derivative of the distortion by M_1, M_2, 0 and S of each pixel: `[tiles, 4, S, S]`.
+fn distortion_backward(
     TileContext { scene, bins, .. }: TileContext<'_>,
     sum: &Buffer<f32>,
     valid: &Buffer<f32>,

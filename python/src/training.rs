@@ -431,7 +431,8 @@ impl Run {
     /// Follows the orders of rank 0.
     fn follow(&self, ranks: &Arc<PythonRanks>) -> organza::Result<&'static str> {
         let all: Arc<dyn Ranks> = ranks.clone();
-        let followed = train::follow(&self.device, &self.dataset, &all, ranks.mixed);
+        let hooks = &mut self.hooks();
+        let followed = train::follow(&self.device, &self.dataset, &all, ranks.mixed, hooks);
         followed.inspect_err(|error| ranks.fail(&chain(error)))?;
         Ok("followed")
     }

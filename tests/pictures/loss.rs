@@ -1,7 +1,7 @@
 //! Compares the loss kernels with the loss's definition in f64.
 
 use muslin_check::inputs::Random;
-use organza::render::{Loss, LossInputs, TileLoss};
+use organza::render::{LossInputs, TileLoss, image_loss};
 use organza::{Device, Result, metrics};
 use organza_tests::devices;
 
@@ -57,7 +57,6 @@ fn batch(side: usize, look: Look) -> Batch {
 
 /// The gradient and the sums of a batch.
 fn evaluate(device: &Device, batch: &Batch, ssim_weight: f32) -> Result<(Vec<f32>, Vec<TileLoss>)> {
-    let loss = Loss::new(device, batch.side as u32, batch.tiles() as u32)?;
     let inputs = LossInputs {
         image: &device.upload("image", &batch.image)?,
         target: &device.upload("target", &batch.target)?,
@@ -65,7 +64,7 @@ fn evaluate(device: &Device, batch: &Batch, ssim_weight: f32) -> Result<(Vec<f32
         valid_pixels: batch.valid_pixels(),
         ssim_weight,
     };
-    let output = loss.evaluate(device, &inputs)?;
+    let output = image_loss(device, batch.side as u32, &inputs)?;
     Ok((device.read(&output.grad_tiles)?, output.sums(device)?))
 }
 
@@ -234,8 +233,7 @@ fn windows_inside_match_the_metric() {
 #[test]
 fn buffers_of_another_batch_are_refused() {
     let device = devices::cpu(Some(1));
-    let loss = Loss::new(&device, 8, 2).expect("memory");
-    let run = |image: usize, target: usize, valid: usize| {
+    let run = |side: u32, image: usize, target: usize, valid: usize| {
         let zeros = |label, len| device.zeros::<f32>(label, len).expect("memory");
         let inputs = LossInputs {
             image: &zeros("image", image),
@@ -244,16 +242,17 @@ fn buffers_of_another_batch_are_refused() {
             valid_pixels: 0.0,
             ssim_weight: 0.2,
         };
-        let output = loss.evaluate(&device, &inputs)?;
+        let output = image_loss(&device, side, &inputs)?;
         Ok::<_, organza::Error>((device.read(&output.grad_tiles)?, output.sums(&device)?))
     };
-    assert!(run(3 * 192, 3 * 192, 192).is_err(), "three tiles where there is memory for two");
-    assert!(run(192, 384, 64).is_err() && run(384, 192, 64).is_err() && run(192, 192, 65).is_err());
-    // fewer tiles are valid, and so are none; without valid pixels there is no loss
-    let (gradient, sums) = run(192, 192, 64).expect("one tile");
+    assert!(run(8, 192, 384, 64).is_err() && run(8, 384, 192, 64).is_err());
+    assert!(run(8, 192, 192, 65).is_err());
+    // no tile is valid; without valid pixels there is no loss
+    let (gradient, sums) = run(8, 192, 192, 64).expect("one tile");
     assert!(gradient.iter().all(|&slope| slope == 0.0) && sums == [TileLoss::default()]);
-    assert!(run(0, 0, 0).expect("no tile").1.is_empty());
-    for (side, tiles) in [(0, 1), (4097, 1), (8, 65_536), (4096, 64)] {
-        assert!(Loss::new(&device, side, tiles).is_err(), "{tiles} tiles of side {side}");
+    assert!(run(8, 0, 0, 0).expect("no tile").1.is_empty());
+    for (side, pixels) in [(0, 1), (4097, 1), (1, 65_536)] {
+        let refused = run(side, 3 * pixels, 3 * pixels, pixels);
+        assert!(refused.is_err(), "{pixels} pixels in tiles of side {side}");
     }
 }

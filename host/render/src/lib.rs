@@ -16,33 +16,36 @@
 //! # Ok::<(), organza_core::Error>(())
 //! ```
 
+mod gradient;
+mod loss;
 mod pass;
+mod queries;
 mod scene;
 mod stages;
 #[cfg(test)]
 mod tests;
-mod ways;
 
-pub use pass::own_loss::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
+pub use gradient::{POSE, SceneGradient, TensorGradient};
+pub use loss::compare::BatchLoss;
+pub use loss::exposure::ExposureGradient;
+pub use loss::image::{LossInputs, LossOutput, LossTarget, TileLoss, image_loss};
+pub use loss::own::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
 pub use pass::recording::Recording;
 pub use pass::renderer::Renderer;
+pub use queries::contribution::Contributions;
+pub use queries::eye::{EyeCache, EyeOptions, FieldWork};
+pub use queries::frame::{Frame, FrameShape};
+pub use queries::leakage::Leakage;
+#[doc(hidden)]
+pub use queries::pixel::Stages;
+pub use queries::pixel::{Contribution, Inspection, Trace};
 pub use scene::device_scene::DeviceScene;
+pub use scene::occupancy::OCCUPANCY;
 pub use scene::options::UploadOptions;
 pub use scene::packed::{pack, replace_gaussians, unpack, upload};
+pub use stages::composite::CompositedTerm;
 pub use stages::counts::Capacity;
-pub use stages::exposure::ExposureGradient;
-pub use stages::gradient::{SceneGradient, TensorGradient};
-pub use stages::loss::{Loss, LossInputs, LossOutput, LossTarget, TileLoss};
-pub use stages::occupancy::OCCUPANCY;
-pub use stages::project::POSE;
 pub use stages::transmittance::Ray;
-pub use ways::contribution::Contributions;
-pub use ways::eye::{EyeCache, EyeOptions, FieldWork};
-pub use ways::frame::{Frame, FrameShape};
-pub use ways::leakage::Leakage;
-#[doc(hidden)]
-pub use ways::pixel::Stages;
-pub use ways::pixel::{Contribution, Inspection, Trace};
 
 use muslin_device::{Device, DeviceOptions, Modules};
 use organza_core::Result;

@@ -3,7 +3,8 @@
 mod distortion;
 mod recording;
 
-use crate::pass::part::{Part, TileGradient};
+use crate::pass::part::Part;
+use crate::stages::composite::TileGradient;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::{Capacity, DeviceScene, LossTarget, MODULES, Renderer, SceneGradient, TileLoss};
 use muslin_check::devices;
@@ -61,10 +62,17 @@ fn evaluate(
     let part = Part::evaluate(scene, cameras, plan, true, capacity).expect("a part");
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;
-    let of_tiles = TileGradient { grad_tiles: image.view(), distortion: None };
-    let of_pairs = part.pair_gradient(scene, plan.side, &of_tiles).expect("a gradient");
-    part.backward(scene, &of_pairs, &gradient).expect("a gradient");
-    let needed = part.read(device, Vec::new()).expect("counts").map(|(_, needed)| needed);
+    let d_tiles = TileGradient { d_tiles: image.view(), terms: Vec::new() };
+    let d_splats = part.composite.backward(part.context(scene), &d_tiles).expect("a gradient");
+    part.raise_bounds(scene, &d_splats, &gradient).expect("bounds");
+    let counts = [&part.bins.pairs.count, &part.transmittance.samples];
+    gradient.set_scales(device, scene, counts).expect("scales");
+    part.backward(scene, &d_splats, &gradient, None, false).expect("a gradient");
+    gradient.finish(device).expect("a gradient");
+    let needed = match &part.bins.part_counts {
+        None => Some(part.capacity()),
+        Some(counts) => Capacity::needed(&device.read(&counts.counts).expect("counts")),
+    };
     let mut values = vec![bits(device, image), bits(device, &gradient.statistics)];
     for (_, tensor) in gradient.tensors().iter() {
         values.push(bits(device, &tensor.buffer));
@@ -211,23 +219,25 @@ fn of_exposure(renderer: &Renderer, scene: &Scene, exposure: &[f32]) -> (f64, Ve
         valid: &valid,
         valid_pixels: valid.iter().copied().map(f64::from).sum(),
         ssim_weight: WEIGHT,
-        distortion_weight: 0.0,
+        terms: &[],
         exposure: Some(exposure),
     };
     let device = renderer.device();
     let on_device = renderer.upload(scene).expect("a scene");
     let gradient = SceneGradient::new(device, &on_device).expect("memory");
     let cameras = demo::turntable(2, 64);
-    let (losses, exposures) = renderer
-        .add_loss_gradient(&on_device, &cameras, &tiles(), &mut None, &target, &gradient, None)
+    let found = renderer
+        .add_loss_gradient(&on_device, &cameras, &tiles(), &target, None, &gradient, None)
         .expect("a loss");
+    let exposures = found.exposures;
     let cameras: Vec<_> = exposures.iter().map(|tile| (tile.place, tile.camera)).collect();
     assert_eq!(cameras, [(0, 0), (1, 0), (2, 1), (3, 1)]);
-    let found = gradient.download(device, &scene.config, scene.gaussians.len()).expect("numbers");
-    let tensors = found.tensors();
+    let tensors = gradient.download(device, &scene.config, scene.gaussians.len()).expect("numbers");
+    let tensors = tensors.tensors();
     let (_, bias) = tensors.iter().find(|(spec, _)| spec.name == BIAS).expect("a bias");
     let by_exposure = exposures.iter().flat_map(|tile| tile.gradient).flatten().collect();
-    (TileLoss::total(&losses).value(WEIGHT), by_exposure, bias[0].into())
+    assert_eq!(found.loss, TileLoss::total(&found.tiles).value(WEIGHT));
+    (found.loss, by_exposure, bias[0].into())
 }
 
 /// The last bias of the color network's first value.

@@ -10,7 +10,7 @@ use organza_render::{
 };
 
 /// Functions that [`Trainer::step_with`](super::Trainer::step_with) calls. By default there are none: the settings
-/// give the loss, and Adam uses its gradient unchanged.
+/// give the loss, and Adam uses its gradient unchanged. Ranks that share a training have the same hooks.
 ///
 /// This trains with the mean squared error, and keeps materials small:
 ///
@@ -84,7 +84,8 @@ impl<'h> StepHooks<'h> {
     /// Sets a loss on the host: a function of the rendered tiles Y `[K, 3, S, S]` and of the photographs behind them.
     /// It returns the loss and `grad_tiles`, dL/dY.
     ///
-    /// It sees all tiles of a step at once.
+    /// It sees all tiles of a step at once, also those of other ranks. Where exposures are learned, tiles are as the
+    /// photographs' cameras would have exposed them.
     #[must_use]
     pub fn loss(mut self, loss: impl FnMut(&LossBatch<'_>) -> Result<LossGradient> + 'h) -> Self {
         self.loss = Some(OwnLoss::Host(Box::new(loss)));
@@ -93,8 +94,8 @@ impl<'h> StepHooks<'h> {
 
     /// Sets a loss on the device. It is like [`StepHooks::loss`], but tiles and dL/dY stay in the device's buffers.
     ///
-    /// If a batch does not fit into memory at once, the function is called for one part after the other. So the loss
-    /// must be a sum over tiles.
+    /// If a batch does not fit into memory at once, the function is called for one part after the other, and each rank
+    /// calls it for its own tiles. So the loss must be a sum over tiles.
     #[must_use]
     pub fn device_loss(
         mut self,

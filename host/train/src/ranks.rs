@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::held_out;
 use crate::evaluate::{Evaluation, Score, ViewScore, evaluate_view};
-use crate::{Checkpoint, TrainConfig, Trainer};
+use crate::{Checkpoint, StepHooks, TrainConfig, Trainer};
 use organza_core::error::{Error, IN_MEMORY, Result};
 use organza_core::ranks::{self, Ranks};
 use organza_core::{Camera, Image};
@@ -55,21 +55,36 @@ fn check_photographs(
     )
 }
 
+/// Makes sure that all ranks have the same hooks, as far as it can be seen.
+fn check_hooks(ranks: &dyn Ranks, hooks: &StepHooks<'_>) -> Result<()> {
+    let mine = format!("{hooks:?}").into_bytes();
+    match ranks.gather(mine.clone())?.iter().all(|other| *other == mine) {
+        true => Ok(()),
+        false => Err(Error::Argument {
+            reason: "some ranks have a loss or a gradient hook of their own, and others have not"
+                .into(),
+        }),
+    }
+}
+
 /// Sends the other ranks the settings and the checkpoint.
 pub(super) fn lead(
     ranks: &dyn Ranks,
     renderer: &Renderer,
     (config, dataset): (&TrainConfig, &Dataset),
     checkpoint: &Checkpoint,
+    hooks: &StepHooks<'_>,
     mixed: bool,
 ) -> Result<()> {
     check_photographs(ranks, renderer, dataset, mixed)?;
+    check_hooks(ranks, hooks)?;
     tell(ranks, &config.to_toml())?;
     ranks.broadcast(checkpoint.to_bytes()?).map(drop)
 }
 
 /// Takes part in the run of a [`Session`](super::Session) of rank 0 that has these ranks, to its end. The photographs
-/// must be those of the session; its settings and its scene come from there. `mixed` is that of the session.
+/// must be those of the session, and every step calls `hooks`, which must do the same as the session's; its settings and its
+/// scene come from there. `mixed` is that of the session.
 ///
 /// # Errors
 /// The same errors as [`Session::run`](super::Session::run); [`Error::Rank`](organza_core::Error::Rank) where another
@@ -79,8 +94,10 @@ pub fn follow(
     dataset: &Arc<Dataset>,
     ranks: &Arc<dyn Ranks>,
     mixed: bool,
+    hooks: &mut StepHooks<'_>,
 ) -> Result<()> {
     check_photographs(&**ranks, renderer, dataset, mixed)?;
+    check_hooks(&**ranks, hooks)?;
     let text: String = hear(&**ranks)?;
     let config = TrainConfig::parse(&text, IN_MEMORY.as_ref())?;
     let bytes = ranks.broadcast(Vec::new())?;
@@ -95,7 +112,7 @@ pub fn follow(
                 if steps != trainer.config().run.steps {
                     trainer.replan(steps);
                 }
-                trainer.step()?;
+                trainer.step_with(hooks)?;
             }
             Order::Evaluate { first, all } => {
                 let frames = held_out::frames(dataset, trainer.config().run.evaluate_views, all);

@@ -3,13 +3,13 @@
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 
-use super::config::{LossConfig, RunConfig};
+use super::config::RunConfig;
 use muslin_device::memory;
 use organza_core::error::Result;
 use organza_core::tile::{Tile, TileBatch};
 use organza_data::random;
 use organza_data::{Frame, Photograph, mean};
-use organza_render::LossTarget;
+use organza_render::{CompositedTerm, LossTarget};
 
 const SHUFFLE: u64 = 1;
 
@@ -186,17 +186,16 @@ impl Target {
         Ok(Self { image, valid, valid_pixels })
     }
 
-    /// The target for rendered tiles. `exposure` is that of [`LossTarget`].
+    /// The target for rendered tiles: see [`LossTarget`].
     pub fn loss_target<'a>(
         &'a self,
-        loss: &LossConfig,
+        ssim_weight: f32,
+        terms: &'a [CompositedTerm],
         exposure: Option<&'a [f32]>,
     ) -> LossTarget<'a> {
         let Self { image, valid, valid_pixels } = self;
         let valid_pixels = *valid_pixels;
-        let ssim_weight = loss.ssim_weight;
-        let distortion_weight = loss.distortion_weight;
-        LossTarget { image, valid, valid_pixels, ssim_weight, distortion_weight, exposure }
+        LossTarget { image, valid, valid_pixels, ssim_weight, terms, exposure }
     }
 }
 

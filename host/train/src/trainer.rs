@@ -17,11 +17,7 @@ use muslin_device::Device;
 use organza_core::ranks::Ranks;
 use organza_core::{Camera, Error, Result, metrics};
 use organza_data::Dataset;
-use organza_render::{DeviceScene, ExposureGradient, Loss, Renderer, SceneGradient, TileLoss};
-
-/// Why ranks do not train so.
-pub(super) const NO_HOOKS: &str =
-    "hooks see the whole batch, which ranks share: train without ranks, or without hooks";
+use organza_render::{BatchLoss, DeviceScene, ExposureGradient, Renderer, SceneGradient, TileLoss};
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
 ///
@@ -64,7 +60,6 @@ pub struct Trainer {
     /// Of the frames to train on; where poses are refined, as they are now.
     cameras: Vec<Camera>,
     batches: Batches,
-    loss: Option<Loss>,
     /// Of the photographs to train on, where they are learned.
     pub(super) exposures: Option<Exposures>,
     /// Of the photographs to train on, where they are refined.
@@ -132,7 +127,6 @@ impl Trainer {
             dataset,
             cameras,
             batches,
-            loss: None,
             exposures,
             poses,
             state,
@@ -290,48 +284,22 @@ impl Trainer {
         drawn: &Drawn,
         hooks: &mut StepHooks<'_>,
     ) -> Result<(StepReport, Vec<ExposureGradient>)> {
-        self.check_hooks(hooks)?;
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let Drawn { batch, factor, ray_steps } = drawn;
         let target = Target::new(batch, *factor, &frames)?;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
-        let target = target.loss_target(&self.config.loss, exposure.as_deref());
+        let terms = self.config.loss.terms();
+        let ssim_weight = self.config.loss.ssim_weight;
+        let target = target.loss_target(ssim_weight, &terms, exposure.as_deref());
         let TrainerState { scene, gradient, .. } = &self.state;
-        let renderer = &self.renderer;
         let cameras = &drawn.cameras(&self.cameras)[..];
         let scene = &scene.coarser(*factor, *ray_steps);
-        Ok(match &mut hooks.loss {
-            Some(own) => {
-                let (loss, squared) = renderer
-                    .add_own_loss_gradient(scene, cameras, batch, own, &target, gradient)?;
-                let psnr = metrics::psnr_of(squared);
-                let tiles = batch.tiles.len();
-                let none = f64::NAN;
-                let report = StepReport { loss, l1: none, ssim: none, psnr, tiles, grown: None };
-                (report, Vec::new())
-            }
-            None => {
-                let kept = &mut self.loss;
-                let ranks = self.ranks.as_deref();
-                let (losses, exposures) = renderer
-                    .add_loss_gradient(scene, cameras, batch, kept, &target, gradient, ranks)?;
-                (StepReport::new(&losses, target.ssim_weight), exposures)
-            }
-        })
-    }
-
-    /// The settings that hooks cannot be used with.
-    fn check_hooks(&self, hooks: &StepHooks<'_>) -> Result<()> {
-        let reason = if self.ranks.is_some() && (hooks.loss.is_some() || hooks.gradient.is_some()) {
-            NO_HOOKS
-        } else if self.exposures.is_some() && hooks.loss.is_some() {
-            "a loss of your own does not know the photographs' exposures: set `exposure.learn` to off"
-        } else if self.config.loss.distortion_weight > 0.0 && hooks.loss.is_some() {
-            "a loss of your own has no term for the distortion: set `loss.distortion_weight` to 0"
-        } else {
-            return Ok(());
-        };
-        Err(Error::Argument { reason: reason.to_owned() })
+        let own = hooks.loss.as_mut();
+        let ranks = self.ranks.as_deref();
+        let found = self
+            .renderer
+            .add_loss_gradient(scene, cameras, batch, &target, own, gradient, ranks)?;
+        Ok((StepReport::new(&found), found.exposures))
     }
 
     /// On the host: once in many steps.
@@ -356,9 +324,9 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
 pub struct StepReport {
     /// The loss of the batch.
     pub loss: f64,
-    /// The mean absolute difference of the batch's values, the first part of the loss; NaN with a loss of your own.
+    /// The mean absolute difference of the batch's values, the first part of the loss of the settings.
     pub l1: f64,
-    /// The mean SSIM of the batch, the second part of the loss; NaN with a loss of your own.
+    /// The mean SSIM of the batch, the second part of the loss of the settings.
     pub ssim: f64,
     /// The PSNR of the batch's pixels, in decibels.
     pub psnr: f64,
@@ -369,17 +337,17 @@ pub struct StepReport {
 }
 
 impl StepReport {
-    /// The report on a batch's losses.
-    pub(super) fn new(losses: &[TileLoss], ssim_weight: f32) -> Self {
-        let total = TileLoss::total(losses);
+    /// The report on a batch's loss.
+    fn new(found: &BatchLoss) -> Self {
+        let total = TileLoss::total(&found.tiles);
         let pixels = (3.0 * total.valid).max(1.0);
         Self {
-            loss: total.value(ssim_weight),
+            loss: found.loss,
             // each part of the loss separately
             l1: total.value(0.0),
             ssim: 1.0 - total.value(1.0),
             psnr: metrics::psnr_of(total.squared / pixels),
-            tiles: losses.len(),
+            tiles: found.tiles.len(),
             grown: None,
         }
     }

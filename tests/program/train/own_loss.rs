@@ -1,17 +1,22 @@
 //! Losses of the caller's, on the host and on the device.
 
-use organza::render::{DeviceLossGradient, Loss, LossBatch, LossGradient, TileLoss};
+use std::sync::Arc;
+
+use organza::ranks::{Ranks, ThreadRanks};
+use organza::render::{DeviceLossGradient, LossBatch, LossGradient, TileLoss, image_loss};
 use organza::train::{Checkpoint, StepHooks, Trainer};
 use organza::{Dataset, Error, Renderer};
 use organza_tests::devices;
 
 use super::runs::{begun, state_bits};
 
-/// The caller computes the settings' own loss. Poses are refined with both.
+/// The caller computes the settings' own loss. Poses are refined, exposures learned, and distortion reduced with both.
 #[test]
 fn the_same_loss_on_the_device_gives_the_same_bits() {
     let (mut config, checkpoint, dataset) = begun();
     config.poses.refine = true;
+    config.exposure.learn = true.into();
+    config.loss.distortion_weight = 0.1;
     let weight = config.loss.ssim_weight;
     for (name, device) in devices::all() {
         let renderer = Renderer::new(device);
@@ -23,10 +28,7 @@ fn the_same_loss_on_the_device_gives_the_same_bits() {
         let mut plain = trainer();
         let mut own = trainer();
         let mut hooks = StepHooks::new().device_loss(|batch| {
-            let pixels = (batch.side * batch.side) as usize;
-            let tiles = batch.inputs.valid.len() / pixels;
-            let loss = Loss::new(batch.device, batch.side, tiles as u32)?;
-            let output = loss.evaluate(batch.device, &batch.inputs)?;
+            let output = image_loss(batch.device, batch.side, &batch.inputs)?;
             let loss = TileLoss::total(&output.sums(batch.device)?).value(weight);
             Ok(DeviceLossGradient { loss, grad_tiles: output.grad_tiles })
         });
@@ -40,6 +42,8 @@ fn the_same_loss_on_the_device_gives_the_same_bits() {
         let [found, expected] = [&own, &plain].map(|trainer| trainer.checkpoint(0.0).unwrap());
         assert!(state_bits(&found) == state_bits(&expected), "{name}");
         assert_eq!(found.poses, expected.poses, "{name}");
+        assert_eq!(found.exposures, expected.exposures, "{name}");
+        assert!(found.exposures.is_some(), "{name}");
         let moved = found.poses.expect("poses").values;
         assert!(moved.as_flattened().iter().any(|&value| value != 0.0), "{name}");
     }
@@ -117,6 +121,49 @@ fn a_loss_on_the_host_sees_the_whole_batch_and_reaches_every_tensor() {
             let values = 2.0 * found.loss / squared;
             let most = found.grad_tiles.len() as f64;
             assert!(values <= 1.001 * most && values > 0.2 * most, "{what}: {values} of {most}");
+        }
+    }
+}
+
+/// On each rank, a loss on the host sees all tiles as they were exposed, and one on the device its own tiles.
+#[test]
+fn ranks_share_a_loss_of_the_callers() {
+    let (mut config, checkpoint, dataset) = begun();
+    config.exposure.learn = true.into();
+    config.loss.distortion_weight = 0.1;
+    let train = |ranks: Option<Arc<dyn Ranks>>, on_device: bool| {
+        let renderer = Renderer::new(devices::cpu(Some(1)));
+        let trainer = Trainer::resume(&renderer, config.clone(), dataset.clone(), &checkpoint);
+        let mut trainer = trainer.expect("a trainer");
+        if let Some(ranks) = ranks {
+            trainer = trainer.with_ranks(ranks);
+        }
+        let mut seen = 0;
+        let mut hooks = StepHooks::new().gradient(|_| {
+            seen += 1;
+            Ok(())
+        });
+        hooks = match on_device {
+            false => hooks.loss(|batch| Ok(squares(batch))),
+            true => hooks.device_loss(|batch| {
+                let output = image_loss(batch.device, batch.side, &batch.inputs)?;
+                let loss = TileLoss::total(&output.sums(batch.device)?).absolute;
+                Ok(DeviceLossGradient { loss, grad_tiles: output.grad_tiles })
+            }),
+        };
+        let losses: Vec<_> =
+            (0..2).map(|_| trainer.step_with(&mut hooks).expect("a step").loss).collect();
+        drop(hooks);
+        assert_eq!(seen, 2);
+        (losses, trainer.checkpoint(0.0).expect("a state"))
+    };
+    for on_device in [false, true] {
+        let (losses, alone) = train(None, on_device);
+        for (found, state) in ThreadRanks::run(2, |ranks| train(Some(Arc::new(ranks)), on_device)) {
+            let pairs = found.iter().zip(&losses);
+            assert!(pairs.clone().all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{found:?} {losses:?}");
+            assert!(state_bits(&state) == state_bits(&alone), "on the device: {on_device}");
+            assert_eq!(state.exposures, alone.exposures);
         }
     }
 }

@@ -1,10 +1,10 @@
-//! One way through a batch: it is cut into parts, which go through the stages and back.
+//! Runs the stages over a batch, in parts that fit into memory: forward and backward.
 
-pub mod compare;
-pub mod own_loss;
+pub mod batch;
+pub mod capacity;
+pub mod loss_gradient;
+pub mod output;
 pub mod part;
-#[allow(clippy::module_inception, reason = "the way itself")]
-pub mod pass;
-pub mod ranks;
 pub mod recording;
+pub mod render;
 pub mod renderer;

@@ -3,8 +3,12 @@
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use super::pass::Parts;
-use crate::{DeviceScene, POSE, Renderer, SceneGradient};
+use super::batch::Parts;
+use super::output::Output;
+use super::renderer::Renderer;
+use crate::gradient::{POSE, SceneGradient};
+use crate::loss::compare::LossSource;
+use crate::scene::device_scene::DeviceScene;
 use organza_core::scene::Gradient;
 use organza_core::{Camera, Channel, Error, RenderedTiles, Result, TileBatch};
 
@@ -65,12 +69,13 @@ impl Renderer {
         batch: &TileBatch,
         channels: &[Channel],
     ) -> Result<Recording> {
-        batch.validate(cameras)?;
         scene.require_gradients()?;
         let version = scene.version.load(Ordering::Relaxed);
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
-        let tiles = pass.forward_tiles(&mut parts, batch, channels, true, &mut |_, _| {})?;
+        let mut tiles = RenderedTiles::new(batch, channels)?;
+        let output = &mut Output::Tiles { tiles: &mut tiles, channels };
+        pass.forward(&mut parts, true, output, &mut |_| {})?;
         Ok(Recording {
             renderer: self.clone(),
             scene: scene.clone(),
@@ -132,7 +137,7 @@ impl Renderer {
         let pass = self.pass(scene, cameras);
         let mut parts = pass.cut(batch)?;
         gradient.snapshot(self.device());
-        pass.backward_from(&mut parts, grad_tiles, gradient)?;
+        pass.backward(&mut parts, &mut LossSource::Given(grad_tiles), gradient)?;
         gradient.check(self.device())
     }
 }
@@ -172,10 +177,19 @@ impl Recording {
     /// The same errors as [`Recording::backward`].
     pub fn backward_into(&self, gradient: &SceneGradient, grad_tiles: &[f32]) -> Result<()> {
         let device = self.renderer.device();
-        self.check(grad_tiles)?;
-        gradient.clear(device);
-        self.add_to(grad_tiles, gradient)?;
-        gradient.check(device)
+        let found = grad_tiles.len();
+        let shape = self.batch.output_shape();
+        let reason = if found != shape.iter().product::<usize>() {
+            format!("the gradient has {found} values, but the batch is {shape:?}")
+        } else if self.version != self.scene.version.load(Ordering::Relaxed) {
+            "the scene has been written to since the batch was recorded: record it again".to_owned()
+        } else {
+            gradient.clear(device);
+            let pass = self.renderer.pass(&self.scene, &self.cameras);
+            pass.backward(&mut self.parts(), &mut LossSource::Given(grad_tiles), gradient)?;
+            return gradient.check(device);
+        };
+        Err(Error::Argument { reason })
     }
 
     /// Gives up the memory of kept parts. [`Recording::backward`] then renders again.
@@ -187,40 +201,17 @@ impl Recording {
         self.parts.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn check(&self, grad_tiles: &[f32]) -> Result<()> {
-        let found = grad_tiles.len();
-        let shape = self.batch.output_shape();
-        let reason = if found != shape.iter().product::<usize>() {
-            format!("the gradient has {found} values, but the batch is {shape:?}")
-        } else if self.version != self.scene.version.load(Ordering::Relaxed) {
-            "the scene has been written to since the batch was recorded: record it again".to_owned()
-        } else {
-            return Ok(());
-        };
-        Err(Error::Argument { reason })
-    }
-
-    /// Adds dL/dtensor to a gradient that is zero.
-    fn add_to(&self, grad_tiles: &[f32], gradient: &SceneGradient) -> Result<()> {
-        let pass = self.renderer.pass(&self.scene, &self.cameras);
-        gradient.snapshot(self.renderer.device());
-        pass.backward_from(&mut self.parts(), grad_tiles, gradient)
-    }
-
-    /// Adds to a new gradient, and reads it, with that of the poses if it is wanted.
     fn download(
         &self,
         grad_tiles: &[f32],
         has_poses: bool,
     ) -> Result<(Gradient, Vec<[f32; POSE]>)> {
-        self.check(grad_tiles)?;
         let device = self.renderer.device();
         let mut gradient = SceneGradient::new(device, &self.scene)?;
         if has_poses {
             gradient = gradient.with_poses(device, self.cameras.len())?;
         }
-        self.add_to(grad_tiles, &gradient)?;
-        gradient.check(device)?;
+        self.backward_into(&gradient, grad_tiles)?;
         let found = gradient.download(device, &self.scene.config, self.scene.len())?;
         Ok((found, gradient.read_poses(device)?))
     }

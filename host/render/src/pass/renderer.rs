@@ -1,16 +1,14 @@
-//! Renders batches of tiles, part by part.
+//! A renderer: a device, and what is known of the parts that fit it.
 
-use organza_core::{Camera, Channel, RenderReport, RenderedTiles, Result, TileBatch};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use super::part::{ReadTiles, report_of_part};
-use super::pass::{CapacityPredictor, Parts, Pass};
-use crate::stages::composite::pixels;
-use crate::stages::cut::{PART_BYTES, PartTiles};
-use crate::{Capacity, DeviceScene, UploadOptions};
-use muslin_device::{Device, memory};
-use organza_core::image::{self, Image};
+use super::capacity::CapacityPredictor;
+use crate::scene::device_scene::DeviceScene;
+use crate::scene::options::UploadOptions;
+use crate::stages::cut::PART_BYTES;
+use muslin_device::Device;
+use organza_core::Result;
 use organza_core::scene::Scene;
 
 /// Renders scenes on a device.
@@ -73,76 +71,6 @@ impl Renderer {
         &self.device
     }
 
-    /// Renders a batch of tiles.  A batch that does not fit into the device's memory is rendered in parts; a part does
-    /// not change the image.
-    ///
-    /// # Errors
-    /// [`Error::Tile`](organza_core::Error::Tile) where a tile has no camera or an impossible place,
-    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory) where a single tile does not fit,
-    /// [`DeviceError::DeviceLost`](organza_core::error::DeviceError::DeviceLost).
-    pub fn render(
-        &self,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        batch: &TileBatch,
-    ) -> Result<RenderedTiles> {
-        self.render_channels(scene, cameras, batch, &[], &mut |_, _| {})
-    }
-
-    /// Like [`Renderer::render`], with [channels](Channel) beside the color. Calls `progress` after each part with the
-    /// number of tiles that are done, and of all.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::render`].
-    pub fn render_channels(
-        &self,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        channels: &[Channel],
-        progress: &mut dyn FnMut(usize, usize),
-    ) -> Result<RenderedTiles> {
-        batch.validate(cameras)?;
-        let pass = self.pass(scene, cameras);
-        let mut parts = pass.cut(batch)?;
-        pass.forward_tiles(&mut parts, batch, channels, false, progress)
-    }
-
-    /// Renders tiles of one camera into its image, in 8 bits: values are clamped to 0 to 1 and rounded on the device.
-    /// `progress` is that of [`Renderer::render_channels`].
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::render`].
-    pub fn paint(
-        &self,
-        image: &mut Image,
-        scene: &DeviceScene,
-        cameras: &[Camera],
-        batch: &TileBatch,
-        progress: &mut dyn FnMut(usize, usize),
-    ) -> Result<RenderReport> {
-        batch.validate(cameras)?;
-        let device = self.device();
-        let mut report = RenderReport::default();
-        let pass = self.pass(scene, cameras);
-        let mut parts = pass.cut(batch)?;
-        let mut done = 0;
-        pass.forward(&mut parts, false, |plan, part| {
-            let pixels = device.run_in_pool(|| pixels(device, plan.side, &part.composite.image))?;
-            let buffers = vec![pixels, part.bins.degenerate.view()];
-            let Some((words, needed)) = part.read(device, buffers)? else { return Ok(None) };
-            let tiles: Vec<_> = plan.tiles.iter().map(|planned| planned.tile).collect();
-            device.run_in_pool(|| image.paste_words(plan.side, &tiles, &words[0]));
-            report.add(&report_of_part(words[1][0], needed));
-            done += tiles.len();
-            progress(done, batch.tiles.len());
-            Ok(Some(needed))
-        })?;
-        Ok(report)
-    }
-}
-
-impl Renderer {
     /// Copies a scene to the device, as it is; [`Renderer::upload_with`] has choices.
     ///
     /// # Errors
@@ -160,25 +88,6 @@ impl Renderer {
         DeviceScene::upload(&self.device, scene, options)
     }
 
-    /// Renders the whole image of a camera. Values are clamped to 0 to 1 and rounded to 8 bits.
-    ///
-    /// # Errors
-    /// The same errors as [`Renderer::render`].
-    pub fn render_view(&self, scene: &DeviceScene, camera: &Camera) -> Result<Image> {
-        let size = [camera.width, camera.height];
-        let mut image = Image::new(size[0], size[1])?;
-        for batch in image::bands(0, size, image::TILE_SIDE) {
-            let cameras = std::slice::from_ref(camera);
-            self.paint(&mut image, scene, cameras, &batch?, &mut |_, _| {})?;
-        }
-        Ok(image)
-    }
-
-    /// The way through a batch of this renderer alone.
-    pub(crate) fn pass<'a>(&'a self, scene: &'a DeviceScene, cameras: &'a [Camera]) -> Pass<'a> {
-        Pass { renderer: self, scene, cameras, ranks: None, views: 0 }
-    }
-
     /// The bytes of a part's tables.
     pub(crate) fn part_bytes(&self) -> u64 {
         self.part_bytes.load(Ordering::Relaxed)
@@ -191,92 +100,8 @@ impl Renderer {
         half
     }
 
-    /// The capacity that a part needs, judging by others; none on a CPU, which counts first.
-    pub(crate) fn predict(&self, scene: &DeviceScene, plan: &PartTiles) -> Option<Capacity> {
-        let kind = [scene.gaussians, plan.side];
-        let guesses = self.device.leaves_counts_on_device();
-        guesses.then(|| self.predictor().predict(kind, plan.tiles.len())).flatten()
-    }
-
-    /// Learns from the capacity that a part has needed.
-    pub(crate) fn observe(&self, scene: &DeviceScene, plan: &PartTiles, needed: Capacity) {
-        if self.device.leaves_counts_on_device() {
-            let kind = [scene.gaussians, plan.side];
-            self.predictor().observe(kind, plan.tiles.len(), needed);
-        }
-    }
-
-    /// Forgets the predictions, after memory ran out: a part may need less. Returns whether there were any.
-    pub(crate) fn forget(&self) -> bool {
-        std::mem::take(&mut *self.predictor()) != CapacityPredictor::default()
-    }
-
-    fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
+    /// What earlier parts have needed.
+    pub(crate) fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
         self.predictor.lock().unwrap_or_else(PoisonError::into_inner)
     }
-}
-
-impl Pass<'_> {
-    /// Renders tiles and their channels; `progress` is that of [`Renderer::render_channels`].
-    pub fn forward_tiles(
-        &self,
-        parts: &mut Parts,
-        batch: &TileBatch,
-        channels: &[Channel],
-        keep: bool,
-        progress: &mut dyn FnMut(usize, usize),
-    ) -> Result<RenderedTiles> {
-        let device = self.renderer.device();
-        let mut tiles = RenderedTiles::new(batch, channels)?;
-        let mut done = 0;
-        self.forward(parts, keep, |plan, part| {
-            let seen = part.seen(self.scene, plan.side);
-            let read = |buffers| part.read(device, buffers);
-            let read = || ReadTiles::new(seen, &part.composite, channels, read);
-            let Some((found, needed)) = device.run_in_pool(read)? else { return Ok(None) };
-            place(&mut tiles, plan, found, channels)?;
-            done += plan.tiles.len();
-            progress(done, batch.tiles.len());
-            Ok(Some(needed))
-        })?;
-        Ok(tiles)
-    }
-}
-
-/// Puts the tiles of a part in their places; `channels` are those of the part.
-///
-/// # Errors
-/// [`Error::OutOfMemory`](muslin_device::Error::OutOfMemory).
-pub fn place(
-    tiles: &mut RenderedTiles,
-    plan: &PartTiles,
-    part: ReadTiles,
-    channels: &[Channel],
-) -> muslin_device::Result<()> {
-    let area = plan.area();
-    let count = tiles.count;
-    let is_in_order = plan.tiles.iter().enumerate().all(|(place, tile)| tile.place == place);
-    // New memory costs more than the copy: a batch of one part takes what was read.
-    let is_whole = plan.tiles.len() == count && is_in_order;
-    let place = |values: Vec<f32>, planes: usize, batch: &mut Vec<f32>| {
-        if is_whole {
-            *batch = values;
-            return Ok(());
-        }
-        let len = planes * area;
-        if batch.is_empty() {
-            *batch = memory::zeros(count * len, "the rendered batch")?;
-        }
-        for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
-            batch[tile.place * len..][..len].copy_from_slice(values);
-        }
-        Ok(())
-    };
-    place(part.pixels, 3, &mut tiles.data)?;
-    for (channel, values) in channels.iter().zip(part.channels) {
-        let all = tiles.channels.get_mut(channel).expect("`RenderedTiles::new` has made it");
-        place(values, channel.planes(), all)?;
-    }
-    tiles.report.add(&part.report);
-    Ok(())
 }

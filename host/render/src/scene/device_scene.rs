@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use organza_shaders::hash_grid::GridLevel;
 
 use super::field::DeviceField;
+use super::occupancy::Occupancy;
 use super::packed::{pack, replace_gaussians, unpack};
-use crate::stages::occupancy::Occupancy;
 use muslin_device::{Buffer, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Gaussians, Scene, SceneConfig, Tensors};
@@ -155,6 +155,15 @@ impl DeviceScene {
         self.gaussians = gaussians.len() as u32;
         self.version = Arc::default();
         self.update_occupancy(device)
+    }
+
+    /// Finds anew where Gaussians are: to be called whenever some have moved.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::dispatch`].
+    pub fn update_occupancy(&self, device: &Device) -> Result<()> {
+        let gaussians = &self.tensors.gaussians;
+        Ok(self.occupancy.update(device, &self.config, &self.scene_box, gaussians)?)
     }
 
     /// Eq. 13 divides no sum.

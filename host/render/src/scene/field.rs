@@ -60,9 +60,13 @@ impl DeviceField {
         self.layers[self.layers.len() - 1]
     }
 
+    /// The layers before the last one.
+    pub(crate) fn hidden_layers(&self) -> &[LayerPlace] {
+        &self.layers[..self.layers.len() - 1]
+    }
+
     /// Rows of the widest hidden layer.
     pub(crate) fn widest(&self) -> u32 {
-        let hidden = &self.layers[..self.layers.len() - 1];
-        hidden.iter().map(|layer| layer.columns * 4).max().unwrap_or(0)
+        self.hidden_layers().iter().map(|layer| layer.columns * 4).max().unwrap_or(0)
     }
 }

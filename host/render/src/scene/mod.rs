@@ -3,6 +3,7 @@
 pub mod device_scene;
 pub mod field;
 pub mod network;
+pub mod occupancy;
 pub mod options;
 pub mod packed;
 pub mod upload;

@@ -6,9 +6,11 @@ use std::sync::Arc;
 use organza_shaders::resolve::DIVIDE_ABOVE;
 use organza_shaders::unit_cube::SceneBox;
 
+use super::device_scene::DeviceScene;
 use super::field::DeviceField;
-use crate::stages::occupancy::Occupancy;
-use crate::{DeviceScene, UploadOptions, pack, upload};
+use super::occupancy::Occupancy;
+use super::options::UploadOptions;
+use super::packed::{pack, upload};
 use muslin_device::Device;
 use organza_core::{Error, Result, Scene};
 

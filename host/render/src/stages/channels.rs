@@ -4,7 +4,7 @@ use glam::Vec3;
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
 use organza_shaders::composite::SUM_PLANES;
 
-use super::composite::{Composite, Seen, weighted_sum};
+use super::composite::{Composite, TileContext, weighted_sum};
 use muslin_device::{Buffer, Result};
 use organza_core::Channel;
 use organza_core::scene::Placement;
@@ -72,8 +72,12 @@ pub struct ChannelSums {
 }
 
 impl ChannelSums {
-    pub fn new(seen: Seen<'_>, composite: &Composite, channels: &[Channel]) -> Result<Self> {
-        let Seen { scene, bins, transmittance, .. } = seen;
+    pub fn new(
+        context: TileContext<'_>,
+        composite: &Composite,
+        channels: &[Channel],
+    ) -> Result<Self> {
+        let TileContext { scene, bins, transmittance } = context;
         let device = scene.device();
         let placement = scene.config.placement;
         let is_needed = |wanted: &Source| channels.iter().any(|c| source(*c) == *wanted);
@@ -104,7 +108,7 @@ impl ChannelSums {
         device.run(&kernel.counted(&pairs.count), capacity, 1)?;
         let sources = [(Source::Measure, &measure), (Source::Normals, &normals)];
         for (source, values) in sources.into_iter().filter(|(source, _)| is_needed(source)) {
-            let (sum, _) = weighted_sum(seen, values)?;
+            let (sum, _) = weighted_sum(context, values)?;
             sums.push((source, sum.view()));
         }
         Ok(Self { sums, placement })

@@ -11,24 +11,51 @@ use organza_shaders::resolve::{ResolveBackwardKernel, ResolveKernel, ResolvePara
 use organza_shaders::splat::{
     SplatBackwardKernel, SplatBackwardParams, SplatKernel, SplatParams, VECTORS,
 };
-use organza_shaders::tile::Tile;
 use organza_shaders::tile_cells::{TileCellsKernel, TileCellsParams};
 
 use super::cut::words;
-use super::distortion::Distortion;
 use super::tiles::Bins;
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device, Error, Result};
 
 /// The pairs of a part, and the tiles that show them.
 #[derive(Clone, Copy)]
-pub struct Seen<'a> {
+pub struct TileContext<'a> {
     pub scene: &'a DeviceScene,
-    /// Side of a tile, in pixels.
-    pub side: u32,
     pub bins: &'a Bins,
     /// `[pairs]`
     pub transmittance: &'a Buffer<f32>,
+}
+
+/// A term of the loss that looks at weighted sums (Eq. 12) of other values of each pair than its color.
+#[derive(Clone, Copy, Debug)]
+pub struct CompositedTerm {
+    /// Its weight in the loss. The term is a mean over the valid pixels.
+    pub weight: f32,
+    /// The values `[pairs, 3]`: constants, without a gradient.
+    pub(crate) values: fn(TileContext<'_>) -> Result<Buffer<f32>>,
+    /// The derivative by the sums, `[tiles, 4, S, S]`; of the sums, the mask `[tiles, S, S]`, and the factor of each pixel.
+    pub(crate) backward:
+        fn(TileContext<'_>, &Buffer<f32>, &Buffer<f32>, f32) -> Result<Buffer<f32>>,
+}
+
+/// The derivative of a loss by the tiles of a part.
+#[derive(Debug)]
+pub struct TileGradient {
+    /// dL/dY `[tiles, 3, S, S]`
+    pub d_tiles: Buffer<f32>,
+    /// Terms beside the image.
+    pub terms: Vec<MaskedTerm>,
+}
+
+/// A term for the tiles of a part.
+#[derive(Debug)]
+pub struct MaskedTerm {
+    pub term: CompositedTerm,
+    /// `[tiles, S, S]`: 1 where a pixel counts, 0 elsewhere.
+    pub valid: Buffer<f32>,
+    /// Each pixel's: the term's weight, divided by how many pixels of the batch count.
+    pub factor: f32,
 }
 
 /// The composited tiles of a part.
@@ -43,39 +70,52 @@ pub struct Composite {
 }
 
 impl Composite {
-    pub fn new(seen: Seen<'_>, background: [f64; 3], color: &Buffer<f32>) -> Result<Self> {
-        let Seen { scene, side, bins, .. } = seen;
-        let (sum, splat) = weighted_sum(seen, color)?;
-        let divide_above = scene.divide_above;
-        let image = resolve(scene.device(), background, divide_above, side, &bins.tile, &sum)?;
+    /// Eq. 12 and 13.
+    pub fn new(
+        context: TileContext<'_>,
+        background: [f64; 3],
+        color: &Buffer<f32>,
+    ) -> Result<Self> {
+        let TileContext { scene, bins, .. } = context;
+        let device = scene.device();
+        let side = bins.side;
+        let (sum, splat) = weighted_sum(context, color)?;
+        let pixels = bins.tiles as usize * (side * side) as usize;
+        let image = device.unwritten("tiles", 3 * pixels)?;
+        let kernel = ResolveKernel {
+            params: resolve_params(background, scene.divide_above, side),
+            tile: &bins.tile,
+            sum: &sum,
+            image: &image,
+        };
+        device.run_over(&kernel, [side, side, bins.tiles])?;
         Ok(Self { sum, image, splat })
     }
 
-    /// The derivative of all that: `pair_gradient [pairs, 3]`, as [`splat_backward`](organza_shaders::splat) has it, of
-    /// `grad_tiles [tiles, 3, S, S]`, dL/dY, and of the term of the loss beside the image.
+    /// The derivative of a loss by the splats `[pairs, 3]`: see [`splat_backward`](organza_shaders::splat).
     pub fn backward(
         &self,
-        seen: Seen<'_>,
-        grad_tiles: &Buffer<f32>,
-        distortion: Option<&Distortion>,
+        context: TileContext<'_>,
+        gradient: &TileGradient,
     ) -> Result<Buffer<Vec4>> {
-        let Seen { scene, side, bins, transmittance } = seen;
+        let TileContext { scene, bins, transmittance } = context;
         let device = scene.device();
-        let tiles = bins.tiles;
+        let side = bins.side;
         let sum_gradient = device.unwritten("gradient of the sums", self.sum.len())?;
         let kernel = ResolveBackwardKernel {
             params: resolve_params(scene.config.background, scene.divide_above, side),
             tile: &bins.tile,
             sum: &self.sum,
-            image_gradient: grad_tiles,
+            image_gradient: &gradient.d_tiles,
             sum_gradient: &sum_gradient,
         };
-        device.run_over(&kernel, [side, side, tiles])?;
+        device.run_over(&kernel, [side, side, bins.tiles])?;
         let member_gradient = members_gradient(device, bins)?;
-        add_members(seen, (&self.splat, true), &sum_gradient, &member_gradient)?;
-        if let Some(distortion) = distortion {
-            let (sum_gradient, splat) = distortion.backward(seen)?;
-            add_members(seen, (&splat, false), &sum_gradient, &member_gradient)?;
+        add_members(context, (&self.splat, true), &sum_gradient, &member_gradient)?;
+        for MaskedTerm { term, valid, factor } in &gradient.terms {
+            let (sum, splat) = weighted_sum(context, &(term.values)(context)?)?;
+            let sum_gradient = (term.backward)(context, &sum, valid, *factor)?;
+            add_members(context, (&splat, false), &sum_gradient, &member_gradient)?;
         }
 
         let pairs = &bins.pairs;
@@ -117,11 +157,12 @@ fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
 /// Adds the gradients of each tile's members, summed over its pixels: in bands of rows if a tile is large. Splats come with
 /// whether the gradient of their colors is wanted.
 fn add_members(
-    Seen { scene, side, bins, .. }: Seen<'_>,
+    TileContext { scene, bins, .. }: TileContext<'_>,
     (splat, colors): (&Buffer<Vec4>, bool),
     sum_gradient: &Buffer<f32>,
     member_gradient: &Buffer<Vec4>,
 ) -> Result<()> {
+    let side = bins.side;
     let members = bins.members.upper_bound();
     let band = band_rows(side);
     for first_row in (0..side).step_by(band as usize) {
@@ -150,10 +191,11 @@ fn add_members(
 /// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they
 /// are the sums of.
 pub fn weighted_sum(
-    Seen { scene, side, bins, transmittance }: Seen<'_>,
+    TileContext { scene, bins, transmittance }: TileContext<'_>,
     color: &Buffer<f32>,
 ) -> Result<(Buffer<f32>, Buffer<Vec4>)> {
     let device = scene.device();
+    let side = bins.side;
     let pairs = &bins.pairs;
     let capacity = pairs.count.upper_bound();
     let splat = device.unwritten("splats", (capacity * VECTORS) as usize)?;
@@ -200,22 +242,6 @@ pub fn weighted_sum(
         device.run_over(&kernel, [side, side, tiles])?;
     }
     Ok((sum, splat))
-}
-
-/// Eq. 13: `[tiles, 3, S, S]` of the sums of some tiles.
-pub fn resolve(
-    device: &Device,
-    background: [f64; 3],
-    divide_above: f32,
-    side: u32,
-    tile: &Buffer<i32>,
-    sum: &Buffer<f32>,
-) -> Result<Buffer<f32>> {
-    let tiles = (tile.len() / Tile::INTEGERS) as u32;
-    let image = device.unwritten("tiles", tiles as usize * (3 * side * side) as usize)?;
-    let params = resolve_params(background, divide_above, side);
-    device.run_over(&ResolveKernel { params, tile, sum, image: &image }, [side, side, tiles])?;
-    Ok(image)
 }
 
 /// `[tiles, S, S]`: tiles in 8 bits.

@@ -24,7 +24,7 @@ pub struct Capacity {
 
 impl Capacity {
     /// What a part needed, from the values of [`PartCounts::counts`]; none if that was more than it had: it is empty.
-    pub(crate) fn needed(counts: &[u32]) -> Option<Self> {
+    pub fn needed(counts: &[u32]) -> Option<Self> {
         let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
         (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, members, samples })
     }
@@ -33,30 +33,31 @@ impl Capacity {
 /// Numbers that stay on the device: see [`organza_shaders::count`].
 #[derive(Debug)]
 pub struct PartCounts {
-    counts: Arc<Buffer<u32>>,
-    capacity: Capacity,
+    /// `[COUNTS]`: [`Capacity::needed`] reads its values.
+    pub counts: Arc<Buffer<u32>>,
+    /// The room for each number, by its slot.
+    capacity: [u32; COUNTS as usize],
 }
 
 impl PartCounts {
     /// No counts yet.
     pub fn new(device: &Device, capacity: Capacity) -> Result<Self> {
+        let Capacity { pairs, members, samples } = capacity;
+        let mut capacity = [0; COUNTS as usize];
+        for (slot, number) in [(PAIRS, pairs), (MEMBERS, members), (SAMPLES, samples)] {
+            capacity[slot as usize] = number;
+        }
         Ok(Self { counts: Arc::new(device.zeros("counts", COUNTS as usize)?), capacity })
     }
 
-    /// Records the total at `last` of exclusive sums as the number at a slot.
-    pub fn record_total(
-        &self,
-        device: &Device,
-        slot: u32,
-        first: &Buffer<u32>,
-        last: usize,
-    ) -> Result<()> {
-        let capacity = self.capacity_for(slot);
-        let params = RecordTotalParams { slot, last: last as u32, capacity };
+    /// Records the total at the end of exclusive sums as the number at a slot.
+    pub fn record_total(&self, device: &Device, slot: u32, first: &Buffer<u32>) -> Result<()> {
+        let last = first.len() as u32 - 1;
+        let params = RecordTotalParams { slot, last, capacity: self.capacity[slot as usize] };
         device.run(&RecordTotalKernel { params, first, counts: &*self.counts }, 1, 1)
     }
 
-    /// Publishes the recorded totals to later dispatches. If one exceeds its capacity, clears the masks and ranges.
+    /// Publishes the recorded totals to later dispatches. If one exceeds its capacity, clears masks and ranges.
     pub fn clear_on_overflow(
         &self,
         device: &Device,
@@ -75,20 +76,6 @@ impl PartCounts {
 
     /// The number at a slot.
     pub fn count(&self, slot: u32) -> Count {
-        Count::on_device(&self.counts, slot, self.capacity_for(slot))
-    }
-
-    /// The buffer of the numbers; [`Capacity::needed`] reads its values.
-    pub fn counts(&self) -> &Buffer<u32> {
-        &self.counts
-    }
-
-    fn capacity_for(&self, slot: u32) -> u32 {
-        match slot {
-            PAIRS => self.capacity.pairs,
-            MEMBERS => self.capacity.members,
-            SAMPLES => self.capacity.samples,
-            _ => unreachable!("nothing else is counted"),
-        }
+        Count::on_device(&self.counts, slot, self.capacity[slot as usize])
     }
 }

@@ -32,12 +32,6 @@ impl Pairs {
     pub fn chunk_ends(&self, keep: bool) -> &[u32] {
         if keep { &self.view_ends } else { &[] }
     }
-
-    /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`: waits for the device.
-    pub fn read_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
-        let pairs = self.count.upper_bound() as usize;
-        Ok(Count::known(device.read_range(first_sample, pairs, 1)?[0]))
-    }
 }
 
 /// Which Gaussians any tile of a camera needs: `[cameras, words]`.

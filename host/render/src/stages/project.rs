@@ -4,30 +4,41 @@
 use std::ops::Range;
 
 use glam::Vec4;
-use organza_shaders::pose_backward::{BLOCK, PoseBackwardKernel, PoseBackwardParams, VALUES};
+use organza_shaders::pose_backward::{BLOCK, PoseBackwardKernel, PoseBackwardParams};
 use organza_shaders::project::{ProjectKernel, ProjectParams, WINDOW};
 use organza_shaders::project_backward::{ALL_BITS, ProjectBackwardKernel, ProjectBackwardParams};
 use organza_shaders::statistics::{StatisticsKernel, StatisticsParams};
 
 use super::cut::words;
-use super::gradient::{BinnedGradient, SceneGradient};
-use super::tiles::Bins;
+use super::pairs::Pairs;
+use super::scan::Mask;
+use crate::gradient::{BinnedGradient, SceneGradient};
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Device, Result};
 use organza_core::camera::Camera;
 
-/// Projects every Gaussian into every camera, and leaves out those that certainly end before the camera's window: packed
-/// cameras, projections, and the count of degenerate ones.
+/// Gaussians, projected into cameras.
+#[derive(Debug)]
+pub struct Projection {
+    /// Packed cameras.
+    pub camera: Buffer<f32>,
+    /// `[cameras, gaussians, 2]`
+    pub values: Buffer<Vec4>,
+    /// `[1]`: Gaussians that could not be projected.
+    pub degenerate: Buffer<u32>,
+}
+
+/// Projects every Gaussian into every camera, and leaves out those that certainly end before the camera's window.
 pub fn project(
     device: &Device,
     scene: &DeviceScene,
     cameras: &[&Camera],
     windows: &[[f32; WINDOW]],
-) -> Result<(Buffer<f32>, Buffer<Vec4>, Buffer<u32>)> {
+) -> Result<Projection> {
     let packed: Vec<_> = cameras.iter().flat_map(|camera| camera.for_kernels().pack()).collect();
     let camera = device.upload("cameras", &packed)?;
     let window = device.upload("windows", windows.as_flattened())?;
-    let projection = device.unwritten("projection", cameras.len() * scene.len() * 2)?;
+    let values = device.unwritten("projection", cameras.len() * scene.len() * 2)?;
     let degenerate = device.zeros("degenerate", 1)?;
     let kernel = ProjectKernel {
         params: ProjectParams { gaussians: scene.gaussians, blur: scene.config.blur as f32 },
@@ -36,27 +47,27 @@ pub fn project(
         position: &scene.tensors.gaussians.position,
         rotation: &scene.tensors.gaussians.rotation,
         log_scale: &scene.tensors.gaussians.log_scale,
-        projection: &projection,
+        projection: &values,
         degenerate: &degenerate,
     };
     device.run(&kernel, scene.gaussians, cameras.len() as u32)?;
-    Ok((camera, projection, degenerate))
+    Ok(Projection { camera, values, degenerate })
 }
 
 /// Adds the gradients of positions, rotations, scales and opacities, from `pair_gradient [pairs, 3]`, to `gradient`, and the
 /// pairs to its statistics: those of some of the part's cameras.
 pub fn project_backward(
     scene: &DeviceScene,
-    bins: &Bins,
+    pairs: &Pairs,
+    mask: &Mask,
     pair_gradient: &Buffer<Vec4>,
     gradient: &SceneGradient,
     cameras: &Range<u32>,
 ) -> Result<()> {
     let device = scene.device();
-    let pairs = &bins.pairs;
     let tensors = &scene.tensors.gaussians;
-    let pair_mask = &bins.pair_mask.bits;
-    let first_pair = &bins.pair_mask.first;
+    let pair_mask = &mask.bits;
+    let first_pair = &mask.first;
     let gaussians = scene.gaussians;
     let words = words(scene.gaussians);
     let first_camera = cameras.start;
@@ -92,22 +103,20 @@ pub fn project_backward(
     device.run(&kernel, gaussians, 1)
 }
 
-/// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
-pub const POSE: usize = VALUES as usize;
-
 /// Adds the gradients of the poses of a part's cameras, from `pair_gradient [pairs, 3]`, to `gradient [cameras, 6]`, of all
 /// cameras that a batch may show.
 pub fn pose_backward(
     scene: &DeviceScene,
-    bins: &Bins,
+    pairs: &Pairs,
+    mask: &Mask,
+    cameras: &[u32],
     pair_gradient: &Buffer<Vec4>,
     gradient: &BinnedGradient,
 ) -> Result<()> {
-    let pairs = &bins.pairs;
     let tensors = &scene.tensors.gaussians;
     let gaussians = scene.gaussians;
     let blocks = gaussians.div_ceil(BLOCK);
-    bins.cameras.iter().zip(0..).try_for_each(|(&place, camera)| {
+    cameras.iter().zip(0..).try_for_each(|(&place, camera)| {
         let kernel = PoseBackwardKernel {
             params: PoseBackwardParams {
                 gaussians,
@@ -122,7 +131,7 @@ pub fn pose_backward(
             position: &tensors.position,
             rotation: &tensors.rotation,
             log_scale: &tensors.log_scale,
-            first_pair: &bins.pair_mask.first,
+            first_pair: &mask.first,
             pair: &pairs.pair,
             pair_gradient,
             sum: &gradient.sum,

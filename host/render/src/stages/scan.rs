@@ -2,7 +2,7 @@
 
 use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
-use muslin_device::{Buffer, Device, Result};
+use muslin_device::{Buffer, Count, Device, Result};
 
 /// The exclusive sums of the first `count` values, and the total behind them: `[count + 1]`.
 pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Result<Buffer<u32>> {
@@ -24,6 +24,11 @@ pub fn exclusive_scan(device: &Device, value: &Buffer<u32>, count: u32) -> Resul
         )?;
     }
     Ok(prefix)
+}
+
+/// The total at the end of exclusive sums: waits for the device.
+pub fn total(device: &Device, prefix: &Buffer<u32>) -> Result<Count> {
+    Ok(Count::known(device.read_range(prefix, prefix.len() - 1, 1)?[0]))
 }
 
 /// Bits of a mask and how many lie before each of its words.

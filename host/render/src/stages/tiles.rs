@@ -10,16 +10,17 @@ use organza_shaders::tile::{
 use super::counts::{Capacity, PartCounts};
 use super::cut::{PartTiles, words};
 use super::pairs::{Pairs, fill_pairs, pair_mask, view_ends};
-use super::project::project;
-use super::scan::Mask;
+use super::project::Projection;
+use super::scan::{Mask, total};
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Buffer, Count, Device, Result};
-use organza_core::camera::Camera;
 
 /// Which pairs each tile sums up.
 #[derive(Debug)]
 pub struct Bins {
     pub pairs: Pairs,
+    /// Side of a tile, in pixels.
+    pub side: u32,
     /// The cameras' places in the list that the batch's tiles name them by.
     pub cameras: Vec<u32>,
     pub tiles: u32,
@@ -60,65 +61,23 @@ fn tile_mask(
     Mask::new(device, mask, &count)
 }
 
-/// How many pairs and members there are.
-struct Numbers {
-    pairs: Count,
-    members: Count,
-    /// Members of the fullest tile, or more.
-    largest: u32,
-    tally: Option<PartCounts>,
-}
-
-impl Numbers {
-    /// Waits for the device: a number for each tile, and one.
-    fn read(device: &Device, pair_mask: &Mask, tile_first: &Buffer<u32>) -> Result<Self> {
-        let first = device.read(tile_first)?;
-        let pairs = device.read_range(&pair_mask.first, pair_mask.bits.len(), 1)?[0];
-        let members = first.windows(2).map(|range| range[1] - range[0]);
-        Ok(Self {
-            pairs: Count::known(pairs),
-            members: Count::known(first[first.len() - 1]),
-            largest: members.max().unwrap_or(0),
-            tally: None,
-        })
-    }
-
-    /// Leaves the counts on the device; if they exceed `capacity`, the bins are empty.
-    fn keep(
-        device: &Device,
-        pair_mask: &Mask,
-        tile_mask: &Mask,
-        tile_first: &Buffer<u32>,
-        gaussians: u32,
-        capacity: Capacity,
-    ) -> Result<Self> {
-        let tally = PartCounts::new(device, capacity)?;
-        tally.record_total(device, PAIRS, &pair_mask.first, pair_mask.bits.len())?;
-        tally.record_total(device, MEMBERS, &tile_mask.first, tile_mask.bits.len())?;
-        tally.clear_on_overflow(device, [pair_mask, tile_mask], &[tile_first])?;
-        let pairs = tally.count(PAIRS);
-        let members = tally.count(MEMBERS);
-        let largest = members.upper_bound().min(gaussians);
-        Ok(Self { pairs, members, largest, tally: Some(tally) })
-    }
-}
-
 impl Bins {
-    /// With a `capacity`, nothing waits. Without one, waits for the counts and has room for everything.
+    /// With a `capacity`, nothing waits; if it is too small, the bins are empty. Without one, waits for the counts and has
+    /// room for everything.
     pub fn new(
         scene: &DeviceScene,
-        cameras: &[Camera],
         plan: &PartTiles,
+        projection: Projection,
         capacity: Option<Capacity>,
     ) -> Result<Self> {
         let device = scene.device();
-        let used: Vec<_> = plan.cameras().iter().map(|&index| &cameras[index]).collect();
-        let (camera, projection, degenerate) = project(device, scene, &used, &plan.windows())?;
+        let Projection { camera, values: projection, degenerate } = projection;
         let (packed, first_tile) = plan.pack();
         let tile = device.upload("tiles", &packed)?;
         let first_tile = device.upload("first tiles", &first_tile)?;
         let tiles = plan.tiles.len() as u32;
-        let slots = used.len() as u32;
+        let cameras: Vec<_> = plan.cameras().into_iter().map(|index| index as u32).collect();
+        let slots = cameras.len() as u32;
         let gaussians = scene.gaussians;
         let words = words(scene.gaussians);
 
@@ -131,13 +90,24 @@ impl Bins {
         let kernel =
             TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
         device.run(&kernel, tiles + 1, 1)?;
-        let numbers = match capacity {
-            None => Numbers::read(device, &pair_mask, &tile_first)?,
-            Some(capacity) => {
-                Numbers::keep(device, &pair_mask, &tile_mask, &tile_first, gaussians, capacity)?
+        let part_counts = capacity.map(|capacity| PartCounts::new(device, capacity)).transpose()?;
+        let (count, members, largest) = match &part_counts {
+            None => {
+                let first = device.read(&tile_first)?;
+                let members = first.windows(2).map(|range| range[1] - range[0]);
+                let largest = members.max().unwrap_or(0);
+                let all = Count::known(first[first.len() - 1]);
+                (total(device, &pair_mask.first)?, all, largest)
+            }
+            Some(counts) => {
+                counts.record_total(device, PAIRS, &pair_mask.first)?;
+                counts.record_total(device, MEMBERS, &tile_mask.first)?;
+                counts.clear_on_overflow(device, [&pair_mask, &tile_mask], &[&tile_first])?;
+                let members = counts.count(MEMBERS);
+                let largest = members.upper_bound().min(gaussians);
+                (counts.count(PAIRS), members, largest)
             }
         };
-        let Numbers { pairs: count, members, largest, tally } = numbers;
 
         let pair = fill_pairs(scene, slots, &pair_mask, &count)?;
         let member = device.unwritten("members", members.upper_bound() as usize)?;
@@ -155,10 +125,9 @@ impl Bins {
             "cpu" => view_ends(device, &pair_mask, slots, words)?,
             _ => Vec::new(),
         };
-        let pairs = Pairs { count, pair, camera, projection, view_ends };
-        let cameras = plan.cameras().into_iter().map(|index| index as u32).collect();
         Ok(Self {
-            pairs,
+            pairs: Pairs { count, pair, camera, projection, view_ends },
+            side: plan.side,
             cameras,
             tiles,
             tile,
@@ -169,24 +138,17 @@ impl Bins {
             member,
             members,
             largest,
-            part_counts: tally,
+            part_counts,
             degenerate,
         })
     }
 
     /// The number of samples, of the exclusive sums of the pairs' `first_sample [pairs + 1]`.
     pub fn count_samples(&self, device: &Device, first_sample: &Buffer<u32>) -> Result<Count> {
-        let Some(tally) = &self.part_counts else {
-            return self.pairs.read_samples(device, first_sample);
-        };
-        tally.record_total(
-            device,
-            SAMPLES,
-            first_sample,
-            self.pairs.count.upper_bound() as usize,
-        )?;
+        let Some(counts) = &self.part_counts else { return total(device, first_sample) };
+        counts.record_total(device, SAMPLES, first_sample)?;
         let ranges = [&self.tile_first, first_sample];
-        tally.clear_on_overflow(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
-        Ok(tally.count(SAMPLES))
+        counts.clear_on_overflow(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
+        Ok(counts.count(SAMPLES))
     }
 }

@@ -1,7 +1,5 @@
 //! B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
-use std::sync::Mutex;
-
 use glam::Vec4;
 use organza_shaders::limits::MAX_SAMPLES;
 use organza_shaders::segment::{SEGMENT_VECTORS, SegmentKernel, SegmentParams, contracted_place};
@@ -15,16 +13,15 @@ use organza_shaders::transmittance_backward::{
 };
 use organza_shaders::unit_cube::Split;
 
-use super::field::Scratch;
-use super::field::backward::{CameraSamples, ChunkScratch, GroupScratch};
-use super::field::samples::{BlockOf, Blocks, Chunk, Layout};
-use super::gradient::SceneGradient;
+use super::field::Inputs;
+use super::field::backward::{ChunkScratch, FieldBackward};
+use super::field::samples::{Blocks, Chunks};
 use super::pairs::{PairVectors, Pairs};
 use super::scan::exclusive_scan;
 use super::tiles::Bins;
+use crate::gradient::SceneGradient;
 use crate::scene::device_scene::DeviceScene;
-use crate::scene::field::DeviceField;
-use muslin_device::{Buffer, Count, Device, Error, Result};
+use muslin_device::{Buffer, Count, Error, Result};
 
 /// Transmittance of every pair.
 #[derive(Debug)]
@@ -44,19 +41,17 @@ pub struct Transmittance {
 }
 
 impl Transmittance {
-    /// `keep` says whether [`Transmittance::backward`] will be called: its inputs are kept then, as far as they fit.
-    /// `count_samples` says how many samples there are, of the exclusive sums `[pairs + 1]`.
+    /// Evaluates [`segments`], which have a number of samples. `keep` says whether [`Transmittance::backward`] will be
+    /// called: its inputs are kept then, as far as they fit.
     pub fn evaluate(
         scene: &DeviceScene,
         pairs: &Pairs,
+        (segment, first_sample): (Buffer<Vec4>, Buffer<u32>),
+        samples: Count,
         keep: bool,
-        count_samples: impl FnOnce(&Buffer<u32>) -> Result<Count>,
     ) -> Result<Self> {
         let device = scene.device();
         let capacity = pairs.count.upper_bound();
-        let (segment, first_sample) = segments(scene, pairs)?;
-        let samples = count_samples(&first_sample)?;
-
         let inputs = scene.config.transmittance_inputs();
         let end = |&pair: &u32| Ok(device.read_range(&first_sample, pair as usize, 1)?[0]);
         let ends: Vec<_> = pairs.chunk_ends(keep).iter().map(end).collect::<Result<_>>()?;
@@ -163,37 +158,19 @@ fn log_rho(
 ) -> Result<Buffer<f32>> {
     let device = scene.device();
     let field = &scene.transmittance;
-    let log_rho = device.unwritten("log rho", blocks.samples() as usize)?;
-    let scratches = Mutex::default();
-    for block in blocks.iter() {
-        encode(scene, pairs, segment, first_sample, &block)?;
-        let new = || Scratch::new(device, field, blocks.layout());
-        device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
-            let kernel = TransmittanceHeadKernel {
-                params: field.head_params(&chunk),
-                parameters: &field.parameters,
-                point: &chunk.point,
-                input: field.hidden(device, scratch, &chunk)?,
-                log_rho: &log_rho,
-            };
-            device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
-        })?;
-    }
-    Ok(log_rho)
-}
-
-/// The network's input, for a block of samples.
-fn encode(
-    scene: &DeviceScene,
-    pairs: &Pairs,
-    segment: &Buffer<Vec4>,
-    first_sample: &Buffer<u32>,
-    block: &BlockOf<'_>,
-) -> Result<()> {
-    scene.device().parallel_for(block.chunks(), |chunk| {
-        inputs(scene, pairs, segment, first_sample, &chunk)
+    let log_rho = device.unwritten("log rho", blocks.count.upper_bound() as usize)?;
+    let others = &|chunk: &Chunks<'_>| inputs(scene, pairs, segment, first_sample, chunk);
+    field.forward(device, Inputs { blocks, grid_row: 0, others }, |input, chunk| {
+        let kernel = TransmittanceHeadKernel {
+            params: field.head_params(chunk),
+            parameters: &field.parameters,
+            point: &chunk.point(),
+            input,
+            log_rho: &log_rho,
+        };
+        device.run(&kernel.counted(&chunk.count()), chunk.samples(), 1)
     })?;
-    scene.transmittance.encode(scene.device(), block, 0)
+    Ok(log_rho)
 }
 
 /// The inputs that do not come from the hash grid, for a chunk of samples.
@@ -202,14 +179,14 @@ fn inputs(
     pairs: &Pairs,
     segment: &Buffer<Vec4>,
     first_sample: &Buffer<u32>,
-    chunk: &Chunk,
+    chunk: &Chunks<'_>,
 ) -> Result<()> {
     let config = &scene.config;
     let kernel = TransmittanceInputsKernel {
         params: TransmittanceInputsParams {
-            samples: chunk.samples,
-            first_sample: chunk.first,
-            stride: chunk.stride,
+            samples: chunk.samples(),
+            first_sample: chunk.first(),
+            stride: chunk.stride(),
             pairs: pairs.count.upper_bound(),
             gaussians: scene.gaussians,
             extra: config.extra,
@@ -222,10 +199,10 @@ fn inputs(
         segment,
         extra: &scene.tensors.gaussians.extra,
         occupancy: &scene.occupancy.table,
-        point: &chunk.point,
-        input: &chunk.input,
+        point: &chunk.point(),
+        input: &chunk.input(),
     };
-    scene.device().run(&kernel.counted(&chunk.count, &pairs.count), chunk.samples, 1)
+    scene.device().run(&kernel.counted(&chunk.count(), &pairs.count), chunk.samples(), 1)
 }
 
 impl Transmittance {
@@ -242,39 +219,53 @@ impl Transmittance {
         if self.samples.upper_bound() == 0 {
             return Ok(None);
         }
+        let Self { segment, first_sample, blocks, .. } = self;
         let pairs = &bins.pairs;
-        let field = &scene.transmittance;
         let extra = scene.config.extra;
-        let layout = self.blocks.layout();
-        let samples = CameraSamples::new(scene, bins, Some(&self.first_sample));
-        let group_scratch = GroupScratch::new(device, field, &self.blocks, samples)?;
-        let of_field = &gradient.transmittance;
-        let scratches = Mutex::default();
-        let capacity = pairs.count.upper_bound();
-        let pair_extra =
-            device.zeros("gradient of the pairs' extra vectors", (capacity * extra) as usize)?;
-        let owners = AllOwners::new(device, bins, &self.first_sample)?;
-        for block in self.blocks.iter() {
-            if !block.is_kept {
-                encode(scene, pairs, &self.segment, &self.first_sample, &block)?;
-            }
-            for group in block.groups() {
-                let new = || TransmittanceScratch::new(device, field, layout);
-                device.parallel_for_with(group.chunks(), &scratches, new, |scratch, chunk| {
-                    field.activate(device, &scratch.network, &chunk)?;
-                    let owners = owners.owners_of_chunk(&chunk);
-                    self.head_backward(scene, scratch, &chunk, &owners, pair_gradient)?;
-                    field.backward(device, &group_scratch, &scratch.network, &chunk, 0, of_field)
-                })?;
-                // in their order: a pair may have samples of two
-                for chunk in group.chunks() {
-                    let owners = owners.owners_of_chunk(&chunk);
-                    let inputs = group_scratch.input_gradient(field, &chunk);
-                    self.extra_backward(scene, &inputs, &chunk, &owners, &pair_extra)?;
-                }
-                field.grid_backward(device, &group_scratch, &group, 0, of_field)?;
-            }
-        }
+        let values = (pairs.count.upper_bound() * extra) as usize;
+        let pair_extra = device.zeros("gradient of the pairs' extra vectors", values)?;
+        let owners = Owners {
+            all: &pairs.count,
+            first: match &bins.part_counts {
+                None => Some(device.read(first_sample)?),
+                Some(_) => None,
+            },
+        };
+        let backward = FieldBackward {
+            scene,
+            bins,
+            field: &scene.transmittance,
+            inputs: Inputs {
+                blocks,
+                grid_row: 0,
+                others: &|chunk| inputs(scene, pairs, segment, first_sample, chunk),
+            },
+            first_sample: Some(first_sample),
+            gradient: &gradient.transmittance,
+        };
+        // a pair may have samples of two chunks, which are added in their order
+        backward.run(
+            |scratch, chunk| self.head_backward(scene, scratch, chunk, &owners, pair_gradient),
+            |input_gradient, chunk| {
+                let (first_pair, count) = owners.of_chunk(chunk);
+                let pairs = count.upper_bound();
+                let kernel = ExtraBackwardKernel {
+                    params: ExtraBackwardParams {
+                        pairs,
+                        first_pair,
+                        samples: chunk.samples(),
+                        first_sample: chunk.first(),
+                        stride: chunk.stride(),
+                        extra,
+                        extra_row: scene.config.transmittance_grid.width() as u32,
+                    },
+                    first_sample,
+                    input_gradient,
+                    pair_extra: &pair_extra,
+                };
+                device.run(&kernel.counted(&count, &chunk.count()), pairs, extra)
+            },
+        )?;
         Ok(Some(PairVectors { values: pair_extra, width: extra }))
     }
 
@@ -282,19 +273,21 @@ impl Transmittance {
     fn head_backward(
         &self,
         scene: &DeviceScene,
-        scratch: &TransmittanceScratch,
-        chunk: &Chunk,
-        owners: &Owners,
+        scratch: &ChunkScratch,
+        chunk: &Chunks<'_>,
+        owners: &Owners<'_>,
         pair_gradient: &Buffer<Vec4>,
     ) -> Result<()> {
         let device = scene.device();
-        let log_rho_gradient = &scratch.log_rho_gradient;
+        let log_rho_gradient = &scratch.of_head;
+        let (first_pair, count) = owners.of_chunk(chunk);
+        let pairs = count.upper_bound();
         let kernel = SegmentProductBackwardKernel {
             params: SegmentProductBackwardParams {
-                pairs: owners.pairs.upper_bound(),
-                first_pair: owners.first,
-                samples: chunk.samples,
-                first_sample: chunk.first,
+                pairs,
+                first_pair,
+                samples: chunk.samples(),
+                first_sample: chunk.first(),
                 power: self.power,
             },
             first_sample: &self.first_sample,
@@ -302,99 +295,34 @@ impl Transmittance {
             pair_gradient,
             log_rho_gradient,
         };
-        device.run(&kernel.counted(&owners.pairs, &chunk.count), owners.pairs.upper_bound(), 1)?;
+        device.run(&kernel.counted(&count, &chunk.count()), pairs, 1)?;
         let field = &scene.transmittance;
         let kernel = TransmittanceHeadBackwardKernel {
             params: field.head_params(chunk),
             parameters: &field.parameters,
-            point: &chunk.point,
-            input: scratch.network.last_hidden(chunk),
+            point: &chunk.point(),
+            input: &scratch.last_hidden(chunk),
             log_rho_gradient,
-            logit_gradient: &scratch.network.logit_gradient,
+            logit_gradient: &scratch.logit_gradient,
         };
-        device.run(&kernel.counted(&chunk.count), chunk.samples, 1)
-    }
-
-    /// Adds the gradients of the pairs' extra vectors that come from a chunk of samples.
-    fn extra_backward(
-        &self,
-        scene: &DeviceScene,
-        input_gradient: &Buffer<f32>,
-        chunk: &Chunk,
-        owners: &Owners,
-        pair_extra: &Buffer<f32>,
-    ) -> Result<()> {
-        let kernel = ExtraBackwardKernel {
-            params: ExtraBackwardParams {
-                pairs: owners.pairs.upper_bound(),
-                first_pair: owners.first,
-                samples: chunk.samples,
-                first_sample: chunk.first,
-                stride: chunk.stride,
-                extra: scene.config.extra,
-                extra_row: scene.config.transmittance_grid.width() as u32,
-            },
-            first_sample: &self.first_sample,
-            input_gradient,
-            pair_extra,
-        };
-        scene.device().run(
-            &kernel.counted(&owners.pairs, &chunk.count),
-            owners.pairs.upper_bound(),
-            scene.config.extra,
-        )
-    }
-}
-
-/// Memory of the backward pass of a chunk of samples.
-#[derive(Debug)]
-struct TransmittanceScratch {
-    network: ChunkScratch,
-    /// `[samples]`
-    log_rho_gradient: Buffer<f32>,
-}
-
-impl TransmittanceScratch {
-    fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
-        let network = ChunkScratch::new(device, field, layout)?;
-        let log_rho_gradient = device.unwritten("gradient of log rho", layout.chunk as usize)?;
-        Ok(Self { network, log_rho_gradient })
+        device.run(&kernel.counted(&chunk.count()), chunk.samples(), 1)
     }
 }
 
 /// Which pairs have samples in which chunk.
-enum AllOwners {
-    /// Where each pair's samples begin.
-    Known(Vec<u32>),
-    /// Any of them may: kernels find out.
-    OnDevice(Count),
+struct Owners<'a> {
+    all: &'a Count,
+    /// `[pairs + 1]`: where each pair's samples begin, if the host knows.
+    first: Option<Vec<u32>>,
 }
 
-/// The pairs that have samples in a chunk, and maybe others.
-#[derive(Debug)]
-struct Owners {
-    first: u32,
-    pairs: Count,
-}
-
-impl AllOwners {
-    /// `first_sample [pairs + 1]`
-    fn new(device: &Device, bins: &Bins, first_sample: &Buffer<u32>) -> Result<Self> {
-        Ok(match &bins.part_counts {
-            None => Self::Known(device.read(first_sample)?),
-            Some(_) => Self::OnDevice(bins.pairs.count.clone()),
-        })
-    }
-
-    fn owners_of_chunk(&self, chunk: &Chunk) -> Owners {
-        match self {
-            Self::Known(first) => {
-                let begin = first.partition_point(|&begin| begin <= chunk.first) as u32 - 1;
-                let end = chunk.first + chunk.samples;
-                let end = first.partition_point(|&begin| begin < end) as u32;
-                Owners { first: begin, pairs: Count::known(end - begin) }
-            }
-            Self::OnDevice(pairs) => Owners { first: 0, pairs: pairs.clone() },
-        }
+impl Owners<'_> {
+    /// The pairs that have samples in a chunk, and maybe others: the first, and how many.
+    fn of_chunk(&self, chunk: &Chunks<'_>) -> (u32, Count) {
+        let Some(first) = &self.first else { return (0, self.all.clone()) };
+        let begin = first.partition_point(|&begin| begin <= chunk.first()) as u32 - 1;
+        let end = chunk.first() + chunk.samples();
+        let end = first.partition_point(|&begin| begin < end) as u32;
+        (begin, Count::known(end - begin))
     }
 }

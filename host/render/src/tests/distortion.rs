@@ -1,10 +1,11 @@
 //! The gradient of the distortion beside differences of it.
 
 use super::{all_devices, every, tiles};
+use crate::loss::terms::powers;
 use crate::pass::part::Part;
+use crate::stages::composite::weighted_sum;
 use crate::stages::cut::{PART_BYTES, PartTiles};
-use crate::stages::distortion::sums;
-use crate::{LossTarget, Renderer, SceneGradient};
+use crate::{CompositedTerm, LossTarget, Renderer, SceneGradient};
 use organza_core::{Scene, demo};
 
 /// Half the distance of two values whose difference is taken.
@@ -26,7 +27,9 @@ fn distortion(renderer: &Renderer, scene: &Scene) -> f64 {
     let [plan] = &plans[..] else { panic!("one part") };
     let cameras = demo::turntable(2, 64);
     let part = Part::evaluate(&scene, &cameras, plan, false, None).expect("a part");
-    let (sum, _) = sums(part.seen(&scene, plan.side)).expect("sums");
+    let context = part.context(&scene);
+    let powers = powers(context).expect("values of pairs");
+    let (sum, _) = weighted_sum(context, &powers).expect("sums");
     let sum: Vec<f32> = device.read(&sum).expect("numbers");
     let valid = valid();
     let mut total = 0.0;
@@ -51,7 +54,7 @@ fn gradients(renderer: &Renderer, scene: &Scene, weight: f32) -> [Vec<f32>; 3] {
         valid: &valid,
         valid_pixels: valid.iter().copied().map(f64::from).sum(),
         ssim_weight: 0.0,
-        distortion_weight: weight,
+        terms: &[CompositedTerm::distortion(weight)],
         exposure: None,
     };
     let device = renderer.device();
@@ -59,7 +62,7 @@ fn gradients(renderer: &Renderer, scene: &Scene, weight: f32) -> [Vec<f32>; 3] {
     let gradient = SceneGradient::new(device, &on_device).expect("memory");
     let cameras = demo::turntable(2, 64);
     renderer
-        .add_loss_gradient(&on_device, &cameras, &tiles(), &mut None, &target, &gradient, None)
+        .add_loss_gradient(&on_device, &cameras, &tiles(), &target, None, &gradient, None)
         .expect("a loss");
     let found = gradient.download(device, &scene.config, scene.gaussians.len()).expect("numbers");
     let tensors = found.tensors();

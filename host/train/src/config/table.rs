@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use super::LearnExposure;
 use organza_core::scene::{Contraction, GridConfig, MlpConfig};
 use organza_data::{Alpha, Background, Keep};
+use organza_render::CompositedTerm;
 
 /// A learning rate that falls from the first step to the last by a constant factor per step. See also
 /// [`OptimizerConfig::cooldown`].
@@ -352,6 +353,14 @@ macro_rules! define {
 }
 
 gaussian_tensors!(define);
+
+impl LossConfig {
+    /// The terms beside the image.
+    pub(crate) fn terms(&self) -> Vec<CompositedTerm> {
+        let terms = [CompositedTerm::distortion(self.distortion_weight)];
+        terms.into_iter().filter(|term| term.weight > 0.0).collect()
+    }
+}
 
 /// The hash grids of a new scene.
 fn grid() -> GridConfig {

@@ -55,7 +55,7 @@ impl Session<'_> {
         hooks: &mut StepHooks<'_>,
     ) -> Result<Outcome> {
         let begin = Instant::now();
-        let (trainer, progress, changes) = self.begin(resume, watch)?;
+        let (trainer, progress, changes) = self.begin(resume, watch, hooks)?;
         // a run that cannot begin writes nothing
         watch(Event::Begin(progress.step))?;
         let now = |change: &&Change| change.step == u64::from(progress.step);
@@ -86,7 +86,7 @@ impl Session<'_> {
     }
 
     /// The trainer, the progress of its run, and the settings that have changed.
-    fn begin(&self, resume: bool, watch: &mut Watch<'_>) -> Result<Begun> {
+    fn begin(&self, resume: bool, watch: &mut Watch<'_>, hooks: &StepHooks<'_>) -> Result<Begun> {
         let path = self.folder.path().join(CHECKPOINT);
         let resumes = resume && path.exists();
         let checkpoint = if resumes {
@@ -106,7 +106,7 @@ impl Session<'_> {
         let dataset = Arc::clone(self.dataset);
         if let Some(ranks) = &self.ranks {
             let run = (self.config, &**self.dataset);
-            ranks::lead(&**ranks, self.renderer, run, &checkpoint, self.mixed)?;
+            ranks::lead(&**ranks, self.renderer, run, &checkpoint, hooks, self.mixed)?;
         }
         let mut trainer = Trainer::resume(self.renderer, config, dataset, &checkpoint)?;
         if let Some(ranks) = &self.ranks {

@@ -1,129 +1,131 @@
 //! A hash grid and its network on a device: the grid block by block, the network chunk by chunk.
 
 pub mod backward;
-pub mod hash_grid;
 pub mod samples;
+
+use std::sync::Mutex;
 
 use organza_shaders::dense::{DenseKernel, DenseParams, HeadParams, OUTPUTS_PER_INVOCATION};
 use organza_shaders::hash_grid::{HashGridKernel, HashGridParams};
 use organza_shaders::hash_grid_half::HashGridHalfKernel;
 
-use self::samples::{BlockOf, Chunk, Layout, ROWS_OF_POINT};
+use self::samples::{Blocks, Chunks, Layout, ROWS_OF_POINT};
 use crate::scene::field::DeviceField;
-use crate::scene::network::LayerPlace;
 use muslin_device::{Buffer, Device, Result};
 
+/// What a field reads.
+#[derive(Clone, Copy)]
+pub struct Inputs<'a> {
+    pub blocks: &'a Blocks,
+    /// The first row of the grid's features in the network's input.
+    pub grid_row: u32,
+    /// Writes the points and the other rows of a chunk.
+    pub others: &'a (dyn Fn(&Chunks<'_>) -> Result<()> + Sync),
+}
+
 impl DeviceField {
+    /// Writes the network's input in all blocks, and calls `head` with the last hidden layer's activations of each chunk.
+    pub fn forward(
+        &self,
+        device: &Device,
+        inputs: Inputs<'_>,
+        head: impl Fn(&Buffer<f32>, &Chunks<'_>) -> Result<()> + Sync,
+    ) -> Result<()> {
+        let scratches = Mutex::default();
+        let new = || self.activations(device, inputs.blocks.layout, 2);
+        for block in inputs.blocks.iter() {
+            self.encode(device, inputs, &block)?;
+            device.parallel_for_with(block.chunks(), &scratches, new, |scratch, chunk| {
+                head(&self.hidden(device, scratch, &chunk)?, &chunk)
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Writes a block's points and the network's input.
+    fn encode(&self, device: &Device, inputs: Inputs<'_>, block: &Chunks<'_>) -> Result<()> {
+        device.parallel_for(block.chunks(), |chunk| (inputs.others)(&chunk))?;
+        block.pieces().try_for_each(|piece| {
+            let params = self.grid_params(&piece, inputs.grid_row);
+            let position = &piece.point();
+            let output = &piece.input();
+            let levels = &self.levels;
+            let layers = levels.len() as u32;
+            match &self.half_table {
+                None => {
+                    let table = &self.table;
+                    let kernel = HashGridKernel { params, levels, table, position, output };
+                    device.run(&kernel.counted(&piece.count()), params.points, layers)
+                }
+                Some(table) => {
+                    let kernel = HashGridHalfKernel { params, levels, table, position, output };
+                    device.run(&kernel.counted(&piece.count()), params.points, layers)
+                }
+            }
+        })
+    }
+
     /// The hash grid's parameters for a piece of a block, whose features begin at `first_row`.
-    pub(crate) fn grid_params(&self, piece: &BlockOf<'_>, first_row: u32) -> HashGridParams {
-        let block = piece.block;
-        let layout = piece.block.layout;
+    fn grid_params(&self, piece: &Chunks<'_>, first_row: u32) -> HashGridParams {
         HashGridParams {
             points: piece.samples(),
-            stride: layout.stride,
+            stride: piece.stride(),
             first_row,
             features: self.features,
-            chunk: layout.chunk,
+            chunk: piece.all.layout.chunk,
             point_rows: ROWS_OF_POINT,
-            rows: block.rows,
-        }
-    }
-
-    /// Writes the hash features of a block's points to the rows of its input from `first_row` on.
-    pub fn encode(&self, device: &Device, block: &BlockOf<'_>, first_row: u32) -> Result<()> {
-        block.pieces().try_for_each(|piece| self.encode_piece(device, &piece, first_row))
-    }
-
-    fn encode_piece(&self, device: &Device, piece: &BlockOf<'_>, first_row: u32) -> Result<()> {
-        let params = self.grid_params(piece, first_row);
-        let position = &piece.point();
-        let output = &piece.input();
-        let levels = &self.levels;
-        let samples = params.points;
-        let layers = self.levels.len() as u32;
-        match &self.half_table {
-            None => {
-                let table = &self.table;
-                let kernel = HashGridKernel { params, levels, table, position, output };
-                device.run(&kernel.counted(&piece.count()), samples, layers)
-            }
-            Some(table) => {
-                let kernel = HashGridHalfKernel { params, levels, table, position, output };
-                device.run(&kernel.counted(&piece.count()), samples, layers)
-            }
+            rows: piece.all.rows,
         }
     }
 
     /// The last layer's parameters, for a chunk of samples.
-    pub fn head_params(&self, chunk: &Chunk) -> HeadParams {
+    pub fn head_params(&self, chunk: &Chunks<'_>) -> HeadParams {
         let head = self.head();
         HeadParams {
-            samples: chunk.samples,
-            first: chunk.first,
-            stride: chunk.stride,
+            samples: chunk.samples(),
+            first: chunk.first(),
+            stride: chunk.stride(),
             inputs: head.inputs,
             weight: head.weight,
             bias: head.bias,
         }
     }
 
-    /// Runs the hidden layers over a chunk's input; returns the last one's activations.
-    pub fn hidden<'s>(
+    /// Room for a chunk's activations of some hidden layers, `[rows, stride]` each.
+    fn activations(
         &self,
         device: &Device,
-        scratch: &'s Scratch,
-        chunk: &'s Chunk,
-    ) -> Result<&'s Buffer<f32>> {
-        let mut input = &chunk.input;
-        for (index, layer) in self.layers[..self.layers.len() - 1].iter().enumerate() {
-            let output = &scratch.activation[index % 2];
-            self.layer(device, layer, input, output, chunk)?;
-            input = output;
+        layout: Layout,
+        layers: usize,
+    ) -> Result<Vec<Buffer<f32>>> {
+        let len = self.widest() as usize * layout.stride as usize;
+        (0..layers).map(|_| device.unwritten("activations", len)).collect()
+    }
+
+    /// Runs the hidden layers over a chunk's input, which take turns with `activations`; returns the last one's.
+    fn hidden(
+        &self,
+        device: &Device,
+        activations: &[Buffer<f32>],
+        chunk: &Chunks<'_>,
+    ) -> Result<Buffer<f32>> {
+        let mut input = chunk.input();
+        for (index, layer) in self.hidden_layers().iter().enumerate() {
+            let output = &activations[index % activations.len()];
+            let params = DenseParams {
+                samples: chunk.samples(),
+                stride: chunk.stride(),
+                inputs: layer.inputs,
+                columns: layer.columns,
+                weight: layer.weight,
+                bias: layer.bias,
+            };
+            let parameters = &self.parameters;
+            let kernel = DenseKernel { params, parameters, input: &input, output };
+            let layers = layer.columns * 4 / OUTPUTS_PER_INVOCATION;
+            device.run(&kernel.counted(&chunk.count()), params.samples, layers)?;
+            input = output.clone();
         }
         Ok(input)
-    }
-
-    /// A hidden layer for a chunk: `input [inputs, stride]` to `output [4 columns, stride]`.
-    pub fn layer(
-        &self,
-        device: &Device,
-        layer: &LayerPlace,
-        input: &Buffer<f32>,
-        output: &Buffer<f32>,
-        chunk: &Chunk,
-    ) -> Result<()> {
-        let params = DenseParams {
-            samples: chunk.samples,
-            stride: chunk.stride,
-            inputs: layer.inputs,
-            columns: layer.columns,
-            weight: layer.weight,
-            bias: layer.bias,
-        };
-        let kernel = DenseKernel { params, parameters: &self.parameters, input, output };
-        device.run(
-            &kernel.counted(&chunk.count),
-            chunk.samples,
-            layer.columns * 4 / OUTPUTS_PER_INVOCATION,
-        )
-    }
-}
-
-/// Activations of one chunk, of two hidden layers next to each other: `[rows, stride]` each.
-#[derive(Debug)]
-pub struct Scratch {
-    activation: [Buffer<f32>; 2],
-}
-
-impl Scratch {
-    /// For chunks of this layout.
-    pub fn new(device: &Device, field: &DeviceField, layout: Layout) -> Result<Self> {
-        let len = field.widest() as usize * layout.stride as usize;
-        Ok(Self {
-            activation: [
-                device.unwritten("activations", len)?,
-                device.unwritten("activations", len)?,
-            ],
-        })
     }
 }

@@ -50,11 +50,11 @@ impl Layout {
     /// For samples that lie in pieces, the largest of `largest` samples, in as many blocks as it takes.
     fn new(device: &Device, largest: u32) -> Self {
         const ALIGNED: u32 = (TAIL_ALIGNMENT / size_of::<f32>()) as u32;
-        let [most, slice] = match device.is_cpu_like() {
+        let [max, slice] = match device.is_cpu_like() {
             true => [CPU_CHUNK, CPU_CHUNK],
             false => [GPU_CHUNK, GPU_SLICE],
         };
-        let chunk = largest.clamp(1, most).next_multiple_of(ALIGNED);
+        let chunk = largest.clamp(1, max).next_multiple_of(ALIGNED);
         // not a power of two: rows would fall into the same sets of a cache
         let stride = chunk + ALIGNED;
         let chunks = BLOCK / chunk;
@@ -63,100 +63,47 @@ impl Layout {
         Self { chunk, stride, chunks, group, slice }
     }
 
-    /// The same, for at most `chunks` chunks.
-    fn with_chunks(self, chunks: u32) -> Self {
-        let chunks = self.chunks.min(chunks);
-        Self { chunks, group: self.group.clamp(1, chunks.max(1)), ..self }
-    }
-
-    /// Room for a block: `[chunks, rows, stride]`.
-    fn room(&self, device: &Device, label: &'static str, rows: u32) -> Result<Buffer<f32>> {
-        device.unwritten(label, self.first(self.chunks, rows))
-    }
-
-    /// Room for a group: `[chunks, rows, stride]`.
-    pub fn room_for_group(
-        &self,
-        device: &Device,
-        label: &'static str,
-        rows: u32,
-    ) -> Result<Buffer<f32>> {
-        device.unwritten(label, self.first(self.group, rows))
-    }
-
-    /// A chunk's part of a buffer `[chunks, rows, stride]`.
-    pub fn chunk_view(&self, buffer: &Buffer<f32>, chunk: u32, rows: u32) -> Buffer<f32> {
-        buffer.tail(self.first(chunk, rows))
-    }
-
-    fn first(&self, chunk: u32, rows: u32) -> usize {
+    /// Where a chunk with so many rows begins, in values.
+    pub fn begin(&self, chunk: u32, rows: u32) -> usize {
         chunk as usize * rows as usize * self.stride as usize
     }
 }
 
-/// A block's samples, as they lie on a device.
+/// Memory of a block's samples.
 #[derive(Debug)]
-pub struct Block {
+struct Block {
     /// `[chunks, 7, stride]`
     point: Buffer<f32>,
     /// `[chunks, rows, stride]`
     input: Buffer<f32>,
-    /// Rows of the network's input.
-    pub rows: u32,
-    pub layout: Layout,
-}
-
-impl Block {
-    fn new(device: &Device, layout: Layout, rows: u32) -> Result<Self> {
-        Ok(Self {
-            point: layout.room(device, "points", ROWS_OF_POINT)?,
-            input: layout.room(device, "network input", rows)?,
-            rows,
-            layout,
-        })
-    }
-}
-
-/// Some of the blocks' samples.
-#[derive(Debug)]
-pub struct Chunk {
-    /// The first, counted from the first block's.
-    pub first: u32,
-    /// Their number, or the capacity.
-    pub samples: u32,
-    pub count: Count,
-    /// Place in the block or group.
-    pub index: u32,
-    /// `[7, stride]`
-    pub point: Buffer<f32>,
-    /// `[rows, stride]`
-    pub input: Buffer<f32>,
-    pub stride: u32,
 }
 
 /// All samples of a field: some of their blocks have memory of their own, the others share the last one's.
 #[derive(Debug)]
 pub struct Blocks {
-    layout: Layout,
-    count: Count,
+    pub layout: Layout,
+    /// Rows of the network's input.
+    pub rows: u32,
+    /// Their number, or the capacity.
+    pub count: Count,
     /// Where each chunk begins, and where the last one ends.
     first: Vec<u32>,
     blocks: Vec<Block>,
 }
 
-/// Some chunks of a block that is being worked on: all of them, a group, or a piece.
+/// Some chunks of a block that is being worked on: all of them, a group, a piece, or one.
 #[derive(Clone, Debug)]
-pub struct BlockOf<'a> {
-    all: &'a Blocks,
+pub struct Chunks<'a> {
+    pub all: &'a Blocks,
     /// Memory of the block.
-    pub block: &'a Block,
+    block: &'a Block,
     /// Whether what was written there before is still there.
     pub is_kept: bool,
     /// The block's first chunk.
     first_of_block: usize,
     /// The first chunk of the block, or of the group: chunks count from there.
     first_of_group: usize,
-    chunks: Range<usize>,
+    range: Range<usize>,
 }
 
 impl Blocks {
@@ -176,106 +123,103 @@ impl Blocks {
         let begins = std::iter::once(&0).chain(ends);
         let pieces: Vec<_> = begins.zip(ends).map(|(&begin, &end)| begin..end).collect();
         let largest = pieces.iter().map(|piece| piece.len() as u32).max().unwrap_or(0);
-        let layout = Layout::new(device, largest);
+        let mut layout = Layout::new(device, largest);
         let chunks = pieces.into_iter().flat_map(|piece| piece.step_by(layout.chunk as usize));
         let mut first: Vec<_> = chunks.collect();
-        let layout = layout.with_chunks(first.len() as u32);
+        layout.chunks = layout.chunks.min(first.len() as u32);
+        layout.group = layout.group.clamp(1, layout.chunks.max(1));
         let rows = rows as u32;
         let all = first.len().div_ceil(layout.chunks.max(1) as usize);
         first.push(samples);
-        let mut blocks = vec![Block::new(device, layout, rows)?];
-        if keep {
-            let bytes = blocks[0].point.bytes() + blocks[0].input.bytes();
-            let kept = all.min((KEPT_BYTES / bytes.max(1)) as usize);
-            for _ in 1..kept {
-                blocks.push(Block::new(device, layout, rows)?);
-            }
+        let len = |rows| layout.begin(layout.chunks, rows);
+        let bytes = ((len(ROWS_OF_POINT) + len(rows)) * size_of::<f32>()) as u64;
+        let kept = if keep { all.min((KEPT_BYTES / bytes.max(1)) as usize) } else { 1 };
+        let mut blocks = Vec::new();
+        for _ in 0..kept.max(1) {
+            let point = device.unwritten("points", len(ROWS_OF_POINT))?;
+            let input = device.unwritten("network input", len(rows))?;
+            blocks.push(Block { point, input });
         }
-        Ok(Self { layout, count, first, blocks })
-    }
-
-    pub fn layout(&self) -> Layout {
-        self.layout
-    }
-
-    /// Their number, or the capacity.
-    pub fn samples(&self) -> u32 {
-        self.count.upper_bound()
+        Ok(Self { layout, rows, count, first, blocks })
     }
 
     /// In order.
-    pub fn iter(&self) -> impl Iterator<Item = BlockOf<'_>> {
+    pub fn iter(&self) -> impl Iterator<Item = Chunks<'_>> {
         let chunks = self.first.len() - 1;
         let last = self.blocks.len() - 1;
         let size = self.layout.chunks.max(1) as usize;
         let count = chunks.div_ceil(size);
         (0..count).map(move |index| {
             let begin = index * size;
-            BlockOf {
+            Chunks {
                 all: self,
                 block: &self.blocks[index.min(last)],
                 is_kept: index < last || count == self.blocks.len(),
                 first_of_block: begin,
                 first_of_group: begin,
-                chunks: begin..chunks.min(begin + size),
+                range: begin..chunks.min(begin + size),
             }
         })
     }
 }
 
-impl<'a> BlockOf<'a> {
+impl<'a> Chunks<'a> {
     /// First sample, counted from the first block's.
     pub fn first(&self) -> u32 {
-        self.all.first[self.chunks.start]
+        self.all.first[self.range.start]
     }
 
-    /// How many samples it has, or the capacity.
+    /// How many samples there are, or the capacity.
     pub fn samples(&self) -> u32 {
-        self.all.first[self.chunks.end] - self.first()
+        self.all.first[self.range.end] - self.first()
     }
 
-    /// How many samples it has.
+    /// How many samples there are.
     pub fn count(&self) -> Count {
         self.all.count.piece(self.first(), self.samples())
     }
 
+    /// Distance of two rows.
+    pub fn stride(&self) -> u32 {
+        self.all.layout.stride
+    }
+
     /// The first chunk's place in its block or group.
     pub fn index(&self) -> u32 {
-        (self.chunks.start - self.first_of_group) as u32
+        (self.range.start - self.first_of_group) as u32
     }
 
     /// Points: `[chunks, 7, stride]`.
     pub fn point(&self) -> Buffer<f32> {
-        self.block_view(&self.block.point, ROWS_OF_POINT)
+        self.block.point.tail(self.begin(ROWS_OF_POINT))
     }
 
     /// Inputs: `[chunks, rows, stride]`.
     pub fn input(&self) -> Buffer<f32> {
-        self.block_view(&self.block.input, self.block.rows)
+        self.block.input.tail(self.begin(self.all.rows))
     }
 
-    fn block_view(&self, buffer: &Buffer<f32>, rows: u32) -> Buffer<f32> {
-        let chunk = (self.chunks.start - self.first_of_block) as u32;
-        self.block.layout.chunk_view(buffer, chunk, rows)
+    fn begin(&self, rows: u32) -> usize {
+        self.all.layout.begin((self.range.start - self.first_of_block) as u32, rows)
     }
 
-    fn with(&self, first_of_group: usize, chunks: Range<usize>) -> Self {
-        Self { first_of_group, chunks, ..self.clone() }
+    fn with(&self, first_of_group: usize, range: Range<usize>) -> Self {
+        Self { first_of_group, range, ..self.clone() }
     }
 
     /// The block's groups, in order.
-    pub fn groups(&self) -> impl Iterator<Item = BlockOf<'a>> {
-        let size = self.block.layout.group as usize;
-        let end = self.chunks.end;
-        let begins = self.chunks.clone().step_by(size);
+    pub fn groups(&self) -> impl Iterator<Item = Self> {
+        let size = self.all.layout.group as usize;
+        let end = self.range.end;
+        let begins = self.range.clone().step_by(size);
         begins.map(move |begin| self.with(begin, begin..end.min(begin + size)))
     }
 
     /// The pieces, in order: all chunks of a piece are full, except for the last one.
-    pub fn pieces(&self) -> impl Iterator<Item = BlockOf<'a>> {
-        let full = self.block.layout.chunk;
+    pub fn pieces(&self) -> impl Iterator<Item = Self> {
+        let full = self.all.layout.chunk;
         let first = &self.all.first;
-        let mut rest = self.chunks.clone();
+        let mut rest = self.range.clone();
         std::iter::from_fn(move || {
             let begin = rest.next()?;
             let mut last = begin;
@@ -286,21 +230,9 @@ impl<'a> BlockOf<'a> {
         })
     }
 
-    /// The chunks, in order.
-    pub fn chunks(&self) -> impl Iterator<Item = Chunk> {
-        let layout = self.block.layout;
-        self.chunks.clone().map(move |index| {
-            let chunk = self.with(self.first_of_group, index..index + 1);
-            Chunk {
-                first: chunk.first(),
-                samples: chunk.samples(),
-                count: chunk.count(),
-                index: chunk.index(),
-                point: chunk.point(),
-                input: chunk.input(),
-                stride: layout.stride,
-            }
-        })
+    /// One after the other.
+    pub fn chunks(&self) -> impl Iterator<Item = Self> {
+        self.range.clone().map(|index| self.with(self.first_of_group, index..index + 1))
     }
 }
 
@@ -317,14 +249,14 @@ mod tests {
         let all: Vec<_> = blocks.iter().collect();
         let [block] = &all[..] else { panic!("{} blocks", all.len()) };
         let range = |first: u32, samples: u32| first..first + samples;
-        let chunks: Vec<_> = block.chunks().map(|c| range(c.first, c.samples)).collect();
+        let chunks: Vec<_> = block.chunks().map(|c| range(c.first(), c.samples())).collect();
         assert_eq!(chunks, [0..100, 100..2148, 2148..4196, 4196..4300, 4300..5000]);
         let pieces: Vec<_> = block.pieces().map(|p| (p.index(), p.first(), p.samples())).collect();
         assert_eq!(pieces, [(0, 0, 100), (1, 100, 4200), (4, 4300, 700)]);
         // without them, only the last chunk is not full
         let blocks = Blocks::new(&device, 3, Count::known(5000), true, &[]).expect("blocks");
         let block = blocks.iter().next().expect("a block");
-        let chunks: Vec<_> = block.chunks().map(|c| range(c.first, c.samples)).collect();
+        let chunks: Vec<_> = block.chunks().map(|c| range(c.first(), c.samples())).collect();
         assert_eq!(chunks, [0..2048, 2048..4096, 4096..5000]);
         assert_eq!(block.pieces().count(), 1);
     }

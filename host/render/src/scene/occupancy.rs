@@ -5,10 +5,8 @@ use organza_shaders::occupancy::{
 };
 use organza_shaders::unit_cube::SceneBox;
 
-use crate::DeviceScene;
 use muslin_device::{Buffer, Device};
-use organza_core::error::Result;
-use organza_core::scene::SceneConfig;
+use organza_core::scene::{GaussianTensors, SceneConfig};
 
 /// Label of the buffer of an occupancy grid.
 pub const OCCUPANCY: &str = "occupancy grid";
@@ -54,37 +52,37 @@ impl Occupancy {
     pub fn bytes(config: &SceneConfig) -> usize {
         Self::entries(config) * (size_of::<u32>() + size_of::<f32>())
     }
-}
 
-impl DeviceScene {
-    /// Finds anew where Gaussians are: to be called whenever some have moved.
-    ///
-    /// # Errors
-    /// The same errors as [`Device::dispatch`].
-    pub fn update_occupancy(&self, device: &Device) -> Result<()> {
-        let side = self.config.occupancy;
-        if side == 0 {
+    /// Finds anew where Gaussians are.
+    pub fn update(
+        &self,
+        device: &Device,
+        config: &SceneConfig,
+        scene_box: &Buffer<f32>,
+        gaussians: &GaussianTensors<Buffer<f32>>,
+    ) -> muslin_device::Result<()> {
+        if config.occupancy == 0 {
             return Ok(());
         }
-        let Occupancy { cell, counts, table } = &self.occupancy;
-        let of = &self.tensors.gaussians;
+        let Self { cell, counts, table } = self;
+        let count = gaussians.opacity.len() as u32;
         let kernel = OccupancyAddKernel {
             params: OccupancyParams {
-                gaussians: self.gaussians,
-                side,
+                gaussians: count,
+                side: config.occupancy,
                 cell: *cell,
-                contracted: self.config.contraction.for_kernels(),
+                contracted: config.contraction.for_kernels(),
             },
-            scene_box: &self.scene_box,
-            position: &of.position,
-            rotation: &of.rotation,
-            log_scale: &of.log_scale,
-            opacity: &of.opacity,
+            scene_box,
+            position: &gaussians.position,
+            rotation: &gaussians.rotation,
+            log_scale: &gaussians.log_scale,
+            opacity: &gaussians.opacity,
             counts,
         };
-        device.run(&kernel, self.gaussians, 1)?;
+        device.run(&kernel, count, 1)?;
         let entries = table.len() as u32;
         let kernel = OccupancyKernel { params: OccupancyTableParams { entries }, counts, table };
-        Ok(device.run(&kernel, entries, 1)?)
+        device.run(&kernel, entries, 1)
     }
 }

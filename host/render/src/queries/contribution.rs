@@ -11,7 +11,8 @@ use rayon::prelude::*;
 
 use super::leakage::{OPEN, SURFACE};
 use super::members::{Member, Members, depths, surface};
-use crate::pass::part::{Part, TileGradient};
+use crate::pass::part::Part;
+use crate::stages::composite::TileGradient;
 use crate::stages::cut::PartTiles;
 use crate::{DeviceScene, Renderer};
 use organza_core::image::{TILE_SIDE, bands};
@@ -102,19 +103,23 @@ impl Renderer {
         let mut view = vec![GaussianSums::default(); scene.len()];
         for batch in bands(0, [camera.width, camera.height], TILE_SIDE) {
             let batch = batch?;
-            batch.validate(from_ref(camera))?;
             let pass = self.pass(scene, from_ref(camera));
             let mut parts = pass.cut(&batch)?;
-            pass.visit(&mut parts, |part, _| {
-                let found = self.part_sums(scene, camera, &part.plan, depths.as_deref())?;
-                for (gaussian, sums) in found {
-                    let sum = &mut view[gaussian];
-                    sum.pixels += sums.pixels;
-                    sum.measured += sums.measured;
-                    sum.in_front += sums.in_front;
+            let mut index = 0;
+            while let Some(at) = parts.list.get(index) {
+                match self.part_sums(scene, camera, &at.plan, depths.as_deref()) {
+                    Err(error) => pass.make_room(error, &mut parts, index..index + 1)?,
+                    Ok(found) => {
+                        index += 1;
+                        for (gaussian, sums) in found {
+                            let sum = &mut view[gaussian];
+                            sum.pixels += sums.pixels;
+                            sum.measured += sums.measured;
+                            sum.in_front += sums.in_front;
+                        }
+                    }
                 }
-                Ok(true)
-            })?;
+            }
         }
         contributions.add(&view);
         Ok(())
@@ -129,13 +134,11 @@ impl Renderer {
         depths: Option<&[f64]>,
     ) -> Result<Vec<(usize, GaussianSums)>> {
         let device = self.device();
-        let grad_tiles = device.upload("red of the pixels", &red(camera, plan))?;
-        let red = TileGradient { grad_tiles, distortion: None };
-        let (part, gradient) = device.run_in_pool(|| {
-            let part = Part::evaluate(scene, from_ref(camera), plan, false, None)?;
-            let gradient = part.pair_gradient(scene, plan.side, &red)?;
-            Ok::<_, organza_core::Error>((part, gradient))
-        })?;
+        let d_tiles = device.upload("red of the pixels", &red(camera, plan))?;
+        let red = TileGradient { d_tiles, terms: Vec::new() };
+        let part = Part::evaluate(scene, from_ref(camera), plan, false, None)?;
+        let context = part.context(scene);
+        let gradient = device.run_in_pool(|| part.composite.backward(context, &red))?;
         let members = Members::read(device, &part)?;
         let gradient = device.read(&gradient)?;
         // a pair's third vector has the gradient of its color

@@ -11,8 +11,9 @@ use crate::pass::part::Part;
 use crate::stages::color::Color;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::stages::pairs::Pairs;
-use crate::stages::project::project;
-use crate::stages::transmittance::{Ray, Transmittance};
+use crate::stages::project::{Projection, project};
+use crate::stages::scan::total;
+use crate::stages::transmittance::{Ray, Transmittance, segments};
 use crate::{DeviceScene, Renderer};
 
 use muslin_device::Count;
@@ -112,15 +113,16 @@ impl Renderer {
         let grid_width = scene.config.color_grid.width();
         let mut sh = Vec::new();
         let mut color_encoding = Vec::new();
-        let color = Color::evaluate_with(scene, &pairs, false, &mut |chunk| {
-            let rows = device.read(&chunk.input)?;
-            for sample in 0..chunk.samples as usize {
-                let column = |row: usize| rows[row * chunk.stride as usize + sample];
+        // kept, so that the network's input can be read
+        let color = Color::evaluate(scene, &pairs, true)?;
+        for chunk in color.blocks.iter().flat_map(|block| block.chunks().collect::<Vec<_>>()) {
+            let rows = device.read(&chunk.input())?;
+            for sample in 0..chunk.samples() as usize {
+                let column = |row: usize| rows[row * chunk.stride() as usize + sample];
                 sh.extend((0..sh_width).map(column));
                 color_encoding.extend((sh_width..sh_width + grid_width).map(column));
             }
-            Ok(())
-        })?;
+        }
 
         let projection = device.read(&pairs.projection)?;
         let first = device.read(&transmittance.first_sample)?;
@@ -151,7 +153,8 @@ impl Renderer {
 
     fn every_pair(&self, scene: &DeviceScene, camera: &Camera) -> Result<(Pairs, Transmittance)> {
         let device = self.device();
-        let (camera, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let projection = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let Projection { camera, values: projection, .. } = projection;
         let every: Vec<u32> = (0..scene.gaussians).collect();
         let pairs = Pairs {
             count: Count::known(scene.gaussians),
@@ -160,9 +163,9 @@ impl Renderer {
             projection,
             view_ends: Vec::new(),
         };
-        let transmittance = Transmittance::evaluate(scene, &pairs, false, |first| {
-            pairs.read_samples(device, first)
-        })?;
+        let segments = segments(scene, &pairs)?;
+        let samples = total(device, &segments.1)?;
+        let transmittance = Transmittance::evaluate(scene, &pairs, segments, samples, false)?;
         Ok((pairs, transmittance))
     }
 

@@ -81,16 +81,22 @@ impl Renderer {
         let depths = depths(&device.read(&scene.tensors.gaussians.position)?, &cameras[camera]);
         let mut found = Vec::with_capacity(batch.tiles.len());
         let pass = self.pass(scene, cameras);
-        pass.visit(&mut pass.cut(&batch)?, |part, _| {
-            let plan = &part.plan;
-            let evaluate = || Part::evaluate(scene, cameras, plan, false, None);
-            let members = Members::read(device, &device.run_in_pool(evaluate)?)?;
-            for (index, tile) in plan.tiles.iter().enumerate() {
-                let mut members = members.at(index, tile.tile.origin, &depths);
-                found.push(Leakage::from_members(&mut members));
+        let mut parts = pass.cut(&batch)?;
+        let mut index = 0;
+        while let Some(at) = parts.list.get(index) {
+            let members = Part::evaluate(scene, cameras, &at.plan, false, None)
+                .and_then(|part| Members::read(device, &part));
+            match members {
+                Err(error) => pass.make_room(error, &mut parts, index..index + 1)?,
+                Ok(members) => {
+                    index += 1;
+                    found.extend(at.plan.tiles.iter().enumerate().map(|(tile, planned)| {
+                        let mut members = members.at(tile, planned.tile.origin, &depths);
+                        Leakage::from_members(&mut members)
+                    }));
+                }
             }
-            Ok(true)
-        })?;
+        }
         Ok(Leakage::mean(&found))
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::pass::part::Part;
 use crate::stages::cut::{PartTiles, PlannedTile};
+use crate::stages::project::project;
+use crate::stages::scan::total;
 use crate::stages::tiles::Bins;
 use crate::stages::transmittance::segments;
 use crate::{Capacity, DeviceScene, Renderer};
@@ -50,14 +52,14 @@ impl Renderer {
         let mut needed = vec![Capacity { pairs: 0, members: 0, samples: 0 }; steps.len()];
         for plan in PartTiles::split(scene, &batch, self.part_bytes())? {
             let device = self.device();
-            let camera = std::slice::from_ref(camera);
-            let bins = Bins::new(scene, camera, &plan, None)?;
+            let projection = project(device, scene, &[camera], &plan.windows())?;
+            let bins = Bins::new(scene, &plan, projection, None)?;
             let pairs = bins.pairs.count.upper_bound();
             let members = bins.members.upper_bound();
             for (&steps, needed) in steps.iter().zip(&mut needed) {
                 let scene = &scene.with_ray_steps(steps.into());
                 let (_, first_sample) = segments(scene, &bins.pairs)?;
-                let samples = bins.pairs.read_samples(device, &first_sample)?.upper_bound();
+                let samples = total(device, &first_sample)?.upper_bound();
                 *needed = Capacity {
                     // pairs of several parts count once for each part: that is room to spare
                     pairs: needed.pairs.saturating_add(pairs).min(scene.gaussians),
@@ -89,7 +91,7 @@ impl Renderer {
         let scene = &scene.with_ray_steps(shape.steps.into());
         let part = Part::evaluate(scene, camera, &plan, false, Some(shape.capacity))?;
         let bins = &part.bins;
-        let counts = bins.part_counts.as_ref().expect("there is a capacity").counts().planned();
+        let counts = bins.part_counts.as_ref().expect("there is a capacity").counts.planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");
         Ok(Frame {
             camera: number(bins.pairs.camera.planned()),

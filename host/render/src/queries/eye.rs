@@ -9,15 +9,16 @@ use organza_shaders::composite::splat_distance;
 use organza_shaders::project::{EVERYWHERE, in_support};
 use rayon::prelude::*;
 
-use crate::pass::part::ReadTiles;
-use crate::pass::renderer::{Renderer, place};
+use crate::pass::output::Output;
+use crate::pass::renderer::Renderer;
 use crate::stages::color::Color;
-use crate::stages::composite::{Composite, Seen};
+use crate::stages::composite::{Composite, TileContext};
 use crate::stages::cut::PartTiles;
 use crate::stages::pairs::Pairs;
 use crate::stages::project::project;
+use crate::stages::scan::total;
 use crate::stages::tiles::Bins;
-use crate::stages::transmittance::Transmittance;
+use crate::stages::transmittance::{Transmittance, segments};
 use crate::{Capacity, DeviceScene};
 use muslin_device::{Buffer, Count, Device, memory};
 use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
@@ -139,7 +140,7 @@ impl EyeCache {
         bins: &Bins,
         gaussians: &[u32],
         options: &EyeOptions<'_>,
-    ) -> Result<Option<u64>> {
+    ) -> Result<Option<u32>> {
         let device = scene.device();
         let steps = options.steps;
         let scene = &scene.with_ray_steps(steps.into());
@@ -152,10 +153,10 @@ impl EyeCache {
                 return Ok(None);
             }
             let pairs = pairs_of(device, bins, some)?;
-            let evaluated = Transmittance::evaluate(scene, &pairs, false, |first| {
-                pairs.read_samples(device, first)
-            })?;
-            samples += u64::from(evaluated.samples.upper_bound());
+            let segments = segments(scene, &pairs)?;
+            let count = total(device, &segments.1)?;
+            let evaluated = Transmittance::evaluate(scene, &pairs, segments, count, false)?;
+            samples += evaluated.samples.upper_bound();
             let without: Vec<_> = some.iter().copied().filter(|&at| !self.is_current(at)).collect();
             let color = match &*without {
                 [] => Vec::new(),
@@ -192,27 +193,27 @@ impl EyeCache {
         camera: &Camera,
         plan: &PartTiles,
         options: &EyeOptions<'_>,
-    ) -> Result<Option<ReadTiles>> {
+        tiles: &mut RenderedTiles,
+    ) -> Result<bool> {
         let device = scene.device();
-        let bins = Bins::new(scene, std::slice::from_ref(camera), plan, None)?;
+        let projection = project(device, scene, &[camera], &plan.windows())?;
+        let bins = Bins::new(scene, plan, projection, None)?;
         // of one camera, a pair is its Gaussian
         let gaussians = device.read(&bins.pairs.pair)?;
         let begin = Instant::now();
         let samples = self.complete(scene, &bins, &gaussians, options)?;
         self.work.seconds += begin.elapsed().as_secs_f64();
-        let Some(samples) = samples else { return Ok(None) };
+        let Some(samples) = samples else { return Ok(false) };
         let (transmittance, color) = self.gather(device, &gaussians)?;
         let background = options.background.unwrap_or(scene.config.background);
-        let seen = Seen { scene, side: plan.side, bins: &bins, transmittance: &transmittance };
-        let composite = Composite::new(seen, background, &color)?;
+        let context = TileContext { scene, bins: &bins, transmittance: &transmittance };
+        let composite = Composite::new(context, background, &color)?;
+        let mut output = Output::Tiles { tiles, channels: options.channels };
+        let (buffers, sums) = output.buffers(context, &composite)?;
         let pairs = gaussians.len() as u32;
-        let needed = Capacity { pairs, members: bins.members.upper_bound(), samples: 0 };
-        let read = |buffers: Vec<_>| Ok(Some((device.read_all(&buffers)?, needed)));
-        let found = ReadTiles::new(seen, &composite, options.channels, read)?;
-        Ok(found.map(|(mut found, _)| {
-            found.report.samples = samples;
-            found
-        }))
+        let needed = Capacity { pairs, members: bins.members.upper_bound(), samples };
+        output.take(device, plan, sums, device.read_all(&buffers)?, needed)?;
+        Ok(true)
     }
 }
 
@@ -241,22 +242,21 @@ impl Renderer {
         cache: &mut EyeCache,
         options: &EyeOptions<'_>,
     ) -> Result<Option<RenderedTiles>> {
-        batch.validate(std::slice::from_ref(camera))?;
+        let pass = self.pass(scene, std::slice::from_ref(camera));
+        let mut parts = pass.cut(batch)?;
         cache.look_from(camera.for_kernels().eye, scene)?;
         let device = self.device();
-        let channels = options.channels;
-        let mut tiles = RenderedTiles::new(batch, channels)?;
-        let pass = self.pass(scene, std::slice::from_ref(camera));
-        // of one camera, whose index does not matter
-        let mut parts = pass.cut(batch)?;
-        let is_whole = pass.visit(&mut parts, |part, _| {
-            let plan = &part.plan;
-            let found = device.run_in_pool(|| cache.render(scene, camera, plan, options))?;
-            let Some(found) = found else { return Ok(false) };
-            place(&mut tiles, plan, found, channels)?;
-            Ok(true)
-        })?;
-        Ok(is_whole.then_some(tiles))
+        let mut tiles = RenderedTiles::new(batch, options.channels)?;
+        let mut index = 0;
+        while let Some(at) = parts.list.get(index) {
+            let render = || cache.render(scene, camera, &at.plan, options, &mut tiles);
+            match device.run_in_pool(render) {
+                Ok(true) => index += 1,
+                Ok(false) => return Ok(None),
+                Err(error) => pass.make_room(error, &mut parts, index..index + 1)?,
+            }
+        }
+        Ok(Some(tiles))
     }
 
     /// How many Gaussians each pixel sums up, row by row: those whose support reaches the pixel's center.
@@ -265,8 +265,8 @@ impl Renderer {
     /// The same errors as [`Renderer::render`].
     pub fn count_members(&self, scene: &DeviceScene, camera: &Camera) -> Result<Vec<u32>> {
         let device = self.device();
-        let (_, projection, _) = project(device, scene, &[camera], &[EVERYWHERE])?;
-        let projection = device.read(&projection)?;
+        let projection = project(device, scene, &[camera], &[EVERYWHERE])?;
+        let projection = device.read(&projection.values)?;
         let width = camera.width as usize;
         let mut count = memory::zeros(width * camera.height as usize, "members of pixels")?;
         const ROWS: usize = 16;

@@ -1,20 +1,28 @@
 //! Gradients of a scene's tensors, on a device.
 
+pub mod hash_grid;
+pub mod ranks;
+
 use std::ops::Range;
 
 use glam::Vec4;
 use muslin::binned::ROWS;
 use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
+use organza_shaders::pose_backward;
 
-use super::field::hash_grid::HashGridGradient;
+use self::hash_grid::HashGridGradient;
+use crate::scene::device_scene::DeviceScene;
 use crate::scene::field::DeviceField;
-use crate::{DeviceScene, POSE, unpack};
-use muslin_device::{Buffer, Device};
+use crate::scene::packed::unpack;
+use muslin_device::{Buffer, Count, Device};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{FieldTensors, Gradient, SceneConfig, Tensors};
 
-/// The tensors whose gradients [`project_backward`] adds to one buffer, in this order: that of the table, too.
+/// Numbers of a pose: a rotation vector and a shift. [`Camera::moved`](organza_core::Camera::moved) says what they mean.
+pub const POSE: usize = pose_backward::VALUES as usize;
+
+/// The tensors whose gradients `project_backward` adds to one buffer, in this order: that of the table, too.
 pub const GEOMETRY: [&str; 4] =
     ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
 
@@ -161,6 +169,20 @@ impl SceneGradient {
         for field in [&self.color, &self.transmittance] {
             device.clear(&field.table.status);
         }
+    }
+
+    /// Sets the scales of both hash grids' sums, of as many samples: of the color and of the transmittance field.
+    pub(crate) fn set_scales(
+        &self,
+        device: &Device,
+        scene: &DeviceScene,
+        [pairs, samples]: [&Count; 2],
+    ) -> Result<()> {
+        self.color.table.set_scale(device, &scene.color, pairs)?;
+        if self.has_transmittance {
+            self.transmittance.table.set_scale(device, &scene.transmittance, samples)?;
+        }
+        Ok(())
     }
 
     /// Makes gradients of all sums, and clears these.

@@ -2,9 +2,7 @@
 
 use organza_shaders::exposure::{ExposeBackwardKernel, ExposeKernel, ExposureParams};
 
-use super::cut::PlannedTile;
-use muslin_device::{Buffer, Device};
-use organza_core::error::Result;
+use muslin_device::{Buffer, Device, Result};
 
 /// Values of a tile's exposure: a gain and an offset for each channel.
 pub(crate) const VALUES: usize = 6;
@@ -41,7 +39,7 @@ impl Exposed {
         Ok(Self { params, exposure, image: exposed })
     }
 
-    /// Turns `gradient [K, 3, S, S]` from dL/dx' into dL/dx; returns the sums for [`gradients`].
+    /// Turns `gradient [K, 3, S, S]` from dL/dx' into dL/dx; returns the sums of rows `[K, 3, S, 2]`, for [`gradient`].
     pub fn backward(
         &self,
         device: &Device,
@@ -58,21 +56,19 @@ impl Exposed {
     }
 }
 
-/// The gradients of the exposures of a part's tiles, from the sums of their rows `[K, 3, S, 2]`.
-pub(crate) fn gradients(
-    row_sum: &[f32],
-    side: u32,
-    tiles: &[PlannedTile],
-) -> Vec<ExposureGradient> {
-    let plane = |rows: &[f32]| {
-        let (pairs, _) = rows.as_chunks::<2>();
-        pairs.iter().fold([0.0; 2], |sum, pair| [0, 1].map(|at| sum[at] + f64::from(pair[at])))
-    };
-    let len = 2 * side as usize;
-    let of_tile = |(tile, rows): (&PlannedTile, &[f32])| ExposureGradient {
-        place: tile.place,
-        camera: tile.tile.camera,
-        gradient: [0, 1, 2].map(|channel| plane(&rows[channel * len..][..len])),
-    };
-    tiles.iter().zip(row_sum.chunks_exact(3 * len)).map(of_tile).collect()
+/// Exposes a tile `[3, S, S]` on the host.
+pub(crate) fn expose_tile(tile: &mut [f32], exposure: &[f32]) {
+    let area = tile.len() / 3;
+    for (plane, values) in tile.chunks_exact_mut(area).zip(exposure.chunks_exact(2)) {
+        plane.iter_mut().for_each(|value| *value = values[0] * *value + values[1]);
+    }
+}
+
+/// The gradient `[3, 2]` of a tile's exposure, from the sums of its rows `[3, S, 2]`.
+pub(crate) fn gradient(rows: &[f32]) -> [[f64; 2]; 3] {
+    let add = |sum: [f64; 2], row: &[f32; 2]| [0, 1].map(|at| sum[at] + f64::from(row[at]));
+    let plane = |rows: &[[f32; 2]]| rows.iter().fold([0.0; 2], add);
+    let (rows, _) = rows.as_chunks::<2>();
+    let side = rows.len() / 3;
+    [0, 1, 2].map(|channel| plane(&rows[channel * side..][..side]))
 }

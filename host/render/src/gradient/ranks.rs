@@ -3,124 +3,81 @@
 use std::ops::Range;
 
 use glam::Vec4;
-use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
-use crate::stages::field::hash_grid::HashGridGradient;
-use crate::{DeviceScene, SceneGradient, TensorGradient};
-use muslin_device::{Buffer, Count, Device};
+use super::hash_grid::HashGridGradient;
+use super::{SceneGradient, TensorGradient};
+use muslin_device::Device;
+use organza_core::Result;
 use organza_core::ranks::Ranks;
-use organza_core::{Error, Result};
 
 fn tables(gradient: &SceneGradient) -> [&HashGridGradient; 2] {
     [&gradient.color.table, &gradient.transmittance.table]
 }
 
-/// One scale for all that ranks will add to the hash grids: its bound is the largest of all ranks' bounds. `samples` are
-/// those of the color and of the transmittance field, of this rank.
-pub fn set_scales(
+/// Raises the bounds of both hash grids' sums to the largest of all ranks' bounds, and adds up the samples of the color and
+/// of the transmittance field.
+pub fn share_bounds(
     device: &Device,
-    ranks: Option<&dyn Ranks>,
-    scene: &DeviceScene,
+    ranks: &dyn Ranks,
     gradient: &SceneGradient,
-    mut samples: [i64; 2],
+    samples: &mut [i64; 2],
 ) -> Result<()> {
-    ranks.map_or(Ok(()), |ranks| ranks.sum(&mut samples))?;
-    if let Some(ranks) = ranks {
-        let [color, transmittance] = tables(gradient).map(|table| device.read(&table.bound));
-        let color = color?;
-        let transmittance = transmittance?;
-        let mut bounds = [&color[..], &transmittance[..]].concat();
-        ranks.max(&mut bounds)?;
-        let (first, second) = bounds.split_at(color.len());
-        for (table, bound) in tables(gradient).into_iter().zip([first, second]) {
-            device.write(&table.bound, 0, bound)?;
-        }
-    }
-    let fields = [&scene.color, &scene.transmittance];
-    for ((table, field), samples) in tables(gradient).into_iter().zip(fields).zip(samples) {
-        let Ok(samples) = u32::try_from(samples) else {
-            let reason = format!(
-                "the step has {samples} samples, and their gradients are counted in 32 bits: use fewer tiles in a step"
-            );
-            return Err(Error::Argument { reason });
-        };
-        table.set_scale(device, field, &Count::known(samples))?;
+    ranks.sum(samples)?;
+    let [color, transmittance] = tables(gradient).map(|table| device.read(&table.bound));
+    let color = color?;
+    let mut bounds = [&color[..], &transmittance?[..]].concat();
+    ranks.max(&mut bounds)?;
+    let (first, second) = bounds.split_at(color.len());
+    for (table, bound) in tables(gradient).into_iter().zip([first, second]) {
+        device.write(&table.bound, 0, bound)?;
     }
     Ok(())
 }
 
-/// Adds the sums of all ranks, and makes gradients of them.
-pub fn finish(device: &Device, ranks: Option<&dyn Ranks>, gradient: &SceneGradient) -> Result<()> {
-    if let Some(ranks) = ranks {
-        sum(device, ranks, gradient)?;
+/// Adds up the sums of all ranks. Only blocks that are not zero on some rank travel.
+pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
+    let SceneGradient { color, transmittance, poses, .. } = gradient;
+    let mut buffers = vec![
+        &color.table.sum,
+        &transmittance.table.sum,
+        &color.network.sum,
+        &transmittance.network.sum,
+    ];
+    buffers.extend(poses.iter().map(|poses| &poses.sum));
+    let mut values: Vec<i64> = Vec::new();
+    for buffer in &buffers {
+        values.extend(bytemuck::pod_collect_to_vec::<u32, i64>(&device.read(*buffer)?));
     }
-    gradient.finish(device)
-}
-
-/// Integers on the device that all ranks have some of.
-struct SharedSums<'a> {
-    buffer: &'a Buffer<u32>,
-    values: Vec<i64>,
-    /// Not 0 where a block of [`VALUES_PER_FLAG`] values was added to.
-    touched: Vec<u32>,
-}
-
-impl<'a> SharedSums<'a> {
-    /// `touched` is known of a hash grid. Elsewhere, it says which blocks are not zero.
-    fn read(device: &Device, buffer: &'a Buffer<u32>, touched: Option<Vec<u32>>) -> Result<Self> {
-        let values: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(buffer)?);
-        let blocks = values.chunks(VALUES_PER_FLAG as usize);
-        let look = || blocks.map(|block| u32::from(block.iter().any(|&sum| sum != 0))).collect();
-        let touched = touched.unwrap_or_else(look);
-        Ok(Self { buffer, values, touched })
-    }
-
-    /// The blocks that were touched.
-    fn blocks(&mut self) -> impl Iterator<Item = &mut [i64]> {
-        let blocks = self.values.chunks_mut(VALUES_PER_FLAG as usize).zip(&self.touched);
-        blocks.filter(|(_, touched)| **touched != 0).map(|(block, _)| block)
-    }
-}
-
-/// Only blocks that some rank has touched travel.
-fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
-    let mut all = Vec::new();
-    let mut flags = Vec::new();
-    for table in tables(gradient) {
-        let touched = device.read(&table.touched)?;
-        all.push(SharedSums::read(device, &table.sum, Some(touched))?);
-        flags.extend(device.read(&table.status)?);
-    }
-    let networks = [&gradient.color.network, &gradient.transmittance.network];
-    for binned in networks.into_iter().chain(&gradient.poses) {
-        all.push(SharedSums::read(device, &binned.sum, None)?);
-    }
-    flags.extend(all.iter().flat_map(|sums| &sums.touched));
+    let is_touched = |block: &[i64]| u32::from(block.iter().any(|&sum| sum != 0));
+    let mut flags: Vec<_> = values.chunks(BLOCK).map(is_touched).collect();
     ranks.or(&mut flags)?;
-    let (status, mut rest) = flags.split_at(tables(gradient).len());
-    for sums in &mut all {
-        let (touched, after) = rest.split_at(sums.touched.len());
-        sums.touched.copy_from_slice(touched);
+    let mut packed = Vec::new();
+    let touched = values.chunks(BLOCK).zip(&flags).filter(|(_, flag)| **flag != 0);
+    touched.for_each(|(block, _)| packed.extend(block));
+    ranks.sum(&mut packed)?;
+    let touched = values.chunks_mut(BLOCK).zip(&flags).filter(|(_, flag)| **flag != 0);
+    let mut rest = &packed[..];
+    for (block, _) in touched {
+        let (sums, after) = rest.split_at(block.len());
+        block.copy_from_slice(sums);
         rest = after;
     }
-    let mut packed = Vec::new();
-    all.iter_mut().for_each(|sums| sums.blocks().for_each(|block| packed.extend(&*block)));
-    ranks.sum(&mut packed)?;
-    let mut rest = &packed[..];
-    for sums in &mut all {
-        for block in sums.blocks() {
-            let (values, after) = rest.split_at(block.len());
-            block.copy_from_slice(values);
-            rest = after;
-        }
-        device.write(sums.buffer, 0, bytemuck::cast_slice::<i64, u32>(&sums.values))?;
+    let mut words = bytemuck::cast_slice::<i64, u32>(&values);
+    for buffer in buffers {
+        let (own, after) = words.split_at(buffer.len());
+        device.write(buffer, 0, own)?;
+        words = after;
     }
-    for ((table, sums), status) in tables(gradient).into_iter().zip(&all).zip(status) {
-        device.write(&table.touched, 0, &sums.touched)?;
-        device.write(&table.status, 0, &[*status])?;
+    for flags in tables(gradient).into_iter().flat_map(|table| [&table.touched, &table.status]) {
+        let mut of_all = device.read(flags)?;
+        ranks.or(&mut of_all)?;
+        device.write(flags, 0, &of_all)?;
     }
     Ok(())
 }
+
+/// Values of sums that travel together.
+const BLOCK: usize = 64;
 
 /// The gradients of Gaussians, and the statistics of growth, as rows: one for each Gaussian that a view batch has seen.
 pub struct Rows<'a> {

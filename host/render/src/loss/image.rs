@@ -1,0 +1,222 @@
+//! The loss of rendered tiles and its gradient with respect to their pixels. [`organza_shaders::loss`] has the formula.
+
+use glam::Vec4;
+use organza_shaders::limits;
+use organza_shaders::loss::{
+    LossGradientKernel, LossGradientParams, LossParams, LossRowsKernel, LossTermsKernel,
+};
+use organza_shaders::ssim::{
+    MOMENTS, SLOPES, SsimColumnsKernel, SsimParams, SsimRowsBackwardKernel, SsimRowsKernel,
+};
+
+use crate::stages::composite::CompositedTerm;
+use muslin_device::{Buffer, Device};
+use organza_core::tile::MAX_TILE_SIDE;
+use organza_core::{Error, Result, metrics};
+
+const _: () = assert!(limits::MAX_TILE_SIDE == MAX_TILE_SIDE, "the longest row of `loss_rows`");
+
+/// The images to compare a batch with, and the loss.
+#[derive(Clone, Copy, Debug)]
+pub struct LossInputs<'a> {
+    /// x `[K, 3, S, S]`, the rendered tiles.
+    pub image: &'a Buffer<f32>,
+    /// y `[K, 3, S, S]`, the photographs' tiles.
+    pub target: &'a Buffer<f32>,
+    /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
+    pub valid: &'a Buffer<f32>,
+    /// n, the pixels that the mean is taken over: how many of `valid` are 1, in all parts of the batch together.
+    pub valid_pixels: f64,
+    /// w, the weight of `1 - SSIM`, 0 to 1; 0.2 is usual.
+    pub ssim_weight: f32,
+}
+
+/// The outputs of [`image_loss`] on the device.
+#[derive(Debug)]
+pub struct LossOutput {
+    /// `[K, 3, S, S]`: the derivative of the loss with respect to each value of the image; 0 at masked pixels.
+    pub grad_tiles: Buffer<f32>,
+    /// `[K, S]`: sums of rows, as [`organza_shaders::loss::loss_rows`] writes them.
+    pub(crate) row_sum: Buffer<Vec4>,
+    side: u32,
+}
+
+/// The ground truth of tiles: K tiles of S x S pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct LossTarget<'a> {
+    /// `[K, 3, S, S]`: the photographs; 0 where there is no pixel.
+    pub image: &'a [f32],
+    /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
+    pub valid: &'a [f32],
+    /// How many of `valid` are 1.
+    pub valid_pixels: f64,
+    /// w, the weight of `1 - SSIM` in the settings.
+    pub ssim_weight: f32,
+    /// Terms of the loss beside the image.
+    pub terms: &'a [CompositedTerm],
+    /// `[K, 3, 2]`: a gain and an offset for each channel, which the rendered tiles get before they are compared.
+    /// Without them they are compared as they are.
+    pub exposure: Option<&'a [f32]>,
+}
+
+/// Sums over the valid pixels of a tile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub struct TileLoss {
+    /// The sum of `|x - y|` over pixels and channels.
+    pub absolute: f64,
+    /// The sum of `1 - SSIM` over pixels and channels.
+    pub dissimilarity: f64,
+    /// The sum of `(x - y)^2` over pixels and channels: `metrics::psnr_of(squared / 3 valid)` is the PSNR.
+    pub squared: f64,
+    /// The number of valid pixels.
+    pub valid: f64,
+}
+
+impl TileLoss {
+    /// From the sums of a tile's rows `[S, 4]`, as [`organza_shaders::loss::loss_rows`] writes them.
+    pub(crate) fn of_rows(rows: &[f32]) -> Self {
+        let row = |row: &[f32; 4]| {
+            let [absolute, dissimilarity, squared, valid] = row.map(f64::from);
+            Self { absolute, dissimilarity, squared, valid }
+        };
+        Self::total(&rows.as_chunks().0.iter().map(row).collect::<Vec<_>>())
+    }
+
+    /// The sum of many tiles.
+    #[must_use]
+    pub fn total(tiles: &[Self]) -> Self {
+        tiles.iter().fold(Self::default(), |sum, tile| Self {
+            absolute: sum.absolute + tile.absolute,
+            dissimilarity: sum.dissimilarity + tile.dissimilarity,
+            squared: sum.squared + tile.squared,
+            valid: sum.valid + tile.valid,
+        })
+    }
+
+    /// The loss `((1 - w) absolute + w dissimilarity) / 3n`, for n valid pixels: all of the batch's, and this sum its
+    /// [`TileLoss::total`].  0 if no pixel is valid.
+    #[must_use]
+    pub fn value(&self, ssim_weight: f32) -> f64 {
+        let [absolute, ssim] = scales(self.valid, ssim_weight);
+        absolute * self.absolute + ssim * self.dissimilarity
+    }
+}
+
+/// The factors of both terms: `(1 - w) / 3n` and `w / 3n`.
+fn scales(valid_pixels: f64, ssim_weight: f32) -> [f64; 2] {
+    let share = if valid_pixels > 0.0 { 1.0 / (3.0 * valid_pixels) } else { 0.0 };
+    let weight = f64::from(ssim_weight);
+    [(1.0 - weight) * share, weight * share]
+}
+
+/// The loss of K tiles of `side` pixels and its gradient; on a GPU they are queued. Takes 196 bytes a pixel until then.
+///
+/// # Errors
+/// [`Error::Argument`] where the buffers are not those of a number of tiles, for a side of 0 or more than
+/// [`MAX_TILE_SIDE`], more than 65,535 tiles, or more pixels than 32 bits address; as [`Device::run_over`].
+pub fn image_loss(device: &Device, side: u32, inputs: &LossInputs<'_>) -> Result<LossOutput> {
+    let tiles = inputs.tiles(side)?;
+    let size = [side, side, tiles];
+    let pixels = inputs.valid.len();
+    let window = metrics::window().map(|weight| weight as f32);
+    let window = device.upload("window", &window)?;
+    let difference = device.unwritten::<Vec4>("differences", pixels)?;
+    let sum = device.unwritten::<Vec4>("sums", pixels)?;
+    let moments = device.unwritten::<Vec4>("moments", pixels * MOMENTS as usize)?;
+    let dissimilarity = device.unwritten("dissimilarities", pixels)?;
+    let slopes = device.unwritten::<Vec4>("slopes", pixels * SLOPES as usize)?;
+    let row_slopes = device.unwritten::<Vec4>("slopes of rows", pixels * SLOPES as usize)?;
+    let row_sum = device.unwritten("row sums", (tiles * side) as usize)?;
+    let grad_tiles = device.unwritten("gradient of the image", inputs.image.len())?;
+
+    let terms = LossTermsKernel {
+        params: LossParams { side, tiles },
+        image: inputs.image,
+        target: inputs.target,
+        valid: inputs.valid,
+        difference: &difference,
+        sum: &sum,
+    };
+    let params = SsimParams { side };
+    let rows = SsimRowsKernel {
+        params,
+        window: &window,
+        difference: &difference,
+        sum: &sum,
+        moments: &moments,
+    };
+    let columns = SsimColumnsKernel {
+        params,
+        window: &window,
+        difference: &difference,
+        moments: &moments,
+        dissimilarity: &dissimilarity,
+        slopes: &slopes,
+    };
+    let rows_backward = SsimRowsBackwardKernel {
+        params,
+        window: &window,
+        slopes: &slopes,
+        row_slopes: &row_slopes,
+    };
+    let row_sums = LossRowsKernel {
+        params: LossParams { side, tiles },
+        difference: &difference,
+        dissimilarity: &dissimilarity,
+        row_sum: &row_sum,
+    };
+    let [absolute_scale, ssim_scale] =
+        scales(inputs.valid_pixels, inputs.ssim_weight).map(|scale| scale as f32);
+    let gradient = LossGradientKernel {
+        params: LossGradientParams { side, absolute_scale, ssim_scale },
+        window: &window,
+        difference: &difference,
+        sum: &sum,
+        row_slopes: &row_slopes,
+        grad_image: &grad_tiles,
+    };
+    device.run_over(&terms, size)?;
+    device.run_over(&rows, size)?;
+    device.run_over(&columns, size)?;
+    device.run_over(&rows_backward, size)?;
+    device.run(&row_sums, tiles * side, 1)?;
+    device.run_over(&gradient, size)?;
+    Ok(LossOutput { grad_tiles, row_sum, side })
+}
+
+impl LossInputs<'_> {
+    /// K, of tiles of this side.
+    fn tiles(&self, side: u32) -> Result<u32> {
+        let pixels = self.valid.len();
+        let area = side as usize * side as usize;
+        let tiles = pixels.checked_div(area).unwrap_or(0);
+        let is_addressed = pixels as u64 * u64::from(MOMENTS) < 1 << 32;
+        if side == 0 || side > MAX_TILE_SIDE || tiles > 65_535 || !is_addressed {
+            let reason = format!(
+                "{pixels} pixels in tiles of side {side} are too many for the loss; use fewer"
+            );
+            return Err(Error::Argument { reason });
+        }
+        let [image, target] = [self.image, self.target].map(Buffer::len);
+        if pixels == tiles * area && [image, target] == [3 * pixels; 2] {
+            return Ok(tiles as u32);
+        }
+        let reason = format!(
+            "{image} values of an image, {target} of its target and {pixels} of the mask are not those of tiles of \
+             side {side}"
+        );
+        Err(Error::Argument { reason })
+    }
+}
+
+impl LossOutput {
+    /// The sums of each tile, read from the device: waits for it.  The order of the sums is fixed.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::read`].
+    pub fn sums(&self, device: &Device) -> Result<Vec<TileLoss>> {
+        let rows: Vec<f32> = device.read(&self.row_sum.view())?;
+        Ok(rows.chunks_exact(4 * self.side as usize).map(TileLoss::of_rows).collect())
+    }
+}

@@ -1,0 +1,7 @@
+//! Losses of rendered tiles: of the image, with exposures, beside the image, and a caller's own.
+
+pub mod compare;
+pub mod exposure;
+pub mod image;
+pub mod own;
+pub mod terms;

@@ -1,0 +1,409 @@
+//! Runs forward and backward over a batch, and recovers from running out of memory.
+//!
+//! A view batch is a batch's tiles of one camera. Its gradients have the same bits on any rank, alone or in one
+//! part with others. So the sum depends neither on how a batch is cut into parts, nor on how many
+//! [ranks](organza_core::ranks) share it. View batches are dealt to ranks: rank v mod R has the one with the number v.
+//!
+//! - **hash grids** are summed as 64-bit integers, which are exact in any order. All view batches share one scale: its
+//!   bound is the largest of all bounds.
+//! - **networks and poses** are summed as [binned](muslin::binned) sums, which are exact, too.
+//! - **Gaussians** are summed camera by camera; between ranks as [`Rows`].
+
+use std::ops::Range;
+
+use glam::Vec4;
+
+use super::output::Output;
+use super::part::Part;
+use super::renderer::Renderer;
+use crate::gradient::SceneGradient;
+use crate::gradient::ranks::{self, Rows};
+use crate::loss::compare::LossSource;
+use crate::scene::device_scene::DeviceScene;
+use crate::stages::composite::TileGradient;
+use crate::stages::counts::Capacity;
+use crate::stages::cut::{Limits, PartTiles, by_camera, cut};
+use muslin_device::{Buffer, Count, Device};
+use organza_core::ranks::Ranks;
+use organza_core::{Camera, Error, Result, TileBatch};
+
+/// The most pairs and samples of parts that are kept between both directions: about 2 GiB of tables. Other parts are
+/// rendered again.
+const KEPT_SAMPLES: u64 = 1 << 24;
+
+/// What all parts of a batch share.
+#[derive(Clone, Copy)]
+pub struct Pass<'a> {
+    pub renderer: &'a Renderer,
+    pub scene: &'a DeviceScene,
+    pub cameras: &'a [Camera],
+    /// Those that share the batch, if there are several.
+    pub ranks: Option<&'a dyn Ranks>,
+}
+
+/// The parts of a batch, of this rank.
+#[derive(Debug)]
+pub struct Parts {
+    pub list: Vec<BatchPart>,
+    /// View batches of all ranks.
+    views: usize,
+    /// Pairs and samples that may still be kept.
+    room: u64,
+    /// Whether parts are kept after the backward pass, too.
+    stays: bool,
+}
+
+/// A part of a batch.
+#[derive(Debug)]
+pub struct BatchPart {
+    pub plan: PartTiles,
+    /// Once it is known.
+    needed: Option<Capacity>,
+    /// Whether a prediction was too small: the host then waits for the counts.
+    waits: bool,
+    /// Nothing before it is rendered, and where it is rendered again.
+    part: Option<Part>,
+    /// Whether the part is counted in [`Parts::room`].
+    is_kept: bool,
+    d_tiles: Option<TileGradient>,
+    /// `[pairs, 3]`, of a part that is kept.
+    d_splats: Option<Buffer<Vec4>>,
+}
+
+impl Parts {
+    fn new(plans: Vec<PartTiles>, views: usize) -> Self {
+        let list = plans.into_iter().map(BatchPart::new).collect();
+        Self { list, views, room: 0, stays: false }
+    }
+
+    /// Gives up the memory of kept parts.
+    pub fn release(&mut self) {
+        self.room = 0;
+        self.list.iter_mut().for_each(BatchPart::release);
+    }
+
+    /// Whether the last camera of a part continues in the next one.
+    fn continues(&self, index: usize) -> bool {
+        let last = self.list[index].plan.tiles.last();
+        let next = self.list.get(index + 1).and_then(|next| next.plan.tiles.first());
+        last.zip(next).is_some_and(|(last, next)| last.view == next.view)
+    }
+}
+
+impl BatchPart {
+    fn new(plan: PartTiles) -> Self {
+        Self {
+            plan,
+            needed: None,
+            waits: false,
+            part: None,
+            is_kept: false,
+            d_tiles: None,
+            d_splats: None,
+        }
+    }
+
+    fn release(&mut self) {
+        self.part = None;
+        self.is_kept = false;
+        self.d_splats = None;
+    }
+
+    /// Keeps the part, which was read, if there is room for it.
+    fn keep(&mut self, room: &mut u64) {
+        let needed = self.needed.expect("it was read");
+        let takes = u64::from(needed.pairs) + u64::from(needed.samples);
+        if !self.is_kept && takes <= *room {
+            *room -= takes;
+            self.is_kept = true;
+        }
+        if !self.is_kept {
+            self.release();
+        }
+    }
+}
+
+impl<'a> Pass<'a> {
+    fn device(&self) -> &'a Device {
+        self.renderer.device()
+    }
+
+    /// Cuts this rank's tiles of a batch into parts that fit the device.
+    pub fn cut(&self, batch: &TileBatch) -> Result<Parts> {
+        batch.validate(self.cameras)?;
+        let bytes = self.renderer.part_bytes();
+        let most = Limits::new(self.scene, batch.side, bytes)?.tiles;
+        let mut tiles = by_camera(batch, most);
+        let views = tiles.last().map_or(0, |tile| tile.view + 1);
+        if let Some(ranks) = self.ranks {
+            tiles.retain(|tile| tile.view % ranks.size() == ranks.rank());
+        }
+        Ok(Parts::new(cut(self.scene, batch.side, &tiles, bytes)?, views))
+    }
+
+    /// Renders all parts, and calls `progress` after each with the number of tiles that are done. With `keep`, parts are kept
+    /// for [`Pass::backward`].
+    pub fn forward(
+        &self,
+        parts: &mut Parts,
+        keep: bool,
+        output: &mut Output<'_>,
+        progress: &mut dyn FnMut(usize),
+    ) -> Result<()> {
+        parts.room = if keep { KEPT_SAMPLES } else { 0 };
+        parts.stays = keep;
+        let mut done = 0;
+        let mut index = 0;
+        while let Some(at) = parts.list.get_mut(index) {
+            match self.read_tiles(at, keep, output) {
+                Ok(false) => {}
+                Ok(true) => {
+                    at.keep(&mut parts.room);
+                    done += at.plan.tiles.len();
+                    progress(done);
+                    index += 1;
+                }
+                Err(error) => self.make_room(error, parts, index..index + 1)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Renders a part, and reads its tiles. Returns false if it had too little room.
+    fn read_tiles(&self, at: &mut BatchPart, keep: bool, output: &mut Output<'_>) -> Result<bool> {
+        let part = self.evaluate(at, keep)?;
+        let (buffers, sums) = output.buffers(part.context(self.scene), &part.composite)?;
+        let Some((words, needed)) = self.read(at, buffers)? else { return Ok(false) };
+        output.take(self.device(), &at.plan, sums, words, needed)?;
+        Ok(true)
+    }
+
+    /// The part, which is rendered unless it was kept.
+    fn evaluate<'p>(&self, at: &'p mut BatchPart, keep: bool) -> Result<&'p Part> {
+        if at.part.is_none() {
+            let predicts = self.device().leaves_counts_on_device() && !at.waits;
+            let kind = [self.scene.gaussians, at.plan.side];
+            let tiles = at.plan.tiles.len();
+            let predicted = || self.renderer.predictor().predict(kind, tiles);
+            let capacity = if predicts { at.needed.or_else(predicted) } else { None };
+            at.part = Some(Part::evaluate(self.scene, self.cameras, &at.plan, keep, capacity)?);
+        }
+        Ok(at.part.as_ref().expect("it was just made"))
+    }
+
+    /// Reads buffers of a part, and what it needed. Waits once, or not at all if nothing is left to read. If the part had too
+    /// little room, returns nothing: it waits for its counts next time.
+    fn read(
+        &self,
+        at: &mut BatchPart,
+        mut buffers: Vec<Buffer<u32>>,
+    ) -> Result<Option<(Vec<Vec<u32>>, Capacity)>> {
+        let part = at.part.as_ref().expect("it was evaluated");
+        let counts = part.bins.part_counts.as_ref().filter(|_| at.needed.is_none());
+        buffers.extend(counts.map(|counts| counts.counts.view()));
+        let mut words = match &buffers[..] {
+            [] => Vec::new(),
+            buffers => self.device().read_all(buffers)?,
+        };
+        let needed = match counts {
+            Some(_) => Capacity::needed(&words.pop().expect("the counts were read")),
+            None => at.needed.or_else(|| Some(part.capacity())),
+        };
+        let Some(needed) = needed else {
+            at.release();
+            at.waits = true;
+            return Ok(None);
+        };
+        if at.needed.is_none() && self.device().leaves_counts_on_device() {
+            let kind = [self.scene.gaussians, at.plan.side];
+            self.renderer.predictor().observe(kind, at.plan.tiles.len(), needed);
+        }
+        at.needed = Some(needed);
+        Ok(Some((words, needed)))
+    }
+
+    /// Adds dL/dtensor to gradients that are zero, but for the statistics.
+    ///
+    /// First, all parts go from tiles to splats, which tells the scale of the hash grids' sums. Then all go from splats to
+    /// tensors. A batch of one part is one submission to a GPU, and one wait at its end.
+    ///
+    /// # Errors
+    /// As [`Renderer::render`]. The gradients are then as they were before.
+    pub fn backward(
+        &self,
+        parts: &mut Parts,
+        loss: &mut LossSource<'_>,
+        into: &SceneGradient,
+    ) -> Result<()> {
+        if !parts.stays {
+            parts.room = KEPT_SAMPLES;
+        }
+        loop {
+            let mut added = self.to_splats(parts, loss, into);
+            // other ranks do not begin again
+            let is_shared = self.ranks.is_some() && added.is_ok();
+            if added.is_ok() {
+                added = self.to_tensors(parts, loss, into);
+            }
+            match added {
+                Ok(true) => return Ok(()),
+                Ok(false) => {}
+                Err(error) => {
+                    into.rollback(self.device());
+                    if is_shared {
+                        return Err(error);
+                    }
+                    self.make_room(error, parts, 0..parts.list.len())?;
+                }
+            }
+        }
+    }
+
+    /// Whether a batch has one part, whose counts the host need not know.
+    fn is_alone(&self, parts: &Parts) -> bool {
+        parts.list.len() == 1 && self.ranks.is_none()
+    }
+
+    /// From the tiles of each part to its splats, which raise the bounds of both hash grids' sums.
+    fn to_splats(
+        &self,
+        parts: &mut Parts,
+        loss: &mut LossSource<'_>,
+        into: &SceneGradient,
+    ) -> Result<bool> {
+        let device = self.device();
+        let is_alone = self.is_alone(parts);
+        let mut index = 0;
+        while let Some(at) = parts.list.get_mut(index) {
+            self.evaluate(at, true)?;
+            if loss.is_own() && self.read(at, Vec::new())?.is_none() {
+                continue;
+            }
+            let part = at.part.as_ref().expect("it was evaluated");
+            let d_tiles = loss.backward(device, &at.plan, &part.composite.image)?;
+            let d_splats = device.run_in_pool(|| {
+                let context = part.context(self.scene);
+                let d_splats = part.composite.backward(context, &d_tiles)?;
+                part.raise_bounds(self.scene, &d_splats, into)?;
+                Ok::<_, Error>(d_splats)
+            })?;
+            at.d_tiles = Some(d_tiles);
+            at.d_splats = Some(d_splats);
+            if !is_alone {
+                let Some((words, _)) = self.read(at, loss.buffers())? else { continue };
+                loss.take(&at.plan, &words);
+                at.keep(&mut parts.room);
+            }
+            index += 1;
+        }
+        Ok(true)
+    }
+
+    /// From the splats of each part to the tensors. Returns false if a batch's only part had too little room: nothing was
+    /// added then.
+    fn to_tensors(
+        &self,
+        parts: &mut Parts,
+        loss: &mut LossSource<'_>,
+        into: &SceneGradient,
+    ) -> Result<bool> {
+        let device = self.device();
+        let is_alone = self.is_alone(parts);
+        let [pairs, samples] = self.samples(parts, into)?;
+        into.set_scales(device, self.scene, [&pairs, &samples])?;
+        let mut rows = match self.ranks {
+            Some(ranks) => Some(Rows::new(device, ranks, into)?),
+            None => None,
+        };
+        for index in 0..parts.list.len() {
+            let continues = parts.continues(index);
+            let at = &mut parts.list[index];
+            self.evaluate(at, true)?;
+            let part = at.part.as_ref().expect("it was evaluated");
+            device.run_in_pool(|| {
+                let d_splats = match at.d_splats.take() {
+                    Some(d_splats) => d_splats,
+                    None => {
+                        let d_tiles = at.d_tiles.as_ref().expect("of the first pass");
+                        part.composite.backward(part.context(self.scene), d_tiles)?
+                    }
+                };
+                part.backward(self.scene, &d_splats, into, rows.as_mut(), continues)
+            })?;
+            if !(is_alone || parts.stays && at.is_kept) {
+                at.release();
+            }
+        }
+        if let (Some(ranks), Some(rows)) = (self.ranks, rows) {
+            rows.add(parts.views)?;
+            ranks::sum(device, ranks, into)?;
+        }
+        into.finish(device)?;
+        if is_alone {
+            let at = &mut parts.list[0];
+            let Some((words, _)) = self.read(at, loss.buffers())? else { return Ok(false) };
+            loss.take(&at.plan, &words);
+            if !(parts.stays && at.is_kept) {
+                at.release();
+            }
+        }
+        Ok(true)
+    }
+
+    /// The samples of the color field and of the transmittance field, of all parts and ranks, whose bounds are shared.
+    fn samples(&self, parts: &Parts, into: &SceneGradient) -> Result<[Count; 2]> {
+        if self.is_alone(parts) {
+            let part = parts.list[0].part.as_ref().expect("it was evaluated");
+            return Ok([part.bins.pairs.count.clone(), part.transmittance.samples.clone()]);
+        }
+        let mut samples = [0_i64; 2];
+        for needed in parts.list.iter().filter_map(|at| at.needed) {
+            samples[0] += i64::from(needed.pairs);
+            samples[1] += i64::from(needed.samples);
+        }
+        if let Some(ranks) = self.ranks {
+            ranks::share_bounds(self.device(), ranks, into, &mut samples)?;
+        }
+        match samples.map(u32::try_from) {
+            [Ok(pairs), Ok(samples)] => Ok([pairs, samples].map(Count::known)),
+            _ => {
+                let reason = format!(
+                    "the step has {} samples, and their gradients are counted in 32 bits: use fewer tiles in a step",
+                    samples[1]
+                );
+                Err(Error::Argument { reason })
+            }
+        }
+    }
+
+    /// After memory ran out, gives up what was kept; then cuts some parts into pieces; then forgets what was predicted, as
+    /// a part may need less.
+    ///
+    /// # Errors
+    /// The error, if it is another one or if there is nothing more to give up.
+    pub fn make_room(&self, error: Error, parts: &mut Parts, range: Range<usize>) -> Result<()> {
+        if !error.is_out_of_memory() {
+            return Err(error);
+        }
+        parts.list[range.clone()].iter_mut().for_each(BatchPart::release);
+        if parts.room > 0 {
+            parts.release();
+            return Ok(());
+        }
+        if parts.list[range.clone()].iter().all(|at| at.plan.tiles.len() == 1) {
+            return if self.renderer.predictor().forget() { Ok(()) } else { Err(error) };
+        }
+        loop {
+            // the next batch will not fit, either
+            let bytes = self.renderer.halve_part_bytes();
+            let mut pieces = Vec::new();
+            for BatchPart { plan, .. } in &parts.list[range.clone()] {
+                pieces.extend(cut(self.scene, plan.side, &plan.tiles, bytes)?);
+            }
+            if pieces.len() > range.len() {
+                parts.list.splice(range, pieces.into_iter().map(BatchPart::new));
+                return Ok(());
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The gradient of a batch's loss, of tiles beside photographs.
+
+use super::batch::{Parts, Pass};
+use super::output::Output;
+use super::renderer::Renderer;
+use crate::gradient::SceneGradient;
+use crate::loss::compare::{BatchLoss, Comparison, LossSource, OwnGradient, check_len};
+use crate::loss::exposure;
+use crate::loss::image::LossTarget;
+use crate::loss::own::{LossBatch, OwnLoss};
+use crate::scene::device_scene::DeviceScene;
+use muslin_device::memory;
+use organza_core::ranks::Ranks;
+use organza_core::{Camera, RenderedTiles, Result, TileBatch};
+
+impl Renderer {
+    /// Adds the gradients of a batch's loss to `gradient`; returns the loss, what it measures of the tiles, and the gradients
+    /// of the exposures, if the target has them.
+    ///
+    /// With `ranks`, each has the same batch, scene and loss, and renders some views of the batch. All get the same result
+    /// and the same gradient.
+    ///
+    /// `own` is a caller's loss instead of the image's. Tiles are measured all the same, and have exposures and other terms
+    /// all the same. A loss on the host sees the whole batch, so that all tiles are read first.
+    ///
+    /// On a GPU a batch of one part is one wait, for the losses, after a first one that has found out what such batches need;
+    /// a loss of the caller's takes one more. `gradient` is that of a step: but for the statistics, zero before.
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`]; [`Error::Rank`](organza_core::Error::Rank); those of the caller's loss, and
+    /// [`Error::Argument`](organza_core::Error::Argument) where its gradient has another number of values. The gradient is
+    /// then as it was before.
+    #[allow(clippy::too_many_arguments)]
+    pub fn add_loss_gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        target: &LossTarget<'_>,
+        own: Option<&mut OwnLoss<'_>>,
+        gradient: &SceneGradient,
+        ranks: Option<&dyn Ranks>,
+    ) -> Result<BatchLoss> {
+        let device = self.device();
+        let ranks = ranks.filter(|ranks| ranks.size() > 1);
+        let pass = Pass { ranks, ..self.pass(scene, cameras) };
+        let mut parts = pass.cut(batch)?;
+        gradient.snapshot(device);
+        let found;
+        let mut loss = None;
+        let own = match own {
+            None => None,
+            Some(OwnLoss::Device(own)) => Some(OwnGradient::Device(own)),
+            Some(OwnLoss::Host(own)) => {
+                let rendered = &pass.whole_batch(&mut parts, batch, target)?;
+                found = own(&LossBatch { batch, rendered, target: *target })?;
+                check_len(found.grad_tiles.len(), rendered.data.len())?;
+                loss = Some(found.loss);
+                Some(OwnGradient::Host(&found.grad_tiles))
+            }
+        };
+        let mut source = LossSource::Compared(Comparison::new(target, own));
+        pass.backward(&mut parts, &mut source, gradient)?;
+        let LossSource::Compared(mut found) = source else { unreachable!("made above") };
+        if let Some(ranks) = ranks {
+            found.gather(ranks).inspect_err(|_| gradient.rollback(device))?;
+        }
+        Ok(found.finish(batch, loss))
+    }
+}
+
+impl Pass<'_> {
+    /// The tiles of all ranks, as their photographs' cameras would have exposed them. Parts are kept.
+    fn whole_batch(
+        &self,
+        parts: &mut Parts,
+        batch: &TileBatch,
+        target: &LossTarget<'_>,
+    ) -> Result<RenderedTiles> {
+        let mut rendered = RenderedTiles::new(batch, &[])?;
+        let output = &mut Output::Tiles { tiles: &mut rendered, channels: &[] };
+        self.forward(parts, true, output, &mut |_| {})?;
+        let len = 3 * (batch.side * batch.side) as usize;
+        if rendered.data.is_empty() {
+            rendered.data = memory::zeros(batch.tiles.len() * len, "the rendered batch")?;
+        }
+        if let Some(ranks) = self.ranks {
+            // each rank's tiles are zeros elsewhere
+            for bytes in ranks.gather(bytemuck::cast_slice(&rendered.data).to_vec())? {
+                let tiles: Vec<f32> = bytemuck::pod_collect_to_vec(&bytes);
+                let values = rendered.data.iter_mut().zip(tiles);
+                values.filter(|(_, other)| *other != 0.0).for_each(|(own, other)| *own = other);
+            }
+        }
+        if let Some(exposure) = target.exposure {
+            let tiles =
+                rendered.data.chunks_exact_mut(len).zip(exposure.chunks_exact(exposure::VALUES));
+            tiles.for_each(|(tile, exposure)| exposure::expose_tile(tile, exposure));
+        }
+        Ok(rendered)
+    }
+}

@@ -1,0 +1,94 @@
+//! The tiles of a part, from a device to where they belong on the host.
+
+use crate::stages::channels::ChannelSums;
+use crate::stages::composite::{Composite, TileContext, pixels};
+use crate::stages::counts::Capacity;
+use crate::stages::cut::PartTiles;
+use muslin_device::{Buffer, Device, memory};
+use organza_core::image::Image;
+use organza_core::{Channel, RenderReport, RenderedTiles, Result};
+
+/// Where the tiles of a batch go.
+pub enum Output<'a> {
+    /// As floats, with channels beside color.
+    Tiles { tiles: &'a mut RenderedTiles, channels: &'a [Channel] },
+    /// Into the image of their camera, in 8 bits.
+    Image { image: &'a mut Image, report: &'a mut RenderReport },
+}
+
+impl Output<'_> {
+    /// The buffers of a part to read for [`Self::take`], and the sums of its channels, which are among them.
+    pub fn buffers(
+        &self,
+        context: TileContext<'_>,
+        composite: &Composite,
+    ) -> Result<(Vec<Buffer<u32>>, Option<ChannelSums>)> {
+        let mut buffers = vec![context.bins.degenerate.view()];
+        let Self::Tiles { channels, .. } = self else {
+            let device = context.scene.device();
+            buffers.push(pixels(device, context.bins.side, &composite.image)?);
+            return Ok((buffers, None));
+        };
+        buffers.push(composite.image.view());
+        let sums = ChannelSums::new(context, composite, channels)?;
+        buffers.extend(sums.buffers());
+        Ok((buffers, Some(sums)))
+    }
+
+    /// Takes the words of [`Self::buffers`], of a part that needed this capacity.
+    pub fn take(
+        &mut self,
+        device: &Device,
+        plan: &PartTiles,
+        sums: Option<ChannelSums>,
+        mut words: Vec<Vec<u32>>,
+        needed: Capacity,
+    ) -> Result<()> {
+        let degenerate = words.remove(0)[0].into();
+        let [pairs, members, samples] =
+            [needed.pairs, needed.members, needed.samples].map(u64::from);
+        let of_part = RenderReport { parts: 1, pairs, members, samples, degenerate };
+        match self {
+            Self::Image { image, report } => {
+                let tiles: Vec<_> = plan.tiles.iter().map(|planned| planned.tile).collect();
+                device.run_in_pool(|| image.paste_words(plan.side, &tiles, &words[0]));
+                report.add(&of_part);
+            }
+            Self::Tiles { tiles, channels } => {
+                let count = tiles.count;
+                place(plan, count, bytemuck::cast_vec(words.remove(0)), &mut tiles.data)?;
+                let found = sums.map(|sums| sums.resolve(&words, plan.side, channels));
+                for (channel, values) in channels.iter().zip(found.into_iter().flatten()) {
+                    let all = tiles.channels.get_mut(channel);
+                    let all = all.expect("`RenderedTiles::new` has made it");
+                    place(plan, count, values, all)?;
+                }
+                tiles.report.add(&of_part);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Puts the values of a part's tiles into their places among those of `count` tiles.
+fn place(
+    plan: &PartTiles,
+    count: usize,
+    values: Vec<f32>,
+    all: &mut Vec<f32>,
+) -> muslin_device::Result<()> {
+    let is_in_order = plan.tiles.iter().enumerate().all(|(place, tile)| tile.place == place);
+    if plan.tiles.len() == count && is_in_order {
+        // new memory costs more than the copy
+        *all = values;
+        return Ok(());
+    }
+    let len = values.len() / plan.tiles.len();
+    if all.is_empty() {
+        *all = memory::zeros(count * len, "the rendered batch")?;
+    }
+    for (values, tile) in values.chunks_exact(len).zip(&plan.tiles) {
+        all[tile.place * len..][..len].copy_from_slice(values);
+    }
+    Ok(())
+}

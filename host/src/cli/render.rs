@@ -1,7 +1,7 @@
 //! `organza render`: whole images.
 
 use std::fmt::Debug;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use organza::image::{ChannelFormat, ChannelImage};
 use organza::tile::MAX_TILE_SIDE;
@@ -158,17 +158,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let cost = write_all(&pictures, &rendered, output, console)?;
     kept.write()?;
     let names: Vec<_> = rendered.iter().flat_map(|(_, files)| *files).collect();
-    console.note(&match names.as_slice() {
-        [] => "nothing to render".to_owned(),
-        [only] => format!("wrote {}", only.display()),
-        [first, .., last] => format!(
-            "wrote {} to {}: {} to {}",
-            count(names.len() as u64, "image"),
-            args.output.display(),
-            name(first),
-            name(last)
-        ),
-    });
+    console.note(&wrote(&names, &args.output));
     if args.json {
         let image = |(&view, files): (&usize, &Vec<PathBuf>)| {
             Picture::new(view, &files[0], &list[view]).with_channels(&channels, &files[1..])
@@ -179,6 +169,21 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
         return print_json(&Rendered { folder, images, rendered, cost });
     }
     Ok(())
+}
+
+/// Names the written images, or the first and the last of many.
+fn wrote(names: &[&PathBuf], output: &Path) -> String {
+    match names {
+        [] => "nothing to render".to_owned(),
+        [only] => format!("wrote {}", only.display()),
+        [first, .., last] => format!(
+            "wrote {} to {}: {} to {}",
+            count(names.len() as u64, "image"),
+            output.display(),
+            name(first),
+            name(last)
+        ),
+    }
 }
 
 /// The output of `--json`.

@@ -295,10 +295,8 @@ impl File<'_> {
         Ok(())
     }
 
-    /// The Gaussians of a primitive. In the extension's drafts, they have their opacity and their first harmonic in the color
-    /// of points, other names, or logarithms as scales.
-    fn primitive(&self, primitive: &Value, notes: &mut Vec<String>) -> Result<Vec<Splat>> {
-        let extension = &primitive["extensions"][EXTENSION];
+    /// Refuses an extension whose Gaussians would look wrong, and notes what is unknown.
+    fn check_extension(&self, extension: &Value, notes: &mut Vec<String>) -> Result<()> {
         let inner = extension["extensions"].as_object().and_then(|inner| inner.keys().next());
         if let Some(name) = inner {
             let reason = format!(
@@ -317,6 +315,13 @@ impl File<'_> {
                 value.map(|value| format!("its {key} {value} is unknown, and read as {known}"));
             notes.extend(note.filter(|note| !notes.contains(note)));
         }
+        Ok(())
+    }
+
+    /// The Gaussians of a primitive. In the extension's drafts, they have their opacity and their first harmonic in the color
+    /// of points, other names, or logarithms as scales.
+    fn primitive(&self, primitive: &Value, notes: &mut Vec<String>) -> Result<Vec<Splat>> {
+        self.check_extension(&primitive["extensions"][EXTENSION], notes)?;
         let attributes = &primitive["attributes"];
         let own = |name: &str| {
             let found = attributes.get(format!("{EXTENSION}:{name}"));

@@ -240,24 +240,20 @@ pub(super) fn factor(layer: &Dense, point: &[f32], sample: u32) -> Rounded {
 // the last layer has one column
 case!(pub TransmittanceHead(TransmittanceHeadInputs) { layer: Dense });
 
-impl TransmittanceHead {
-    fn new(layer: Dense, fill: Fill, random: &mut Random) -> Self {
-        let factor = fill.values(random, layer.params.stride as usize, [0.0, 1.0], 1.0);
-        let factor: Vec<_> = factor.into_iter().map(f32::abs).collect();
-        let inputs = TransmittanceHeadInputs {
-            params: layer.head_params(FIRST_SAMPLE),
-            parameters: layer.parameters.clone(),
-            point: points(&layer, &factor),
-            input: layer.input.clone(),
-            log_rho: unwritten((FIRST_SAMPLE + layer.params.samples) as usize),
-        };
-        Self { inputs, layer }
-    }
-}
-
 impl Parity for TransmittanceHead {
     fn sets() -> Vec<(String, Self)> {
-        head_sets(Self::new)
+        head_sets(|layer, fill, random| {
+            let factor = fill.values(random, layer.params.stride as usize, [0.0, 1.0], 1.0);
+            let factor: Vec<_> = factor.into_iter().map(f32::abs).collect();
+            let inputs = TransmittanceHeadInputs {
+                params: layer.head_params(FIRST_SAMPLE),
+                parameters: layer.parameters.clone(),
+                point: points(&layer, &factor),
+                input: layer.input.clone(),
+                log_rho: unwritten((FIRST_SAMPLE + layer.params.samples) as usize),
+            };
+            Self { inputs, layer }
+        })
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {

@@ -86,26 +86,22 @@ impl Parity for SegmentProductBackward {
 // the last layer has one column
 case!(pub TransmittanceHeadBackward(TransmittanceHeadBackwardInputs) { layer: Dense });
 
-impl TransmittanceHeadBackward {
-    fn new(layer: Dense, fill: Fill, random: &mut Random) -> Self {
-        let len = layer.params.stride as usize;
-        let factor = fill.values(random, len, [0.0, 1.0], 1.0);
-        let factor: Vec<_> = factor.into_iter().map(f32::abs).collect();
-        let inputs = TransmittanceHeadBackwardInputs {
-            params: layer.head_params(FIRST_SAMPLE),
-            parameters: layer.parameters.clone(),
-            point: points(&layer, &factor),
-            input: layer.input.clone(),
-            log_rho_gradient: fill.values(random, len, [-1.0, 1.0], 1e30),
-            logit_gradient: unwritten(layer.params.samples as usize),
-        };
-        Self { inputs, layer }
-    }
-}
-
 impl Parity for TransmittanceHeadBackward {
     fn sets() -> Vec<(String, Self)> {
-        head_sets(Self::new)
+        head_sets(|layer, fill, random| {
+            let len = layer.params.stride as usize;
+            let factor = fill.values(random, len, [0.0, 1.0], 1.0);
+            let factor: Vec<_> = factor.into_iter().map(f32::abs).collect();
+            let inputs = TransmittanceHeadBackwardInputs {
+                params: layer.head_params(FIRST_SAMPLE),
+                parameters: layer.parameters.clone(),
+                point: points(&layer, &factor),
+                input: layer.input.clone(),
+                log_rho_gradient: fill.values(random, len, [-1.0, 1.0], 1e30),
+                logit_gradient: unwritten(layer.params.samples as usize),
+            };
+            Self { inputs, layer }
+        })
     }
 
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {

@@ -4,7 +4,6 @@
 //! They are written from docs/pipeline.md, over plain numbers. They share no code and no constant with the kernels.
 
 pub mod adam;
-pub mod batch;
 pub mod channels;
 pub mod composite;
 pub mod dense;

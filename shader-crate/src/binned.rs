@@ -11,7 +11,7 @@ pub struct BinnedGradientParams {
 }
 
 /// Adds the sums to the gradient, and clears them: `sum [17, values, 2]`, `gradient [values]`.
-#[kernel(threads(64), iterations = 2 * binned::ROWS)]
+#[kernel(threads(64), over(params.values), iterations = 2 * binned::ROWS)]
 pub fn binned_gradient(
     id: Invocation,
     params: &BinnedGradientParams,

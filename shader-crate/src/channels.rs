@@ -46,7 +46,7 @@ fn pair_channels_work(params: &PairChannelsParams, _: Shape<'_>) -> Work {
 /// Writes, for each pair, `measure [pairs, 3]`: the depth, T and 0; and `normals [pairs, 3]`.
 ///
 /// The depth is the center's coordinate along the camera's axis, in world units. The normal is in world space.
-#[kernel(threads(64), counts(pairs), work(pair_channels_work))]
+#[kernel(threads(64), over(params.pairs), counts(pairs), work(pair_channels_work))]
 pub fn pair_channels(
     id: Invocation,
     params: &PairChannelsParams,

@@ -49,7 +49,7 @@ fn color_inputs_work(params: &ColorInputsParams, _: Shape<'_>) -> Work {
 
 /// Writes what does not come from the hash grid: the point to encode, the harmonics of the view direction and
 /// the material (Eq. 1).  `point [7, stride]`, `input [rows, stride]`.
-#[kernel(threads(64), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs), work(color_inputs_work))]
+#[kernel(threads(64), over(params.pairs), iterations = SH_ITERATIONS + MAX_VECTOR, counts(pairs), work(color_inputs_work))]
 pub fn color_inputs(
     id: Invocation,
     params: &ColorInputsParams,
@@ -96,7 +96,7 @@ fn color_head_work(params: &HeadParams, _: Shape<'_>) -> Work {
 }
 
 /// The last layer of the color network and its sigmoid (Eq. 3): `color [pairs, 3]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples), work(color_head_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, counts(samples), work(color_head_work))]
 pub fn color_head(
     id: Invocation,
     params: &HeadParams,

@@ -29,7 +29,7 @@ fn color_head_backward_work(params: &ColorHeadBackwardParams, _: Shape<'_>) -> W
 /// The gradient of the color network's outputs, `dL/dc~ = dL/dc c (1 - c)` of Eq. 3.
 ///
 /// `color [pairs, 3]`; `pair_gradient [pairs, 3]`, dL/dc in the third; `logit_gradient [3, stride]`.
-#[kernel(threads(64), counts(samples), work(color_head_backward_work))]
+#[kernel(threads(64), over(params.samples), counts(samples), work(color_head_backward_work))]
 pub fn color_head_backward(
     id: Invocation,
     params: &ColorHeadBackwardParams,
@@ -74,7 +74,7 @@ fn material_backward_work(params: &MaterialBackwardParams, _: Shape<'_>) -> Work
 
 /// The gradient of every pair's material, a part of the color network's input (Eq. 1): `input_gradient
 /// [rows, stride]` to `pair_material [pairs, material]`.
-#[kernel(threads(64), iterations = MAX_VECTOR, counts(samples), work(material_backward_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_VECTOR, counts(samples), work(material_backward_work))]
 pub fn material_backward(
     id: Invocation,
     params: &MaterialBackwardParams,

@@ -119,7 +119,7 @@ fn composite_work(params: &CompositeParams, shape: Shape<'_>) -> Work {
 ///
 /// The members of tile t are `tile_first[t] .. tile_first[t + 1]`, in ascending order; `cells [members]` as
 /// [`tile_cells`](crate::tile_cells::tile_cells()) writes them.
-#[kernel(threads(16, 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side), work(composite_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), iterations = MAX_MEMBERS + MAX_MEMBERS / 8, lanes(side), work(composite_work))]
 pub fn composite<L: Lane>(
     id: Invocation,
     params: &CompositeParams,

@@ -201,7 +201,7 @@ fn composite_backward_work(params: &CompositeBackwardParams, _: Shape<'_>) -> Wo
 /// `dL/dq = -alpha/2 dL/dalpha` where the falloff is not 0.  The weight is the one before its [`Compensation`], which depends on
 /// the conic.  One invocation for each member of a tile: pixels are summed
 /// in an order that nothing changes.
-#[kernel(threads(64), iterations = u32::BITS + MAX_BAND, lanes, counts(members), work(composite_backward_work))]
+#[kernel(threads(64), over(params.members), iterations = u32::BITS + MAX_BAND, lanes, counts(members), work(composite_backward_work))]
 pub fn composite_backward<L: Lane>(
     id: Invocation,
     params: &CompositeBackwardParams,

@@ -29,7 +29,7 @@ pub struct RecordTotalParams {
 
 /// Copies the total at the end of exclusive sums, `first [last + 1]`, to `counts`, and raises [`OVERFLOW`] if it exceeds the
 /// capacity. Runs as a single invocation.
-#[kernel(threads(1))]
+#[kernel(threads(1), over(1))]
 pub fn record_total(
     id: Invocation,
     params: &RecordTotalParams,
@@ -53,7 +53,7 @@ pub struct ClearOnOverflowParams {
 }
 
 /// Clears a table after an overflow: a mask then has no bits, and ranges are empty.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.len))]
 pub fn clear_on_overflow(
     id: Invocation,
     params: &ClearOnOverflowParams,

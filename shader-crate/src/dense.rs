@@ -115,7 +115,7 @@ pub(crate) fn dense_work(params: &DenseParams, _: Shape<'_>) -> Work {
 /// A hidden layer: `output = max(W input + b, 0)`, samples along x and y, blocks of 16 outputs along z.
 ///
 /// `input [inputs, stride]`, `output [4 columns, stride]`.
-#[kernel(threads(64), iterations = MAX_INPUTS, fused, z_innermost, lanes(samples), counts(samples), work(dense_work))]
+#[kernel(threads(64), over(params.samples, params.columns * 4 / OUTPUTS_PER_INVOCATION), iterations = MAX_INPUTS, fused, z_innermost, lanes(samples), counts(samples), work(dense_work))]
 pub fn dense<S: Samples>(
     id: Invocation,
     params: &DenseParams,

@@ -96,7 +96,7 @@ fn dense_backward_work(params: &DenseBackwardParams, _: Shape<'_>) -> Work {
 /// eight inputs from `first_input` on along z.
 ///
 /// `input [inputs, stride]`, `output_gradient [4 columns, stride]`, `input_gradient [end_input, stride]`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4, fused, z_innermost, lanes(samples), counts(samples), work(dense_backward_work))]
+#[kernel(threads(64), over(params.samples, (params.end_input - params.first_input).div_ceil(INPUTS_PER_INVOCATION)), iterations = MAX_HIDDEN_WIDTH / 4, fused, z_innermost, lanes(samples), counts(samples), work(dense_backward_work))]
 pub fn dense_backward<S: Samples>(
     id: Invocation,
     params: &DenseBackwardParams,
@@ -396,7 +396,7 @@ fn dense_weight_backward_work(params: &DenseWeightBackwardParams, shape: Shape<'
 /// `sum [17, 4 parameters, 2]`.
 ///
 /// In the variant, a workgroup takes a [tile](crate::weight_tile) of the weights.
-#[kernel(threads(64), iterations = 4 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
+#[kernel(threads(64), over(weight_invocations(params.inputs, params.columns), params.samples.div_ceil(params.slice) + 1), iterations = 4 * MAX_SLICE + MAX_CAMERAS + SEARCH, fused, lanes, counts(samples), work(dense_weight_backward_work))]
 pub fn dense_weight_backward<L: Lane>(
     id: Invocation,
     params: &DenseWeightBackwardParams,

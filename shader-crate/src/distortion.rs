@@ -37,7 +37,7 @@ fn pair_inverse_distance_work(params: &PairInverseDistanceParams, _: Shape<'_>) 
 }
 
 /// Writes, for each pair, `power [pairs, 3]`: u, u^2 and 0.
-#[kernel(threads(64), counts(pairs), work(pair_inverse_distance_work))]
+#[kernel(threads(64), over(params.pairs), counts(pairs), work(pair_inverse_distance_work))]
 pub fn pair_inverse_distance(
     id: Invocation,
     params: &PairInverseDistanceParams,
@@ -80,7 +80,7 @@ fn distortion_backward_work(params: &DistortionParams, shape: Shape<'_>) -> Work
 ///
 /// With `s = min(S, 1)`: `dL/dM_2 = s^2 S / M_1^2`, `dL/dM_1 = -2 s^2 S M_2 / M_1^3`, and `dL/dS = M_2 / M_1^2` where S
 /// passes 1, `3 S^2 M_2 / M_1^2 - 2 S` where it does not; all times the scale.
-#[kernel(threads(16, 4), lanes(side), work(distortion_backward_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side), work(distortion_backward_work))]
 pub fn distortion_backward<L: Lane>(
     id: Invocation,
     params: &DistortionParams,

@@ -14,7 +14,7 @@ pub struct ExposureParams {
 }
 
 /// `exposed [planes, S, S]`, of `image [planes, S, S]` and `exposure [planes, 2]`, a gain and an offset.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.planes * params.side * params.side))]
 pub fn expose(
     id: Invocation,
     params: &ExposureParams,
@@ -32,7 +32,7 @@ pub fn expose(
 
 /// Turns `gradient [planes, S, S]` from dL/dx' into dL/dx, and sums `(dL/dx' x, dL/dx')` of each row of pixels for the
 /// gradients of gain and offset: `row_sum [planes, S, 2]`. The host adds the rows up, so that the order is always the same.
-#[kernel(threads(64), iterations = MAX_TILE_SIDE)]
+#[kernel(threads(64), over(params.planes * params.side), iterations = MAX_TILE_SIDE)]
 pub fn expose_backward(
     id: Invocation,
     params: &ExposureParams,

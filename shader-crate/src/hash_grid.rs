@@ -329,7 +329,7 @@ pub(crate) fn hash_grid_work(params: &HashGridParams, shape: Shape<'_>) -> Work 
 ///
 /// `position [chunks, point_rows, stride]`, see [`write_point`]; `table [entries, features]`;
 /// `output [chunks, rows, stride]`.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_work))]
+#[kernel(threads(64), over(params.points, levels.len()), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_work))]
 pub fn hash_grid<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

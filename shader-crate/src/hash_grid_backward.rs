@@ -39,7 +39,7 @@ fn hash_grid_backward_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
 /// `feature_gradient [chunks, rows, stride]`, from the row `params.first_row` on; `scale [3]`, see [`hash_grid_scale`](crate::hash_grid_scale::hash_grid_scale());
 /// `sum [2 entries features]`; `touched [ceil(entries features / 64)]` becomes 1 where something is added.  A point
 /// whose gradient is zero in a level adds nothing there; one above the limit, or NaN, raises `status`.
-#[kernel(threads(64), iterations = 2 * MAX_FEATURES, z_serial, lanes(points), counts(points), work(hash_grid_backward_work))]
+#[kernel(threads(64), over(params.points, levels.len()), iterations = 2 * MAX_FEATURES, z_serial, lanes(points), counts(points), work(hash_grid_backward_work))]
 pub fn hash_grid_backward<L: Lane>(
     id: Invocation,
     params: &HashGridParams,
@@ -144,7 +144,7 @@ pub struct HashGridGradientParams {
 
 /// Adds the sums to the gradient as numbers, `gradient [values] += sum / scale`, and clears them; blocks without a flag
 /// are left alone.
-#[kernel(threads(256), lanes(values))]
+#[kernel(threads(256), over(params.values), lanes(values))]
 pub fn hash_grid_gradient<L: Lane>(
     id: Invocation,
     params: &HashGridGradientParams,

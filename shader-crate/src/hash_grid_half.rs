@@ -27,7 +27,7 @@ fn hash_grid_half_work(params: &HashGridParams, shape: Shape<'_>) -> Work {
 
 /// As [`hash_grid`](crate::hash_grid::hash_grid()), with `table [entries, ceil(features / 2)]`: the feature of even
 /// number in the lower half of a word.
-#[kernel(threads(64), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_half_work))]
+#[kernel(threads(64), over(params.points, levels.len()), iterations = MAX_FEATURES, lanes(points), counts(points), work(hash_grid_half_work))]
 pub fn hash_grid_half<L: Lane>(
     id: Invocation,
     params: &HashGridParams,

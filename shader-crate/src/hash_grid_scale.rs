@@ -63,7 +63,7 @@ fn larger(a: u32, b: u32) -> u32 {
 /// as `dT/da_k = power T s_factor (1 - sigmoid(a_k))` and s_factor is at most 1.
 /// `pair_gradient [pairs, 3]` is `(dL/dmean2d, dL/dopacity, dL/dT), (dL/dconic, 0), (dL/dc, 0)`; `transmittance [pairs]` is
 /// not read for colors.
-#[kernel(threads(64), counts(pairs))]
+#[kernel(threads(64), over(params.pairs), counts(pairs))]
 pub fn hash_grid_peak(
     id: Invocation,
     params: &HashGridPeakParams,
@@ -97,7 +97,7 @@ pub struct HashGridNormParams {
 }
 
 /// Raises `bound[slot]` to the bits of `max_i sum_o |W[o, i]|`: inputs along x.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH / 4)]
+#[kernel(threads(64), over(params.inputs), iterations = MAX_HIDDEN_WIDTH / 4)]
 pub fn hash_grid_norm(
     id: Invocation,
     params: &HashGridNormParams,
@@ -132,7 +132,7 @@ pub struct HashGridScaleParams {
 /// With 2^e above the product of the bounds and 2^b the next power of two of the samples, the scale is `2^(62 - e - b)`,
 /// and 2^126 at most: no sum reaches 2^63.  Where a bound is infinite or NaN, the limit is 0, so that nothing is added,
 /// and `status` is raised.
-#[kernel(threads(1), iterations = MAX_LAYERS + 1, counts(samples))]
+#[kernel(threads(1), over(1), iterations = MAX_LAYERS + 1, counts(samples))]
 pub fn hash_grid_scale(
     id: Invocation,
     params: &HashGridScaleParams,

@@ -24,7 +24,7 @@ pub struct LossParams {
 ///
 /// `difference [K, S, S]` is (d, m) and `sum [K, S, S]` is (s, 0), for the three channels of [`crate::ssim`]'s
 /// `d = x - y` and `s = (x - 1/2) + (y - 1/2)`; all is 0 where the mask m is.
-#[kernel(threads(8, 8))]
+#[kernel(threads(8, 8), over(params.side, params.side, params.tiles))]
 pub fn loss_terms(
     id: Invocation,
     params: &LossParams,
@@ -64,7 +64,7 @@ pub fn loss_terms(
 /// `difference [K, S, S]` of [`loss_terms`], `dissimilarity [K, S, S]` of
 /// [`ssim_columns`](crate::ssim::ssim_columns).  Rows along x and y; the host adds them up, so that the order is
 /// always the same.
-#[kernel(threads(64), iterations = MAX_TILE_SIDE)]
+#[kernel(threads(64), over(params.tiles * params.side), iterations = MAX_TILE_SIDE)]
 pub fn loss_rows(
     id: Invocation,
     params: &LossParams,
@@ -119,7 +119,7 @@ pub fn sign(x: f32) -> f32 {
 ///
 /// Completes the adjoint of the windows along columns: `row_slopes [K, S, S, 3]` of
 /// [`ssim_rows_backward`](crate::ssim::ssim_rows_backward), `difference` and `sum [K, S, S]` of [`loss_terms`].
-#[kernel(threads(8, 8), iterations = WINDOW)]
+#[kernel(threads(8, 8), over(params.side, params.side, difference.len() / (params.side * params.side)), iterations = WINDOW)]
 pub fn loss_gradient(
     id: Invocation,
     params: &LossGradientParams,

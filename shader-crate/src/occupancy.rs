@@ -79,7 +79,7 @@ fn node(index: u32, half: u32) -> (f32, f32) {
 }
 
 /// Adds each Gaussian to the cells of its nodes, in [`FULL`]ths, until they are full: `counts [entries^3]`, x fastest.
-#[kernel(threads(64), iterations = MAX_NODES * (1 + MAX_NODES * (1 + MAX_NODES)))]
+#[kernel(threads(64), over(params.gaussians), iterations = MAX_NODES * (1 + MAX_NODES * (1 + MAX_NODES)))]
 pub fn occupancy_add(
     id: Invocation,
     params: &OccupancyParams,
@@ -170,7 +170,7 @@ pub struct OccupancyTableParams {
 }
 
 /// How full each cell is, 0 to 1, `table [entries]`; clears the counts.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.entries))]
 pub fn occupancy(
     id: Invocation,
     params: &OccupancyTableParams,

@@ -14,7 +14,7 @@ pub struct PairMaskParams {
 
 /// The union of the masks of a camera's tiles, `mask [cameras, words]`, and its bits' number: words along x and y,
 /// cameras along z.  The tiles of camera c are `first_tile[c] .. first_tile[c + 1]`.
-#[kernel(threads(64), iterations = MAX_TILES)]
+#[kernel(threads(64), over(params.words, first_tile.len() - 1), iterations = MAX_TILES)]
 pub fn pair_mask(
     id: Invocation,
     params: &PairMaskParams,
@@ -48,7 +48,7 @@ pub struct PairFillParams {
 }
 
 /// Writes the pairs, by camera and Gaussian ascending: `pair = camera * gaussians + gaussian`.
-#[kernel(threads(64), iterations = u32::BITS)]
+#[kernel(threads(64), over(params.words, mask.len() / params.words.max(1)), iterations = u32::BITS)]
 pub fn pair_fill(
     id: Invocation,
     params: &PairFillParams,
@@ -96,7 +96,7 @@ pub const SUMMED: u32 = 4;
 /// `mask` and `first_pair [cameras, words]`, `pair_vector [pairs, width]`, `vector [gaussians, width]`.
 ///
 /// An invocation sums [`SUMMED`] values of a Gaussian.
-#[kernel(threads(64), iterations = MAX_CAMERAS)]
+#[kernel(threads(64), over(params.gaussians * params.width.div_ceil(SUMMED)), iterations = MAX_CAMERAS)]
 pub fn pair_sum(
     id: Invocation,
     params: &PairSumParams,

@@ -14,7 +14,7 @@ pub struct PixelsParams {
 
 /// `rgba [K, S, S]` of `image [K, 3, S, S]`: red in the lowest byte, then green and blue, each the nearest of 256 levels of a value that is
 /// clamped to 0 to 1; NaN is 0. The highest byte is 255 if all three values are finite, and 0 otherwise.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.count))]
 pub fn pixels(id: Invocation, params: &PixelsParams, image: Read<f32>, rgba: Write<u32>) {
     let index = id.index();
     if index < params.count {

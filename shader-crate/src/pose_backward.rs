@@ -62,7 +62,7 @@ pub struct PoseBackwardParams {
 ///
 /// `pair [pairs]` and `first_pair [cameras, words + ..]` come from [`pair_fill`](crate::pair::pair_fill), with the number of
 /// all pairs at the end; `pair_gradient [pairs, 3]` comes from [`splat_backward`](crate::splat::splat_backward).
-#[kernel(threads(64), iterations = BLOCK)]
+#[kernel(threads(64), over(params.blocks), iterations = BLOCK)]
 pub fn pose_backward(
     id: Invocation,
     params: &PoseBackwardParams,

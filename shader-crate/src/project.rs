@@ -206,7 +206,7 @@ fn project_work(params: &ProjectParams, shape: Shape<'_>) -> Work {
 /// `window [cameras, 4]` holds a camera's tiles, see [`WINDOW`]. `projection [cameras, gaussians, 2]` is `(mean2d, radius,
 /// extent x), (conic, extent y)`: all zeros but the negative radius where a Gaussian is culled. `degenerate [1]` counts
 /// Gaussians that may reach a window and cannot be projected.
-#[kernel(threads(64), iterations = 1, lanes(gaussians), work(project_work))]
+#[kernel(threads(64), over(params.gaussians, window.len() / 4), iterations = 1, lanes(gaussians), work(project_work))]
 pub fn project<L: Lane>(
     id: Invocation,
     params: &ProjectParams,

@@ -152,7 +152,7 @@ pub struct ProjectBackwardParams {
 /// `[N, 4]`, log_scale `[N, 3]`, opacity `[N]`.
 ///
 /// `pair_gradient [pairs, 3]` comes from [`splat_backward`](crate::splat::splat_backward).
-#[kernel(threads(64), iterations = MAX_CAMERAS)]
+#[kernel(threads(64), over(params.gaussians), iterations = MAX_CAMERAS)]
 pub fn project_backward(
     id: Invocation,
     params: &ProjectBackwardParams,

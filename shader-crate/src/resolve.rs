@@ -104,7 +104,7 @@ fn resolve_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
 /// and over the background otherwise.
 ///
 /// The tile of the batch that is its `output`-th begins at `output * 3 S S`.
-#[kernel(threads(16, 4), lanes(side), work(resolve_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side), work(resolve_work))]
 pub fn resolve<L: Lane>(
     id: Invocation,
     params: &ResolveParams,
@@ -138,7 +138,7 @@ fn resolve_backward_work(params: &ResolveParams, shape: Shape<'_>) -> Work {
 ///
 /// Of the branch of Eq. 13 that was taken: `dL/dC = dL/dI / S` and `dL/dS = -(dL/dI . C) / S^2` where S passes 1,
 /// `dL/dC = dL/dI` and `dL/dS = -(dL/dI . b)` where it does not.
-#[kernel(threads(16, 4), lanes(side), work(resolve_backward_work))]
+#[kernel(threads(16, 4), over(params.side, params.side, tile.len() / 4), lanes(side), work(resolve_backward_work))]
 pub fn resolve_backward<L: Lane>(
     id: Invocation,
     params: &ResolveParams,

@@ -20,7 +20,7 @@ pub struct ScanParams {
 
 /// Scans blocks of [`BLOCK`] values: `prefix [count + 1]` is exclusive and starts at 0 in each block, `block_sum` has
 /// the sum of each block.  The value at `count` is taken as 0, so that the last prefix becomes the total.
-#[kernel(threads(64), iterations = 2 * VALUES + THREADS.ilog2())]
+#[kernel(threads(64), over(block_sum.len() * 64), iterations = 2 * VALUES + THREADS.ilog2())]
 pub fn scan_block(
     id: Invocation,
     params: &ScanParams,
@@ -72,7 +72,7 @@ pub fn scan_block(
 }
 
 /// Adds to every prefix the sum of the blocks before it: `block_prefix` is the scan of the blocks' sums.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.count + 1))]
 pub fn scan_add(id: Invocation, params: &ScanParams, block_prefix: Read<u32>, prefix: Write<u32>) {
     let index = id.index();
     if index <= params.count {

@@ -258,7 +258,7 @@ pub struct SegmentParams {
 }
 
 /// The segment of every pair: `segment [pairs, 4]`, see [`SEGMENT_VECTORS`]; `count [pairs]` is K.
-#[kernel(threads(64), counts(pairs))]
+#[kernel(threads(64), over(params.pairs), counts(pairs))]
 pub fn segment(
     id: Invocation,
     params: &SegmentParams,

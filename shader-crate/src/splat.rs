@@ -71,7 +71,7 @@ fn splat_work(params: &SplatParams, _: Shape<'_>) -> Work {
 
 /// Gathers `splat [pairs, 3]`; the weight is `sigmoid(opacity) T`, alpha but for the falloff (Eq. 12), times the
 /// [`Compensation`] if the scene has one.
-#[kernel(threads(64), counts(pairs), work(splat_work))]
+#[kernel(threads(64), over(params.pairs), counts(pairs), work(splat_work))]
 pub fn splat(
     id: Invocation,
     params: &SplatParams,
@@ -115,7 +115,7 @@ pub struct SplatBackwardParams {
 /// weight: `pair_gradient [pairs, 3]` is `(d mean2d x, y, d opacity logit, dL/dT), (d conic xx, xy, yy, 0), (d color, 0)`.
 ///
 /// Of Eq. 12's `opacity = sigmoid(logit)`: `dL/dlogit = dL/dweight T s (1 - s)` and `dL/dT = dL/dweight s`.
-#[kernel(threads(64), iterations = MAX_TILES, counts(pairs))]
+#[kernel(threads(64), over(params.pairs), iterations = MAX_TILES, counts(pairs))]
 pub fn splat_backward(
     id: Invocation,
     params: &SplatBackwardParams,

@@ -68,7 +68,7 @@ impl Taps {
 ///
 /// `window [11]`; `difference [K, S, S]` and `sum [K, S, S]` as [`loss_terms`](crate::loss::loss_terms) writes them;
 /// `moments [K, S, S, 4]`.
-#[kernel(threads(8, 8), iterations = WINDOW)]
+#[kernel(threads(8, 8), over(params.side, params.side, difference.len() / (params.side * params.side)), iterations = WINDOW)]
 pub fn ssim_rows(
     id: Invocation,
     params: &SsimParams,
@@ -169,7 +169,7 @@ impl Similarity {
 /// `difference [K, S, S]`: only its mask is read; `moments [K, S, S, 4]` of [`ssim_rows`].  Writes
 /// `dissimilarity [K, S, S]`, the sum of `1 - SSIM` over the three channels, and `slopes [K, S, S, 3]`, the rest of
 /// [`Similarity`]; both are 0 at masked pixels, whose windows do not count.
-#[kernel(threads(8, 8), iterations = WINDOW)]
+#[kernel(threads(8, 8), over(params.side, params.side, difference.len() / (params.side * params.side)), iterations = WINDOW)]
 pub fn ssim_columns(
     id: Invocation,
     params: &SsimParams,
@@ -224,7 +224,7 @@ pub fn ssim_columns(
 ///
 /// The window is symmetric, so that this is the same sum once more.  The columns' adjoint is part of
 /// [`loss_gradient`](crate::loss::loss_gradient).  `slopes [K, S, S, 3]` and `row_slopes [K, S, S, 3]`.
-#[kernel(threads(8, 8), iterations = WINDOW)]
+#[kernel(threads(8, 8), over(params.side, params.side, slopes.len() / (SLOPES * params.side * params.side)), iterations = WINDOW)]
 pub fn ssim_rows_backward(
     id: Invocation,
     params: &SsimParams,

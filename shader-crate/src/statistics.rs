@@ -25,7 +25,7 @@ pub struct StatisticsParams {
 ///
 /// `projection [cameras, gaussians, 2]` comes from [`project`](crate::project::project), `pair_gradient [pairs, 3]`
 /// from [`splat_backward`](crate::splat::splat_backward).
-#[kernel(threads(64), iterations = MAX_CAMERAS)]
+#[kernel(threads(64), over(params.gaussians), iterations = MAX_CAMERAS)]
 pub fn statistics(
     id: Invocation,
     params: &StatisticsParams,

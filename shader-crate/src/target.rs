@@ -40,7 +40,7 @@ pub struct TargetTile {
 /// if it lies in the image and all of the square are valid; otherwise it is 0.
 ///
 /// `level [256]` is `v / 255`, which GPUs round differently. `image [K, 3, S, S]`, `valid [K, S, S]`: 1 or 0.
-#[kernel(threads(8, 8), iterations = MAX_FACTOR * (MAX_FACTOR + 1))]
+#[kernel(threads(8, 8), over(params.side, params.side, tile.len()), iterations = MAX_FACTOR * (MAX_FACTOR + 1))]
 pub fn target_tiles(
     id: Invocation,
     params: &TargetParams,

@@ -78,7 +78,7 @@ pub struct TileMaskParams {
 
 /// `mask [tiles, words]` and the number of bits in each of its words, `count [tiles, words]`: words along x and y,
 /// tiles along z.
-#[kernel(threads(64), iterations = u32::BITS)]
+#[kernel(threads(64), over(params.words, tile.len() / 4), iterations = u32::BITS)]
 pub fn tile_mask(
     id: Invocation,
     params: &TileMaskParams,
@@ -121,7 +121,7 @@ pub struct TileFillParams {
 /// Writes the members of every tile, as indices of pairs: words along x and y, tiles along z.
 ///
 /// `first_member [tiles, words]` and `first_pair [cameras, words]` are the scans of the counts.
-#[kernel(threads(64), iterations = u32::BITS)]
+#[kernel(threads(64), over(params.words, tile.len() / 4), iterations = u32::BITS)]
 pub fn tile_fill(
     id: Invocation,
     params: &TileFillParams,
@@ -163,7 +163,7 @@ pub struct TileRangeParams {
 
 /// Where the members of every tile begin: `tile_first [tiles + 1]`, of `first_member [tiles, words]` and the total
 /// behind it.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.tiles + 1))]
 pub fn tile_range(
     id: Invocation,
     params: &TileRangeParams,

@@ -55,7 +55,7 @@ pub struct TileCellsParams {
 /// Writes the cells of every member, `cells [members]`, by its splat's extent.
 ///
 /// `tile_first [tiles + 1]`, `member [members]`, `splat [pairs, 3]`.
-#[kernel(threads(64), iterations = 2 * u32::BITS + ROWS, counts(members))]
+#[kernel(threads(64), over(params.members), iterations = 2 * u32::BITS + ROWS, counts(members))]
 pub fn tile_cells(
     id: Invocation,
     params: &TileCellsParams,

@@ -74,7 +74,7 @@ fn transmittance_inputs_work(params: &TransmittanceInputsParams, _: Shape<'_>) -
 /// [occupancy grid](crate::occupancy), `s_factor` is times how full x_k is.
 ///
 /// Neighbors mostly have the same pair: the CPU looks for it once for all lanes, and lane by lane from where the pair ends.
-#[kernel(threads(64), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs), work(transmittance_inputs_work))]
+#[kernel(threads(64), over(params.samples), iterations = u32::BITS + MAX_VECTOR, lanes(samples), counts(samples, pairs), work(transmittance_inputs_work))]
 pub fn transmittance_inputs<L: Lane>(
     id: Invocation,
     params: &TransmittanceInputsParams,
@@ -196,7 +196,7 @@ fn transmittance_head_work(params: &HeadParams, _: Shape<'_>) -> Work {
 
 /// The last layer of the scalar network and the logarithm of Eq. 11's factor:
 /// `log_rho [samples] = s_factor * log_sigmoid(a_k)`.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_work))]
 pub fn transmittance_head<L: Lane>(
     id: Invocation,
     params: &HeadParams,
@@ -222,7 +222,7 @@ pub struct SegmentProductParams {
 }
 
 /// Eq. 11: `transmittance [pairs]`, the product over a segment's samples, to a power; 1 without samples.
-#[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs))]
+#[kernel(threads(64), over(params.pairs), iterations = MAX_SAMPLES, counts(pairs))]
 pub fn segment_product(
     id: Invocation,
     params: &SegmentProductParams,

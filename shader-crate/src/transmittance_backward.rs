@@ -43,7 +43,7 @@ fn samples_of(first_sample: Read<u32>, pair: u32, chunk: u32, samples: u32) -> (
 ///
 /// `first_sample [all pairs + 1]`, `transmittance [all pairs]`; `pair_gradient [all pairs, 3]`, dL/dT in the first one's
 /// last place; `log_rho_gradient [samples]`.
-#[kernel(threads(64), iterations = MAX_SAMPLES, counts(pairs, samples))]
+#[kernel(threads(64), over(params.pairs), iterations = MAX_SAMPLES, counts(pairs, samples))]
 pub fn segment_product_backward(
     id: Invocation,
     params: &SegmentProductBackwardParams,
@@ -77,7 +77,7 @@ fn transmittance_head_backward_work(params: &HeadParams, _: Shape<'_>) -> Work {
 ///
 /// `point [7, stride]`, `input [inputs, stride]`, `log_rho_gradient [samples]`, `logit_gradient [samples]`: of
 /// the chunk, wherever it begins.
-#[kernel(threads(64), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_backward_work))]
+#[kernel(threads(64), over(params.samples), iterations = MAX_HIDDEN_WIDTH, fused, lanes(samples), counts(samples), work(transmittance_head_backward_work))]
 pub fn transmittance_head_backward<L: Lane>(
     id: Invocation,
     params: &HeadParams,
@@ -118,7 +118,7 @@ pub struct ExtraBackwardParams {
 /// vector: pairs along x and y, the vector's values along z.
 ///
 /// `first_sample [all pairs + 1]`, `input_gradient [rows, stride]`, `pair_extra [all pairs, extra]`.
-#[kernel(threads(64), iterations = MAX_SAMPLES, lanes, counts(pairs, samples))]
+#[kernel(threads(64), over(params.pairs, params.extra), iterations = MAX_SAMPLES, lanes, counts(pairs, samples))]
 pub fn extra_backward<L: Lane>(
     id: Invocation,
     params: &ExtraBackwardParams,

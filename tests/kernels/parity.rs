@@ -13,7 +13,7 @@ fn a_kernel_without_a_case_is_told_where_to_add_it() {
     let removed = cases.remove(0);
     let missing = missing(&cases);
     assert_eq!(missing.len(), 1);
-    for part in [removed.kernel, "shader-crate/src/project.rs", "`cases()`"] {
+    for part in [removed.kernel, "shader-crate/src/adam.rs", "`case!`"] {
         assert!(missing[0].contains(part), "{}", missing[0]);
     }
 }

@@ -5,6 +5,7 @@ use organza::render::Contributions;
 use organza::{Camera, Channel, Renderer, Scene, Tile, TileBatch, demo};
 use organza_parity::exact::channels::{depth, normal};
 use organza_parity::exact::composite::{self, Splat};
+use organza_parity::exact::numeric::dot;
 use organza_parity::exact::project;
 use organza_tests::cases::{self, Case};
 use organza_tests::devices;
@@ -39,8 +40,9 @@ pub fn members(case: &Case, camera: usize) -> Vec<Member> {
         let projected = exact::project(scene, &case.cameras[camera], index)?;
         let gaussian = exact::gaussian(scene, index);
         let transmittance = f64::from(transmittance[index]);
-        let (normal, cosine) = normal(&view, &gaussian);
-        assert!(cosine > 1e-5, "rounding decides on the side of Gaussian {index}");
+        let normal = normal(&view, &gaussian);
+        let to_camera = [0, 1, 2].map(|axis| view.eye[axis] - gaussian.position[axis]);
+        assert!(dot(normal, to_camera) > 1e-5, "rounding decides on the side of Gaussian {index}");
         let logit = f64::from(scene.gaussians.opacity[index]);
         let conic = projected.conic();
         let compensation = match scene.config.antialiased {

@@ -3,10 +3,10 @@
 use muslin_check::inputs::Random;
 use organza::render::{LossInputs, TileLoss, image_loss};
 use organza::{Device, Result, metrics};
+use organza_parity::exact::loss::mean;
 use organza_tests::devices;
 
-use organza_parity::exact::batch::Batch;
-use organza_parity::exact::loss::mean;
+use crate::batch::Batch;
 
 /// The content of a batch.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! The kernels together: the results of scenes on every device.
 
+mod batch;
 mod channels;
 mod demo;
 mod edges;

@@ -49,10 +49,6 @@ pub fn write_sums(values: &[f32]) -> Vec<u32> {
 case!(pub BinnedGradient(BinnedGradientInputs));
 
 impl Parity for BinnedGradient {
-    const KERNEL: &'static str = "binned_gradient";
-    const TOLERANCE: f64 = 3e-7;
-    const WHY: &'static str = "three roundings of a sum and one of the gradient, of the sum's size";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| {
             let len = count as usize;
@@ -71,24 +67,13 @@ impl Parity for BinnedGradient {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.values, 1)
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let sums = read_sums(&self.sum, self.gradient.len());
-        let before = self.gradient.get(index).map_or(0.0, |value| f64::from(value.abs()));
-        Bound::relative_to(sums.get(index).map_or(0.0, |sum| sum.abs()) + before)
-    }
-
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
         if output == "sum" {
-            return (0..len).map(|index| (index < self.sum.len()).then_some(0.0)).collect();
+            return vec![Some(Rounded::exact(0.0)); len.min(self.sum.len())];
         }
-        let sums = read_sums(&self.sum, self.gradient.len());
-        let all = sums.iter().zip(&self.gradient);
-        let mut exact: Vec<_> = all.map(|(sum, &before)| Some(sum + f64::from(before))).collect();
-        exact.resize(len, None);
-        exact
+        // the rows that matter are three
+        let sums = read_sums(&self.sum, self.gradient.len()).into_iter();
+        let sums = sums.map(|sum| Rounded::from(sum).rounded(3.0));
+        listed(sums.zip(&self.gradient).map(|(sum, &before)| sum + before.into()))
     }
 }

@@ -4,15 +4,9 @@ use muslin_check::prelude::*;
 use organza_shaders::channels::{PairChannelsInputs, PairChannelsParams};
 
 use super::exact::channels::{depth, normal};
-use super::exact::project::{Gaussian, View};
 use super::project::Project;
 
-/// The Gaussians and the cameras in f64 come from the scene.
-#[derive(Clone)]
-pub struct PairChannels {
-    scene: Project,
-    inputs: PairChannelsInputs,
-}
+case!(pub PairChannels(PairChannelsInputs) { scene: Project });
 
 impl PairChannels {
     fn new(mut scene: Project) -> Self {
@@ -22,8 +16,11 @@ impl PairChannels {
         let mut random = Random::new(7);
         let pair = scene.some_slots(&mut random);
         let inputs = PairChannelsInputs {
-            params: PairChannelsParams { pairs: pair.len() as u32, gaussians: scene.gaussians },
-            camera: scene.packed_cameras(),
+            params: PairChannelsParams {
+                pairs: pair.len() as u32,
+                gaussians: scene.params.gaussians,
+            },
+            camera: scene.camera.clone(),
             position: scene.position.clone(),
             rotation: scene.rotation.clone(),
             log_scale: scene.log_scale.clone(),
@@ -34,64 +31,22 @@ impl PairChannels {
         };
         Self { scene, inputs }
     }
-
-    /// The camera and the Gaussian of a pair.
-    fn view_and_gaussian(&self, pair: usize) -> (View, Gaussian<f64>) {
-        let (view, gaussian) = self.scene.slot(self.inputs.pair[pair]);
-        (view, self.scene.gaussian(gaussian))
-    }
 }
 
 impl Parity for PairChannels {
-    const KERNEL: &'static str = "pair_channels";
-    const TOLERANCE: f64 = 1e-6;
-    const WHY: &'static str = "roundings of a sum of three products, and of a normalized quaternion with a square root of 3 ulp; \
-        no normal that is across the ray to within 1e-5, where rounding decides its side";
-
     fn sets() -> Vec<(String, Self)> {
         Project::everywhere().into_iter().map(|(name, scene)| (name, Self::new(scene))).collect()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let pairs = self.inputs.pair.len();
-        let mut outputs = runner.run(&self.inputs.kernel(), pairs as u32, 1)?;
-        // a normal across the ray has two sides
-        let mut found = outputs[1].floats().to_vec();
-        for pair in 0..pairs {
-            let (view, gaussian) = self.view_and_gaussian(pair);
-            if normal(&view, &gaussian).1 < 1e-5 {
-                found[3 * pair..][..3].fill(0.0);
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
+        let of = |(&slot, &transmittance): (&u32, &f32)| {
+            let (view, gaussian) = self.scene.slot(slot);
+            let gaussian = self.scene.gaussian(gaussian);
+            match output {
+                "measure" => [depth(&view, &gaussian), transmittance.into(), 0.0.into()],
+                _ => normal(&view, &gaussian),
             }
-        }
-        outputs[1].values = Values::Float(found);
-        Ok(outputs)
-    }
-
-    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
-        let of = |pair: usize| {
-            let (view, gaussian) = self.view_and_gaussian(pair);
-            if output == "measure" {
-                let transmittance = f64::from(self.inputs.transmittance[pair]);
-                return [depth(&view, &gaussian), transmittance, 0.0];
-            }
-            let (normal, cosine) = normal(&view, &gaussian);
-            if cosine < 1e-5 { [0.0; 3] } else { normal }
         };
-        (0..self.inputs.pair.len()).flat_map(of).map(Some).collect()
-    }
-
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        if cpu.name == "measure" && !index.is_multiple_of(3) {
-            return Bound::EXACT;
-        }
-        if cpu.name == "normals" {
-            return Bound::relative_to(1.0);
-        }
-        let (view, gaussian) = self.view_and_gaussian(index / 3);
-        let terms = (0..3).map(|i| {
-            let size = gaussian.position[i].abs() + view.eye[i].abs();
-            size * view.axes[2][i].abs()
-        });
-        Bound::relative_to(terms.sum())
+        listed(self.pair.iter().zip(&self.transmittance).flat_map(of))
     }
 }

@@ -1,29 +1,18 @@
 //! The case of `composite`.
 
-use glam::{DVec4, Vec4};
+use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::composite::{CompositeInputs, CompositeParams};
 use organza_shaders::limits::MAX_MEMBERS;
 use organza_shaders::project::FALLOFF_CUTOFF;
 use organza_shaders::tile::Tile;
 
-use super::exact::composite::{Splat, falloff};
+use super::exact::composite::Splat;
 use super::scan::prefix;
 use super::tile::pack;
 
 /// Sides around the workgroup's.
 pub(super) const SIDES: [u32; 5] = [1, 7, 8, 9, 17];
-
-/// A random set of each side, and one of each other filling.
-pub(super) fn sets<T>(
-    sides: impl IntoIterator<Item = u32>,
-    filled: u32,
-    new: impl Fn(u32, Fill) -> T,
-) -> Vec<(String, T)> {
-    let sized = sides.into_iter().map(|side| (side, Fill::Random));
-    let all = sized.chain(Fill::ADVERSARIAL.map(|fill| (filled, fill)));
-    all.map(|(side, fill)| (format!("{}, side {side}", fill.name()), new(side, fill))).collect()
-}
 
 /// Three tiles: at the origin, over the border, and far away.
 pub(super) fn tiles() -> [Tile; 3] {
@@ -63,8 +52,7 @@ impl Composite {
         let all = tile_first[members.len()];
         let member = (0..all).map(|_| random.below(splats as u32)).collect();
         let area = (side * side) as usize;
-        let pixels = (0..tiles.len() * area).map(|_| random.values(4, 0.0, 0.5));
-        let pixels: Vec<_> = pixels.map(|values| Vec4::from_slice(&values)).collect();
+        let sum = random.values(4 * tiles.len() * area, 0.0, 0.5);
         Self(CompositeInputs {
             params: CompositeParams { side, skip: 0 },
             tile: pack(&tiles),
@@ -73,7 +61,7 @@ impl Composite {
             // everywhere
             cells: vec![u32::MAX; all as usize],
             splat,
-            sum: planes(&pixels, area),
+            sum: planes(sum.as_chunks().0, area),
         })
     }
 
@@ -131,41 +119,21 @@ pub fn extent(conic: [f32; 3]) -> [f32; 2] {
 }
 
 /// Pixels as the kernels keep them: a plane for each channel of a tile.
-pub(super) fn planes(sum: &[Vec4], area: usize) -> Vec<f32> {
-    let plane = |tile: &[Vec4], channel: usize| -> Vec<f32> {
-        tile.iter().map(|pixel| pixel[channel]).collect()
-    };
-    let tiles = sum.chunks(area);
-    tiles.flat_map(|tile| (0..4).flat_map(move |channel| plane(tile, channel))).collect()
+pub(super) fn planes<T: Copy>(pixels: &[[T; 4]], area: usize) -> Vec<T> {
+    let tiles = pixels.chunks(area);
+    let planes = tiles.flat_map(|tile| (0..4).map(move |channel| (tile, channel)));
+    planes.flat_map(|(tile, channel)| tile.iter().map(move |pixel| pixel[channel])).collect()
 }
 
 /// A pixel of [`planes`].
-pub(super) fn pixel(planes: &[f32], area: usize, pixel: usize) -> DVec4 {
+pub(super) fn pixel(planes: &[f32], area: usize, pixel: usize) -> [Rounded; 4] {
     let first = pixel / area * 4 * area + pixel % area;
-    DVec4::from_array([0, 1, 2, 3].map(|plane| f64::from(planes[first + plane * area])))
-}
-
-/// The inverse of [`planes`].
-pub(super) fn pixels(mut outputs: Vec<Output>, area: usize) -> Vec<Output> {
-    let planes = outputs[0].floats();
-    let (tiles, tail) = planes.split_at(planes.len() / (4 * area) * (4 * area));
-    let pixel = |tile: &[f64], at: usize| -> Vec<f64> {
-        (0..4).map(|channel| tile[channel * area + at]).collect()
-    };
-    let tiles = tiles.chunks(4 * area);
-    let pixels = tiles.flat_map(|tile| (0..area).flat_map(move |at| pixel(tile, at)));
-    outputs[0].values = Values::Float(pixels.chain(tail.iter().copied()).collect());
-    outputs
+    [0, 1, 2, 3].map(|plane| planes[first + plane * area].into())
 }
 
 impl Parity for Composite {
-    const KERNEL: &'static str = "composite";
-    const TOLERANCE: f64 = 2e-6;
-    const WHY: &'static str = "exp's 3 + 2 abs(x) ulp of every term; q is good to 1e-6 of its terms' \
-        sizes, and at the cutoff a member within that may come out on either side (1/255)";
-
     fn sets() -> Vec<(String, Self)> {
-        let mut sets = sets(SIDES, 9, |side, fill| Self::filled(side, fill, 1));
+        let mut sets = inputs::sets_of(SIDES, 9, |side, fill, _| Self::filled(side, fill, 1));
         sets.push(("no members".into(), Self::new(8, &[0], Fill::Random, 3)));
         sets.push(("one member".into(), Self::new(8, &[1], Fill::Random, 3)));
         sets.push(("crowded".into(), Self::crowded()));
@@ -175,66 +143,16 @@ impl Parity for Composite {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let side = self.params.side;
-        let outputs = runner.run_over(&self.kernel(), [side, side, self.tile.len() as u32 / 4])?;
-        Ok(pixels(outputs, (side * side) as usize))
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let side = self.params.side;
+        let area = (side * side) as usize;
         let of = |at: usize| {
             let (tile, place) = place(side, at);
-            let mut sum = pixel(&self.sum, (side * side) as usize, at).to_array();
-            for splat in self.splats(tile) {
-                let term = Splat::from_vectors(splat).term(place);
-                sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
-            }
-            sum
+            let terms = self.splats(tile).map(|splat| Splat::from_vectors(splat).term(place));
+            terms.fold(pixel(&self.sum, area, at), |sum, term: [Rounded; 4]| {
+                [0, 1, 2, 3].map(|channel| sum[channel] + term[channel])
+            })
         };
-        (0..self.sum.len() / 4).flat_map(of).map(Some).collect()
-    }
-
-    /// A pixel of thousands of members adds up their roundings, and so do drivers that regroup.
-    fn exact_bound(&self, exact: &Output, index: usize, _: Rounding) -> Bound {
-        self.bound(exact, index, Rounding::Regrouped)
-    }
-
-    fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
-        let channel = index % 4;
-        let side = self.params.side;
-        let (tile, place) = place(side, index / 4);
-        let splats: Vec<_> = self.splats(tile).collect();
-        let members = splats.len() as f64;
-        let mut scale = pixel(&self.sum, (side * side) as usize, index / 4)[channel].abs();
-        let mut floor = f64::from(TINY) * (1.0 + members);
-        for splat in splats {
-            let [placed, conic, color] = splat.map(|v| v.as_dvec4());
-            let dx = place[0] - placed.x;
-            let dy = place[1] - placed.y;
-            let terms = [conic.x * dx * dx, 2.0 * conic.y * dx * dy, conic.z * dy * dy];
-            // the difference itself is rounded too: to 1e-7 of the pixel's and the center's size
-            let d = |d: f64, x: f64| 1.0 + 0.2 * x.abs() / d.abs().max(1e-3);
-            let slack = 1e-6
-                * terms.iter().map(|t| t.abs()).sum::<f64>()
-                * d(dx, place[0]).max(d(dy, place[1]));
-            // a conic may be flushed, and what it is multiplied with is large where it is
-            let [xx, xy, yy] = [conic.x, conic.y, conic.z].map(|c| c.abs().min(TINY.into()));
-            let slack = slack + xx * dx * dx + 2.0 * xy * (dx * dy).abs() + yy * dy * dy;
-            let q: f64 = terms.iter().sum();
-            let weight = placed.z * if channel == 3 { 1.0 } else { color[channel].abs() };
-            scale += weight * falloff(q);
-            floor += weight * (falloff(q - slack) - falloff(q + slack));
-            // NVIDIA's driver squares a distance first: beyond the square root of f32, it is infinite, and times zero no number
-            let overflows = dx.abs().max(dy.abs()) > f64::from(f32::MAX).sqrt();
-            if overflows && rounding == Rounding::Regrouped {
-                floor += weight;
-            }
-        }
-        let roundings = match rounding {
-            Rounding::AsWritten => 1.0,
-            Rounding::Regrouped => 1.0 + 0.03 * members,
-        };
-        Bound { scale: scale * roundings, floor }
+        listed(planes(&(0..self.sum.len() / 4).map(of).collect::<Vec<_>>(), area))
     }
 }

@@ -1,15 +1,14 @@
 //! The case of `composite_backward`.
 
-use glam::{DVec4, Vec4};
+use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::composite::CompositeInputs;
 use organza_shaders::composite_backward::{
     CompositeBackwardInputs, CompositeBackwardParams, band_rows,
 };
 
-use super::composite::{Composite, SIDES, extent, pixel, place, sets};
-use super::exact::composite::{Splat, compensation, falloff};
-use super::exact::numeric::{Dual, gradient};
+use super::composite::{Composite, SIDES, extent, pixel, place};
+use super::exact::composite::{Splat, compensation};
 use super::splat::blurred_conic;
 
 case!(pub CompositeBackward(CompositeBackwardInputs));
@@ -25,7 +24,7 @@ impl CompositeBackward {
         }
         let mut random = Random::new(8);
         let sum_gradient = random.values(sum.len(), -1.0, 1.0);
-        let member_gradient = random.values(12 * member.len(), -1.0, 1.0);
+        let member_gradient = Fill::Random.vectors(&mut random, 3 * member.len(), [-1.0, 1.0], 0.0);
         Self(CompositeBackwardInputs {
             params: CompositeBackwardParams {
                 members: member.len() as u32,
@@ -41,7 +40,7 @@ impl CompositeBackward {
             member,
             splat,
             sum_gradient,
-            member_gradient: member_gradient.chunks(4).map(Vec4::from_slice).collect(),
+            member_gradient,
         })
     }
 
@@ -64,25 +63,13 @@ impl CompositeBackward {
         self
     }
 
-    /// The factor of the weight of a conic, and the sizes of the rounding errors of its root and of its slope.
-    fn compensation(&self, [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
-        if self.params.compensated_blur == 0.0 {
-            return [1.0, 1.0, 0.0];
-        }
-        let blur = f64::from(self.params.compensated_blur);
-        let factor = compensation([xx, xy, yy], blur);
-        let quotient = factor * factor;
-        // differences from 1
-        [factor, factor + 1.0 / factor, blur / quotient * (1.0 + 1.0 / quotient)]
-    }
-
     /// A member's splat.
     fn splat(&self, index: usize) -> &[Vec4; 3] {
         &self.splat.as_chunks().0[self.member[index] as usize]
     }
 
     /// The pixels of a band of a member's tile: their centers, and the gradients of their sums.
-    fn pixels(&self, index: usize) -> impl Iterator<Item = ([f64; 2], DVec4)> {
+    fn pixels(&self, index: usize) -> impl Iterator<Item = ([f64; 2], [Rounded; 4])> {
         let CompositeBackwardParams { side, first_row, rows, tiles, .. } = self.params;
         let first = |tile: &u32| self.tile_first[*tile as usize] as usize <= index;
         let tile = (0..tiles).rev().find(first).unwrap_or(0) * side * side;
@@ -94,64 +81,32 @@ impl CompositeBackward {
     }
 
     /// The derivatives of the band's sums: center, weight, conic and color.
-    fn derivatives(&self, index: usize) -> [f64; 9] {
-        let Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] } =
-            Splat::from_vectors(self.splat(index));
+    fn derivatives(&self, index: usize) -> [Rounded; 9] {
+        let Splat { mean: [x, y], weight, conic, color: [r, g, b] } =
+            Splat::<Rounded>::from_vectors(self.splat(index));
         let blur = f64::from(self.params.compensated_blur);
-        let [factor, ..] = self.compensation([xx, xy, yy]);
-        let bare = weight / factor;
+        let [xx, xy, yy] = conic;
+        let bare = if blur > 0.0 { weight / compensation(conic, blur) } else { weight };
+        let pixels: Vec<_> = self.pixels(index).collect();
         gradient([x, y, bare, xx, xy, yy, r, g, b], |[x, y, bare, xx, xy, yy, r, g, b]| {
-            let weight = if blur > 0.0 { bare * compensation([xx, xy, yy], blur) } else { bare };
-            let splat = Splat { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] };
-            let mut loss = Dual::from(0.0);
-            for (place, slopes) in self.pixels(index) {
-                for (term, slope) in splat.term(place).into_iter().zip(slopes.to_array()) {
-                    loss = loss + term * Dual::from(slope);
-                }
-            }
-            loss
+            let conic = [xx, xy, yy];
+            let weight = if blur > 0.0 { bare * compensation(conic, blur) } else { bare };
+            let splat = Splat { mean: [x, y], weight, conic, color: [r, g, b] };
+            Number::sum(pixels.iter().flat_map(|(place, slopes)| {
+                let terms = splat.term(*place);
+                [0, 1, 2, 3].map(|channel| terms[channel] * Dual::constant(slopes[channel]))
+            }))
         })
-    }
-
-    /// Sizes of the terms of a member's gradient, and by how much they may differ at the cutoff.
-    fn sizes(&self, index: usize) -> [[DVec4; 3]; 2] {
-        let [placed, conic, color] = self.splat(index).map(|vector| vector.as_dvec4());
-        let [_, root, slope] = self.compensation([conic.x, conic.y, conic.z]);
-        let mut sizes = [[DVec4::ZERO; 3]; 2];
-        for ([x, y], slopes) in self.pixels(index) {
-            let dx = (x - placed.x).abs();
-            let dy = (y - placed.y).abs();
-            let cross = 2.0 * conic.y * (x - placed.x) * (y - placed.y);
-            let q = conic.x * dx * dx + cross + conic.z * dy * dy;
-            let slack = 2e-6 * (conic.x * dx * dx + cross.abs() + conic.z * dy * dy);
-            let c = slopes.truncate().abs().extend(0.0);
-            let by_alpha = c.dot(color.abs()) + slopes.w.abs();
-            let weights = [falloff(q), falloff(q - slack) - falloff(q + slack)];
-            for (size, f) in sizes.iter_mut().zip(weights) {
-                let h = f * by_alpha;
-                let along_x = conic.x * dx + conic.y.abs() * dy;
-                let along_y = conic.y.abs() * dx + conic.z * dy;
-                size[0] += DVec4::new(placed.z * along_x, placed.z * along_y, root, 0.0) * h;
-                let by_falloff = DVec4::new(0.5 * dx * dx, dx * dy, 0.5 * dy * dy, 0.0);
-                size[1] += (by_falloff + DVec4::new(slope, slope, slope, 0.0)) * placed.z * h;
-                size[2] += c * placed.z * f;
-            }
-        }
-        sizes
     }
 }
 
 impl Parity for CompositeBackward {
-    const KERNEL: &'static str = "composite_backward";
-    const TOLERANCE: f64 = 2e-6;
-    const WHY: &'static str = "as composite's terms; a rounding of both devices for each pixel, as lanes sum in \
-        another order; at the cutoff a pixel may come out on either side";
-
     fn sets() -> Vec<(String, Self)> {
         let new = |side, members: &[u32], seed| {
             Self::new(Composite::new(side, members, Fill::Random, seed))
         };
-        let mut sets = sets(SIDES, 9, |side, fill| Self::new(Composite::filled(side, fill, 11)));
+        let mut sets =
+            inputs::sets_of(SIDES, 9, |side, fill, _| Self::new(Composite::filled(side, fill, 11)));
         sets.push(("no members".into(), new(8, &[0], 13)));
         sets.push(("one member".into(), new(8, &[1], 13)));
         // whole blocks of lanes, and those with a rest
@@ -173,28 +128,15 @@ impl Parity for CompositeBackward {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.members, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        let zero = Rounded::exact(0.0);
         let of = |index: usize| {
             let [x, y, weight, xx, xy, yy, r, g, b] = self.derivatives(index);
-            let [r, g, b] = if self.params.colors == 1 { [r, g, b] } else { [0.0; 3] };
-            [x, y, weight, 0.0, xx, xy, yy, 0.0, r, g, b, 0.0]
+            let [r, g, b] = if self.params.colors == 1 { [r, g, b] } else { [zero; 3] };
+            [x, y, weight, zero, xx, xy, yy, zero, r, g, b, zero]
         };
         let before = self.member_gradient.iter().flat_map(Vec4::to_array);
         let sums = (0..self.member.len()).flat_map(of);
-        before.zip(sums).map(|(before, sum)| Some(f64::from(before) + sum)).collect()
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let before = self.member_gradient[index / 4];
-        let [scale, floor] = self.sizes(index / 12).map(|size| size[index / 4 % 3][index % 4]);
-        let pixels = f64::from(self.params.rows * self.params.side);
-        let scale = f64::from(before[index % 4].abs()) + scale * (1.0 + 0.03 * pixels);
-        // a conic may be flushed, and what it is multiplied with is large where it is
-        let flushed = f64::from(TINY) * (1.0 + pixels * 1e15);
-        Bound { scale, floor: floor + flushed }
+        listed(before.zip(sums).map(|(before, sum)| Rounded::from(before) + sum))
     }
 }

@@ -7,13 +7,9 @@ use organza_shaders::count::{
     RecordTotalParams, SAMPLES,
 };
 
-use super::exact::listed;
-
 case!(pub RecordTotal(RecordTotalInputs));
 
 impl Parity for RecordTotal {
-    const KERNEL: &'static str = "record_total";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = Vec::new();
         for (total, capacity) in [(0, 0), (0, 5), (5, 5), (6, 5), (u32::MAX, u32::MAX - 1)] {
@@ -29,12 +25,8 @@ impl Parity for RecordTotal {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), 2, 1)
-    }
-
     /// misfit, pairs, members, samples: the total of the members, and whether it fits.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let [misfit, pairs, samples] = [0, 1, 3].map(|slot| self.counts[slot]);
         let total = self.first[self.first.len() - 1];
         let misfit = if total > self.params.capacity { 1 } else { misfit };
@@ -45,8 +37,6 @@ impl Parity for RecordTotal {
 case!(pub ClearOnOverflow(ClearOnOverflowInputs));
 
 impl Parity for ClearOnOverflow {
-    const KERNEL: &'static str = "clear_on_overflow";
-
     fn sets() -> Vec<(String, Self)> {
         let of = |size: u32, misfit: u32| {
             let mut random = Random::new(u64::from(size));
@@ -62,11 +52,7 @@ impl Parity for ClearOnOverflow {
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.len, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let keeps = u32::from(self.counts[OVERFLOW as usize] == 0);
         listed(self.table.iter().map(|value| keeps * value))
     }
@@ -75,8 +61,6 @@ impl Parity for ClearOnOverflow {
 case!(pub CountFill(CountFillInputs));
 
 impl Parity for CountFill {
-    const KERNEL: &'static str = "count_fill";
-
     fn sets() -> Vec<(String, Self)> {
         let of = |size: u32, misfit: u32| {
             let mut random = Random::new(u64::from(size));
@@ -97,20 +81,13 @@ impl Parity for CountFill {
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.placement[0], 1)
-    }
-
     /// The rest of each total behind `first`, at most `most`; nothing where something did not fit.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let number = |&[_, slot, first, most]: &[u32; 4]| match self.counts[..] {
-            [0, ref counts @ ..] => {
-                let rest = i64::from(counts[slot as usize - 1]) - i64::from(first);
-                rest.clamp(0, i64::from(most)) as f64
-            }
-            _ => 0.0,
+            [0, ref counts @ ..] => counts[slot as usize - 1].saturating_sub(first).min(most),
+            _ => 0,
         };
         let numbers = self.placement.as_chunks().0[1..].iter();
-        numbers.flat_map(|numbers| [Some(number(numbers)), None]).collect()
+        numbers.flat_map(|numbers| [Some(number(numbers).into()), None]).collect()
     }
 }

@@ -6,33 +6,14 @@ use muslin_check::prelude::*;
 use organza_shaders::dense::DenseParams;
 use organza_shaders::dense_backward::{
     DenseBackwardInputs, DenseBackwardParams, DenseWeightBackwardInputs, DenseWeightBackwardParams,
-    INPUTS_PER_INVOCATION, weight_invocations,
 };
 
 use super::binned::{with_sums, write_sums};
 use super::dense::Dense;
-use super::exact::dense::{affine, relu};
-use super::exact::numeric::{Dual, gradient};
+use super::exact::dense::relu;
 
-/// How far a sum of products may be off: a rounding for each, of the terms' sizes, and the most that denormals can add.
-fn sum_of_products(terms: impl IntoIterator<Item = [f64; 2]>) -> Bound {
-    let mut count = 0.0;
-    let mut scale = 0.0;
-    let mut reach = 1.0;
-    for [a, b] in terms {
-        count += 1.0;
-        scale += (a * b).abs();
-        reach += a.abs() + b.abs() + 1.0;
-    }
-    Bound { scale: scale * (1.0 + count), floor: reach * f64::from(TINY) }
-}
-
-/// The layer's input has rows up to the last whose gradient is wanted: those behind its own are zeros.
-#[derive(Clone)]
-pub struct DenseBackward {
-    layer: Dense,
-    inputs: DenseBackwardInputs,
-}
+// the layer's input has rows up to the last whose gradient is wanted: those behind its own are zeros
+case!(pub DenseBackward(DenseBackwardInputs) { layer: Dense });
 
 impl DenseBackward {
     /// If the inputs are a hidden layer's outputs, their gradient is wanted from the first one on.
@@ -62,18 +43,9 @@ impl DenseBackward {
         };
         Self { layer, inputs }
     }
-
-    fn output_gradient(&self, output: u32, sample: u32) -> f64 {
-        self.layer.at(&self.inputs.output_gradient, output, sample)
-    }
 }
 
 impl Parity for DenseBackward {
-    const KERNEL: &'static str = "dense_backward";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str = "a rounding of both devices for each output, of the terms' sizes; a denormal activation \
-        that may be flushed may pass its gradient on or not";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
             let layer = Dense::new(n, 19, 8, fill, random);
@@ -95,68 +67,38 @@ impl Parity for DenseBackward {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let DenseBackwardParams { samples, first_input, end_input, .. } = self.inputs.params;
-        let invocations = (end_input - first_input).div_ceil(INPUTS_PER_INVOCATION);
-        runner.run(&self.inputs.kernel(), samples, invocations)
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let layer = &self.layer;
-        let row = index as u32 / layer.params.stride;
-        let sample = index as u32 % layer.params.stride;
-        let is_written = row >= self.inputs.params.first_input
-            && row < layer.params.inputs
-            && sample < layer.params.samples;
-        if !is_written {
-            return Bound::EXACT;
-        }
-        let outputs = 0..4 * layer.params.columns;
-        let bound = sum_of_products(
-            outputs.map(|output| [layer.weight(row, output), self.output_gradient(output, sample)]),
-        );
-        let input = layer.value(row, sample);
-        let is_denormal = input > 0.0 && input < f64::from(TINY);
-        Bound { floor: bound.floor + if is_denormal { bound.scale } else { 0.0 }, ..bound }
-    }
-
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let layer = &self.layer;
-        // the other inputs only add a constant
-        let loss = |input: u32, sample: u32, [x]: [Dual; 1]| {
-            let x = if self.inputs.params.rectified == 1 { relu(x) } else { x };
-            (0..4 * layer.params.columns).fold(Dual::from(0.0), |loss, output| {
-                let y = affine(&[layer.weight(input, output).into()], Dual::from(0.0), &[x]);
-                loss + Dual::from(self.output_gradient(output, sample)) * y
-            })
-        };
         let (row, sample) = layer.place(index)?;
-        let is_written =
-            row >= self.inputs.params.first_input && row < self.inputs.params.end_input;
-        is_written.then(|| {
-            if row >= layer.params.inputs {
-                return 0.0;
-            }
-            // ReLU made an activation of 0 from 0 or less, where its slope is 0
-            let [slope] = gradient([layer.value(row, sample)], |x| loss(row, sample, x));
-            slope
-        })
+        if row < self.params.first_input || row >= self.params.end_input {
+            return None;
+        }
+        if row >= layer.params.inputs {
+            return Some(Rounded::exact(0.0));
+        }
+        // ReLU made an activation of 0 from 0 or less, where its slope is 0; the other inputs only add a constant
+        let [slope] = gradient([layer.value(row, sample)], |[x]| {
+            let x = if self.params.rectified == 1 { relu(x) } else { x };
+            Number::sum((0..4 * layer.params.columns).map(|output| {
+                let slope = layer.at(&self.output_gradient, output, sample);
+                Dual::constant(layer.weight(row, output) * slope) * x
+            }))
+        });
+        Some(slope)
     }
 }
 
 /// Words of a camera's mask.
 const WORDS: u32 = 2;
 
-/// The layer's parameters are not read.
-#[derive(Clone)]
-pub struct DenseWeightBackward {
+case!(pub DenseWeightBackward(DenseWeightBackwardInputs) {
+    /// Its parameters are not read.
     layer: Dense,
     /// Where the samples of each camera begin, and where the last ones end.
     first: Vec<u32>,
     /// `[4 parameters]`: what other chunks have added.
     before: Vec<f32>,
-    inputs: DenseWeightBackwardInputs,
-}
+});
 
 impl DenseWeightBackward {
     fn new(
@@ -207,14 +149,14 @@ impl DenseWeightBackward {
         let of_camera = |range: &[u32]| {
             let [begin, end] = [range[0], range[1]];
             (begin..end)
-                .step_by(self.inputs.params.slice as usize)
-                .map(move |first| first..end.min(first + self.inputs.params.slice))
+                .step_by(self.params.slice as usize)
+                .map(move |first| first..end.min(first + self.params.slice))
         };
         self.first.windows(2).flat_map(of_camera).collect()
     }
 
     fn chunk(&self) -> Range<u32> {
-        let first = self.inputs.params.first_sample;
+        let first = self.params.first_sample;
         first..first + self.layer.params.samples
     }
 
@@ -234,48 +176,27 @@ impl DenseWeightBackward {
         Some((place / layer.params.columns, 4 * (place % layer.params.columns) + value as u32 % 4))
     }
 
-    /// The factors of a parameter's sum over a slice: those of its samples in the chunk, and what the chunk before has left.
-    fn terms(&self, slice: &Range<u32>, value: usize) -> Vec<[f64; 2]> {
-        let Some((input, row)) = self.place(value) else { return Vec::new() };
+    /// A parameter's sum over the samples of a slice: those in the chunk, and what the chunk before has left.
+    fn sum(&self, slice: &Range<u32>, value: usize) -> Rounded {
+        let Some((input, row)) = self.place(value) else { return Rounded::exact(0.0) };
         let chunk = self.chunk();
         let samples = slice.start.max(chunk.start)..slice.end.min(chunk.end);
         let term = |sample: u32| {
             let sample = sample - chunk.start;
-            let is_bias = input == self.layer.params.inputs;
-            let x = if is_bias { 1.0 } else { self.layer.value(input, sample) };
-            [x, self.layer.at(&self.inputs.output_gradient, row, sample)]
+            let slope = self.layer.at(&self.output_gradient, row, sample);
+            if input == self.layer.params.inputs {
+                slope
+            } else {
+                self.layer.value(input, sample) * slope
+            }
         };
-        let from = self.inputs.params.turn as usize * self.before.len() + value;
-        let before = if slice.start < chunk.start { self.inputs.carry[from] } else { 0.0 };
-        samples.map(term).chain([[f64::from(before), 1.0]]).collect()
-    }
-
-    /// The slices that are added to a value of an output, the parameter's value, and what was there before.
-    fn slices_added(&self, output: &str, index: usize) -> Option<(Vec<Range<u32>>, usize, f64)> {
-        let values = self.before.len();
-        if output == "sum" {
-            let before = f64::from(*self.before.get(index)?);
-            // what a GPU may flush is not added
-            let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
-            return Some((self.in_chunk(true).collect(), index, before));
-        }
-        let before = f64::from(*self.inputs.carry.get(index)?);
-        let half = index / values;
-        let value = index % values;
-        let continues: Vec<_> = self.in_chunk(false).collect();
-        let is_written = half != self.inputs.params.turn as usize && !continues.is_empty();
-        let is_parameter = self.place(value).is_some();
-        let before = if is_written && is_parameter { 0.0 } else { before };
-        Some((if is_written { continues } else { Vec::new() }, value, before))
+        let from = self.params.turn as usize * self.before.len() + value;
+        let before = if slice.start < chunk.start { self.carry[from] } else { 0.0 };
+        Number::sum(samples.map(term).chain([before.into()]))
     }
 }
 
 impl Parity for DenseWeightBackward {
-    const KERNEL: &'static str = "dense_weight_backward";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str = "a rounding of both devices for each sample of the slice, of the terms' sizes: lanes are \
-        added up in another order; slices are added exactly";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
             let layer = Dense::new(n, 6, 2, fill, random);
@@ -322,32 +243,31 @@ impl Parity for DenseWeightBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let DenseWeightBackwardParams { samples, inputs, columns, slice, .. } = self.inputs.params;
-        // and behind the last window
-        let windows = samples.div_ceil(slice) + 1;
-        let invocations = weight_invocations(inputs, columns);
-        let outputs = runner.run(&self.inputs.kernel(), invocations, windows)?;
+        let outputs = runner.run(&self.kernel())?;
         Ok(outputs.into_iter().map(|output| with_sums(output, self.before.len())).collect())
     }
 
-    fn bound(&self, output: &Output, index: usize, _: Rounding) -> Bound {
-        let Some((slices, value, _)) = self.slices_added(output.name, index) else {
-            return Bound::EXACT;
-        };
-        if self.place(value).is_none() {
-            return Bound::EXACT;
+    /// A parameter's slope is the sum of what it is multiplied with. Slices are added exactly.
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
+        let values = self.before.len();
+        if output == "sum" {
+            let before = f64::from(self.before[index]);
+            // what a GPU may flush is not added
+            let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
+            let slices: Vec<_> = self.in_chunk(true).map(|slice| self.sum(&slice, index)).collect();
+            let value = before + slices.iter().map(|slice| slice.value).sum::<f64>();
+            // f64 rounds them, too
+            let rounded = |slice: &Rounded| 1e-14 * slice.terms + slice.error;
+            let error = slices.iter().map(rounded).sum::<f64>();
+            return Some(Rounded::within(value, error + 1e-15 * before.abs()));
         }
-        let bounds = slices.iter().map(|slice| sum_of_products(self.terms(slice, value)));
-        bounds.fold(Bound::EXACT, |sum, bound| Bound {
-            scale: sum.scale + bound.scale,
-            floor: sum.floor + bound.floor,
+        let value = index % values;
+        let is_own = index / values != self.params.turn as usize && self.place(value).is_some();
+        // the slice that goes on behind the chunk
+        let mut continues = self.in_chunk(false);
+        Some(match continues.next().filter(|_| is_own) {
+            Some(slice) => self.sum(&slice, value),
+            None => Rounded::exact(f64::from(*self.carry.get(index)?)),
         })
-    }
-
-    /// A parameter's slope is the sum of what it is multiplied with.
-    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
-        let (slices, value, before) = self.slices_added(output, index)?;
-        let sum = |slice| self.terms(slice, value).iter().map(|[a, b]| a * b).sum::<f64>();
-        Some(before + slices.iter().map(sum).sum::<f64>())
     }
 }

@@ -1,11 +1,9 @@
 //! The cases of `hash_grid_backward` and `hash_grid_gradient`.
 
-use std::cell::OnceCell;
-
 use muslin_check::prelude::*;
 use organza_shaders::hash_grid::Corners;
 use organza_shaders::hash_grid_backward::{
-    HashGridBackwardKernel, HashGridGradientInputs, HashGridGradientParams, VALUES_PER_FLAG,
+    HashGridBackwardInputs, HashGridGradientInputs, HashGridGradientParams, VALUES_PER_FLAG,
 };
 use organza_shaders::unit_cube::Split;
 
@@ -17,41 +15,53 @@ use super::hash_grid::{
 };
 use organza_core::scene::GridConfig;
 
-/// Inputs of `hash_grid_backward`.
-#[derive(Clone)]
-pub struct HashGridBackward {
+case!(pub HashGridBackward(HashGridBackwardInputs) {
     grid: GridConfig,
     points: Vec<[Split; 3]>,
     /// `[rows, points]`
     gradient: Vec<f32>,
-    /// The fixed point's unit, a power of two, as a multiple of which gradients are below 2^50.
-    scale: f32,
-    /// The largest gradient that is added.
-    limit: f32,
-    /// Whether every device computes the same terms, all of them multiples of the unit.
+    /// Whether every device computes the same terms, all of them multiples of the unit
     is_unrounded: bool,
-    sizes: OnceCell<Vec<f64>>,
-}
+});
 
 /// The smallest normal f32: a GPU may flush smaller ones.
 const SMALLEST: f64 = 1.175_494_350_822_287_5e-38;
 
 impl HashGridBackward {
-    fn new(grid: GridConfig, count: u32, fills: [Fill; 2], random: &mut Random) -> Self {
+    /// The unit is a power of two, as a multiple of which gradients are below 2^50; none is added that is larger than the limit.
+    fn new(
+        grid: GridConfig,
+        points: Vec<[Split; 3]>,
+        gradient: Vec<f32>,
+        [scale, limit]: [f32; 2],
+    ) -> Self {
+        let values = grid.entries() * grid.features as usize;
+        let inputs = HashGridBackwardInputs {
+            params: params(&grid, points.len()),
+            levels: grid.levels_for_kernels(),
+            position: positions(&points),
+            feature_gradient: features(&grid, points.len(), &gradient),
+            scale: vec![scale, 1.0 / scale, limit],
+            sum: vec![0; 2 * values],
+            touched: vec![0; values.div_ceil(VALUES_PER_FLAG as usize)],
+            status: vec![0],
+        };
+        Self { inputs, grid, points, gradient, is_unrounded: false }
+    }
+
+    fn filled(grid: GridConfig, count: u32, fills: [Fill; 2], random: &mut Random) -> Self {
         let [points, gradient] = fills;
         let x = points.values(random, 3 * count as usize, [-0.2, 1.2], 1e30);
         let points = points_of(x.into_iter().map(|x| (x, 0.0)));
-        let rows = grid.width() * count as usize;
-        let gradient = gradient.values(random, rows, [-1.0, 1.0], 1e30);
+        let gradient = gradient.values(random, grid.width() * count as usize, [-1.0, 1.0], 1e30);
         let largest = gradient.iter().fold(TINY, |a, b| a.max(b.abs()));
         let scale = 2_f32.powi((50 - largest.log2().ceil() as i32).min(126));
-        let (limit, sizes) = (f32::MAX, OnceCell::new());
-        Self { grid, points, gradient, scale, limit, is_unrounded: false, sizes }
+        Self::new(grid, points, gradient, [scale, f32::MAX])
     }
 
     fn unrounded_set(grid: GridConfig, points: Vec<[Split; 3]>, gradient: Vec<f32>) -> Self {
-        let (limit, scale, sizes) = (f32::MAX, 2_f32.powi(40), OnceCell::new());
-        Self { grid, points, gradient, scale, limit, is_unrounded: true, sizes }
+        let set = Self::new(grid, points, gradient, [2_f32.powi(40), f32::MAX]);
+        Self { is_unrounded: true, ..set }
     }
 
     /// A grid of scale 4 in both levels, which are dense with 2^9 entries and hashed with 2^6.
@@ -100,8 +110,8 @@ impl HashGridBackward {
             // on a grid point, as the scale is 3
             let points = vec![[Split::new(0.5, 0.0); 3]; SAMPLES as usize];
             let gradient = vec![sign * limit; SAMPLES as usize];
-            let scale = 2_f32.powi(exponent);
-            let set = Self { limit, scale, ..Self::unrounded_set(grid, points, gradient) };
+            let set = Self::new(grid, points, gradient, [2_f32.powi(exponent), limit]);
+            let set = Self { is_unrounded: true, ..set };
             (format!("{SAMPLES} of {:e}", sign * limit), set)
         };
         let bounds = [1e-31, 3.7, 3e37];
@@ -112,9 +122,10 @@ impl HashGridBackward {
     fn beyond() -> Vec<(String, Self)> {
         let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1.01, -1.01];
         let of = |bad: f32| {
-            let mut set = Self::new(grid(), 100, [Fill::Random; 2], &mut Random::new(20));
-            set.limit = 1.0;
-            set.gradient[130] = bad;
+            let set = Self::filled(grid(), 100, [Fill::Random; 2], &mut Random::new(20));
+            let mut gradient = set.gradient;
+            gradient[130] = bad;
+            let set = Self::new(set.grid, set.points, gradient, [set.inputs.scale[0], 1.0]);
             (format!("a gradient of {bad}"), set)
         };
         bad.map(of).into()
@@ -125,19 +136,15 @@ impl HashGridBackward {
         let features = self.grid.features as usize;
         let row = |f: usize| (level * features + f) * self.points.len() + point;
         let gradients = (0..features).map(|f| f64::from(self.gradient[row(f)]));
-        gradients.map(|g| (g.abs() <= f64::from(self.limit)).then_some(g)).collect()
-    }
-
-    fn values(&self) -> usize {
-        self.grid.entries() * self.grid.features as usize
+        gradients.map(|g| (g.abs() <= f64::from(self.scale[2])).then_some(g)).collect()
     }
 
     /// The sums in units, `sum_points weight dL/dfeature`, the transpose of
     /// [`encode`](super::exact::hash_grid::encode), and whether each block of 64 values is touched.
     fn sums(&self) -> (Vec<f64>, Vec<bool>) {
         let features = self.grid.features as usize;
-        let mut sums = vec![0.0; self.values()];
-        let mut touched = vec![false; sums.len().div_ceil(64)];
+        let mut sums = vec![0.0; self.sum.len() / 2];
+        let mut touched = vec![false; self.touched.len()];
         for (index, level) in levels(&self.grid).iter().enumerate() {
             for (point, &place) in self.points.iter().enumerate() {
                 let Some(gradients) = self.gradients(index, point) else { continue };
@@ -147,11 +154,10 @@ impl HashGridBackward {
                 if active.is_empty() {
                     continue;
                 }
-                let corners = level.corners(exact_point(place));
-                for (entry, weight) in corners {
+                for (entry, weight) in level.corners(exact_point(place)) {
                     touched[entry * features / 64] = true;
                     for (f, gradient) in &active {
-                        sums[entry * features + f] += weight * *gradient * f64::from(self.scale);
+                        sums[entry * features + f] += weight * *gradient * f64::from(self.scale[0]);
                     }
                 }
             }
@@ -159,45 +165,53 @@ impl HashGridBackward {
         (sums, touched)
     }
 
-    /// For each value: the sizes of what is added to it, times the unit.
+    /// For each value: the sizes of what is added to it, in units. An error has no equation, as in `hash_grid`.
     fn sizes(&self) -> Vec<f64> {
         let features = self.grid.features as usize;
-        let mut sizes = vec![0.0; self.values()];
-        for (index, level) in self.grid.levels_for_kernels().iter().enumerate() {
+        let mut sizes = vec![0.0; self.sum.len() / 2];
+        for (index, level) in self.levels.iter().enumerate() {
             for (column, &point) in self.points.iter().enumerate() {
                 let entries = Corners::new(level, level.cell::<f32>(point)).entry;
-                if self.gradients(index, column).is_none() {
-                    continue;
-                }
-                for (entry, f) in entries.iter().flat_map(|e| (0..features).map(move |f| (e, f))) {
-                    let row = (index * features + f) * self.points.len();
-                    let size = f64::from(self.gradient[row + column].abs());
-                    let position = 2e-4 * f64::from(level.resolution);
-                    sizes[*entry as usize * features + f] +=
-                        size * f64::from(self.scale) * (1.0 + position);
+                let Some(gradients) = self.gradients(index, column) else { continue };
+                let position = 1.0 + 2e-4 * f64::from(level.resolution);
+                for entry in entries {
+                    for (f, gradient) in gradients.iter().enumerate() {
+                        sizes[entry as usize * features + f] +=
+                            gradient.abs() * f64::from(self.scale[0]) * position;
+                    }
                 }
             }
         }
         sizes
     }
+
+    /// The values of an output, with the error of a weight. Each point may also add a part of an integer.
+    fn known(&self, output: &str, error: f64) -> Vec<Option<Rounded>> {
+        let is_left_out =
+            |level| (0..self.points.len()).any(|point| self.gradients(level, point).is_none());
+        match output {
+            "sum" if self.is_unrounded => listed(self.sums().0.into_iter().map(Rounded::exact)),
+            "sum" => listed(self.sums().0.into_iter().zip(self.sizes()).map(|(sum, size)| {
+                let integers = if size > 0.0 { 8.0 * f64::from(ITEMS) } else { 0.0 };
+                Rounded::within(sum, error * size + integers)
+            })),
+            "touched" => listed(self.sums().1.into_iter().map(u32::from)),
+            _ => listed([u32::from((0..self.levels.len()).any(is_left_out))]),
+        }
+    }
 }
 
 impl Parity for HashGridBackward {
-    const KERNEL: &'static str = "hash_grid_backward";
-    const TOLERANCE: f64 = 5e-7;
-    const WHY: &'static str = "weights good to a few 6e-8, as in hash_grid, a rounding of the product, and one to an \
-        integer; flags are equal, as no point lies within rounding of a cell's plane";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets =
-            inputs::sets(|n, fill, random| Self::new(grid(), n, [fill, Fill::Random], random));
+            inputs::sets(|n, fill, random| Self::filled(grid(), n, [fill, Fill::Random], random));
         for fill in Fill::ADVERSARIAL {
-            let set = Self::new(grid(), ITEMS, [Fill::Random, fill], &mut Random::new(13));
+            let set = Self::filled(grid(), ITEMS, [Fill::Random, fill], &mut Random::new(13));
             sets.push((format!("gradients of {}", fill.name()), set));
         }
         for features in [1, 4, 8] {
             let grid = GridConfig { features, ..grid() };
-            let set = Self::new(grid, ITEMS, [Fill::Random; 2], &mut Random::new(14));
+            let set = Self::filled(grid, ITEMS, [Fill::Random; 2], &mut Random::new(14));
             sets.push((format!("{features} features"), set));
         }
         sets.extend(Self::unrounded());
@@ -206,50 +220,19 @@ impl Parity for HashGridBackward {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let count = self.points.len();
-        let gradient = features(&self.grid, count, &self.gradient);
-        let levels = self.grid.levels_for_kernels();
-        let kernel = HashGridBackwardKernel {
-            params: params(&self.grid, count),
-            levels: &levels,
-            position: &positions(&self.points),
-            feature_gradient: &gradient,
-            scale: &vec![self.scale, 1.0 / self.scale, self.limit],
-            sum: &vec![0; 2 * self.values()],
-            touched: &vec![0; self.values().div_ceil(VALUES_PER_FLAG as usize)],
-            status: &vec![0],
-        };
-        let mut outputs = runner.run(&kernel, count as u32, levels.len() as u32)?;
+        let mut outputs = runner.run(&self.kernel())?;
         let integers = outputs[0].words().as_chunks().0.iter().copied().map(integer);
         outputs[0].values = Values::Float(integers.map(|integer| integer as f64).collect());
         Ok(outputs)
     }
 
-    fn bound(&self, _: &Output, index: usize, rounding: Rounding) -> Bound {
-        if self.is_unrounded {
-            return Bound::EXACT;
-        }
-        let size = self.sizes.get_or_init(|| self.sizes())[index];
-        let regrouped = match rounding {
-            Rounding::AsWritten => 1.0,
-            // a position is good to 6e-8 of the resolution
-            Rounding::Regrouped => 300.0,
-        };
-        // an integer each
-        Bound { scale: regrouped * size, floor: if size > 0.0 { 8.0 * ITEMS as f64 } else { 0.0 } }
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
+        self.known(output, 5e-7)
     }
 
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        let is_left_out =
-            |level| (0..self.points.len()).any(|point| self.gradients(level, point).is_none());
-        let flag = |flag: bool| Some(f64::from(u8::from(flag)));
-        let mut exact: Vec<_> = match output {
-            "sum" => self.sums().0.into_iter().map(Some).collect(),
-            "touched" => self.sums().1.into_iter().map(flag).collect(),
-            _ => vec![flag((0..self.grid.levels as usize).any(is_left_out))],
-        };
-        exact.resize(len, None);
-        exact
+    /// A position is one f32.
+    fn exact_regrouped(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
+        self.known(output, 300.0 * 5e-7)
     }
 }
 
@@ -263,11 +246,6 @@ impl HashGridGradient {
 }
 
 impl Parity for HashGridGradient {
-    const KERNEL: &'static str = "hash_grid_gradient";
-    const TOLERANCE: f64 = 3e-7;
-    const WHY: &'static str =
-        "three roundings of an integer of two words and one of the sum, of the terms' sizes";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| {
             let is_large = matches!(fill, Fill::Huge | Fill::Mixed);
@@ -289,28 +267,20 @@ impl Parity for HashGridGradient {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.values, 1)
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let sum = self.integer(index) as f64 / f64::from(self.scale[0]);
-        let before = f64::from(self.gradient[index]);
-        Bound::relative_to(sum.abs() + before.abs())
-    }
-
-    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
-        let is_touched = |index: usize| self.touched[index / 64] != 0;
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
         let value = if output == "gradient" { index } else { index / 2 };
+        let is_touched = self.touched[value / 64] != 0;
         let sum = self.integer(value);
-        Some(match (output, is_touched(value)) {
-            ("gradient", true) => {
-                f64::from(self.gradient[value]) + sum as f64 / f64::from(self.scale[0])
+        Some(match output {
+            "gradient" if is_touched => {
+                // an integer of two words
+                let sum = Rounded::from(sum as f64).rounded(3.0);
+                Rounded::from(self.gradient[value]) + sum / self.scale[0].into()
             }
-            ("gradient", false) => f64::from(self.gradient[value]),
+            "gradient" => self.gradient[value].into(),
             // the kernel clears the sums
-            (_, true) => 0.0,
-            (_, false) => f64::from((sum >> (32 * (index % 2))) as u32),
+            _ if is_touched => 0.into(),
+            _ => ((sum >> (32 * (index % 2))) as u32).into(),
         })
     }
 }

@@ -2,18 +2,13 @@
 
 use muslin::half::half_value;
 use muslin_check::prelude::*;
-use organza_shaders::hash_grid_half::{HashGridHalfKernel, MAX_HALF};
+use organza_shaders::hash_grid_half::{HashGridHalfInputs, MAX_HALF};
 
-use super::hash_grid::HashGrid;
+use super::hash_grid::{HashGrid, POSITION};
 use organza_core::halves::pack_halves;
 
-/// Inputs of `hash_grid_half`.
-#[derive(Clone)]
-pub struct HashGridHalf {
-    /// The same with a table of numbers: those that the halves stand for.
-    full: HashGrid,
-    table: Vec<u32>,
-}
+// with a table of the numbers that the halves stand for
+case!(pub HashGridHalf(HashGridHalfInputs) { full: HashGrid });
 
 impl HashGridHalf {
     fn new(mut full: HashGrid) -> Self {
@@ -26,36 +21,27 @@ impl HashGridHalf {
                 *value = half_value(words[feature / 2] >> (16 * (feature % 2)) & 0xffff);
             }
         }
-        Self { full, table }
+        let inputs = HashGridHalfInputs {
+            params: full.params,
+            levels: full.levels.clone(),
+            table,
+            position: full.position.clone(),
+            output: full.output.clone(),
+        };
+        Self { inputs, full }
     }
 }
 
 impl Parity for HashGridHalf {
-    const KERNEL: &'static str = "hash_grid_half";
-    const TOLERANCE: f64 = HashGrid::TOLERANCE;
-    const WHY: &'static str = "as hash_grid: a half is a number as well";
-
     fn sets() -> Vec<(String, Self)> {
         HashGrid::sets().into_iter().map(|(name, full)| (name, Self::new(full))).collect()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let levels = self.full.grid.levels_for_kernels();
-        let kernel = HashGridHalfKernel {
-            params: self.full.params(),
-            levels: &levels,
-            table: &self.table,
-            position: &self.full.positions(),
-            output: &unwritten(self.full.output_len()),
-        };
-        runner.run(&kernel, kernel.params.points, levels.len() as u32)
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<Rounded>> {
+        self.full.known(len, POSITION[0])
     }
 
-    fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {
-        self.full.bound(output, index, rounding)
-    }
-
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
-        self.full.exact(output, len)
+    fn exact_regrouped(&self, _: &str, len: usize) -> Vec<Option<Rounded>> {
+        self.full.known(len, POSITION[1])
     }
 }

@@ -10,11 +10,6 @@ use organza_shaders::limits::MAX_LAYERS;
 
 use super::exact::hash_grid_scale::{color_bound, largest, transmittance_bound, unit};
 
-/// Four numbers at a time.
-fn vectors(fill: Fill, random: &mut Random, len: usize, huge: f32) -> Vec<Vec4> {
-    fill.values(random, 4 * len, [-1.0, 1.0], huge).chunks(4).map(Vec4::from_slice).collect()
-}
-
 /// The first `count` bounds as numbers; NaN counts as infinite.
 fn numbers(mut found: Vec<Output>) -> Vec<Output> {
     let number = |&bits| {
@@ -31,10 +26,6 @@ const NO_NUMBERS: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
 case!(pub HashGridPeak(HashGridPeakInputs));
 
 impl Parity for HashGridPeak {
-    const KERNEL: &'static str = "hash_grid_peak";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str = "a rounding of a product";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |pair_gradient, transmittance: Vec<f32>, color, power| {
             let pairs = transmittance.len() as u32;
@@ -44,14 +35,14 @@ impl Parity for HashGridPeak {
         };
         let of = |color: bool| {
             inputs::sets(|pairs, fill, random| {
-                let pair_gradient = vectors(fill, random, 3 * pairs as usize, 1e30);
+                let pair_gradient = fill.vectors(random, 3 * pairs as usize, [-1.0, 1.0], 1e30);
                 set(pair_gradient, random.values(pairs as usize, 0.0, 1.0), color, 2.0)
             })
         };
         let name = |(name, set)| (format!("color, {name}"), set);
         let bad = |(bad, color)| {
             let mut random = Random::new(16);
-            let mut pair_gradient = vectors(Fill::Random, &mut random, 3 * 100, 1.0);
+            let mut pair_gradient = Fill::Random.vectors(&mut random, 3 * 100, [-1.0, 1.0], 1.0);
             pair_gradient[3 * 70] = Vec4::new(0.0, 0.0, 0.0, bad);
             pair_gradient[3 * 70 + 2] = Vec4::new(0.0, bad, 0.0, 0.0);
             let transmittance = random.values(100, 0.1, 1.0);
@@ -63,22 +54,16 @@ impl Parity for HashGridPeak {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        Ok(numbers(runner.run(&self.kernel(), self.params.pairs, 1)?))
+        Ok(numbers(runner.run(&self.kernel())?))
     }
 
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        // what may be flushed: a gradient times T, before the power
-        let power = if self.params.color == 1 { 1.0 } else { f64::from(self.params.power) };
-        Bound { scale: cpu.floats()[index].abs(), floor: f64::from(TINY) * power }
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let of_pair = |(pair, &t): (&[Vec4], &f32)| match self.params.color == 1 {
-            true => color_bound(pair[2].as_dvec4().truncate().to_array()),
-            false => transmittance_bound([pair[0].w, t, self.params.power].map(f64::from)),
+            true => color_bound(pair[2].truncate().to_array().map(Rounded::from)),
+            false => transmittance_bound([pair[0].w, t, self.params.power].map(Rounded::from)),
         };
         let pairs = self.pair_gradient.chunks_exact(3).zip(&self.transmittance);
-        vec![Some(largest(pairs.map(of_pair)))]
+        listed([largest(pairs.map(of_pair))])
     }
 }
 
@@ -91,10 +76,6 @@ const BEFORE: u32 = 5;
 const SLOT: u32 = 2;
 
 impl Parity for HashGridNorm {
-    const KERNEL: &'static str = "hash_grid_norm";
-    const TOLERANCE: f64 = 6e-8;
-    const WHY: &'static str = "a rounding for each output, of the sum's size: drivers may regroup";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |inputs, columns, parameters| {
             let params = HashGridNormParams { inputs, columns, weight: BEFORE, slot: SLOT };
@@ -103,10 +84,11 @@ impl Parity for HashGridNorm {
         let mut sets = inputs::sets(|inputs, fill, random| {
             let columns = 1 + random.below(32);
             let len = (BEFORE + inputs * columns) as usize;
-            set(inputs, columns, vectors(fill, random, len, 1e30))
+            set(inputs, columns, fill.vectors(random, len, [-1.0, 1.0], 1e30))
         });
         for bad in NO_NUMBERS {
-            let mut parameters = vectors(Fill::Random, &mut Random::new(18), 5 + 70 * 2, 1.0);
+            let mut parameters =
+                Fill::Random.vectors(&mut Random::new(18), 5 + 70 * 2, [-1.0, 1.0], 1.0);
             parameters[5 + 67 * 2 + 1].y = bad;
             sets.push((bad.to_string(), set(70, 2, parameters)));
         }
@@ -114,22 +96,17 @@ impl Parity for HashGridNorm {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        Ok(numbers(runner.run(&self.kernel(), self.params.inputs, 1)?))
-    }
-
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let outputs = f64::from(4 * self.params.columns);
-        Bound { scale: outputs * cpu.floats()[index].abs(), floor: outputs * f64::from(TINY) }
+        Ok(numbers(runner.run(&self.kernel())?))
     }
 
     /// `max_i sum_o |W[o, i]|`; the bounds of other layers stay 0.
-    fn exact(&self, _: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, len: usize) -> Vec<Option<Rounded>> {
         let weights = self.parameters[BEFORE as usize..].chunks_exact(self.params.columns as usize);
         let sum = |input: &[Vec4]| {
-            let numbers = input.iter().flat_map(|vector| vector.to_array());
-            numbers.map(|weight| f64::from(weight).abs()).sum::<f64>()
+            let numbers = input.iter().flat_map(|vector| vector.abs().to_array());
+            Rounded::sum(numbers.map(Rounded::from))
         };
-        let mut exact = vec![Some(0.0); len];
+        let mut exact = vec![Some(Rounded::exact(0.0)); len];
         exact[SLOT as usize] = Some(largest(weights.map(sum)));
         exact
     }
@@ -138,10 +115,6 @@ impl Parity for HashGridNorm {
 case!(pub HashGridScale(HashGridScaleInputs));
 
 impl Parity for HashGridScale {
-    const KERNEL: &'static str = "hash_grid_scale";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "powers of two; no product of mantissas within rounding of one";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |bound: Vec<f32>, samples| {
             Self(HashGridScaleInputs {
@@ -173,7 +146,7 @@ impl Parity for HashGridScale {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel(), 1, 1)?;
+        let mut outputs = runner.run(&self.kernel())?;
         let scale = outputs[1].floats();
         let bits = scale.iter().map(|&value| (value as f32).to_bits());
         outputs[1] = Output::exact("scale", bits.collect());
@@ -181,20 +154,17 @@ impl Parity for HashGridScale {
     }
 
     /// The bits of the unit, its inverse and the limit.  If a bound is not finite, the limit is 0 and the unit is not used.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let bound: Vec<_> = self.bound.iter().copied().map(f32::from_bits).collect();
         let is_finite = bound.iter().all(|bound| bound.is_finite());
-        let bits = |x: f32| Some(f64::from(x.to_bits()));
-        let mut exact = match output {
-            "bound" => vec![Some(0.0); bound.len()],
-            "status" => vec![Some(if is_finite { 0.0 } else { 2.0 })],
+        match output {
+            "bound" => listed(vec![0; bound.len()]),
+            "status" => listed([if is_finite { 0 } else { 2 }]),
             _ if is_finite => {
                 let (exponent, limit) = unit(&bound, self.params.samples);
-                vec![bits(2_f32.powi(exponent)), bits(2_f32.powi(-exponent)), bits(limit)]
+                listed([2_f32.powi(exponent), 2_f32.powi(-exponent), limit].map(f32::to_bits))
             }
-            _ => vec![None, None, bits(0.0)],
-        };
-        exact.resize(len, None);
-        exact
+            _ => listed([Rounded::UNKNOWN, Rounded::UNKNOWN, 0.into()]),
+        }
     }
 }

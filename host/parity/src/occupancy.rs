@@ -13,14 +13,7 @@ use super::exact::project::Gaussian;
 /// How far from a decision of the kernel the inputs stay, in cells.
 const AWAY: f64 = 1e-3;
 
-/// The grid is that of the inputs.
-#[derive(Clone)]
-pub struct OccupancyAdd {
-    grid: OccupancyGrid,
-    inputs: OccupancyAddInputs,
-    /// The count of each entry, and how many of its nodes may be rounded to either side.
-    exact: Vec<[f64; 2]>,
-}
+case!(pub OccupancyAdd(OccupancyAddInputs) { grid: OccupancyGrid });
 
 impl OccupancyAdd {
     /// Gaussians in and around the box, of scales up to `largest` cells.
@@ -45,7 +38,6 @@ impl OccupancyAdd {
                 opacity: random.values(len, -6.0, 3.0),
                 counts: vec![0; grid.entries().pow(3)],
             },
-            exact: Vec::new(),
         };
         let [low, high] = grid.aabb;
         for index in 0..len {
@@ -53,23 +45,21 @@ impl OccupancyAdd {
                 for axis in 0..3 {
                     let [low, high] = [low[axis] as f32, high[axis] as f32];
                     let beyond = 0.3 * (high - low);
-                    set.inputs.position[3 * index + axis] =
-                        random.between(low - beyond, high + beyond);
+                    set.position[3 * index + axis] = random.between(low - beyond, high + beyond);
                     let scale = random.between(0.01, 1.0) * largest;
-                    set.inputs.log_scale[3 * index + axis] = (scale * cell).ln();
+                    set.log_scale[3 * index + axis] = (scale * cell).ln();
                 }
-                set.inputs.rotation[4 * index..][..4].copy_from_slice(&random.values(4, 0.1, 1.0));
+                set.rotation[4 * index..][..4].copy_from_slice(&random.values(4, 0.1, 1.0));
                 if !set.is_undecided(index) {
                     break;
                 }
             }
         }
-        set.exact = set.counts();
         set
     }
 
     fn gaussian(&self, index: usize) -> Gaussian<f64> {
-        let OccupancyAddInputs { position, rotation, log_scale, .. } = &self.inputs;
+        let OccupancyAddInputs { position, rotation, log_scale, .. } = &**self;
         Gaussian::read(position, rotation, log_scale, index)
     }
 
@@ -81,34 +71,13 @@ impl OccupancyAdd {
             let scale = scale / self.grid.cell();
             half(scale - AWAY) != half(scale + AWAY)
         };
-        let nodes = self.grid.nodes(&gaussian, f64::from(self.inputs.opacity[index]));
+        let nodes = self.grid.nodes(&gaussian, f64::from(self.opacity[index]));
         gaussian.axes().into_iter().any(is_between)
             || nodes.iter().any(|node| node.place.into_iter().any(near))
-    }
-
-    /// The count of each entry, and how many of its nodes may be rounded to either side.
-    fn counts(&self) -> Vec<[f64; 2]> {
-        let mut counts = vec![[0.0; 2]; self.inputs.counts.len()];
-        for index in 0..self.inputs.params.gaussians as usize {
-            let opacity = f64::from(self.inputs.opacity[index]);
-            for node in self.grid.nodes(&self.gaussian(index), opacity) {
-                if let Some(entry) = self.grid.entry(&node) {
-                    let count = node.fill.min(1.0) * f64::from(FULL);
-                    counts[entry][0] += count.round();
-                    let is_between = (count.fract() - 0.5).abs() < 1e-5 * count;
-                    counts[entry][1] += f64::from(u8::from(is_between));
-                }
-            }
-        }
-        counts
     }
 }
 
 impl Parity for OccupancyAdd {
-    const KERNEL: &'static str = "occupancy_add";
-    const TOLERANCE: f64 = 1e-6;
-    const WHY: &'static str = "exponentials of 3 ulp and a few roundings; a node's count between two integers may be rounded to either";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = Vec::new();
         for (side, is_contracted, largest) in
@@ -124,28 +93,35 @@ impl Parity for OccupancyAdd {
         sets
     }
 
+    /// Counts of nodes between two integers may be rounded to either.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.inputs.kernel(), self.inputs.params.gaussians, 1)?;
+        let mut outputs = runner.run(&self.kernel())?;
         let counts = outputs[0].words().iter().copied().map(f64::from);
         outputs[0].values = Values::Float(counts.collect());
         Ok(outputs)
     }
 
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let [count, floor] = self.exact[index];
-        Bound { scale: count, floor }
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        self.exact.iter().map(|[count, _]| Some(count.min(f64::from(FULL)))).collect()
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        let full = f64::from(FULL);
+        let mut counts = vec![Rounded::exact(0.0); self.counts.len()];
+        for index in 0..self.params.gaussians as usize {
+            let opacity = f64::from(self.opacity[index]);
+            for node in self.grid.nodes(&self.gaussian(index), opacity) {
+                if let Some(entry) = self.grid.entry(&node) {
+                    let count = node.fill.min(1.0) * full;
+                    let is_between = (count.fract() - 0.5).abs() < 1e-5 * count;
+                    counts[entry].value += count.round();
+                    counts[entry].error += 1e-6 * count + f64::from(u8::from(is_between));
+                }
+            }
+        }
+        listed(counts.into_iter().map(|count| Rounded { value: count.value.min(full), ..count }))
     }
 }
 
 case!(pub Occupancy(OccupancyInputs));
 
 impl Parity for Occupancy {
-    const KERNEL: &'static str = "occupancy";
-
     fn sets() -> Vec<(String, Self)> {
         let of = |entries: u32| {
             let mut random = Random::new(u64::from(entries));
@@ -159,14 +135,10 @@ impl Parity for Occupancy {
         [1, 63, 64, 1000].map(of).into()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.entries, 1)
-    }
-
-    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
         Some(match output {
-            "counts" => 0.0,
-            _ => f64::from(self.counts[index]) / f64::from(FULL),
+            "counts" => Rounded::exact(0.0),
+            _ => Rounded::from(f64::from(self.counts[index]) / f64::from(FULL)),
         })
     }
 }

@@ -3,10 +3,9 @@
 use muslin_check::prelude::*;
 use organza_shaders::pair::{
     PairFillInputs, PairFillParams, PairMaskInputs, PairMaskParams, PairSumInputs, PairSumParams,
-    SUMMED,
 };
 
-use super::exact::{bits, listed};
+use super::exact::bits;
 use super::scan::prefix;
 
 /// How a word of a mask is filled.
@@ -38,8 +37,6 @@ pub fn scanned(masks: &[u32]) -> Vec<u32> {
 case!(pub PairMask(PairMaskInputs));
 
 impl Parity for PairMask {
-    const KERNEL: &'static str = "pair_mask";
-
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
             // a camera without tiles, one with one, one with the rest
@@ -54,12 +51,8 @@ impl Parity for PairMask {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.words, self.first_tile.len() as u32 - 1)
-    }
-
     /// The union of a camera's tiles.
-    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let words = self.params.words as usize;
         let cameras = self.first_tile.windows(2);
         let union = cameras.flat_map(|tiles| {
@@ -75,8 +68,6 @@ impl Parity for PairMask {
 case!(pub PairFill(PairFillInputs));
 
 impl Parity for PairFill {
-    const KERNEL: &'static str = "pair_fill";
-
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
             let mask = mask(2 * words, bits, random);
@@ -90,41 +81,15 @@ impl Parity for PairFill {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.words, 2)
-    }
-
     /// The words of both cameras follow each other, and so do their pairs.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         listed(bits(&self.mask).map(|pair| pair as u32))
     }
 }
 
 case!(pub PairSum(PairSumInputs));
 
-impl PairSum {
-    /// The vectors of a Gaussian's pairs, by camera.
-    fn vectors_of_gaussian(&self, gaussian: u32) -> Vec<&[f32]> {
-        let word = (gaussian / 32) as usize;
-        let bit = gaussian % 32;
-        (word..self.mask.len())
-            .step_by(self.params.words as usize)
-            .filter(|&at| self.mask[at] >> bit & 1 == 1)
-            .map(|at| {
-                let below = (self.mask[at] & ((1 << bit) - 1)).count_ones();
-                let pair = (self.first_pair[at] + below) as usize;
-                &self.pair_vector[pair * self.params.width as usize..][..self.params.width as usize]
-            })
-            .collect()
-    }
-}
-
 impl Parity for PairSum {
-    const KERNEL: &'static str = "pair_sum";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str =
-        "a rounding for each camera where drivers regroup, of the terms' sizes";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |words: u32, bits: Bits, width: u32, fill: Fill, random: &mut Random| {
             let mask = mask(3 * words, bits, random);
@@ -151,31 +116,16 @@ impl Parity for PairSum {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let PairSumParams { gaussians, width, .. } = self.params;
-        runner.run(&self.kernel(), gaussians * width.div_ceil(SUMMED), 1)
-    }
-
     /// The vector before, and the vectors of the pairs, which lie in the order of the masks' bits.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let mut exact: Vec<_> = self.vector.iter().copied().map(f64::from).collect();
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        let mut sums: Vec<_> = self.vector.iter().copied().map(Rounded::from).collect();
         let width = self.params.width as usize;
         for (vector, slot) in self.pair_vector.chunks(width).zip(bits(&self.mask)) {
             let gaussian = slot % (32 * self.params.words as usize);
             // bits behind the last Gaussian belong to none
-            let sums = exact.get_mut(gaussian * width..).unwrap_or_default();
-            sums.iter_mut().zip(vector).for_each(|(sum, &value)| *sum += f64::from(value));
+            let sums = sums.get_mut(gaussian * width..).unwrap_or_default();
+            sums.iter_mut().zip(vector).for_each(|(sum, &value)| *sum = *sum + value.into());
         }
-        exact.into_iter().map(Some).collect()
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let before = self.vector[index];
-        let gaussian = index / self.params.width as usize;
-        let value = index % self.params.width as usize;
-        let terms =
-            self.vectors_of_gaussian(gaussian as u32).into_iter().map(|vector| vector[value]);
-        let sum: f64 = terms.chain([before]).map(|x| f64::from(x.abs())).sum();
-        Bound { scale: 4.0 * sum, floor: 4.0 * f64::from(TINY) }
+        listed(sums)
     }
 }

@@ -13,19 +13,7 @@ const WORKGROUP: u32 = 64;
 
 case!(pub PeakMultiplyAdd(PeakMultiplyAddInputs));
 
-impl PeakMultiplyAdd {
-    /// Multiply-adds of each of an invocation's sums.
-    fn rounds(&self) -> u32 {
-        self.params.steps * MULTIPLY_ADDS / SUMS
-    }
-}
-
 impl Parity for PeakMultiplyAdd {
-    const KERNEL: &'static str = "peak_multiply_add";
-    const TOLERANCE: f64 = 8e-7;
-    const WHY: &'static str = "two roundings of both devices for each multiply-add, which those that follow shrink, \
-        and four of the last sum";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| {
             let params = PeakMultiplyAddParams {
@@ -40,23 +28,13 @@ impl Parity for PeakMultiplyAdd {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count, 1)
-    }
-
     /// Twelve sums, which begin with 0 to 11 and a 4,194,304th of the invocation's number.
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let next = |x: f64| x * f64::from(self.params.factor) + f64::from(self.params.addend);
-        let begins = (0..12).map(|sum| f64::from(sum) + index as f64 / 4_194_304.0);
-        Some(begins.map(|first| (0..self.rounds()).fold(first, |x, _| next(x))).sum())
-    }
-
-    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
-        // errors are summed as the values are: 1 + f + f^2 + ..
-        let grown = 1.0 / (1.0 - f64::from(self.params.factor.abs()));
-        let largest = f64::from(SUMS) + f64::from(self.params.addend.abs()) * grown;
-        let sums = f64::from(SUMS);
-        Bound { scale: sums * largest * grown, floor: 4.0 * sums * grown * f64::from(TINY) }
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
+        let [factor, addend] = [self.params.factor, self.params.addend].map(Rounded::from);
+        let first = Rounded::from(index as f64 / 4_194_304.0);
+        let begins = (0..SUMS).map(|sum| Rounded::from(sum) + first);
+        let rounds = 0..self.params.steps * MULTIPLY_ADDS / SUMS;
+        Some(Number::sum(begins.map(|x| rounds.clone().fold(x, |x, _| x * factor + addend))))
     }
 }
 
@@ -73,20 +51,15 @@ impl PeakRead {
     }
 
     /// The values that an invocation reads.
-    fn read_by(&self, index: u32) -> impl Iterator<Item = f64> {
+    fn read_by(&self, index: u32) -> impl Iterator<Item = Rounded> {
         let rows = self.params.steps * READS;
         let local = index % WORKGROUP;
         let first = index / WORKGROUP * rows;
-        (first..first + rows)
-            .map(move |row| f64::from(self.values[(row * WORKGROUP + local) as usize]))
+        (first..first + rows).map(move |row| self.values[(row * WORKGROUP + local) as usize].into())
     }
 }
 
 impl Parity for PeakRead {
-    const KERNEL: &'static str = "peak_read";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str = "a rounding of both devices for each value, of the values' sizes";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| {
             let steps = random.below(5);
@@ -94,18 +67,8 @@ impl Parity for PeakRead {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count, 1)
-    }
-
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        Some(self.read_by(index as u32).sum())
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
-        let terms = f64::from(self.params.steps * READS);
-        let size: f64 = self.read_by(index as u32).map(f64::abs).sum();
-        Bound { scale: terms * size, floor: terms * f64::from(TINY) }
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
+        Some(Number::sum(self.read_by(index as u32)))
     }
 }
 

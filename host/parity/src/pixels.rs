@@ -26,10 +26,6 @@ impl Pixels {
 }
 
 impl Parity for Pixels {
-    const KERNEL: &'static str = "pixels";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "one product, rounded as everywhere";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = vec![
             ("edges".into(), Self::new(3, 19, Fill::Random)),
@@ -41,11 +37,7 @@ impl Parity for Pixels {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let area = self.params.area as usize;
         let pixel = |index: usize| {
             let at = index / area * 3 * area + index % area;
@@ -54,8 +46,8 @@ impl Parity for Pixels {
             let levels: f64 =
                 values.map(level).iter().rev().fold(0.0, |sum, level| 256.0 * sum + level);
             let finite = if values.iter().all(|value| value.is_finite()) { 255.0 } else { 0.0 };
-            Some(finite * 16_777_216.0 + levels)
+            finite * 16_777_216.0 + levels
         };
-        (0..self.params.count as usize).map(pixel).collect()
+        listed((0..self.params.count as usize).map(pixel))
     }
 }

@@ -1,15 +1,16 @@
 //! The case of `project`, and cameras for the others.
 
-use glam::{DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 use muslin_check::prelude::*;
 use organza_shaders::camera::Camera;
 use organza_shaders::pinhole::NEAR_PLANE;
 use organza_shaders::project::{
-    BEHIND, DEGENERATE, ELSEWHERE, EVERYWHERE, FALLOFF_CUTOFF, ProjectKernel, ProjectParams,
-    WINDOW, rotation_columns,
+    BEHIND, DEGENERATE, ELSEWHERE, EVERYWHERE, ProjectInputs, ProjectParams, WINDOW,
+    rotation_columns,
 };
 
-use super::exact::project::{Gaussian, Projected, View, project};
+use super::exact::numeric::dot;
+use super::exact::project::{Gaussian, NEAR, Projected, View, cutoff, project};
 
 /// Three cameras around the origin, the first of them axis-parallel.
 pub fn cameras(random: &mut Random) -> Vec<Camera> {
@@ -27,44 +28,64 @@ pub fn cameras(random: &mut Random) -> Vec<Camera> {
     (0..3).map(|index| camera(index, random)).collect()
 }
 
-/// Inputs of `project`.
-#[derive(Clone)]
-pub struct Project {
-    pub(super) gaussians: u32,
-    pub(super) blur: f32,
+case!(pub Project(ProjectInputs) {
     /// The cameras.
     pub cameras: Vec<Camera>,
-    /// The part of their images that is needed.
-    window: [f32; WINDOW],
-    pub(super) position: Vec<f32>,
-    pub(super) rotation: Vec<f32>,
-    pub(super) log_scale: Vec<f32>,
-}
+});
 
 impl Project {
     fn new(n: u32, fill: Fill, blur: f32, log_scale: [f32; 2], random: &mut Random) -> Self {
         let len = n as usize;
-        let mut set = Self {
-            gaussians: n,
-            blur,
-            cameras: cameras(random),
-            window: EVERYWHERE,
+        let cameras = cameras(random);
+        let slots = cameras.len() * len;
+        let inputs = ProjectInputs {
+            params: ProjectParams { gaussians: n, blur },
+            camera: cameras.iter().flat_map(Camera::pack).collect(),
+            window: EVERYWHERE.repeat(cameras.len()),
             position: fill.values(random, 3 * len, [-2.0, 2.0], 1e30),
             rotation: fill.values(random, 4 * len, [-1.0, 1.0], 1e15),
             log_scale: fill.values(random, 3 * len, log_scale, 1e30),
+            projection: unwritten(2 * slots),
+            degenerate: vec![0],
         };
+        let mut set = Self { inputs, cameras };
         for gaussian in 0..len {
-            if set.quaternion(gaussian).length() < 1e-12 {
+            let rotation = &mut set.rotation[4 * gaussian..][..4];
+            if Vec4::from_slice(rotation).as_dvec4().length() < 1e-12 {
                 // the one length that a rotation may not have
-                set.rotation[4 * gaussian..][..4].copy_from_slice(&random.values(4, 0.1, 1.0));
+                rotation.copy_from_slice(&random.values(4, 0.1, 1.0));
             }
             let cameras = 0..set.cameras.len();
-            while cameras.clone().any(|at| set.sensitivity(at, gaussian).is_undecided) {
+            while cameras.clone().any(|at| set.is_undecided(at, gaussian)) {
                 set.position[3 * gaussian..][..3].copy_from_slice(&random.values(3, -2.0, 2.0));
                 set.log_scale[3 * gaussian..][..3].copy_from_slice(&random.values(3, -5.0, 0.0));
             }
         }
         set
+    }
+
+    /// Whether rounding decides if a Gaussian is visible, or an f32 may overflow on one device and not on another.
+    fn is_undecided(&self, camera: usize, gaussian: usize) -> bool {
+        let is_large = |x: f64| (1e35..1e42).contains(&x.abs());
+        let Gaussian { log_scale, .. } = self.gaussian(gaussian);
+        // far beyond f32 they are all the same
+        let log_scale = log_scale.map(|x| Rounded::exact(x.value.clamp(-200.0, 200.0)));
+        let limited = Gaussian { log_scale, ..self.gaussian(gaussian) };
+        let view = View::from_camera(&self.cameras[camera]);
+        let [x, y, z] = view.place(limited.position);
+        if z.is_above(NEAR).is_none() || [x, y, z].iter().any(|x| is_large(x.value)) {
+            return true;
+        }
+        let Some(found) = project(&view, self.params.blur.into(), &limited) else { return false };
+        let [xx, _, yy] = found.covariance.map(Number::value);
+        let determinant = found.determinant.value;
+        let longest = limited.axes().into_iter().map(Number::value).fold(0.0, f64::max);
+        let stretch = found.jacobian.as_flattened().iter().map(|x| x.value.abs());
+        let stretch = stretch.fold(0.0, f64::max);
+        let sizes = [longest, stretch * longest, (stretch * longest).powi(2)];
+        let sizes = sizes.into_iter().chain([xx, yy, xx * xx, yy * yy, determinant]);
+        let sizes = sizes.chain([1.0 / determinant]).chain(found.conic().map(Number::value));
+        sizes.chain(found.mean.map(Number::value)).any(is_large) || determinant < 1e-34
     }
 
     /// The sets that need all of their images.
@@ -89,7 +110,7 @@ impl Project {
     fn in_a_window() -> Self {
         let random = &mut Random::new(43);
         let mut set = Self::new(20 * ITEMS, Fill::Random, 0.3, [-7.0, -2.0], random);
-        set.window = [260.0, 180.0, 300.0, 240.0];
+        set.window = [260.0, 180.0, 300.0, 240.0].repeat(set.cameras.len());
         set
     }
 
@@ -98,105 +119,75 @@ impl Project {
         let mut set = Self::new(ITEMS, Fill::Random, 0.3, [-5.0, 0.0], &mut Random::new(42));
         set.cameras.truncate(1);
         set.cameras[0].eye = Vec3::ZERO;
+        set.camera = set.cameras[0].pack().to_vec();
+        set.window.truncate(WINDOW);
+        set.projection.truncate(2 * ITEMS as usize);
         for (index, depth) in set.position.iter_mut().skip(2).step_by(3).enumerate() {
             *depth = [NEAR_PLANE.next_down(), NEAR_PLANE, NEAR_PLANE.next_up()][index % 3];
         }
         set
     }
 
-    /// Cameras as they lie in a buffer.
-    pub(super) fn packed_cameras(&self) -> Vec<f32> {
-        self.cameras.iter().flat_map(Camera::pack).collect()
-    }
-
     /// Two of three pairs of a camera and a Gaussian, as `camera * gaussians + gaussian`.
     pub(super) fn some_slots(&self, random: &mut Random) -> Vec<u32> {
-        let slots = 0..self.cameras.len() as u32 * self.gaussians;
+        let slots = 0..self.cameras.len() as u32 * self.params.gaussians;
         slots.filter(|_| random.below(3) > 0).collect()
     }
 
     /// The camera and the Gaussian of `camera * gaussians + gaussian`.
     pub(super) fn slot(&self, slot: u32) -> (View, usize) {
-        let camera = &self.cameras[(slot / self.gaussians) as usize];
-        (View::from_camera(camera), (slot % self.gaussians) as usize)
+        let camera = &self.cameras[(slot / self.params.gaussians) as usize];
+        (View::from_camera(camera), (slot % self.params.gaussians) as usize)
     }
 
-    /// A Gaussian's position.
-    pub fn center(&self, gaussian: usize) -> DVec3 {
-        Vec3::from_slice(&self.position[3 * gaussian..]).as_dvec3()
-    }
-
-    /// A Gaussian's rotation: w, x, y, z.
-    pub fn quaternion(&self, gaussian: usize) -> DVec4 {
-        Vec4::from_slice(&self.rotation[4 * gaussian..]).as_dvec4()
-    }
-
-    /// Logarithms of a Gaussian's axes.
-    pub fn log_axes(&self, gaussian: usize) -> DVec3 {
-        Vec3::from_slice(&self.log_scale[3 * gaussian..]).as_dvec3()
-    }
-
-    /// The projected Gaussian, in f64.
-    pub fn gaussian(&self, gaussian: usize) -> Gaussian<f64> {
+    /// A Gaussian.
+    pub fn gaussian(&self, gaussian: usize) -> Gaussian<Rounded> {
         Gaussian::read(&self.position, &self.rotation, &self.log_scale, gaussian)
     }
 
-    /// The projection of a Gaussian; `None` where it depends on how far the kernel's numbers reach.
+    /// The projection of a Gaussian; `None` where rounding decides if it ends before the window, or where it depends on how far the
+    /// kernel's numbers reach.
     pub(super) fn fate(&self, camera: usize, gaussian: usize) -> Option<Fate> {
         let view = View::from_camera(&self.cameras[camera]);
-        let Some(found) = project(&view, f64::from(self.blur), &self.gaussian(gaussian)) else {
+        let gaussian = self.gaussian(gaussian);
+        let Some(found) = project(&view, self.params.blur.into(), &gaussian) else {
             return Some(Fate::Behind);
         };
         let [xx, xy, yy] = found.covariance;
         let numbers = [found.mean[0], found.mean[1], xx, xy, yy];
-        let is_f32 = |x: &f64| x.abs() <= f64::from(f32::MAX);
-        if !numbers.iter().all(is_f32) || found.determinant <= 0.0 {
+        let is_f32 = |x: &Rounded| x.value.abs() <= f64::from(f32::MAX);
+        if !numbers.iter().all(is_f32) || found.determinant.value <= 0.0 {
             return Some(Fate::Degenerate);
         }
-        if self.window != EVERYWHERE {
-            let [far, near] = self.distance_to_window(gaussian, &found);
-            // rounding decides
-            if (far - near).abs() < 1e-4 * (far + near) {
-                return None;
-            }
-            if far > near {
-                return Some(Fate::Elsewhere);
-            }
+        if self.window[..WINDOW] != EVERYWHERE && self.ends_before_the_window(&gaussian, &found)? {
+            return Some(Fate::Elsewhere);
         }
         // the determinant has squares of these
-        (xx.max(yy) < 1e15).then_some(Fate::Projected(found))
+        (xx.value.max(yy.value) < 1e15).then_some(Fate::Projected(found))
     }
 
-    /// The squared distance of a Gaussian's center to the window, in pixels, and the one above which it is left out.
-    fn distance_to_window(&self, gaussian: usize, found: &Projected<f64>) -> [f64; 2] {
-        let [left, top, right, bottom] = self.window.map(f64::from);
-        let [x, y] = found.mean;
-        let [dx, dy] = [x - x.clamp(left, right), y - y.clamp(top, bottom)];
-        let jacobian = found.jacobian.map(|row| DVec3::from(row).length_squared());
-        let longest = self.log_axes(gaussian).max_element().exp();
-        let most = (jacobian[0] + jacobian[1]) * longest * longest + f64::from(self.blur);
-        [dx * dx + dy * dy, 1.02 * f64::from(FALLOFF_CUTOFF) * most + 0.02]
-    }
-
-    pub(super) fn sensitivity(&self, camera: usize, gaussian: usize) -> Sensitivity {
-        let gaussian = self.limited(gaussian);
-        Sensitivity::new(&View::from_camera(&self.cameras[camera]), f64::from(self.blur), &gaussian)
-    }
-
-    /// A Gaussian whose axes f64 can multiply: far beyond f32 they are all the same.
-    pub(super) fn limited(&self, gaussian: usize) -> Gaussian<f64> {
-        let gaussian = self.gaussian(gaussian);
-        Gaussian { log_scale: gaussian.log_scale.map(|x| x.clamp(-200.0, 200.0)), ..gaussian }
+    /// Whether the longest axis does not reach from a Gaussian's center to the window; `None` if rounding decides.
+    fn ends_before_the_window(
+        &self,
+        gaussian: &Gaussian<Rounded>,
+        found: &Projected<Rounded>,
+    ) -> Option<bool> {
+        let window = [0, 1, 2, 3].map(|at| Rounded::from(self.window[at]));
+        let zero = Rounded::exact(0.0);
+        let outside = |axis: usize| {
+            let x = found.mean[axis];
+            (window[axis] - x).largest(x - window[axis + 2]).largest(zero)
+        };
+        let [dx, dy] = [outside(0), outside(1)];
+        let [across, down] = found.jacobian.map(|row| dot(row, row));
+        let longest = gaussian.axes().into_iter().fold(zero, Number::largest);
+        let most = (across + down) * longest * longest + self.params.blur.into();
+        let reach = Rounded::from(1.02 * cutoff()) * most + 0.02.into();
+        (dx * dx + dy * dy - reach).is_above(0.0)
     }
 }
 
 impl Parity for Project {
-    const KERNEL: &'static str = "project";
-    const TOLERANCE: f64 = 1e-6;
-    const WHY: &'static str = "roundings of sums, divisions and square roots of 3 ulp, exp, scaled by \
-        how the f64 projection is conditioned; what is culled has zeros; no Gaussian within 1e-5 \
-        of the near plane, none whose products overflow on some devices only (1e35 to 1e42)";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = Self::everywhere();
         sets.push(("in a window".into(), Self::in_a_window()));
@@ -204,19 +195,7 @@ impl Parity for Project {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let windows = self.window.repeat(self.cameras.len());
-        let slots = self.cameras.len() * self.gaussians as usize;
-        let kernel = ProjectKernel {
-            params: ProjectParams { gaussians: self.gaussians, blur: self.blur },
-            camera: &self.packed_cameras(),
-            window: &windows,
-            position: &self.position,
-            rotation: &self.rotation,
-            log_scale: &self.log_scale,
-            projection: &unwritten(2 * slots),
-            degenerate: &vec![0],
-        };
-        let mut outputs = runner.run(&kernel, self.gaussians, self.cameras.len() as u32)?;
+        let mut outputs = runner.run(&self.kernel())?;
         let projection = outputs.remove(0);
         let places = projection.floats().as_chunks::<8>().0;
         let places = places.iter().map(|place| place.map(|x| x as f32));
@@ -229,53 +208,43 @@ impl Parity for Project {
         };
         outputs.extend([
             Output::exact("class", places.clone().map(class).collect()),
-            Output::float("mean2d", places.clone().flat_map(|p| [p[0], p[1]])),
-            // a negative one is a class
-            Output::float("radius", places.clone().map(|p| p[2].max(0.0))),
-            Output::float("conic", places.clone().flat_map(|p| [p[4], p[5], p[6]])),
-            Output::float("extent", places.flat_map(|p| [p[3], p[7]])),
+            // a negative radius is a class
+            Output::float(
+                "values",
+                places.flat_map(|[x, y, radius, width, xx, xy, yy, height]| {
+                    [x, y, radius.max(0.0), width, xx, xy, yy, height]
+                }),
+            ),
         ]);
         Ok(outputs)
     }
 
-    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
-        let gaussians = self.gaussians as usize;
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
+        let gaussians = self.params.gaussians as usize;
         let slots = (0..self.cameras.len() * gaussians)
             .map(|slot| self.fate(slot / gaussians, slot % gaussians));
         if output == "degenerate" {
             let told: Option<Vec<_>> = slots.collect();
-            let is_culled = |fate: &&Fate| matches!(fate, Fate::Degenerate);
-            return vec![told.map(|fates| fates.iter().filter(is_culled).count() as f64)];
+            let count = |fates: Vec<_>| {
+                fates.iter().filter(|fate| matches!(fate, Fate::Degenerate)).count() as u32
+            };
+            return listed([told.map_or(Rounded::UNKNOWN, |fates| count(fates).into())]);
         }
-        let of = |fate: Fate| match (output, fate) {
-            ("class", Fate::Projected(_)) => vec![0.0],
-            ("class", Fate::Behind) => vec![1.0],
-            ("class", Fate::Degenerate) => vec![2.0],
-            ("class", Fate::Elsewhere) => vec![3.0],
-            ("mean2d", Fate::Projected(found)) => found.mean.to_vec(),
-            ("radius", Fate::Projected(found)) => vec![found.radius()],
-            ("conic", Fate::Projected(found)) => found.conic().to_vec(),
-            (_, Fate::Projected(found)) => found.extent().to_vec(),
-            _ => vec![0.0; width(output)],
+        let of = |fate: Option<Fate>| match (output, fate) {
+            ("class", Some(Fate::Projected(_))) => vec![0.into()],
+            ("class", Some(Fate::Behind)) => vec![1.into()],
+            ("class", Some(Fate::Degenerate)) => vec![2.into()],
+            ("class", Some(Fate::Elsewhere)) => vec![3.into()],
+            ("class", None) => vec![Rounded::UNKNOWN],
+            (_, Some(Fate::Projected(found))) => {
+                let ([x, y], [xx, xy, yy]) = (found.mean, found.conic());
+                let [width, height] = found.extent();
+                vec![x, y, found.radius(), width, xx, xy, yy, height]
+            }
+            (_, Some(_)) => vec![Rounded::exact(0.0); 8],
+            (_, None) => vec![Rounded::UNKNOWN; 8],
         };
-        let given = |fate: Option<Fate>| match fate {
-            Some(fate) => of(fate).into_iter().map(Some).collect(),
-            None => vec![None; width(output)],
-        };
-        slots.flat_map(given).collect()
-    }
-
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let width = width(cpu.name);
-        let slot = index / width;
-        let part = index % width;
-        let gaussians = self.gaussians as usize;
-        let sensitivity = self.sensitivity(slot / gaussians, slot % gaussians);
-        Bound::relative_to(match cpu.name {
-            "radius" | "extent" => sensitivity.radius,
-            "mean2d" => sensitivity.mean2d[part],
-            _ => sensitivity.conic,
-        })
+        listed(slots.flat_map(of))
     }
 }
 
@@ -288,69 +257,5 @@ pub(super) enum Fate {
     /// It ends before the window.
     Elsewhere,
     /// It lies there.
-    Projected(Projected<f64>),
-}
-
-/// Values of a slot in an output.
-fn width(output: &str) -> usize {
-    match output {
-        "mean2d" | "extent" => 2,
-        "conic" => 3,
-        _ => 1,
-    }
-}
-
-/// How much roundings show in a projection, from f64.
-#[derive(Default)]
-pub(super) struct Sensitivity {
-    /// Whether rounding decides if the Gaussian is visible.
-    is_undecided: bool,
-    mean2d: [f64; 2],
-    pub conic: f64,
-    radius: f64,
-}
-
-impl Sensitivity {
-    fn new(view: &View, blur: f64, gaussian: &Gaussian<f64>) -> Self {
-        let offset = DVec3::from(gaussian.position) - DVec3::from(view.eye);
-        let above_near = view.place(gaussian.position)[2] - f64::from(NEAR_PLANE);
-        let is_near =
-            above_near.abs() < 1e-5 * (1.0 + offset.length()) || is_large(offset.length());
-        let Some(found) = project(view, blur, gaussian) else {
-            return Self { is_undecided: is_near, ..Self::default() };
-        };
-        let [u, v] = found.footprint.map(DVec3::from);
-        let rows = found.jacobian.map(|row| DVec3::from(row).length());
-        let t = DVec3::from(found.place);
-        let log_axes = DVec3::from(gaussian.log_scale);
-        let mut axes = gaussian.axes();
-        axes.sort_by(f64::total_cmp);
-        // the sizes of the terms of u and v, before they cancel
-        let [uu, vv] = rows.map(|row| (row * axes[2]).powi(2));
-        let lengths = u.length_squared() + v.length_squared();
-        let cross = u.cross(v).length();
-        let determinant = cross * cross + blur * (lengths + blur);
-        let terms = cross * rows[0] * rows[1] * axes[2] * axes[1] + blur * (uu + vv + blur);
-        let conic =
-            (uu.max(vv) + blur + (lengths + blur) * (1.0 + terms / determinant)) / determinant;
-        // cancellation in t, and the argument of exp
-        let depth = 1.0 + offset.length() / t.z;
-        let grade = depth * (1.0 + log_axes.abs().max_element().min(200.0));
-        let ratio = 1.0 + t.x.abs().max(t.y.abs()) / t.z;
-        let mean2d = [0, 1].map(|axis| view.focal[axis] * depth * ratio + 500.0);
-        let sizes = [uu, vv, uu * uu, vv * vv, determinant, 1.0 / determinant, conic, axes[2]];
-        let overflows = sizes.into_iter().chain(mean2d).any(is_large) || determinant < 1e-34;
-        let radius = (uu + vv + blur) / (lengths + blur).sqrt();
-        Self {
-            is_undecided: is_near || overflows,
-            mean2d,
-            conic: conic * grade,
-            radius: f64::from(FALLOFF_CUTOFF).sqrt() * 2.0 * radius * grade,
-        }
-    }
-}
-
-/// Whether an f32 may overflow on one device and not on another.
-fn is_large(x: f64) -> bool {
-    (1e35..1e42).contains(&x.abs())
+    Projected(Projected<Rounded>),
 }

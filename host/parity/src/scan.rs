@@ -3,8 +3,6 @@
 use muslin_check::prelude::*;
 use organza_shaders::scan::{BLOCK, ScanAddInputs, ScanBlockInputs, ScanParams};
 
-use super::exact::listed;
-
 /// The exclusive sums of numbers, and their total.
 pub fn prefix(numbers: impl IntoIterator<Item = u32>) -> Vec<u32> {
     let mut sums = vec![0];
@@ -33,8 +31,6 @@ fn sets<T>(make: impl Fn(Vec<u32>) -> T) -> Vec<(String, T)> {
 case!(pub ScanBlock(ScanBlockInputs));
 
 impl Parity for ScanBlock {
-    const KERNEL: &'static str = "scan_block";
-
     fn sets() -> Vec<(String, Self)> {
         sets(|value| {
             let count = value.len();
@@ -47,13 +43,8 @@ impl Parity for ScanBlock {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        // a workgroup more than there are blocks: it must leave everything alone
-        runner.run(&self.kernel(), (self.block_sum.len() as u32 + 1) * 64, 1)
-    }
-
     /// Sums from a block's begin on, one of them behind the last value; and those of whole blocks.
-    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let mut sum = 0;
         let mut prefix = Vec::new();
         let mut block_sum = Vec::new();
@@ -72,8 +63,6 @@ impl Parity for ScanBlock {
 case!(pub ScanAdd(ScanAddInputs));
 
 impl Parity for ScanAdd {
-    const KERNEL: &'static str = "scan_add";
-
     fn sets() -> Vec<(String, Self)> {
         sets(|mut prefix| {
             let count = prefix.len() as u32;
@@ -87,11 +76,7 @@ impl Parity for ScanAdd {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count + 1, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let blocks = self.prefix.chunks(1024).zip(&self.block_prefix);
         listed(blocks.flat_map(|(block, before)| block.iter().map(move |x| x + before)))
     }

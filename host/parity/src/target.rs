@@ -41,7 +41,7 @@ impl TargetTiles {
     }
 
     /// Red, green and blue of a pixel of a tile's place, if it is valid.
-    fn color(&self, place: usize, at: usize) -> Option<[f64; 3]> {
+    fn color(&self, place: usize, at: usize) -> Option<[Rounded; 3]> {
         let TargetParams { side, factor, .. } = self.params;
         let tile = self.tile.iter().find(|tile| tile.place as usize == place)?;
         let x = tile.x + at as i32 % side as i32;
@@ -50,7 +50,7 @@ impl TargetTiles {
         if !within(x, tile.width) || !within(y, tile.height) {
             return None;
         }
-        let mut sum = [0.0; 3];
+        let mut sum = [Rounded::exact(0.0); 3];
         for row in y as u32 * factor..(y as u32 + 1) * factor {
             for column in x as u32 * factor..(x as u32 + 1) * factor {
                 let [r, g, b, valid] =
@@ -58,19 +58,15 @@ impl TargetTiles {
                 if valid == 0 {
                     return None;
                 }
-                sum.iter_mut().zip([r, g, b]).for_each(|(sum, byte)| *sum += f64::from(byte));
+                let levels = [r, g, b].map(|byte| Rounded::from(f64::from(byte) / 255.0));
+                sum.iter_mut().zip(levels).for_each(|(sum, level)| *sum = *sum + level);
             }
         }
-        Some(sum.map(|sum| sum / 255.0 / f64::from(factor * factor)))
+        Some(sum.map(|sum| sum / Rounded::from(factor * factor)))
     }
 }
 
 impl Parity for TargetTiles {
-    const KERNEL: &'static str = "target_tiles";
-    const TOLERANCE: f64 = 6e-8;
-    const WHY: &'static str =
-        "a rounding for each level, each sum and the mean; all devices round alike";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = Vec::new();
         for [side, factor, invalid] in
@@ -82,26 +78,12 @@ impl Parity for TargetTiles {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let side = self.params.side;
-        runner.run_over(&self.kernel(), [side, side, self.tile.len() as u32])
-    }
-
-    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
         let area = (self.params.side * self.params.side) as usize;
         let plane = index / area;
         Some(match output {
-            "valid" => f64::from(u8::from(self.color(plane, index % area).is_some())),
-            _ => self.color(plane / 3, index % area).map_or(0.0, |color| color[plane % 3]),
+            "valid" => u32::from(self.color(plane, index % area).is_some()).into(),
+            _ => self.color(plane / 3, index % area).map_or(0.into(), |color| color[plane % 3]),
         })
-    }
-
-    fn exact_bound(&self, exact: &Output, index: usize, _: Rounding) -> Bound {
-        let roundings = 2 * self.params.factor.pow(2);
-        Bound::relative_to(f64::from(roundings) * exact.floats()[index].abs())
-    }
-
-    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
-        Bound::EXACT
     }
 }

@@ -8,8 +8,8 @@ use organza_shaders::tile::{
     TileRangeParams,
 };
 
+use super::exact::bits;
 use super::exact::tile::reaches;
-use super::exact::{bits, listed};
 use super::pair::{mask, mask_sets, scanned};
 
 /// Tiles as they lie in a buffer.
@@ -62,24 +62,14 @@ impl TileMask {
         set
     }
 
-    /// A Gaussian within rounding of a tile's margin may be a member or not: it is moved into the tile.
+    /// A Gaussian of which rounding decides if it is a member is moved behind the camera.
     fn leave_the_margin(&mut self) {
         let TileMaskParams { gaussians, side, .. } = self.params;
         for tile in tiles() {
             let first = 2 * (tile.camera * gaussians) as usize;
             let of_camera = self.projection.iter_mut().skip(first).step_by(2);
             for p in of_camera.take(gaussians as usize) {
-                let outside = |x: f32, low: i32| {
-                    let low = f64::from(low);
-                    f64::from(x) - f64::from(x).clamp(low, low + f64::from(side))
-                };
-                let distance = outside(p.x, tile.origin[0]).hypot(outside(p.y, tile.origin[1]));
-                let reach = f64::from(p.z) * 1.001 + 0.01;
-                let apart = (distance - reach).abs();
-                // and squares of 1e19 and more overflow
-                if p.z >= 0.0
-                    && apart <= 1e-5 * (reach + distance + f64::from(p.x.abs().max(p.y.abs())))
-                {
+                if reaches(*p, &tile, side).is_none() {
                     p.z = BEHIND;
                 }
             }
@@ -88,11 +78,6 @@ impl TileMask {
 }
 
 impl Parity for TileMask {
-    const KERNEL: &'static str = "tile_mask";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str =
-        "integers; no Gaussian within 1e-5 of a tile's margin, where rounding decides";
-
     fn sets() -> Vec<(String, Self)> {
         // words around the workgroup's size, and a last word that is not full
         let sized = [0, 1, 31, 32, 33, 63 * 32, 64 * 32 - 1, 64 * 32, 64 * 32 + 1, 129 * 32];
@@ -105,37 +90,30 @@ impl Parity for TileMask {
         sized.into_iter().chain(sides).chain(filled).collect()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.words, tiles().len() as u32)
-    }
-
     /// The Gaussians within reach.
-    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let word = |tile: &Tile, word: u32| {
             let mut mask = 0_u32;
             for bit in 0..32.min(self.params.gaussians - 32 * word) {
                 let slot = tile.camera * self.params.gaussians + 32 * word + bit;
-                let p = self.projection[2 * slot as usize].as_dvec4();
+                let p = self.projection[2 * slot as usize];
                 // squares of more are no f32: such a Gaussian may be a member of any tile
                 if p.truncate().abs().max_element() >= 1e18 {
-                    return None;
+                    return Rounded::UNKNOWN;
                 }
-                let is_member = reaches([p.x, p.y], p.z, tile.origin, self.params.side);
-                mask |= u32::from(is_member) << bit;
+                let is_member = reaches(p, tile, self.params.side);
+                mask |= u32::from(is_member.expect("it leaves the margin")) << bit;
             }
-            Some(f64::from(if output == "mask" { mask } else { mask.count_ones() }))
+            Rounded::from(if output == "mask" { mask } else { mask.count_ones() })
         };
-        let tiles = tiles();
         let words = 0..self.params.words;
-        tiles.iter().flat_map(|tile| words.clone().map(move |at| word(tile, at))).collect()
+        listed(tiles().iter().flat_map(|tile| words.clone().map(|at| word(tile, at))))
     }
 }
 
 case!(pub TileFill(TileFillInputs));
 
 impl Parity for TileFill {
-    const KERNEL: &'static str = "tile_fill";
-
     fn sets() -> Vec<(String, Self)> {
         mask_sets(|words, bits, random| {
             let tiles = tiles();
@@ -158,12 +136,8 @@ impl Parity for TileFill {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.words, tiles().len() as u32)
-    }
-
     /// A pair's number is its place among those of its camera, behind those of the cameras before.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let words = self.params.words as usize;
         let gaussians = 32 * self.params.words as usize;
         let pairs: Vec<_> = bits(&self.pair_mask).collect();
@@ -181,8 +155,6 @@ impl Parity for TileFill {
 case!(pub TileRange(TileRangeInputs));
 
 impl Parity for TileRange {
-    const KERNEL: &'static str = "tile_range";
-
     fn sets() -> Vec<(String, Self)> {
         let of = |(tiles, words): (u32, u32)| {
             let mut random = Random::new(u64::from(tiles));
@@ -196,11 +168,7 @@ impl Parity for TileRange {
         SIZES.into_iter().flat_map(|tiles| [1, 7].map(|words| (tiles, words))).map(of).collect()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.tiles + 1, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         // the sums end with the total, where a tile more would begin
         listed(self.first_member.iter().copied().step_by(self.params.words as usize))
     }

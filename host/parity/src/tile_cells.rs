@@ -4,7 +4,7 @@ use muslin_check::prelude::*;
 use organza_shaders::composite::CompositeInputs;
 use organza_shaders::tile_cells::{TileCellsInputs, TileCellsParams};
 
-use super::composite::{Composite, SIDES, sets, tiles};
+use super::composite::{Composite, SIDES, tiles};
 
 case!(pub TileCells(TileCellsInputs));
 
@@ -26,52 +26,41 @@ impl TileCells {
 }
 
 impl Parity for TileCells {
-    const KERNEL: &'static str = "tile_cells";
-    const TOLERANCE: f64 = 0.0;
-    const WHY: &'static str = "bits; of what is compared, each has one rounding";
-
     fn sets() -> Vec<(String, Self)> {
         let sides = SIDES.into_iter().chain([64, 65, 200]);
-        let mut sets = sets(sides, 33, |side, fill| Self::new(Composite::filled(side, fill, 1)));
+        let mut sets =
+            inputs::sets_of(sides, 33, |side, fill, _| Self::new(Composite::filled(side, fill, 1)));
         sets.push(("no members".into(), Self::new(Composite::new(8, &[0], Fill::Random, 3))));
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.members, 1)
-    }
-
     /// The cells that have pixel centers within a splat's extent.
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         // pixels: 4 cells of whole vectors of 16 across, 8 down
         let size = [16 * self.params.side.div_ceil(64), self.params.side.div_ceil(8)];
         let tiles = tiles();
         let splats = self.splat.as_chunks::<3>().0;
         let cells = |(place, &member): (usize, &u32)| {
             let tile = self.tile_first.partition_point(|&first| first as usize <= place) - 1;
-            let [placed, conic, _] = splats[member as usize].map(|v| v.as_dvec4());
-            let center = [placed.x, placed.y];
-            let extent = [placed.w, conic.w];
+            let [placed, conic, _] = splats[member as usize];
+            let centers = [placed.x, placed.y].map(Rounded::from);
+            let extents = [placed.w, conic.w].map(Rounded::from);
+            let reached = |axis: usize, number: u32| {
+                let first =
+                    f64::from(tiles[tile].origin[axis]) + f64::from(number * size[axis]) + 0.5;
+                let last = first + f64::from(size[axis] - 1);
+                let [before, behind] =
+                    [Rounded::from(first) - centers[axis], centers[axis] - last.into()];
+                (extents[axis] - before.largest(behind).largest(0.0.into())).is_above(0.0)
+            };
             let mut bits = 0_u32;
             for cell in 0..32 {
-                let beyond = [0, 1].map(|axis| {
-                    let number = [cell % 4, cell / 4][axis];
-                    let low = f64::from(tiles[tile].origin[axis]);
-                    let first = low + f64::from(number * size[axis]) + 0.5;
-                    let last = first + f64::from(size[axis] - 1);
-                    (first - center[axis]).max(center[axis] - last).max(0.0) - extent[axis]
-                });
-                // where they are about the same, rounding decides
-                let is_close = |axis: usize| {
-                    beyond[axis].abs() < 1e-6 * (4000.0 + center[axis].abs() + extent[axis])
-                };
-                if is_close(0) || is_close(1) {
-                    return None;
-                }
-                bits |= u32::from(beyond.into_iter().all(|beyond| beyond < 0.0)) << cell;
+                let [across, down] = [reached(0, cell % 4), reached(1, cell / 4)];
+                let (Some(across), Some(down)) = (across, down) else { return Rounded::UNKNOWN };
+                bits |= u32::from(across && down) << cell;
             }
-            Some(f64::from(bits))
+            bits.into()
         };
-        self.member.iter().enumerate().map(cells).collect()
+        listed(self.member.iter().enumerate().map(cells))
     }
 }

@@ -5,7 +5,7 @@ use muslin_check::prelude::*;
 use organza_shaders::hash_grid::POINT_ROWS;
 use organza_shaders::segment::SEGMENT_VECTORS;
 use organza_shaders::transmittance::{
-    SegmentProductInputs, SegmentProductParams, TransmittanceHeadKernel, TransmittanceInputsInputs,
+    SegmentProductInputs, SegmentProductParams, TransmittanceHeadInputs, TransmittanceInputsInputs,
     TransmittanceInputsParams,
 };
 use organza_shaders::unit_cube::Split;
@@ -142,7 +142,6 @@ impl TransmittanceInputs {
             direction: direction.truncate().to_array(),
             radius: direction.w,
             ends: [ends.x, ends.x + ends.y],
-            length: 0.0,
             count: f64::from(count),
             factor: 0.0,
         };
@@ -151,11 +150,6 @@ impl TransmittanceInputs {
 }
 
 impl Parity for TransmittanceInputs {
-    const KERNEL: &'static str = "transmittance_inputs";
-    const TOLERANCE: f64 = 1e-9;
-    const WHY: &'static str = "a place on the ray and a point in two parts: roundings, and a \
-        division of 3 ulp, of the second, below 1/1024; 1e3 times as much where it is contracted, in one f32";
-
     fn sets() -> Vec<(String, Self)> {
         let mut sets = inputs::sets(|n, fill, random| {
             let pairs = some_pairs(n + FIRST_SAMPLE, random);
@@ -177,32 +171,17 @@ impl Parity for TransmittanceInputs {
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
         let stride = self.params.stride as usize;
-        let mut outputs = runner.run(&self.kernel(), self.params.samples, 1)?;
+        let mut outputs = runner.run(&self.kernel())?;
         let factor = Values::Float(joined(&mut outputs[0], stride));
         outputs.push(Output { name: "s_factor", values: factor });
         Ok(outputs)
     }
 
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let row = index / self.params.stride as usize;
-        let column = index % self.params.stride as usize;
-        // the rows before and after the extra vector belong to others
-        let is_written = cpu.name != "input" || (1..3).contains(&row);
-        if column >= self.params.samples as usize || !is_written {
-            return Bound::EXACT;
-        }
-        // all but the points are copies; contracted ones are known as one f32 knows them
-        let point = if self.params.contracted == 1 { 1e3 } else { 1.0 };
-        Bound::relative_to(match cpu.name {
-            "point" => point,
-            // the weights of a cell's corners, as one f32 knows them
-            "s_factor" if self.params.occupancy != 0 => 1e3,
-            _ => 0.0,
-        })
-    }
-
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
         let stride = self.params.stride as usize;
+        let tiny = f64::from(TINY);
+        // a place on the ray and a point in two parts: roundings, and a division of 3 ulp, of the second, below 1/1024
+        let point_error = if self.params.contracted == 1 { 1e-6 } else { 1e-9 };
         let mut exact = vec![None; len];
         for column in 0..self.params.samples as usize {
             let pair = owner(&self.first_sample, column);
@@ -211,21 +190,23 @@ impl Parity for TransmittanceInputs {
             let mut give = |row: usize, value| exact[row * stride + column] = Some(value);
             match output {
                 "point" => {
-                    let point = self.midpoint(pair, k, count);
-                    point.into_iter().enumerate().for_each(|(row, x)| give(row, x));
+                    let point = self.midpoint(pair, k, count).into_iter().enumerate();
+                    point.for_each(|(row, x)| give(row, Rounded::within(x, point_error + tiny)));
+                }
+                "s_factor" if self.params.occupancy == 0 => {
+                    give(0, self.segment[4 * pair].w.into())
                 }
                 "s_factor" => {
-                    let occupied = match self.params.occupancy {
-                        0 => 1.0,
-                        _ => self.grid().occupied(&self.occupancy, self.midpoint(pair, k, count)),
-                    };
-                    give(0, f64::from(self.segment[4 * pair].w) * occupied);
+                    let point = self.midpoint(pair, k, count);
+                    let occupied = self.grid().occupied(&self.occupancy, point);
+                    // the weights of a cell's corners, as one f32 knows them
+                    let factor = f64::from(self.segment[4 * pair].w) * occupied;
+                    give(0, Rounded::within(factor, 1e-6 + tiny));
                 }
                 _ => {
                     let gaussian = (self.pair[pair] % self.params.gaussians) as usize;
-                    for (row, &value) in self.extra[2 * gaussian..][..2].iter().enumerate() {
-                        give(1 + row, f64::from(value));
-                    }
+                    let extra = self.extra[2 * gaussian..][..2].iter().enumerate();
+                    extra.for_each(|(row, &value)| give(1 + row, value.into()));
                 }
             }
         }
@@ -251,78 +232,39 @@ pub(super) fn points(layer: &Dense, factor: &[f32]) -> Vec<f32> {
     point
 }
 
-/// The last layer has one column.
-#[derive(Clone)]
-pub struct TransmittanceHead {
-    layer: Dense,
-    factor: Vec<f32>,
+/// A sample's factor in [`points`].
+pub(super) fn factor(layer: &Dense, point: &[f32], sample: u32) -> Rounded {
+    layer.at(point, POINT_ROWS, sample)
 }
 
-impl TransmittanceHead {
-    fn new(layer: Dense, fill: Fill, random: &mut Random) -> Self {
-        let factor = fill.values(random, layer.params.stride as usize, [0.0, 1.0], 1.0);
-        Self { factor: factor.into_iter().map(f32::abs).collect(), layer }
-    }
-}
+// the last layer has one column
+case!(pub TransmittanceHead(TransmittanceHeadInputs) { layer: Dense });
 
 impl Parity for TransmittanceHead {
-    const KERNEL: &'static str = "transmittance_head";
-    const TOLERANCE: f64 = 4e-7;
-    const WHY: &'static str = "a_k is off by roundings of its terms' sizes M, log sigmoid by as \
-        much relatively, and by exp's 3 + 2 abs(x) ulp";
-
     fn sets() -> Vec<(String, Self)> {
-        head_sets(Self::new)
+        head_sets(|layer, fill, random| {
+            let factor = fill.values(random, layer.params.stride as usize, [0.0, 1.0], 1.0);
+            let factor: Vec<_> = factor.into_iter().map(f32::abs).collect();
+            let inputs = TransmittanceHeadInputs {
+                params: layer.head_params(FIRST_SAMPLE),
+                parameters: layer.parameters.clone(),
+                point: points(&layer, &factor),
+                input: layer.input.clone(),
+                log_rho: unwritten((FIRST_SAMPLE + layer.params.samples) as usize),
+            };
+            Self { inputs, layer }
+        })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let layer = &self.layer;
-        let kernel = TransmittanceHeadKernel {
-            params: layer.head_params(FIRST_SAMPLE),
-            parameters: &layer.parameters,
-            point: &points(layer, &self.factor),
-            input: &layer.input,
-            log_rho: &unwritten((FIRST_SAMPLE + layer.params.samples) as usize),
-        };
-        runner.run(&kernel, layer.params.samples, 1)
-    }
-
-    fn bound(&self, cpu: &Output, index: usize, _: Rounding) -> Bound {
-        let sample = index.checked_sub(FIRST_SAMPLE as usize);
-        let Some(sample) = sample else { return Bound::EXACT };
-        let Bound { scale: terms, floor } = self.layer.sum_bound(sample as u32, 0);
-        let log_rho = cpu.floats()[index].abs();
-        let factor = f64::from(self.factor[sample]);
-        // the slope of log sigmoid is at most 1, and at most its own size where that is small
-        let is_lost = terms * Self::TOLERANCE > 0.1;
-        let scale =
-            if is_lost { log_rho + 3.0 * factor * terms } else { log_rho * (1.0 + 3.0 * terms) };
-        // a factor may be flushed, and the logarithm is as large as the terms
-        let flushed = f64::from(self.factor[sample].min(TINY)) * (1.0 + terms);
-        Bound { scale, floor: floor + f64::from(TINY) * (1.0 + log_rho) + flushed }
-    }
-
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        let sample = index.checked_sub(FIRST_SAMPLE as usize)?;
-        let a = self.layer.sum(sample as u32, 0);
-        Some(log_rho(a, f64::from(self.factor[sample])))
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
+        let sample = index.checked_sub(FIRST_SAMPLE as usize)? as u32;
+        Some(log_rho(self.layer.sum(sample, 0), factor(&self.layer, &self.point, sample)))
     }
 }
 
 case!(pub SegmentProduct(SegmentProductInputs));
 
-impl SegmentProduct {
-    /// The samples of a pair.
-    fn samples_of_pair(&self, pair: usize) -> &[f32] {
-        &self.log_rho[self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize]
-    }
-}
-
 impl Parity for SegmentProduct {
-    const KERNEL: &'static str = "segment_product";
-    const TOLERANCE: f64 = 1e-6;
-    const WHY: &'static str = "exp's 3 + 2 abs(x) ulp, and roundings of the sum, which where regrouped grow with its terms";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |power, first_sample: Vec<u32>, log_rho| {
             let pairs = first_sample.len() as u32 - 1;
@@ -350,28 +292,9 @@ impl Parity for SegmentProduct {
         sets
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.pairs, 1)
-    }
-
-    fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
-        let terms = self.samples_of_pair(index);
-        let sum: f64 = terms.iter().map(|&x| f64::from(self.params.power * x.abs())).sum();
-        let roundings = match rounding {
-            Rounding::AsWritten => 1.0,
-            Rounding::Regrouped => 1.0 + 0.03 * terms.len() as f64,
-        };
-        Bound::relative_to(cpu.floats()[index] * (1.0 + sum * roundings))
-    }
-
-    fn exact_at(&self, _: &str, pair: usize) -> Option<f64> {
-        let logarithms =
-            self.samples_of_pair(pair).iter().map(|&x| f64::from(self.params.power * x));
-        Some(transmittance(logarithms.sum()))
-    }
-
-    /// Wider than between devices: all of them round a sum of 16,384 logarithms in the same way, and f64 does not.
-    fn exact_bound(&self, exact: &Output, index: usize, _: Rounding) -> Bound {
-        self.bound(exact, index, Rounding::Regrouped)
+    fn exact_at(&self, _: &str, pair: usize) -> Option<Rounded> {
+        let samples = self.first_sample[pair] as usize..self.first_sample[pair + 1] as usize;
+        let sum = Rounded::sum(self.log_rho[samples].iter().copied().map(Rounded::from));
+        Some(transmittance(Rounded::from(self.params.power) * sum))
     }
 }

@@ -151,7 +151,7 @@ fn add_failure(
     let is_own = |failure: &Failure| [case.kernel, kernel].contains(&failure.kernel);
     let has_command = |failure: &Failure| is_own(failure) && failure.command.is_some();
     let is_first = !failures.iter().any(has_command);
-    if let Some(failure) = add(failures, kernel, name, measure.describe(beside, case.why))
+    if let Some(failure) = add(failures, kernel, name, measure.describe(beside))
         && is_first
     {
         failure.command = report::command(case, &measure.share);
@@ -182,7 +182,7 @@ pub fn missing(cases: &[Case]) -> Vec<String> {
     let without = kernels().filter(|kernel| !has_case(kernel) && packages.contains(kernel.package));
     let message = |kernel: &KernelInfo| {
         format!(
-            "{}: the kernel `{}` has no parity case: implement `Parity` for its inputs, and add the case to `cases()`",
+            "{}: the kernel `{}` has no parity case: declare it with `case!`, and implement `Parity` for it",
             kernel.source(),
             kernel.name
         )

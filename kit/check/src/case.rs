@@ -1,17 +1,20 @@
-//! The test case of a kernel: its inputs, its equation in f64, its tolerance, and the comparison of a device with both.
+//! The test case of a kernel: its inputs and its equation, and the comparison of a device with both.
 
-use crate::{Bound, Canary, KernelRunner, Measure, Output, Values};
+use std::cell::OnceCell;
+use std::ops::Deref;
+
+use crate::number::Rounded;
+use crate::{Canary, KernelRunner, Measure, Output, Values};
 use muslin_device::{Device, Result};
+use muslin_kernel::given::Inputs;
 
 /// A kernel's case, without the type of its inputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Case {
     /// Name of the kernel.
     pub kernel: &'static str,
-    /// See [`Parity::TOLERANCE`].
-    pub tolerance: f64,
-    /// See [`Parity::WHY`].
-    pub why: &'static str,
+    /// The package that declares the case.
+    pub package: &'static str,
     /// See [`Parity::COMPARED`].
     pub compared: f64,
     measure: fn(&Device, &Device, Rounding) -> Result<Measure>,
@@ -19,14 +22,28 @@ pub struct Case {
     run: fn(&Device, &str) -> Result<()>,
 }
 
+/// Every case that the program is linked with. [`case!`] adds to it.
+#[doc(hidden)]
+#[linkme::distributed_slice]
+pub static CASES: [Case];
+
+/// The cases of a package, such as `env!("CARGO_PKG_NAME")`, by the names of their kernels.
+#[must_use]
+pub fn cases(package: &str) -> Vec<Case> {
+    let mut cases: Vec<_> = CASES.iter().copied().collect();
+    cases.retain(|case| case.package == package);
+    cases.sort_by_key(|case| case.kernel);
+    cases
+}
+
 impl Case {
     /// The case of a kernel that implements [`Parity`].
+    #[doc(hidden)]
     #[must_use]
-    pub fn new<P: Parity>() -> Self {
+    pub const fn new<P: Parity>(package: &'static str) -> Self {
         Self {
             kernel: P::KERNEL,
-            tolerance: P::TOLERANCE,
-            why: P::WHY,
+            package,
             compared: P::COMPARED,
             measure: measure::<P>,
             hold: compare_with_exact::<P>,
@@ -49,7 +66,7 @@ impl Case {
         (self.measure)(cpu, device, rounding)
     }
 
-    /// Runs all sets on a device, and compares with the equations in f64, within the case's own bound.
+    /// Runs all sets on a device, and compares with the equations in f64, within the equations' own errors.
     ///
     /// [`Measure::values`] is the number of elements for which the equations have a value.
     ///
@@ -73,6 +90,20 @@ fn run<P: Parity>(device: &Device, set: &str) -> Result<()> {
     sets.try_for_each(|(_, set)| set.run(&KernelRunner::new(device, P::KERNEL)).map(drop))
 }
 
+/// The equations' values for all elements of an output.
+fn exact<P: Parity>(set: &P, output: &Output, rounding: Rounding) -> Vec<Option<Rounded>> {
+    let all = output.len();
+    let mut exact = match rounding {
+        Rounding::AsWritten => set.exact(output.name, all),
+        Rounding::Regrouped => set.exact_regrouped(output.name, all),
+    };
+    let given = exact.len();
+    assert!(given <= all, "`{}` has {all} values in `{}`, `exact` {given}", P::KERNEL, output.name);
+    exact.resize(all, None);
+    exact
+}
+
+/// Compares the outputs of two devices: each may be off by the equations' errors.
 fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Result<Measure> {
     let mut measure = Measure::default();
     for (name, set) in P::sets() {
@@ -80,8 +111,11 @@ fn measure<P: Parity>(cpu: &Device, device: &Device, rounding: Rounding) -> Resu
         let found = set.run(&KernelRunner::with_other_canaries(device, P::KERNEL))?;
         assert_eq!(expected.len(), found.len(), "outputs of `{}`", P::KERNEL);
         for (expected, found) in expected.iter().zip(&found) {
-            measure.add(&name, expected, found, P::TOLERANCE, |index| {
-                set.bound(expected, index, rounding)
+            let values = OnceCell::new();
+            measure.add(&name, expected, found, |index| {
+                let value = values.get_or_init(|| exact(&set, expected, rounding))[index];
+                let value = value.unwrap_or(Rounded::exact(0.0));
+                Rounded { error: 2.0 * value.error, ..value }
             });
         }
     }
@@ -93,43 +127,36 @@ fn compare_with_exact<P: Parity>(device: &Device, rounding: Rounding) -> Result<
     let mut measure = Measure::default();
     for (name, set) in P::sets() {
         for output in set.run(&KernelRunner::new(device, P::KERNEL))? {
-            add(&mut measure, &name, &set, &output, rounding);
+            add(&mut measure, &name, &output, &exact(&set, &output, rounding));
         }
     }
     Ok(measure)
 }
 
 /// Compares one output of a set.
-fn add<P: Parity>(measure: &mut Measure, name: &str, set: &P, output: &Output, rounding: Rounding) {
+fn add(measure: &mut Measure, name: &str, output: &Output, exact: &[Option<Rounded>]) {
     let found = output.to_f64();
-    let mut exact = set.exact(output.name, found.len());
-    let given = exact.len();
-    let all = found.len();
-    assert!(given <= all, "`{}` has {all} values in `{}`, `exact` {given}", P::KERNEL, output.name);
-    exact.resize(all, None);
     let is_float = matches!(output.values, Values::Float(_));
-    let bound = |expected: &Output, index| {
-        if is_float { set.exact_bound(expected, index, rounding) } else { Bound::EXACT }
+    let unwritten = if is_float { f64::from(f32::CANARY) } else { f64::from(u32::CANARY) };
+    let expected = |(exact, found): (&Option<Rounded>, &f64)| match exact {
+        Some(exact) if is_float => *exact,
+        Some(exact) if exact.error.is_finite() => Rounded::exact(exact.value),
+        Some(_) => Rounded::UNKNOWN,
+        None if is_canary(*found, is_float) => Rounded::exact(*found),
+        None => Rounded::exact(unwritten),
     };
-    let compared = exact.iter().flatten().count();
-    let written = (0..found.len())
-        .filter(|&index| exact[index].is_some() || !is_canary(found[index], is_float))
-        .count();
-    // an element without a value in the equations is not checked, but padding must stay unwritten
-    let expected = (0..found.len()).map(|index| match exact[index] {
-        Some(exact) => exact,
-        None if is_float
-            && bound(output, index) == Bound::EXACT
-            && !is_canary(found[index], true) =>
-        {
-            f64::from(f32::CANARY)
-        }
-        None => found[index],
-    });
-    let expected = Output { name: output.name, values: Values::Float(expected.collect()) };
-    let found = Output { name: output.name, values: Values::Float(found) };
+    let expected: Vec<_> = exact.iter().zip(&found).map(expected).collect();
+    let compared = exact.iter().flatten().filter(|exact| exact.error.is_finite()).count();
+    let written = exact.iter().flatten().count();
+    let values = expected.iter().map(|exact| exact.value).collect();
     let all = measure.values;
-    measure.add(name, &expected, &found, P::TOLERANCE, |index| bound(&expected, index));
+    let found = Output { name: output.name, values: Values::Float(found) };
+    measure.add(
+        name,
+        &Output { values: Values::Float(values), ..found.clone() },
+        &found,
+        |index| expected[index],
+    );
     measure.values = all + compared;
     let share = measure.compared.entry(output.name).or_default();
     *share = [share[0] + compared, share[1] + written];
@@ -142,15 +169,11 @@ fn is_canary(found: f64, is_float: bool) -> bool {
     if is_float { found == float || found == 2.0 * float } else { found == integer }
 }
 
-/// A set of a kernel's inputs, with everything that tests need to know about the kernel.
-pub trait Parity: Sized + 'static {
+/// A set of a kernel's inputs, and the kernel's equation. [`case!`] declares the type.
+pub trait Parity: Deref<Target: Inputs> + Sized + 'static {
     /// Name of the kernel.
-    const KERNEL: &'static str;
-    /// Largest error of an output, in units of [`Parity::bound`]'s scale; 0 if all outputs are integers.
-    const TOLERANCE: f64 = 0.0;
-    /// The reason for the tolerance, and the values that the inputs avoid.
-    const WHY: &'static str = "integers";
-    /// The part of each output's written elements that [`Parity::exact_at`] must give, over all sets.
+    const KERNEL: &'static str = <Self::Target as Inputs>::KERNEL;
+    /// The part of each output's written elements of which [`Parity::exact`] must know the value, over all sets.
     ///
     /// If a case lowers it, a comment says why.
     const COMPARED: f64 = 0.9;
@@ -158,42 +181,38 @@ pub trait Parity: Sized + 'static {
     /// The sets of inputs, each with a name.
     fn sets() -> Vec<(String, Self)>;
 
-    /// Runs the kernel.
+    /// Runs the kernel over what it declares. A case may change outputs here, so that the equation has them, too.
     ///
     /// # Errors
     /// Any error of the device.
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>>;
-
-    /// The error allowed for an element. `cpu` is the CPU's output.
-    fn bound(&self, cpu: &Output, index: usize, rounding: Rounding) -> Bound {
-        let _ = rounding;
-        Bound::relative_to(cpu.floats()[index].abs())
+    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
+        runner.run(&self.kernel())
     }
 
-    /// The equation in f64, for an element of an output. `None` for padding, for elements that the kernel does not write, and if
-    /// rounding decides.
-    fn exact_at(&self, output: &str, index: usize) -> Option<f64> {
+    /// The equation, for an element of an output: its value, and how far a device may be off. `None` for what the kernel does
+    /// not write, and [`Rounded::UNKNOWN`] where rounding decides about it. Integers must be equal.
+    fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
         let _ = (output, index);
         None
     }
 
     /// Like [`exact_at`](Self::exact_at), for all `len` elements of an output: for equations that compute them together.
     /// Missing elements at the end count as `None`.
-    fn exact(&self, output: &str, len: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
         (0..len).map(|index| self.exact_at(output, index)).collect()
     }
 
-    /// The error allowed between a device's element and `exact`. By default it is the same as between the device and
-    /// the CPU.
-    ///
-    /// It is wider only if the kernel's roundings, which are the same on all devices, exceed the differences between
-    /// devices.
-    fn exact_bound(&self, exact: &Output, index: usize, rounding: Rounding) -> Bound {
-        self.bound(exact, index, rounding)
+    /// Like [`exact`](Self::exact), for drivers that regroup operations. Only kernels with numbers of two f32 need it: the
+    /// second gets lost there.
+    fn exact_regrouped(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
+        self.exact(output, len)
     }
 }
 
-/// Declares a case whose inputs are those of its kernel: `case!(pub Square(SquareInputs))` is a struct around them.
+/// Declares and registers a case whose inputs are those of its kernel: `case!(pub Square(SquareInputs))` is a struct around them.
+///
+/// What the inputs are made of may lie beside them: `case!(pub Normals(NormalsInputs) { scene: Scene })` has the fields `inputs` and
+/// `scene`.
 #[macro_export]
 macro_rules! case {
     ($visibility:vis $case:ident($inputs:ty)) => {
@@ -201,19 +220,38 @@ macro_rules! case {
         #[derive(Clone)]
         $visibility struct $case($visibility $inputs);
 
+        $crate::case!(@register $case, $inputs, 0);
+    };
+    ($visibility:vis $case:ident($inputs:ty) { $($(#[$doc:meta])* $of:vis $field:ident: $type:ty),+ $(,)? }) => {
+        #[doc = concat!("A case around [`", stringify!($inputs), "`], and what they are made of.")]
+        #[derive(Clone)]
+        $visibility struct $case {
+            inputs: $inputs,
+            $($(#[$doc])* $of $field: $type,)+
+        }
+
+        $crate::case!(@register $case, $inputs, inputs);
+    };
+    (@register $case:ident, $inputs:ty, $field:tt) => {
         impl ::core::ops::Deref for $case {
             type Target = $inputs;
 
             fn deref(&self) -> &$inputs {
-                &self.0
+                &self.$field
             }
         }
 
         impl ::core::ops::DerefMut for $case {
             fn deref_mut(&mut self) -> &mut $inputs {
-                &mut self.0
+                &mut self.$field
             }
         }
+
+        const _: () = {
+            #[$crate::linkme::distributed_slice($crate::case::CASES)]
+            #[linkme(crate = $crate::linkme)]
+            static CASE: $crate::Case = $crate::Case::new::<$case>(::core::env!("CARGO_PKG_NAME"));
+        };
     };
 }
 

@@ -1,5 +1,6 @@
 //! Inputs for kernels, the same on every machine: random numbers, and numbers that break careless code.
 
+use glam::Vec4;
 use muslin_kernel::math::TINY;
 
 /// Numbers of items around the size of a workgroup.
@@ -107,15 +108,30 @@ impl Fill {
             })
             .collect()
     }
+
+    /// `len` vectors of such numbers.
+    pub fn vectors(self, random: &mut Random, len: usize, usual: [f32; 2], huge: f32) -> Vec<Vec4> {
+        let numbers = self.values(random, 4 * len, usual, huge);
+        numbers.chunks_exact(4).map(Vec4::from_slice).collect()
+    }
 }
 
 /// A random set of every size, and an adversarial set of every filling.
 pub fn sets<T>(make: impl Fn(u32, Fill, &mut Random) -> T) -> Vec<(String, T)> {
-    let sized = SIZES.map(|size| (size, Fill::Random));
-    let filled = Fill::ADVERSARIAL.map(|fill| (ITEMS, fill));
+    sets_of(SIZES, ITEMS, make)
+}
+
+/// A random set of each size, and an adversarial set of every filling and one size.
+pub fn sets_of<T>(
+    sizes: impl IntoIterator<Item = u32>,
+    filled: u32,
+    make: impl Fn(u32, Fill, &mut Random) -> T,
+) -> Vec<(String, T)> {
+    let sized = sizes.into_iter().map(|size| (size, Fill::Random));
+    let all = sized.chain(Fill::ADVERSARIAL.map(|fill| (filled, fill)));
     let set = |(index, (size, fill)): (usize, (u32, Fill))| {
         let mut random = Random::new(index as u64);
-        (format!("{}, {size} items", fill.name()), make(size, fill, &mut random))
+        (format!("{}, size {size}", fill.name()), make(size, fill, &mut random))
     };
-    sized.into_iter().chain(filled).enumerate().map(set).collect()
+    all.enumerate().map(set).collect()
 }

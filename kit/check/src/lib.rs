@@ -2,7 +2,7 @@
 //!
 //! # How devices are compared
 //!
-//! A kernel's case has its inputs, its equation in f64, and the error allowed on a device. It implements [`Parity`]:
+//! A kernel's case has its inputs and its equation. It implements [`Parity`]:
 //!
 //! ```
 //! # extern crate muslin_kernel as muslin;
@@ -14,7 +14,7 @@
 //!     pub count: u32,
 //! }
 //!
-//! #[kernel(threads(64))]
+//! #[kernel(threads(64), over(params.count))]
 //! pub fn square(id: Invocation, params: &SquareParams, input: Read<f32>, output: Write<f32>) {
 //!     if id.index() < params.count {
 //!         output.write(id.index(), input.read(id.index()) * input.read(id.index()));
@@ -24,10 +24,6 @@
 //! case!(Square(SquareInputs));
 //!
 //! impl Parity for Square {
-//!     const KERNEL: &'static str = "square";
-//!     const TOLERANCE: f64 = 1.2e-7;
-//!     const WHY: &'static str = "one rounding";
-//!
 //!     fn sets() -> Vec<(String, Self)> {
 //!         inputs::sets(|count, fill, random| {
 //!             let input = fill.values(random, count as usize, [-2.0, 2.0], 1e19);
@@ -35,28 +31,29 @@
 //!         })
 //!     }
 //!
-//!     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-//!         runner.run(&self.kernel(), self.params.count, 1)
-//!     }
-//!
-//!     fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-//!         Some(f64::from(self.input[index]).powi(2))
+//!     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
+//!         let x = Rounded::from(self.input[index]);
+//!         Some(x * x)
 //!     }
 //! }
 //!
 //! # fn main() {
-//! # use muslin_check::{Case, devices};
-//! # let measure = Case::new::<Square>().compare_with_exact(&devices::checked(), Rounding::AsWritten).unwrap();
+//! # use muslin_check::{Rounding, cases, devices};
+//! # let [square] = cases(env!("CARGO_PKG_NAME"))[..] else { panic!("one case") };
+//! # let measure = square.compare_with_exact(&devices::checked(), Rounding::AsWritten).unwrap();
 //! # assert!(measure.is_ok() && measure.values > 0);
 //! # }
 //! ```
+//!
+//! The equation is written in [`Rounded`](number::Rounded) numbers: each is an f64, and how far an f32 of a device may be off. So the
+//! equation gives the tolerance, too. [`gradient`](number::gradient) gives a backward kernel's values from the forward equation.
 //!
 //! A test then runs all cases on every device of this machine, and compares each with the CPU and with its equation:
 //!
 //! ```ignore
 //! #[test]
 //! fn every_kernel_is_right_on_every_device() {
-//!     muslin_check::assert_parity(&[Case::new::<Square>()], &MODULES);
+//!     muslin_check::assert_parity(&cases(env!("CARGO_PKG_NAME")), &MODULES);
 //! }
 //! ```
 //!
@@ -73,6 +70,7 @@ pub mod case;
 pub mod devices;
 pub mod inputs;
 pub mod measure;
+pub mod number;
 pub mod prelude;
 pub mod report;
 pub mod runner;
@@ -84,7 +82,9 @@ pub use case::Case;
 // the result type of cases
 pub use muslin_device::Result;
 
-pub use case::{Parity, Rounding};
-pub use measure::{Bound, Measure, Output, Values, Worst};
+pub use case::{Parity, Rounding, cases};
+#[doc(hidden)]
+pub use linkme;
+pub use measure::{Measure, Output, Values, Worst};
 pub use report::{Report, Row};
 pub use runner::{Canary, KernelRunner, unwritten};

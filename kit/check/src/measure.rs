@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use muslin_kernel::math::TINY;
 use serde::Serialize;
 
+use crate::number::Rounded;
+
 /// One output of a kernel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
@@ -55,6 +57,16 @@ impl Output {
         }
     }
 
+    /// Number of elements.
+    #[must_use]
+    pub(crate) fn len(&self) -> usize {
+        match &self.values {
+            Values::Float(values) => values.len(),
+            Values::Exact(values) => values.len(),
+            Values::Signed(values) => values.len(),
+        }
+    }
+
     /// The values as f64.
     #[must_use]
     pub fn to_f64(&self) -> Vec<f64> {
@@ -63,26 +75,6 @@ impl Output {
             Values::Exact(values) => values.iter().copied().map(f64::from).collect(),
             Values::Signed(values) => values.iter().copied().map(f64::from).collect(),
         }
-    }
-}
-
-/// The error allowed for an element: `tolerance * scale + floor`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bound {
-    /// Factor of the kernel's tolerance.
-    pub scale: f64,
-    /// An additional allowance, for example for a denormal that a GPU flushes to zero.
-    pub floor: f64,
-}
-
-impl Bound {
-    /// The bound for elements that must be equal.
-    pub const EXACT: Self = Self { scale: 0.0, floor: 0.0 };
-
-    /// A bound relative to `scale`. Denormals may be flushed to zero.
-    #[must_use]
-    pub fn relative_to(scale: f64) -> Self {
-        Self { scale, floor: f64::from(TINY) }
     }
 }
 
@@ -106,10 +98,10 @@ pub struct Worst {
 /// The largest differences of a kernel on a device.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Measure {
-    /// Largest absolute difference, among elements with a scale below 1e9: next to 1e30 it means nothing.
+    /// Largest absolute difference, among elements whose terms are below 1e9: next to 1e30 it means nothing.
     pub absolute: Worst,
     /// Largest difference relative to the CPU's value. Flushed denormals are left out, and so are results of a
-    /// cancellation: less than a thousandth of the scale.
+    /// cancellation: less than a thousandth of its terms.
     pub relative: Worst,
     /// Largest difference in units in the last place (ulp) of the CPU's value as an f32. The same values are left
     /// out.
@@ -127,7 +119,7 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// Compares one output. `bound` gives the allowed error of each element.
+    /// Compares one output. `allowed` gives the error of each element that may differ.
     ///
     /// NaN never equals anything: no kernel may produce one.
     pub fn add(
@@ -135,8 +127,7 @@ impl Measure {
         set: &str,
         cpu: &Output,
         found: &Output,
-        tolerance: f64,
-        bound: impl Fn(usize) -> Bound,
+        allowed: impl Fn(usize) -> Rounded,
     ) {
         let is_exact = !matches!(cpu.values, Values::Float(_));
         let expected = cpu.to_f64();
@@ -149,9 +140,13 @@ impl Measure {
                 continue;
             }
             let difference = nan_is_infinite((cpu_value - value).abs());
-            let Bound { scale, floor } = if is_exact { Bound::EXACT } else { bound(index) };
-            let allowed = tolerance * scale + floor;
-            let share = if allowed > 0.0 { difference / allowed } else { f64::INFINITY };
+            let Rounded { error, terms, .. } =
+                if is_exact { Rounded::exact(cpu_value) } else { allowed(index) };
+            // it may overflow on one device and not on another
+            if error > 0.0 && cpu_value.abs() + error > f64::from(f32::MAX) && !value.is_nan() {
+                continue;
+            }
+            let share = if error > 0.0 { difference / error } else { f64::INFINITY };
             let share = nan_is_infinite(share);
             self.failures += usize::from(share > 1.0);
             let worst = |value: f64| Worst {
@@ -163,10 +158,10 @@ impl Measure {
                 found: actual[index],
             };
             raise(&mut self.share, share, worst);
-            if scale < 1e9 {
+            if terms < 1e9 {
                 raise(&mut self.absolute, difference, worst);
             }
-            if difference > floor && cpu_value.abs() >= 1e-3 * scale {
+            if difference > f64::from(TINY) && cpu_value.abs() >= 1e-3 * terms {
                 raise(&mut self.relative, difference / cpu_value.abs(), worst);
                 raise(&mut self.ulp, difference / spacing(cpu_value), worst);
             }
@@ -202,8 +197,9 @@ mod tests {
 
     fn measure(cpu: Output, found: Output, tolerance: f64) -> Measure {
         let mut measure = Measure::default();
-        measure.add("set", &cpu, &found, tolerance, |index| {
-            Bound::relative_to(cpu.floats()[index].abs())
+        measure.add("set", &cpu, &found, |index| {
+            let value = cpu.floats()[index];
+            Rounded::within(value, tolerance * value.abs() + f64::from(TINY))
         });
         measure
     }

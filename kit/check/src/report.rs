@@ -30,11 +30,7 @@ pub struct Report {
 pub struct Row {
     /// The entry point that ran: the kernel's name, or that of its variant.
     pub kernel: &'static str,
-    /// The tolerance, in units of each output's scale; 0 if all outputs are integers.
-    pub tolerance: f64,
-    /// The reason for the tolerance.
-    pub why: &'static str,
-    /// Whether all values are within the tolerance.
+    /// Whether all values are within their errors.
     pub ok: bool,
     /// The largest differences.
     #[serde(flatten)]
@@ -116,20 +112,8 @@ fn rows(
     Ok(rows)
 }
 
-/// Every kernel's tolerance, and the reason for it, in Markdown.
-#[must_use]
-pub fn tolerances(cases: &[Case]) -> String {
-    let mut text =
-        "## Tolerances\n\n| kernel | tolerance | why |\n| --- | --- | --- |\n".to_owned();
-    for case in cases {
-        // writing to a String does not fail
-        let _ = writeln!(text, "| {} | {} | {} |", case.kernel, allowed(case.tolerance), case.why);
-    }
-    text
-}
-
-const TITLES: [&str; 8] =
-    ["kernel", "values", "absolute", "relative", "ulp", "tolerance", "of it", "result"];
+const TITLES: [&str; 7] =
+    ["kernel", "values", "absolute", "relative", "ulp", "of allowed", "result"];
 
 impl Report {
     /// The report in Markdown.
@@ -156,7 +140,7 @@ impl fmt::Display for Report {
         write!(f, "{adapter} ({driver}), {path}\n{table}")?;
         let failed = self.kernels.iter().filter(|row| !row.ok);
         failed
-            .map(|row| (row.kernel, row.measure.describe("the CPU", row.why)))
+            .map(|row| (row.kernel, row.measure.describe("the CPU")))
             .try_for_each(|(kernel, text)| writeln!(f, "{kernel}: {text}"))
     }
 }
@@ -164,8 +148,7 @@ impl fmt::Display for Report {
 impl Row {
     /// The row of a case on a device.
     pub(crate) fn new(case: &Case, device: &Device, measure: Measure) -> Self {
-        let Case { tolerance, why, .. } = *case;
-        Self { kernel: case.entry_point(device), tolerance, why, ok: measure.is_ok(), measure }
+        Self { kernel: case.entry_point(device), ok: measure.is_ok(), measure }
     }
 
     /// The cells, in the order of [`TITLES`].
@@ -177,15 +160,10 @@ impl Row {
             size(measure.absolute.value),
             size(measure.relative.value),
             format!("{:.1}", measure.ulp.value),
-            allowed(self.tolerance),
             format!("{:.0}%", measure.share.value * 100.0),
             if self.ok { "ok" } else { "FAILED" }.to_owned(),
         ]
     }
-}
-
-fn allowed(tolerance: f64) -> String {
-    if tolerance == 0.0 { "equal".to_owned() } else { format!("{tolerance:.1e}") }
 }
 
 /// Formats a size. Zero is just `0`.
@@ -196,15 +174,16 @@ fn size(value: f64) -> String {
 impl Measure {
     /// The values that are too far apart, and where they are farthest: without a line's end.
     #[must_use]
-    pub fn describe(&self, beside: &str, why: &str) -> String {
-        let Worst { set, output, index, cpu, found, .. } = &self.share;
+    pub fn describe(&self, beside: &str) -> String {
+        let Worst { set, output, index, cpu, found, value } = &self.share;
         let failures = self.failures;
         let values = self.values;
         format!(
             "{failures} of {values} values are too far from {beside}, the worst is `{output}[{index}]` of \"{set}\": \
-             {}, not {}; tolerance: {why}",
+             {}, not {}, {:.1} times as far as allowed",
             number(*found),
             number(*cpu),
+            value,
         )
     }
 }

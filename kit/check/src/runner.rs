@@ -3,7 +3,7 @@
 use bytemuck::Pod;
 use glam::Vec4;
 use muslin_kernel::given::Given;
-use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, Storage};
+use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, Items, Storage};
 
 use super::measure::{Output, Values};
 use muslin_device::{Buffer, Device, Error, Host, Result};
@@ -109,44 +109,33 @@ impl<'d> KernelRunner<'d> {
         }
     }
 
-    /// Uploads what is given, and runs the kernel with at least `items` invocations along x, and with at least one
-    /// workgroup. The kernel itself must test for an empty input. Returns the outputs, by the names of the bindings.
+    /// Uploads what is given, and runs the kernel over what it declares, and with at least one workgroup: the kernel itself must test
+    /// for an empty input. Returns the outputs, by the names of the bindings.
     ///
     /// # Errors
     /// The same errors as [`Device::run`], or an error if the kernel has written after an output's end.
-    pub fn run<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Given>,
-        items: u32,
-        workgroups_z: u32,
-    ) -> Result<Vec<Output>> {
-        self.run_given(kernel, |kernel| self.device.run(kernel, items.max(1), workgroups_z.max(1)))
-    }
-
-    /// Like [`run`](Self::run), over a width, a height and a depth, as [`Device::run_over`].
     ///
-    /// # Errors
-    /// The same errors as [`run`](Self::run).
-    pub fn run_over<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Given>,
-        size: [u32; 3],
-    ) -> Result<Vec<Output>> {
-        self.run_given(kernel, |kernel| self.device.run_over(kernel, size))
-    }
-
-    fn run_given<'a>(
-        &self,
-        kernel: &impl Dispatch<'a, Given>,
-        dispatch: impl FnOnce(&Uploaded<'_>) -> Result<()>,
-    ) -> Result<Vec<Output>> {
+    /// # Panics
+    /// If the kernel does not declare what it runs over.
+    pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Given>) -> Result<Vec<Output>> {
         let info = kernel.info();
         let uniform = kernel.uniform();
         assert_eq!(info.name, self.kernel, "the parity case of `{}` runs another", self.kernel);
         let given = contents(kernel);
         let buffers = given.iter().map(|(binding, bytes)| self.upload_given(binding, bytes));
         let buffers = buffers.collect::<Result<Vec<_>>>()?;
-        dispatch(&Uploaded { info, uniform, buffers: &buffers })?;
+        let over = info.over.unwrap_or_else(|| {
+            panic!("`{}` does not say what it runs over: `#[kernel(.., over(..))]`", info.name)
+        });
+        let len = |(binding, bytes): &(&BindingInfo, &[u8])| {
+            bytes.len() as u64 / u64::from(binding.element_bytes)
+        };
+        let elements: Vec<_> = given.iter().map(len).collect();
+        let kernel = Uploaded { info, uniform, buffers: &buffers };
+        match over(uniform, &elements) {
+            Items::Line(items, z) => self.device.run(&kernel, items.max(1), z.max(1))?,
+            Items::Grid(size) => self.device.run_over(&kernel, size)?,
+        }
         let outputs = given.iter().zip(&buffers).filter(|((binding, _), _)| is_written(binding));
         outputs.map(|((binding, _), buffer)| self.output_given(binding, buffer)).collect()
     }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, KernelInfo};
+use muslin_kernel::kernel::{Access, BindingInfo, Dispatch, EntryPoint, Items, KernelInfo};
 
 use muslin_kernel::work::Work;
 
@@ -321,6 +321,24 @@ impl Device {
         let with_extra = |workgroups: u32| workgroups + if workgroups < MOST { extra } else { 0 };
         let all = [with_extra(needed[0]), with_extra(needed[1]), needed[2]];
         self.dispatch_with_extra(kernel, all, needed)
+    }
+
+    /// Runs a kernel over what it declares, `#[kernel(.., over(..))]`, of its parameters and of the lengths of its buffers.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::dispatch`], or an error if the kernel does not declare it.
+    pub fn run_all<'a>(&self, kernel: &impl Dispatch<'a, Host>) -> Result<()> {
+        let info = kernel.info();
+        let mut buffers = Vec::with_capacity(info.bindings.len());
+        kernel.bind(&mut |buffer| buffers.push(buffer));
+        let over = info.over.ok_or_else(|| {
+            let reason = "it does not say what it runs over: `#[kernel(.., over(..))]`".into();
+            Error::Kernel { kernel: info.name.into(), reason }
+        })?;
+        match over(kernel.uniform(), &elements(info, &buffers)) {
+            Items::Line(items, workgroups_z) => self.run(kernel, items, workgroups_z),
+            Items::Grid(size) => self.run_over(kernel, size),
+        }
     }
 
     /// Turns timing on or off: of a GPU's dispatches, and the counting of every device's [`Work`]. The CPU's times

@@ -28,7 +28,7 @@ pub fn piece(total: u32, first: u32, most: u32) -> u32 {
 ///
 /// `placement [1 + n, 4]` starts with n and three unused values. Then, for each number: its index in `parameters`, the
 /// index of its total in `counts`, and `first` and `most` of [`piece`].
-#[kernel(threads(64))]
+#[kernel(threads(64), over(placement.len() / PLACEMENT_VALUES - 1))]
 pub fn count_fill(id: Invocation, placement: Read<u32>, counts: Read<u32>, parameters: Write<u32>) {
     let index = id.index();
     if index < placement.read(0) {

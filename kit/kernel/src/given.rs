@@ -6,11 +6,11 @@ use std::vec::Vec;
 
 use bytemuck::Pod;
 
-use crate::kernel::Storage;
+use crate::kernel::{Dispatch, Storage};
 
 /// Where a test's buffers are: a kernel's struct takes a `&Vec` for each of them.
 ///
-/// `#[kernel]` also writes a struct that owns them, here `SquareInputs`. Its function `kernel` lends them to a `SquareKernel`.
+/// `#[kernel]` also writes a struct that owns them, here `SquareInputs`: see [`Inputs`].
 #[derive(Debug)]
 pub struct Given;
 
@@ -26,4 +26,16 @@ impl Storage for Given {
     fn upper_bound(count: &u32) -> u32 {
         *count
     }
+}
+
+/// What a test gives a kernel: its parameters, and a `Vec` for each buffer. `#[kernel]` implements it for `SquareInputs`.
+pub trait Inputs: Clone {
+    /// Name of the kernel.
+    const KERNEL: &'static str;
+    /// The kernel with buffers that are lent.
+    type Kernel<'a>: Dispatch<'a, Given>
+    where
+        Self: 'a;
+    /// The kernel with these buffers.
+    fn kernel(&self) -> Self::Kernel<'_>;
 }

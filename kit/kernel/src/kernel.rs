@@ -152,6 +152,8 @@ pub struct KernelInfo {
     pub variant: Option<EntryPoint>,
     /// Counts the work of a dispatch, if the kernel declares it.
     pub work: Option<WorkOf>,
+    /// What a dispatch runs over, if the kernel declares it.
+    pub over: Option<OverOf>,
     /// Bindings whose elements come in any order.
     pub unordered: &'static [&'static str],
     /// The CPU execution.
@@ -198,6 +200,30 @@ impl KernelInfo {
     /// All entry points, the plain one first.
     pub fn entry_points(&self) -> impl Iterator<Item = EntryPoint> {
         core::iter::once(self.plain()).chain(self.variant)
+    }
+}
+
+/// The items that a dispatch runs over, as `over(..)` declares them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Items {
+    /// Items for `id.index()`, and workgroups along z.
+    Line(u32, u32),
+    /// Width, height and depth for `id.global()`.
+    Grid([u32; 3]),
+}
+
+/// What a kernel runs over: of the parameters' bytes, and of the number of elements of each storage buffer.
+pub type OverOf = fn(&[u8], &[u64]) -> Items;
+
+/// The length of a buffer, in an expression of `over(..)`.
+#[doc(hidden)]
+#[derive(Clone, Copy)]
+pub struct Elements(pub u64);
+
+impl Elements {
+    /// Number of elements.
+    pub fn len(self) -> u32 {
+        self.0 as u32
     }
 }
 

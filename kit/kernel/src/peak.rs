@@ -75,7 +75,7 @@ fn peak_multiply_add_work(params: &PeakMultiplyAddParams, _: Shape<'_>) -> Work 
 /// Multiply-adds on registers, `x = x factor + addend` again and again: `output [count]`, the sum of an invocation's
 /// twelve.  They begin with 0 to 11 and a little of the invocation's number, so that no compiler finds two of them the
 /// same, and no GPU two invocations.
-#[kernel(threads(64), iterations = MAX_PEAK_STEPS, fused, lanes(count), work(peak_multiply_add_work))]
+#[kernel(threads(64), over(params.count), iterations = MAX_PEAK_STEPS, fused, lanes(count), work(peak_multiply_add_work))]
 pub fn peak_multiply_add<L: Lane>(
     id: Invocation,
     params: &PeakMultiplyAddParams,
@@ -126,7 +126,7 @@ fn peak_read_work(params: &PeakReadParams, _: Shape<'_>) -> Work {
 ///
 /// `values [workgroups, steps, 4, 64]`: a workgroup of a GPU reads 64 neighbors at once, and on the CPU its block stays in
 /// the innermost cache until all of its lines are used up.
-#[kernel(threads(64), iterations = MAX_PEAK_STEPS, lanes(count), work(peak_read_work))]
+#[kernel(threads(64), over(params.count), iterations = MAX_PEAK_STEPS, lanes(count), work(peak_read_work))]
 pub fn peak_read<L: Lane>(
     id: Invocation,
     params: &PeakReadParams,

@@ -22,9 +22,7 @@ const TWO_31: f32 = 2_147_483_648.0;
 const ENDLESS: f32 = f32::INFINITY;
 
 impl Parity for CoreFunctions {
-    const KERNEL: &'static str = "core_functions";
-    const WHY: &'static str = "integers, and bits of floats that are not rounded";
-    // the CPU's other values are those of core, with which devices are compared
+    // integers, and bits of floats that are not rounded: the CPU's other values are those of core, with which devices are compared
     const COMPARED: f64 = 0.15;
 
     fn sets() -> Vec<(String, Self)> {
@@ -39,12 +37,8 @@ impl Parity for CoreFunctions {
         vec![("edges".into(), Self(CoreFunctionsInputs { params, u, v, x, y, output }))]
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count * ROWS, 1)
-    }
-
     /// Of functions that are not core's own on the CPU.
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let at = index % self.u.len();
         let [u, v] = [self.u[at], self.v[at]];
         let [a, b] = [u, v].map(i64::from);
@@ -85,7 +79,7 @@ impl Parity for CoreFunctions {
             118 => is_beyond(i + j),
             119 => is_beyond(i - j),
             120 => is_beyond(i + b),
-            _ => return None,
+            _ => return Some(Rounded::UNKNOWN),
         };
         Some(value.into())
     }

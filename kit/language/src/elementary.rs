@@ -41,12 +41,6 @@ fn nearest_half(x: f64) -> f64 {
 }
 
 impl Parity for Elementary {
-    const KERNEL: &'static str = "elementary";
-    const TOLERANCE: f64 = 1e-7;
-    const WHY: &'static str = "what each function states: sin and cos 1.2e-7, tan 5e-7 (1 + tan^2), ln 5e-7 of its size, pow 1e-6 (1 + \
-        abs(y ln x)) of its size, mix three roundings, asin and atan 2e-7, acos and atan2 4e-7, exp2 and tanh 3e-7 and log2 5e-7 of their \
-        size, and a tenth more for divisions and roots; floor, round, abs, clamp and halves are equal";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, fill, random| {
             let len = count as usize;
@@ -63,35 +57,31 @@ impl Parity for Elementary {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count, 1)
-    }
-
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
-        Some(self.at(index).2)
-    }
-
-    fn bound(&self, _: &Output, index: usize, _: Rounding) -> Bound {
+    /// The errors are what each function states, and a tenth more for divisions and roots.
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let (row, [x, y, p], exact) = self.at(index);
-        match row {
-            0 | 1 => Bound::relative_to(1.2),
-            2 => Bound::relative_to(5.0 * (1.0 + exact * exact)),
-            3 => Bound::relative_to(5.0 * exact.abs()),
-            4 => Bound::relative_to(10.0 * (1.0 + (y * p.ln()).abs()) * exact),
-            // a GPU may take a denormal for 0
-            5 if x != 0.0 && x.abs() < f64::from(TINY) => Bound { scale: 0.0, floor: 1.0 },
-            5 | 6 => Bound::EXACT,
-            7 | 8 => Bound::relative_to(0.0),
-            10 | 12 => Bound::relative_to(2.2),
-            11 | 13 => Bound::relative_to(4.4),
-            14 | 16 => Bound { scale: 3.3 * exact.abs(), floor: f64::from(TINY) },
-            15 => Bound::relative_to(5.5 * exact.abs()),
-            17 | 18 => Bound::EXACT,
-            // x, y, the product and the sum may be flushed
-            _ => Bound {
-                scale: 3.0 * (x.abs() + p.abs() * (x.abs() + y.abs())),
-                floor: f64::from(TINY) * (2.0 + 2.0 * p.abs()),
+        let tiny = f64::from(TINY);
+        Some(Rounded::within(
+            exact,
+            match row {
+                0 | 1 => 1.2e-7,
+                2 => 5e-7 * (1.0 + exact * exact),
+                3 => 5e-7 * exact.abs() + tiny,
+                4 => 1e-6 * (1.0 + (y * p.ln()).abs()) * exact + tiny,
+                // a GPU may take a denormal for 0
+                5 if x != 0.0 && x.abs() < tiny => 1.0,
+                5 | 6 | 17 | 18 => 0.0,
+                7 | 8 => tiny,
+                10 | 12 => 2.2e-7,
+                11 | 13 => 4.4e-7,
+                14 | 16 => 3.3e-7 * exact.abs() + tiny,
+                15 => 5.5e-7 * exact.abs() + tiny,
+                // a linear mix
+                _ => {
+                    let [x, y, p] = [x, y, p].map(Rounded::from);
+                    return Some(x + p * (y - x));
+                }
             },
-        }
+        ))
     }
 }

@@ -10,8 +10,6 @@ use muslin_language_kernels::language::{
 case!(pub ByteHistogram(ByteHistogramInputs));
 
 impl Parity for ByteHistogram {
-    const KERNEL: &'static str = "byte_histogram";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, _, random| {
             let bytes = (0..count).map(|_| random.bits() as u8).collect();
@@ -21,25 +19,19 @@ impl Parity for ByteHistogram {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count, 1)
-    }
-
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let byte = |half: &u16| usize::from(half / 256);
         let count = match index.checked_sub(BYTES) {
             None => self.bytes.iter().filter(|byte| usize::from(**byte) == index).count(),
             Some(high) => self.halves.iter().map(byte).filter(|byte| *byte == high).count(),
         };
-        Some(count as f64)
+        Some(Rounded::exact(count as f64))
     }
 }
 
 case!(pub SortRows(SortRowsInputs));
 
 impl Parity for SortRows {
-    const KERNEL: &'static str = "sort_rows";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |[rows, columns]: [u32; 2]| {
             let mut random = Random::new(columns.into());
@@ -50,24 +42,17 @@ impl Parity for SortRows {
         [[5, 1], [1, 2], [3, 64], [2, 1024], [1, MAX_ROW]].map(set).into()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), 64 * self.params.rows, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let mut sorted = self.values.clone();
         let rows = sorted.chunks_exact_mut(self.params.columns as usize);
         rows.for_each(<[u32]>::sort_unstable);
-        sorted.into_iter().map(|value| Some(value.into())).collect()
+        listed(sorted)
     }
 }
 
 case!(pub KeepPositive(KeepPositiveInputs));
 
 impl Parity for KeepPositive {
-    const KERNEL: &'static str = "keep_positive";
-    const WHY: &'static str = "multiples of 1/8 up to 128, whose sums are exact in any order";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |[rows, columns]: [u32; 2]| {
             let mut random = Random::new(columns.into());
@@ -86,24 +71,25 @@ impl Parity for KeepPositive {
 
     /// The kept values come in any order, so they are sorted.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel(), 96 * self.params.rows, 1)?;
+        let mut outputs = runner.run(&self.kernel())?;
         if let Values::Float(kept) = &mut outputs[0].values {
             kept.chunks_exact_mut(self.params.columns as usize).for_each(sort);
         }
         Ok(outputs)
     }
 
-    fn exact(&self, output: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let of = |row: &[f32]| {
             let values: Vec<_> = row.iter().copied().map(f64::from).collect();
             let mut kept: Vec<_> = values.iter().map(|value| value.max(0.0)).collect();
             let count = kept.iter().filter(|value| **value > 0.0).count() as f64;
-            let [low, high] =
-                [values.iter().copied().reduce(f64::min), values.iter().copied().reduce(f64::max)];
+            let [low, high] = [f64::min, f64::max]
+                .map(|of| values.iter().copied().reduce(of).expect("a row has columns"));
             sort(&mut kept);
             match output {
-                "kept" => kept.into_iter().map(Some).collect(),
-                _ => vec![Some(count), Some(values.iter().sum()), low, high],
+                "kept" => listed(kept),
+                // multiples of 1/8 up to 128: their sums are exact in any order
+                _ => listed([count, values.iter().sum(), low, high]),
             }
         };
         self.values.chunks_exact(self.params.columns as usize).flat_map(of).collect()
@@ -113,8 +99,6 @@ impl Parity for KeepPositive {
 case!(pub ScanAndShuffle(ScanAndShuffleInputs));
 
 impl Parity for ScanAndShuffle {
-    const KERNEL: &'static str = "scan_and_shuffle";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|count, _, random| {
             let values = (0..count).map(|_| random.bits()).collect();
@@ -123,12 +107,8 @@ impl Parity for ScanAndShuffle {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.count, 1)
-    }
-
-    fn exact_at(&self, _: &str, _: usize) -> Option<f64> {
-        Some(0.0)
+    fn exact_at(&self, _: &str, _: usize) -> Option<Rounded> {
+        Some(Rounded::exact(0.0))
     }
 }
 
@@ -160,6 +140,9 @@ const LATER: [f32; 12] = [0.0, -0.0, 0.4, 1.0, -1.0, 3.0, 49.0, -0.7, TWO_24, 1e
 const TWO_24: f32 = 16_777_216.0;
 const ENDLESS: f32 = f32::INFINITY;
 const NONE: f32 = f32::NAN;
+
+/// The error of what nothing is known about, beyond all that [`shown`] gives.
+const UNKNOWN: f64 = 1e41;
 
 /// All pairs of [`NUMBERS`] and [`LATER`].
 fn pairs() -> [Vec<f32>; 2] {
@@ -216,11 +199,6 @@ impl AsWritten {
 }
 
 impl Parity for AsWritten {
-    const KERNEL: &'static str = "as_written";
-    const TOLERANCE: f64 = 4e-7;
-    const WHY: &'static str = "equal as it is written, but for two divisions of 2.5 ulp, and the sign of a zero to which one is added; \
-        nothing is known where drivers regroup, or divide by more than 2^126";
-
     fn sets() -> Vec<(String, Self)> {
         let [x, y] = pairs();
         let params = LanguageParams { count: x.len() as u32 };
@@ -229,39 +207,36 @@ impl Parity for AsWritten {
     }
 
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel(), self.params.count, 1)?;
+        let mut outputs = runner.run(&self.kernel())?;
         let bits = outputs[0].words().iter();
         let numbers = bits.map(|bits| shown(f32::from_bits(*bits).into())).collect();
         outputs[0].values = Values::Float(numbers);
         Ok(outputs)
     }
 
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let [row, at] = [index / self.x.len(), index % self.x.len()];
-        Some(shown(Self::row(row, self.x[at].into(), self.y[at].into())))
+        let value = shown(Self::row(row, self.x[at].into(), self.y[at].into()));
+        Some(match row {
+            _ if self.is_unknown(row, at) => Rounded::within(value, UNKNOWN),
+            // the sign of zero
+            13 | 14 => Rounded::within(value, 1e-50),
+            // divisions, of which a GPU may be off by 2.5 ulp
+            4 | 10 | 12 | 18 | 19 => Rounded::within(value, 4e-7 * value.abs() + f64::from(TINY)),
+            _ => Rounded::exact(value),
+        })
     }
 
-    fn bound(&self, output: &Output, index: usize, rounding: Rounding) -> Bound {
-        let [row, at] = [index / self.x.len(), index % self.x.len()];
-        match row {
-            _ if rounding == Rounding::Regrouped || self.is_unknown(row, at) => {
-                Bound { scale: 0.0, floor: 1e41 }
-            }
-            // the sign of zero
-            13 | 14 => Bound { scale: 0.0, floor: 1e-50 },
-            // divisions, of which a GPU may be off by 2.5 ulp
-            4 | 10 | 12 | 18 | 19 => Bound::relative_to(output.floats()[index].abs()),
-            _ => Bound::EXACT,
-        }
+    /// Nothing is known of drivers that regroup.
+    fn exact_regrouped(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
+        let all = self.exact(output, len).into_iter();
+        all.map(|exact| exact.map(|exact| Rounded::within(exact.value, UNKNOWN))).collect()
     }
 }
 
 case!(pub Compared(ComparedInputs));
 
 impl Parity for Compared {
-    const KERNEL: &'static str = "compared";
-    const WHY: &'static str = "equal, also of NaN";
-
     fn sets() -> Vec<(String, Self)> {
         let [x, y] = pairs();
         let params = LanguageParams { count: x.len() as u32 };
@@ -271,7 +246,7 @@ impl Parity for Compared {
 
     /// The bits of NaN are not known, and zeros are equal.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let mut outputs = runner.run(&self.kernel(), self.params.count, 1)?;
+        let mut outputs = runner.run(&self.kernel())?;
         let flags = 17 * self.x.len();
         let value = |(index, &word)| match index < flags {
             true => f64::from(word),
@@ -282,7 +257,7 @@ impl Parity for Compared {
         Ok(outputs)
     }
 
-    fn exact_at(&self, _: &str, index: usize) -> Option<f64> {
+    fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         use core::cmp::Ordering::{Equal, Greater, Less};
         let [row, at] = [index / self.x.len(), index % self.x.len()];
         let [x, y] = [&self.x, &self.y].map(|values| f64::from(values[at]));
@@ -305,13 +280,9 @@ impl Parity for Compared {
             12 | 14..=16 => x_is_nan,
             _ => {
                 let takes_x = y.is_nan() || is(if row == 17 { &[Greater] } else { &[Less] });
-                return Some(shown(if takes_x { x } else { y } + 0.0));
+                return Some(Rounded::exact(shown(if takes_x { x } else { y } + 0.0)));
             }
         };
-        Some(f64::from(u8::from(flag)))
-    }
-
-    fn bound(&self, _: &Output, _: usize, _: Rounding) -> Bound {
-        Bound::EXACT
+        Some(Rounded::exact(f64::from(u8::from(flag))))
     }
 }

@@ -36,11 +36,10 @@ fn pairs() -> [Vec<u32>; 2] {
 }
 
 macro_rules! methods {
-    ($($case:ident, $inputs:ident, $kernel:literal, $methods:ident, $integer:ident;)*) => {$(
+    ($($case:ident, $inputs:ident, $methods:ident, $integer:ident;)*) => {$(
         case!(pub $case($inputs));
 
         impl Parity for $case {
-            const KERNEL: &'static str = $kernel;
             // the CPU's other values are those of core, with which devices are compared
             const COMPARED: f64 = 0.0;
 
@@ -53,13 +52,13 @@ macro_rules! methods {
 
             /// An output for each method.
             fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-                let outputs = runner.run(&self.kernel(), self.params.count, 1)?;
+                let outputs = runner.run(&self.kernel())?;
                 let rows = outputs[0].words().chunks(self.x.len());
                 let rows = $methods.iter().zip(rows);
                 Ok(rows.map(|(method, row)| Output::exact(method, row.to_vec())).collect())
             }
 
-            fn exact_at(&self, method: &str, index: usize) -> Option<f64> {
+            fn exact_at(&self, method: &str, index: usize) -> Option<Rounded> {
                 let [x, y] = [self.x[index] as $integer, self.y[index] as $integer].map(i64::from);
                 let checked = |x: i64| $integer::try_from(x).map_or(0x1234_5678, |x| x as u32);
                 let limits = [$integer::MIN, $integer::MAX].map(i64::from);
@@ -84,7 +83,7 @@ macro_rules! methods {
                     "saturating_add" => (x + y).clamp(limits[0], limits[1]) as u32,
                     "saturating_sub" => (x - y).clamp(limits[0], limits[1]) as u32,
                     "abs_diff" => (x - y).unsigned_abs() as u32,
-                    _ => return None,
+                    _ => return Some(Rounded::UNKNOWN),
                 };
                 Some(value.into())
             }
@@ -93,8 +92,8 @@ macro_rules! methods {
 }
 
 methods! {
-    U8, U8MethodsInputs, "u8_methods", U8_METHODS, u8;
-    U16, U16MethodsInputs, "u16_methods", U16_METHODS, u16;
-    I8, I8MethodsInputs, "i8_methods", I8_METHODS, i8;
-    I16, I16MethodsInputs, "i16_methods", I16_METHODS, i16;
+    U8, U8MethodsInputs, U8_METHODS, u8;
+    U16, U16MethodsInputs, U16_METHODS, u16;
+    I8, I8MethodsInputs, I8_METHODS, i8;
+    I16, I16MethodsInputs, I16_METHODS, i16;
 }

@@ -19,8 +19,6 @@ fn without_negative_zero(bits: u32) -> u32 {
 }
 
 impl Parity for VectorMethods {
-    const KERNEL: &'static str = "vector_methods";
-    const WHY: &'static str = "bits of floats that are not rounded";
     // the CPU's other values are glam's, with which devices are compared
     const COMPARED: f64 = 0.0;
 
@@ -35,7 +33,7 @@ impl Parity for VectorMethods {
 
     /// An output for each method. A vector has SIMD on some CPUs, which loses the sign of zero.
     fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        let outputs = runner.run(&self.kernel(), self.params.count, 1)?;
+        let outputs = runner.run(&self.kernel())?;
         let rows = METHODS.iter().zip(outputs[0].words().chunks(self.x.len()));
         let words = |method: &str, row: &[u32]| match method.starts_with("math::") {
             true => row.to_vec(),
@@ -44,7 +42,7 @@ impl Parity for VectorMethods {
         Ok(rows.map(|(method, row)| Output::exact(method, words(method, row))).collect())
     }
 
-    fn exact_at(&self, method: &str, index: usize) -> Option<f64> {
+    fn exact_at(&self, method: &str, index: usize) -> Option<Rounded> {
         let [x, y] = [&self.x, &self.y].map(|values| f64::from(values[index].x));
         let value = match method {
             "round" | "round of Vec3" | "math::round" => x.round(),
@@ -61,7 +59,7 @@ impl Parity for VectorMethods {
             // too short, or too long, for the square of a length
             "normalize_or_zero" if x == 0.0 || x.abs() > 1e19 => 0.0,
             "normalize_or_zero" => 8.0 * x.signum(),
-            _ => return None,
+            _ => return Some(Rounded::UNKNOWN),
         };
         let bits = (value as f32).to_bits();
         let is_of_vector = !method.starts_with("math::");

@@ -245,6 +245,7 @@ fn info(kernel: &Kernel) -> TokenStream {
     let each = each(kernel);
     let limit = limit(kernel);
     let work = work(kernel);
+    let over = over(kernel);
     let unordered = kernel.unordered.iter().map(ToString::to_string);
     quote! {
         #[cfg(not(target_arch = "spirv"))]
@@ -268,6 +269,7 @@ fn info(kernel: &Kernel) -> TokenStream {
                 shared: &#shared,
                 variant: #variant,
                 work: #work,
+                over: #over,
                 unordered: &[#(#unordered),*],
                 run: run(),
                 run_variant: #run_variant,
@@ -312,6 +314,34 @@ fn work(kernel: &Kernel) -> TokenStream {
             #count(&params, shape)
         }
         ::core::option::Option::Some(work)
+    }}
+}
+
+/// The function that says what a dispatch runs over: in the declared sizes, the parameters and the lengths of buffers have their names.
+fn over(kernel: &Kernel) -> TokenStream {
+    let items = match &kernel.over[..] {
+        [] => return quote!(::core::option::Option::None),
+        [items] => quote!(Line(#items, 1)),
+        [items, workgroups_z] => quote!(Line(#items, #workgroups_z)),
+        all => quote!(Grid([#(#all),*])),
+    };
+    let mut storage = 0_usize;
+    let named = kernel.parameters.iter().filter(|parameter| parameter.role.is_binding());
+    let named = named.map(|Parameter { name, role, element, .. }| {
+        if matches!(role, Role::Uniform) {
+            return quote!(let #name = ::muslin::dependencies::bytemuck::pod_read_unaligned::<#element>(uniform););
+        }
+        storage += 1;
+        let at = storage - 1;
+        quote!(let #name = ::muslin::kernel::Elements(elements[#at]);)
+    });
+    quote! {{
+        #[allow(unused_variables)]
+        fn over(uniform: &[u8], elements: &[u64]) -> ::muslin::kernel::Items {
+            #(#named)*
+            ::muslin::kernel::Items::#items
+        }
+        ::core::option::Option::Some(over)
     }}
 }
 
@@ -425,6 +455,7 @@ fn inputs(kernel: &Kernel, dispatch: &Ident) -> TokenStream {
     let doc = format!(
         "What a test gives [`{name}`]({name}()): its parameters, and a `Vec` for each buffer."
     );
+    let kernel_name = text(name);
     let inputs = format_ident!("{}Inputs", dispatch.to_string().trim_end_matches("Kernel"));
     let mut fields = Vec::new();
     let mut lent = Vec::new();
@@ -449,10 +480,10 @@ fn inputs(kernel: &Kernel, dispatch: &Ident) -> TokenStream {
         pub struct #inputs { #(#fields),* }
 
         #[cfg(not(target_arch = "spirv"))]
-        #[allow(dead_code)]
-        impl #inputs {
-            /// The kernel with these buffers.
-            pub fn kernel(&self) -> #dispatch<'_, ::muslin::given::Given> { #dispatch { #(#lent),* } }
+        impl ::muslin::given::Inputs for #inputs {
+            const KERNEL: &'static str = #kernel_name;
+            type Kernel<'a> = #dispatch<'a, ::muslin::given::Given>;
+            fn kernel(&self) -> #dispatch<'_, ::muslin::given::Given> { #dispatch { #(#lent),* } }
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::ops::Deref;
 
 use proc_macro2::TokenStream;
+use syn::meta::ParseNestedMeta;
 use syn::parse::{Parse, Parser};
 use syn::spanned::Spanned;
 use syn::{
@@ -94,6 +95,8 @@ pub struct Attribute {
     pub work: Option<Path>,
     /// Bindings whose elements come in any order.
     pub unordered: Vec<Ident>,
+    /// What a dispatch runs over.
+    pub over: Vec<Expr>,
 }
 
 impl Deref for Kernel {
@@ -205,7 +208,7 @@ impl Kernel {
 }
 
 /// `threads(x)`, `threads(x, y)` or `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, `subgroups`, `z_serial` or `z_innermost`, `lanes` or
-/// `lanes(field)`, `counts(field, ..)`, and `unordered(binding, ..)`
+/// `lanes(field)`, `over(items, ..)`, `counts(field, ..)`, and `unordered(binding, ..)`
 fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
     let mut threads = None;
     let mut found = Attribute::default();
@@ -241,6 +244,10 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
             });
             return Ok(());
         }
+        if meta.path.is_ident("over") {
+            found.over = up_to_three(&meta)?;
+            return Ok(());
+        }
         if meta.path.is_ident("counts") || meta.path.is_ident("unordered") {
             let content;
             syn::parenthesized!(content in meta.input);
@@ -252,17 +259,12 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
         }
         if !meta.path.is_ident("threads") {
             let expected = "expected `threads(x, y, z)`, `iterations = n`, `fused`, `storage_barriers`, \
-                `subgroups`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `counts(field, ..)`, `unordered(binding, ..)` or `work(function)`";
+                `subgroups`, `z_serial`, `z_innermost`, `lanes`, `lanes(field)`, `over(items, ..)`, `counts(field, ..)`, `unordered(binding, ..)` or \
+                `work(function)`";
             return Err(meta.error(expected));
         }
-        let content;
-        syn::parenthesized!(content in meta.input);
-        let sizes = content.parse_terminated(Expr::parse, syn::Token![,])?;
-        if sizes.is_empty() || sizes.len() > 3 {
-            return Err(meta.error("expected one to three sizes"));
-        }
         // lengths of workgroup memory are `usize`, and one constant serves both
-        let mut sizes = sizes.into_iter().map(|size| match size {
+        let mut sizes = up_to_three(&meta)?.into_iter().map(|size| match size {
             Expr::Lit(_) => size,
             size => parse_quote!(((#size) as u32)),
         });
@@ -279,6 +281,17 @@ fn parse_attribute(attribute: TokenStream) -> Result<([Expr; 3], Attribute)> {
         ));
     }
     Ok((threads, found))
+}
+
+/// One to three sizes in parentheses.
+fn up_to_three(meta: &ParseNestedMeta<'_>) -> Result<Vec<Expr>> {
+    let content;
+    syn::parenthesized!(content in meta.input);
+    let sizes = content.parse_terminated(Expr::parse, syn::Token![,])?;
+    if sizes.is_empty() || sizes.len() > 3 {
+        return Err(meta.error("expected one to three sizes"));
+    }
+    Ok(sizes.into_iter().collect())
 }
 
 /// The name of `id: Invocation`.

@@ -4,7 +4,7 @@ use organza::{Camera, Scene, Stages, TileBatch};
 use organza_parity::exact::composite::{self, Splat};
 use organza_parity::exact::dense::network;
 use organza_parity::exact::hash_grid::encode;
-use organza_parity::exact::numeric::{dot, sigmoid};
+use organza_parity::exact::numeric::{Number, dot};
 use organza_parity::exact::project::{self, Gaussian, Projected, View};
 use organza_parity::exact::transmittance::{log_rho, midpoint, transmittance as product};
 use organza_parity::exact::unit_cube::unit;
@@ -32,7 +32,7 @@ pub fn color(scene: &Scene, sh: &[f32], features: &[f32], gaussian: usize) -> Ve
     let width = scene.config.material as usize;
     let material = &scene.gaussians.material[gaussian * width..][..width];
     let input = [sh, features, material].concat().into_iter().map(f64::from).collect();
-    network(&scene.color.network, input).into_iter().map(sigmoid).collect()
+    network(&scene.color.network, input).into_iter().map(Number::sigmoid).collect()
 }
 
 /// Eq. 4-11: K and T.

@@ -2,7 +2,7 @@
 
 use glam::Vec4;
 
-use super::numeric::{Number, sigmoid};
+use super::numeric::Number;
 use super::project::cutoff;
 
 /// A pair in the image.
@@ -20,7 +20,7 @@ pub struct Splat<N> {
 
 /// `opacity T`, of an opacity's logit: alpha but for the falloff.
 pub fn weight<N: Number>(logit: N, transmittance: N) -> N {
-    sigmoid(logit) * transmittance
+    logit.sigmoid() * transmittance
 }
 
 /// `sqrt(det(cov2d) / det(cov2d + blur I))`, of the conic of the blurred covariance: what a weight is multiplied with. At least
@@ -34,32 +34,24 @@ pub fn compensation<N: Number>([xx, xy, yy]: [N; 3], blur: f64) -> N {
     let b = xx / determinant - blur;
     let c = xy / determinant;
     let quotient = (a * b - c * c) * determinant;
-    if quotient.value() > least.value() * least.value() { quotient.sqrt() } else { least }
+    quotient.above((least * least).value(), quotient.sqrt(), least)
 }
 
 /// `exp(-q/2)` up to the cutoff, and 0 behind it.  Rounding may have taken q of a needle below 0.
 pub fn falloff<N: Number>(q: N) -> N {
-    if q.value() > cutoff() {
-        return N::from(0.0);
-    }
-    let q = if q.value() < 0.0 { q - N::from(q.value()) } else { q };
-    (N::from(-0.5) * q).exp()
-}
-
-impl Splat<f64> {
-    /// A splat as the kernels have it.
-    pub fn from_vectors(vectors: &[Vec4; 3]) -> Self {
-        let [placed, conic, color] = vectors.map(|vector| vector.as_dvec4());
-        Self {
-            mean: [placed.x, placed.y],
-            weight: placed.z,
-            conic: [conic.x, conic.y, conic.z],
-            color: [color.x, color.y, color.z],
-        }
-    }
+    let inside = if q.value() < 0.0 { q - N::from(q.value()) } else { q };
+    let inside = (N::from(-0.5) * inside).exp().between(0.0, 1.0);
+    q.above(cutoff(), N::from(0.0), inside)
 }
 
 impl<N: Number> Splat<N> {
+    /// A splat as the kernels have it.
+    pub fn from_vectors(vectors: &[Vec4; 3]) -> Self {
+        let numbers = vectors.map(|vector| vector.to_array().map(|x| N::from(x.into())));
+        let [[x, y, weight, _], [xx, xy, yy, _], [r, g, b, _]] = numbers;
+        Self { mean: [x, y], weight, conic: [xx, xy, yy], color: [r, g, b] }
+    }
+
     /// `q = d^T cov2d^-1 d`, d from the center to a place of the image.
     pub fn q(&self, place: [f64; 2]) -> N {
         let [dx, dy] = [0, 1].map(|axis| N::from(place[axis]) - self.mean[axis]);

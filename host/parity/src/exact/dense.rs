@@ -11,7 +11,7 @@ pub fn affine<N: Number>(weights: &[N], bias: N, inputs: &[N]) -> N {
 
 /// max(x, 0)
 pub fn relu<N: Number>(x: N) -> N {
-    if x.value() > 0.0 { x } else { N::from(0.0) }
+    x.above(0.0, x, N::from(0.0))
 }
 
 /// A whole network: ReLU after every layer but the last.

@@ -1,19 +1,25 @@
 //! The unit of the hash grids' gradient, as docs/correctness.md defines it.
 
+use super::numeric::{Number, Rounded};
+
 /// A bound of |dL/dlogit| of a color (Eq. 3): a sigmoid's slope is at most 1/4.
-pub fn color_bound(gradient: [f64; 3]) -> f64 {
-    largest(gradient.map(|g| g / 4.0))
+pub fn color_bound(gradient: [Rounded; 3]) -> Rounded {
+    largest(gradient.map(|g| g / 4.0.into()))
 }
 
 /// A bound of |dL/da_k| of a segment's samples (Eq. 11), whose product is to a power.
-pub fn transmittance_bound([gradient, transmittance, power]: [f64; 3]) -> f64 {
-    largest([power * gradient * transmittance])
+pub fn transmittance_bound([gradient, transmittance, power]: [Rounded; 3]) -> Rounded {
+    power * (gradient * transmittance).size()
 }
 
 /// The largest absolute value; infinite if a value is infinite or NaN.
-pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    let larger = |most: f64, x: f64| if x.is_finite() { most.max(x.abs()) } else { f64::INFINITY };
-    values.into_iter().fold(0.0, larger)
+pub fn largest(values: impl IntoIterator<Item = Rounded>) -> Rounded {
+    let endless = Rounded::exact(f64::INFINITY);
+    let larger = |most: Rounded, x: Rounded| match x.value.is_finite() {
+        true => most.largest(x.size()),
+        false => endless,
+    };
+    values.into_iter().fold(Rounded::exact(0.0), larger)
 }
 
 /// The exponent of the unit, a power of two, and the limit: the largest gradient that can be added.

@@ -1,9 +1,10 @@
 //! The loss of a rendered batch (Kerbl et al. 2023, Eq. 7).
 
+use super::numeric::Number;
+
 /// `(|d|, 1 - SSIM, d^2, m)` of a pixel, summed over its channels; d is the difference of the images.
-pub fn sums(d: [f64; 3], dissimilarity: f64, valid: f64) -> [f64; 4] {
-    let sum = |of: fn(f64) -> f64| d.into_iter().map(of).sum::<f64>();
-    [sum(f64::abs), dissimilarity, sum(|d| d * d), valid]
+pub fn sums<N: Number>(d: [N; 3], dissimilarity: N, valid: N) -> [N; 4] {
+    [N::sum(d.map(N::size)), dissimilarity, N::sum(d.map(|d| d * d)), valid]
 }
 
 /// The loss from the sums over `valid` pixels: `(1 - w) |x - y| + w (1 - SSIM)`, the mean over their three channels.

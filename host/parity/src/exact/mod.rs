@@ -4,9 +4,7 @@
 //! They are written from docs/pipeline.md, over plain numbers. They share no code and no constant with the kernels.
 
 pub mod adam;
-pub mod batch;
 pub mod channels;
-pub mod color;
 pub mod composite;
 pub mod dense;
 pub mod hash_grid;
@@ -22,11 +20,6 @@ pub mod ssim;
 pub mod tile;
 pub mod transmittance;
 pub mod unit_cube;
-
-/// Integers that the equations give.
-pub(super) fn listed(values: impl IntoIterator<Item = u32>) -> Vec<Option<f64>> {
-    values.into_iter().map(|value| Some(f64::from(value))).collect()
-}
 
 /// The set bits of words, from the lowest on.
 pub(super) fn bits(words: &[u32]) -> impl Iterator<Item = usize> {

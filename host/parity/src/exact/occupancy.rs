@@ -1,7 +1,7 @@
 //! Where Gaussians are: docs/pipeline.md, "Occupancy".
 
 use super::hash_grid::Level;
-use super::numeric::sigmoid;
+use super::numeric::Number;
 use super::project::{Gaussian, unit_axes};
 use super::unit_cube::{contract, unit};
 
@@ -45,7 +45,7 @@ impl OccupancyGrid {
         let cells = scales.map(|scale| scale / self.cell());
         let smallest = cells.into_iter().fold(f64::INFINITY, f64::min);
         let section = cells.iter().product::<f64>() / smallest;
-        let fill = 2.0 * std::f64::consts::TAU * sigmoid(opacity) * section;
+        let fill = 2.0 * std::f64::consts::TAU * opacity.sigmoid() * section;
         let axes = unit_axes(gaussian.rotation);
         let nodes = cells.map(along);
         let mut all = Vec::new();

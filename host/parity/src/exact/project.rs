@@ -1,6 +1,6 @@
 //! EWA: a Gaussian on the image plane.
 
-use super::numeric::{Number, dot};
+use super::numeric::{Number, cross, dot, row};
 
 /// A camera.
 #[derive(Clone, Copy, Debug)]
@@ -58,7 +58,7 @@ pub struct Gaussian<N> {
     pub log_scale: [N; 3],
 }
 
-impl Gaussian<f64> {
+impl<N: Number> Gaussian<N> {
     /// Of the tensors `position [N, 3]`, `rotation [N, 4]` and `log_scale [N, 3]`.
     pub fn read(position: &[f32], rotation: &[f32], log_scale: &[f32], index: usize) -> Self {
         Self {
@@ -69,13 +69,9 @@ impl Gaussian<f64> {
     }
 
     /// The lengths of its axes.
-    pub fn axes(&self) -> [f64; 3] {
-        self.log_scale.map(f64::exp)
+    pub fn axes(&self) -> [N; 3] {
+        self.log_scale.map(N::exp)
     }
-}
-
-fn row<const N: usize>(values: &[f32], index: usize) -> [f64; N] {
-    std::array::from_fn(|axis| values[N * index + axis].into())
 }
 
 /// Where a Gaussian lies in an image.
@@ -100,17 +96,22 @@ pub fn cutoff() -> f64 {
     2.0 * 255f64.ln()
 }
 
+/// The depth of the near plane, as an f32 has it.
+pub const NEAR: f64 = 0.01_f32 as f64;
+
 /// A Gaussian that is not behind the near plane.
 pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Option<Projected<N>> {
     let place @ [x, y, z] = view.place(gaussian.position);
-    // as an f32 has it
-    if z.value() <= f64::from(0.01_f32) {
+    if z.value() <= NEAR {
         return None;
     }
     let ratios = [x / z, y / z];
     let axes = scaled_axes(gaussian);
     let jacobian: [[N; 3]; 2] = std::array::from_fn(|i| {
-        let ratio = clamped(ratios[i], view.limits(i));
+        // one that is clamped is constant
+        let [low, high] = view.limits(i);
+        let ratio =
+            ratios[i].above(high, N::from(high), ratios[i].above(low, ratios[i], N::from(low)));
         let focal = N::from(view.focal[i]) / z;
         std::array::from_fn(|k| {
             (N::from(view.axes[i][k]) - ratio * N::from(view.axes[2][k])) * focal
@@ -119,6 +120,8 @@ pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Opt
     let footprint = jacobian.map(|row| axes.map(|axis| dot(row, axis)));
     let [u, v] = footprint;
     let blur = N::from(blur);
+    // of the Gram matrix: `uu vv - uv uv` would cancel for a needle
+    let normal = cross(u, v);
     let uu = dot(u, u);
     let uv = dot(u, v);
     let vv = dot(v, v);
@@ -128,19 +131,8 @@ pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Opt
         footprint,
         mean: std::array::from_fn(|i| N::from(view.focal[i]) * ratios[i] + N::from(view.center[i])),
         covariance: [uu + blur, uv, vv + blur],
-        determinant: area_squared(u, v) + blur * (uu + vv) + blur * blur,
+        determinant: dot(normal, normal) + blur * (uu + vv) + blur * blur,
     })
-}
-
-/// A ratio between its limits: one that is clamped is constant.
-fn clamped<N: Number>(ratio: N, [low, high]: [f64; 2]) -> N {
-    if ratio.value() < low {
-        N::from(low)
-    } else if ratio.value() > high {
-        N::from(high)
-    } else {
-        ratio
-    }
 }
 
 /// The axes in the world, as long as the scales.
@@ -165,23 +157,6 @@ pub fn unit_axes<N: Number>(rotation: [N; 4]) -> [[N; 3]; 3] {
         let twice = cross(n, once);
         std::array::from_fn(|i| unit[i] + two * (w * once[i] + twice[i]))
     })
-}
-
-fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// The determinant of the Gram matrix of two vectors: the longer one's square times that of the other's part across
-/// it.  `uu vv - uv uv` would cancel for a needle.
-fn area_squared<N: Number>(u: [N; 3], v: [N; 3]) -> N {
-    let (long, short) = if dot(u, u).value() < dot(v, v).value() { (v, u) } else { (u, v) };
-    let square = dot(long, long);
-    if square.value() == 0.0 {
-        return square;
-    }
-    let along = dot(long, short) / square;
-    let across = std::array::from_fn(|k| short[k] - along * long[k]);
-    square * dot(across, across)
 }
 
 impl<N: Number> Projected<N> {

@@ -4,9 +4,6 @@ use super::numeric::Number;
 
 /// A channel of a pixel, of C and S.
 pub fn pixel<N: Number>(color: N, weight: N, background: f64) -> N {
-    if weight.value() > 1.0 {
-        color / weight
-    } else {
-        color + (N::from(1.0) - weight) * N::from(background)
-    }
+    let covered = color + (N::from(1.0) - weight) * N::from(background);
+    weight.above(1.0, color / weight, covered)
 }

@@ -1,7 +1,5 @@
 //! The structural similarity (Wang, Bovik, Sheikh and Simoncelli 2004, Eq. 13) of windows under a mask.
 
-use organza_shaders::ssim::{RADIUS, WINDOW};
-
 use super::numeric::Number;
 use organza_core::metrics;
 
@@ -14,13 +12,13 @@ pub fn weights() -> [f64; 6] {
 }
 
 /// The weighted sum of a row or column of values around place `at`.
-pub fn weighted_sum(at: usize, values: impl Iterator<Item = f64>) -> f64 {
+pub fn weighted_sum<N: Number>(at: usize, values: impl Iterator<Item = N>) -> N {
     let weights = weights();
     let terms = values.enumerate().filter_map(|(tap, value)| {
-        let weight = weights.get(tap.abs_diff(at))?;
-        Some(weight * value)
+        let weight = *weights.get(tap.abs_diff(at))?;
+        Some(N::from(weight) * value)
     });
-    terms.sum()
+    N::sum(terms)
 }
 
 /// SSIM from the means of x and y, the sum of their variances, and their covariance.
@@ -53,14 +51,6 @@ pub fn dissimilarity<N: Number>([d, s, dd, ss, weight]: [N; 5]) -> N {
 }
 
 /// The window's weights, as kernels have them.
-pub fn window() -> [f32; WINDOW as usize] {
-    metrics::window().map(|weight| weight as f32)
-}
-
-/// The weighted sum of values around place `at` of `side`.
-pub fn tap_sum(at: usize, side: usize, value: impl Fn(usize) -> f64) -> f64 {
-    let radius = RADIUS as usize;
-    let weights = window();
-    let taps = at.saturating_sub(radius)..(at + radius + 1).min(side);
-    taps.map(|tap| f64::from(weights[tap + radius - at]) * value(tap)).sum()
+pub fn window() -> Vec<f32> {
+    metrics::window().map(|weight| weight as f32).to_vec()
 }

@@ -1,16 +1,22 @@
 //! Eq. 14 and 15: who is a member of a tile.
 
-/// `dist(x, B_t)`, to the closed box.
-pub fn distance(center: [f64; 2], origin: [i32; 2], side: u32) -> f64 {
-    let outside = |axis: usize| {
-        let low = f64::from(origin[axis]);
-        (low - center[axis]).max(center[axis] - low - f64::from(side)).max(0.0)
-    };
-    outside(0).hypot(outside(1))
-}
+use glam::Vec4;
+use organza_shaders::tile::Tile;
 
-/// Whether a support reaches a tile: its radius has the kernel's margin for rounding, and is negative where the
-/// Gaussian is culled.
-pub fn reaches(center: [f64; 2], radius: f64, origin: [i32; 2], side: u32) -> bool {
-    radius >= 0.0 && distance(center, origin, side) <= radius * 1.001 + 0.01
+use super::numeric::{Number, Rounded};
+
+/// Whether a support, of a center and a radius, reaches a tile: `dist(x, B_t)`, to the closed box, is at most the radius with the
+/// kernel's margin for rounding. It is negative where the Gaussian is culled. `None` if rounding decides.
+pub fn reaches(support: Vec4, tile: &Tile, side: u32) -> Option<bool> {
+    let [x, y, radius, _] = support.to_array().map(Rounded::from);
+    let outside = |x: Rounded, low: i32| {
+        let low = f64::from(low);
+        (Rounded::from(low) - x).largest(x - (low + f64::from(side)).into()).largest(0.0.into())
+    };
+    let [dx, dy] = [outside(x, tile.origin[0]), outside(y, tile.origin[1])];
+    let reach = radius * 1.001.into() + 0.01.into();
+    match radius.value < 0.0 {
+        true => Some(false),
+        false => (reach - (dx * dx + dy * dy).sqrt()).is_above(0.0),
+    }
 }

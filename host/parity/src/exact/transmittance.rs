@@ -9,9 +9,8 @@ pub fn midpoint(s: [f64; 3], w: [f64; 3], k: u32, count: u32) -> [f64; 3] {
 }
 
 /// The logarithm of a step's factor: `log rho_k = s_factor log sigmoid(a_k)`.
-pub fn log_rho<N: Number>(a: N, factor: f64) -> N {
-    let [least, distance] = if a.value() < 0.0 { [a, a] } else { [N::from(0.0), -a] };
-    N::from(factor) * (least - distance.exp().ln_1p())
+pub fn log_rho<N: Number>(a: N, factor: N) -> N {
+    factor * a.log_sigmoid()
 }
 
 /// T of Eq. 11, from the sum of the factors' logarithms.

@@ -1,17 +1,21 @@
 //! The space of the networks and the rays.
 
+use super::numeric::Number;
+
 /// A point of the world in the unit cube's space: `x' = 0.05 + 0.9 (x - lo) / (hi - lo)` for each axis, and
 /// `x' = 0.25 + 0.5 (x - lo) / (hi - lo)` where what lies outside the box is contracted.
-pub fn unit(x: [f64; 3], [low, high]: [[f64; 3]; 2], is_contracted: bool) -> [f64; 3] {
+pub fn unit<N: Number>(x: [N; 3], [low, high]: [[f64; 3]; 2], is_contracted: bool) -> [N; 3] {
     let margin = if is_contracted { 0.25 } else { 0.05 };
     std::array::from_fn(|axis| {
-        margin + (1.0 - 2.0 * margin) * (x[axis] - low[axis]) / (high[axis] - low[axis])
+        let share = (x[axis] - N::from(low[axis])) / N::from(high[axis] - low[axis]);
+        N::from(margin) + N::from(1.0 - 2.0 * margin) * share
     })
 }
 
 /// All of the unit cube's space to the cube, and the scene's box, its middle half, to itself.
-pub fn contract(x: [f64; 3]) -> [f64; 3] {
-    let q = x.map(|x| x - 0.5);
-    let n = q.iter().fold(0.25, |n, q| q.abs().max(n));
-    q.map(|q| 0.5 + q * (0.5 - 1.0 / (16.0 * n)) / n)
+pub fn contract<N: Number>(x: [N; 3]) -> [N; 3] {
+    let half = N::from(0.5);
+    let q = x.map(|x| x - half);
+    let n = q.into_iter().fold(N::from(0.25), |n, q| n.largest(q.size()));
+    q.map(|q| half + q * (half - N::from(1.0) / (N::from(16.0) * n)) / n)
 }

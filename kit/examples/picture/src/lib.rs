@@ -10,7 +10,7 @@ pub static MODULES: Modules = muslin::device::modules!();
 pub fn draw_ripples(device: &Device, side: u32) -> Result<Vec<f32>> {
     let params = Picture { side, pixels: side * side };
     let gray = device.unwritten("gray", params.pixels as usize)?;
-    device.run_over(&RipplesKernel { params, gray: &gray }, [side, side, 1])?;
+    device.run_all(&RipplesKernel { params, gray: &gray })?;
     device.read(&gray)
 }
 
@@ -20,8 +20,8 @@ pub fn picture(device: &Device, side: u32) -> Result<(Vec<f32>, Vec<u32>)> {
     let gray = device.unwritten("gray", params.pixels as usize)?;
     let color = device.unwritten("color", 3 * params.pixels as usize)?;
     let bins = device.zeros("bins", BINS)?;
-    device.run_over(&RipplesKernel { params, gray: &gray }, [side, side, 1])?;
-    device.run(&HistogramKernel { params, gray: &gray, bins: &bins }, params.pixels, 1)?;
-    device.run(&TintKernel { params, gray: &gray, color: &color }, params.pixels, 1)?;
+    device.run_all(&RipplesKernel { params, gray: &gray })?;
+    device.run_all(&HistogramKernel { params, gray: &gray, bins: &bins })?;
+    device.run_all(&TintKernel { params, gray: &gray, color: &color })?;
     Ok((device.read(&color)?, device.read(&bins)?))
 }

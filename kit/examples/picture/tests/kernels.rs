@@ -1,7 +1,7 @@
 //! The kernels on the CPU and, two ways, on a GPU: beside each other, beside the equations in f64, and as a picture.
 
 use muslin::check::snapshot::{Snapshots, picture::Montage};
-use muslin::check::{Case, assert_parity, devices, prelude::*};
+use muslin::check::{assert_parity, cases, devices, prelude::*};
 use picture::{MODULES, draw_ripples, picture};
 use picture_kernels::*;
 
@@ -19,10 +19,6 @@ fn ripples_begin_in_the_middle_on_every_device() {
 case!(Ripples(RipplesInputs));
 
 impl Parity for Ripples {
-    const KERNEL: &'static str = "ripples";
-    const TOLERANCE: f64 = 1e-5;
-    const WHY: &'static str = "five roundings of up to 6 ripples, beside a gray of 0.2";
-
     fn sets() -> Vec<(String, Self)> {
         let set = |side: u32| {
             let params = Picture { side, pixels: side * side };
@@ -32,23 +28,24 @@ impl Parity for Ripples {
         [1, 7, 8, 33].map(set).into()
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run_over(&self.kernel(), [self.params.side, self.params.side, 1])
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let side = self.params.side;
-        let at = |place: u32| (2.0 * f64::from(place) + 1.0) / f64::from(side) - 1.0;
-        let waves = (0..side).flat_map(|y| (0..side).map(move |x| 4.0 * at(x).hypot(at(y))));
-        waves.map(|wave| Some(1.0 - 0.8 * (2.0 * wave.fract() - 1.0).abs())).collect()
+        let number = |x: f64| Rounded::from(x);
+        let middle = number(0.5) * Rounded::from(side);
+        let at = |place: u32| Rounded::from(place) + number(0.5) - middle;
+        let gray = |x: Rounded, y: Rounded| {
+            let wave = number(4.0) * (x * x + y * y).sqrt() / middle;
+            // a whole wave begins where the last one ends
+            let slope = number(2.0) * (wave - Rounded::exact(wave.value.floor())) - number(1.0);
+            number(1.0) - number(0.8) * slope.size()
+        };
+        listed((0..side).flat_map(|y| (0..side).map(move |x| gray(at(x), at(y)))))
     }
 }
 
 case!(Histogram(HistogramInputs));
 
 impl Parity for Histogram {
-    const KERNEL: &'static str = "histogram";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|pixels, _, random| {
             let gray = random.values(pixels as usize, 0.0, 1.0);
@@ -57,23 +54,15 @@ impl Parity for Histogram {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.pixels, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let count = |bin| self.gray.iter().filter(|gray| (*gray * 15.99) as usize == bin).count();
-        (0..BINS).map(|bin| Some(count(bin) as f64)).collect()
+        listed((0..BINS).map(|bin| count(bin) as f64))
     }
 }
 
 case!(Tint(TintInputs));
 
 impl Parity for Tint {
-    const KERNEL: &'static str = "tint";
-    const TOLERANCE: f64 = 1.2e-7;
-    const WHY: &'static str = "one rounding";
-
     fn sets() -> Vec<(String, Self)> {
         inputs::sets(|pixels, _, random| {
             let gray = random.values(pixels as usize, 0.0, 1.0);
@@ -82,22 +71,16 @@ impl Parity for Tint {
         })
     }
 
-    fn run(&self, runner: &KernelRunner<'_>) -> Result<Vec<Output>> {
-        runner.run(&self.kernel(), self.params.pixels, 1)
-    }
-
-    fn exact(&self, _: &str, _: usize) -> Vec<Option<f64>> {
-        let tints = [|x| x, |x| x * x, |x| 0.5 - 0.25 * x] as [fn(f64) -> f64; 3];
-        tints.iter().flat_map(|tint| self.gray.iter().map(|&x| Some(tint(x.into())))).collect()
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        let [half, quarter] = [0.5, 0.25].map(Rounded::from);
+        let tints: [fn(Rounded) -> Rounded; 3] = [|x| x, |x| x * x, |x| half - quarter * x];
+        listed(tints.iter().flat_map(|tint| self.gray.iter().map(|&x| tint(x.into()))))
     }
 }
 
 #[test]
 fn every_kernel_is_right_on_every_device() {
-    assert_parity(
-        &[Case::new::<Ripples>(), Case::new::<Histogram>(), Case::new::<Tint>()],
-        &MODULES,
-    );
+    assert_parity(&cases(env!("CARGO_PKG_NAME")), &MODULES);
 }
 
 #[test]

@@ -53,7 +53,7 @@ struct Arguments {
 }
 
 /// `output [ROWS, count]`: each function of `u`, `v`, `x` and `y`, all `[count]`.
-#[kernel(threads(WORKGROUP), iterations = 20)]
+#[kernel(threads(WORKGROUP), over(params.count * ROWS), iterations = 20)]
 pub fn core_functions(
     id: Invocation,
     params: &CoreParams,

@@ -41,7 +41,7 @@ pub struct ElementaryParams {
 
 /// `output [19, count]`: each of the [`FUNCTIONS`] of `x`, the logarithms of `positive`, `positive^y`, `x` clamped to 0 and 1,
 /// between `x` and `y` the place `positive`, the inverses of sine and cosine, 2^y and tanh of `y`, the angle of the point (x, -10 - y), and halves of `positive` and `x`.
-#[kernel(threads(WORKGROUP))]
+#[kernel(threads(WORKGROUP), over(params.count))]
 pub fn elementary(
     id: Invocation,
     params: &ElementaryParams,

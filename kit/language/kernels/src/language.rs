@@ -19,7 +19,7 @@ pub const BYTES: usize = 256;
 const BINS: usize = 2 * BYTES;
 
 /// Adds to `bins [2 * 256]` how often each value of a byte is among `bytes [count]`, and each upper half of `halves [count]`.
-#[kernel(threads(BYTES))]
+#[kernel(threads(BYTES), over(params.count))]
 pub fn byte_histogram(
     id: Invocation,
     params: &LanguageParams,
@@ -57,7 +57,7 @@ const MAX_RUNS: u32 = 13;
 const MAX_STEPS: u32 = MAX_RUNS * (MAX_RUNS + 1) / 2;
 
 /// Sorts each row of `values [rows, columns]`, the smallest first: a workgroup sorts a row in place, by bitonic sort (Batcher 1968).
-#[kernel(threads(64), storage_barriers, iterations = MAX_RUNS + MAX_STEPS * (1 + MAX_ROW / 128))]
+#[kernel(threads(64), over(64 * params.rows), storage_barriers, iterations = MAX_RUNS + MAX_STEPS * (1 + MAX_ROW / 128))]
 pub fn sort_rows(id: Invocation, params: &SortParams, values: Write<u32>) {
     let row = id.workgroup_index();
     let first = row * params.columns;
@@ -104,7 +104,7 @@ const MAX_PARTS: u32 = ROW / SIZES[0];
 
 /// Of each row of `values [rows, columns]`: the positive ones in any order, then zeros, to `kept [rows, columns]`; and how many these are,
 /// then the sum, the smallest and the largest value of the row, to `output [rows, 4]`.
-#[kernel(threads(ROW), subgroups, iterations = 2 * MAX_COLUMNS.div_ceil(ROW) + MAX_PARTS, unordered(kept))]
+#[kernel(threads(ROW), over(96 * params.rows), subgroups, iterations = 2 * MAX_COLUMNS.div_ceil(ROW) + MAX_PARTS, unordered(kept))]
 pub fn keep_positive(
     id: Invocation,
     params: &RowParams,
@@ -177,7 +177,7 @@ pub fn keep_positive(
 
 /// `found [4, count]`: an exclusive scan of ones, the last lane's inclusive scan of `values`, the lane that the next lane gives, and the lane
 /// that the neighbor in a pair gives. What each must be is subtracted.
-#[kernel(threads(ROW), subgroups)]
+#[kernel(threads(ROW), over(params.count), subgroups)]
 pub fn scan_and_shuffle(
     id: Invocation,
     params: &LanguageParams,
@@ -209,7 +209,7 @@ pub fn scan_and_shuffle(
 pub const AS_WRITTEN_ROWS: usize = 24;
 
 /// `bits [24, count]`: arithmetic of `x` and `y`, which gives something else if a compiler regroups or shortens it.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.count))]
 pub fn as_written(
     id: Invocation,
     params: &LanguageParams,
@@ -258,7 +258,7 @@ fn arithmetic([x, y]: [f32; 2], index: u32, count: u32, bits: Write<u32>) {
 pub const COMPARED_ROWS: usize = 20;
 
 /// `found [20, count]`: what comparisons say of `x` and `y`, which can be NaN, and the bits of what is chosen by them.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.count))]
 pub fn compared(
     id: Invocation,
     params: &LanguageParams,

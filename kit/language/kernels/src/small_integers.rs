@@ -28,7 +28,7 @@ macro_rules! table {
         pub const $methods: &[&str] = &[$($method),*];
 
         #[doc = concat!("`output [rows, count]`: each method of `", stringify!($t), "`, of the low bits of `x` and `y`, both `[count]`.")]
-        #[kernel(threads(64))]
+        #[kernel(threads(64), over(params.count))]
         pub fn $kernel(id: Invocation, params: &SmallParams, x: Read<u32>, y: Read<u32>, output: Write<u32>) {
             let index = id.index();
             if index < params.count {

@@ -18,7 +18,7 @@ macro_rules! vectors {
         pub const METHODS: &[&str] = &[$($method),*];
 
         /// `bits [rows, count]`: one element of each method of `x` and `y`, both `[count]`.
-        #[kernel(threads(64))]
+        #[kernel(threads(64), over(params.count))]
         pub fn vector_methods(
             id: Invocation,
             params: &VectorParams,

@@ -13,7 +13,7 @@ pub struct Picture {
 }
 
 /// A plain kernel. `gray [side, side]`: ripples around the middle, 0.2 to 1.
-#[kernel(threads(8, 8))]
+#[kernel(threads(8, 8), over(params.side, params.side, 1))]
 pub fn ripples(id: Invocation, params: &Picture, gray: Write<f32>) {
     let place = id.global();
     if place.x < params.side && place.y < params.side {
@@ -30,7 +30,7 @@ pub fn ripples(id: Invocation, params: &Picture, gray: Write<f32>) {
 pub const BINS: usize = 16;
 
 /// With workgroup memory and barriers. Adds to `bins [BINS]` how many pixels have a gray of each sixteenth of 0 to 1.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(params.pixels))]
 pub fn histogram(
     id: Invocation,
     params: &Picture,
@@ -59,7 +59,7 @@ fn tint_work(params: &Picture, _: Shape<'_>) -> Work {
 }
 
 /// With lanes: the CPU computes several pixels at once. `color [3, pixels]`: dark is blue, bright is yellow.
-#[kernel(threads(64), lanes(pixels), work(tint_work))]
+#[kernel(threads(64), over(params.pixels), lanes(pixels), work(tint_work))]
 pub fn tint<L: Lane>(id: Invocation, params: &Picture, gray: Read<f32>, color: Write<f32>) {
     let index = id.index();
     if index < params.pixels {

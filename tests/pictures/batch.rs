@@ -1,8 +1,8 @@
 //! The loss of a batch in f64, from its definition: two-dimensional windows, one after the other.
 
-use super::loss::sign;
-use super::numeric::{Dual, Number, gradient};
-use super::ssim;
+use organza_parity::exact::loss::sign;
+use organza_parity::exact::numeric::{Dual, Number, gradient};
+use organza_parity::exact::ssim;
 
 /// Tiles and their mask, `[K, 3, S, S]` and `[K, S, S]`.
 #[derive(Clone, Debug)]

@@ -28,7 +28,9 @@ mod tests;
 pub use gradient::{POSE, SceneGradient, TensorGradient};
 pub use loss::compare::BatchLoss;
 pub use loss::exposure::ExposureGradient;
-pub use loss::image::{LossInputs, LossOutput, LossTarget, TileLoss, image_loss};
+pub use loss::image::{
+    LossInputs, LossOutput, LossTarget, Photographs, TileImages, TileLoss, image_loss,
+};
 pub use loss::own::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
 pub use pass::recording::Recording;
 pub use pass::renderer::Renderer;

@@ -6,7 +6,9 @@ mod recording;
 use crate::pass::part::Part;
 use crate::stages::composite::TileGradient;
 use crate::stages::cut::{PART_BYTES, PartTiles};
-use crate::{Capacity, DeviceScene, LossTarget, MODULES, Renderer, SceneGradient, TileLoss};
+use crate::{
+    Capacity, DeviceScene, LossTarget, MODULES, Renderer, SceneGradient, TileImages, TileLoss,
+};
 use muslin_check::devices;
 use muslin_device::{Buffer, Device};
 use organza_core::scene::{Scene, SceneConfig};
@@ -215,8 +217,7 @@ fn of_exposure(renderer: &Renderer, scene: &Scene, exposure: &[f32]) -> (f64, Ve
     let image: Vec<_> = (0..3 * pixels).map(|at| 0.12 + 0.1 * (at as f32 * 0.7).sin()).collect();
     let valid: Vec<_> = (0..pixels).map(|at| f32::from(at % 11 > 0)).collect();
     let target = LossTarget {
-        image: &image,
-        valid: &valid,
+        photographs: &TileImages { image: &image, valid: &valid, side: 16 },
         valid_pixels: valid.iter().copied().map(f64::from).sum(),
         ssim_weight: WEIGHT,
         terms: &[],

@@ -20,6 +20,7 @@ mod import;
 pub mod metrics;
 mod optimizer;
 mod per_photograph;
+mod photographs;
 mod plan;
 mod points;
 mod pose;

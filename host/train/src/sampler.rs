@@ -1,5 +1,7 @@
 //! Draws the tiles that a step trains on.
 
+use std::ops::Range;
+
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 
@@ -9,7 +11,6 @@ use organza_core::error::Result;
 use organza_core::tile::{Tile, TileBatch};
 use organza_data::random;
 use organza_data::{Frame, Photograph, mean};
-use organza_render::{CompositedTerm, LossTarget};
 
 const SHUFFLE: u64 = 1;
 
@@ -139,21 +140,44 @@ fn sides(photograph: &Photograph, factor: u32) -> [u32; 2] {
     [photograph.width() / factor, photograph.height() / factor]
 }
 
-/// Whether an image, `factor` times smaller than a photograph, has a valid pixel in ranges of columns and of rows. A pixel is
-/// valid if all that it is the mean of are.
-fn has_pixel(photograph: &Photograph, factor: u32, [columns, rows]: [[i32; 2]; 2]) -> bool {
-    let [width, height] = sides(photograph, factor);
-    let within = |[from, to]: [i32; 2], side: u32| from.max(0) as u32..(to.max(0) as u32).min(side);
-    let columns = within(columns, width);
-    let mut rows = within(rows, height);
+/// The columns and the rows of an image, `factor` times smaller than a photograph, that lie in these ranges.
+fn within(photograph: &Photograph, factor: u32, ranges: [[i32; 2]; 2]) -> [Range<u32>; 2] {
+    let sides = sides(photograph, factor);
+    std::array::from_fn(|axis| {
+        let [from, to] = ranges[axis].map(|at| (at.max(0) as u32).min(sides[axis]));
+        from..to.max(from)
+    })
+}
+
+/// Whether a pixel of an image, `factor` times smaller than a photograph, is valid: if all that it is the mean of are.
+fn is_valid(photograph: &Photograph, factor: u32, x: u32, y: u32) -> bool {
+    let square = |at: u32| at * factor..(at + 1) * factor;
+    square(y).all(|row| square(x).all(|column| photograph.is_valid(column, row)))
+}
+
+/// Whether an image, `factor` times smaller than a photograph, has a valid pixel in ranges of columns and of rows.
+fn has_pixel(photograph: &Photograph, factor: u32, ranges: [[i32; 2]; 2]) -> bool {
+    let [columns, mut rows] = within(photograph, factor, ranges);
     if photograph.all_valid() {
         return !columns.is_empty() && !rows.is_empty();
     }
-    let square = |at: u32| at * factor..(at + 1) * factor;
-    let is_valid = |x: u32, y: u32| {
-        square(y).all(|row| square(x).all(|column| photograph.is_valid(column, row)))
+    rows.any(|y| columns.clone().any(|x| is_valid(photograph, factor, x, y)))
+}
+
+/// How many pixels of a batch's tiles are valid.
+pub fn valid_pixels(batch: &TileBatch, factor: u32, frames: &[&Frame]) -> usize {
+    let side = batch.side as i32;
+    let of_tile = |tile: &Tile| {
+        let photograph = &frames[tile.camera].image;
+        let [columns, rows] =
+            within(photograph, factor, tile.origin.map(|at| [at, at.saturating_add(side)]));
+        if photograph.all_valid() {
+            return columns.len() * rows.len();
+        }
+        let of_row = |y| columns.clone().filter(|&x| is_valid(photograph, factor, x, y)).count();
+        rows.map(of_row).sum()
     };
-    rows.any(|y| columns.clone().any(|x| is_valid(x, y)))
+    batch.tiles.iter().map(of_tile).sum()
 }
 
 /// The photographs that a batch is compared with.
@@ -163,8 +187,6 @@ pub struct Target {
     pub image: Vec<f32>,
     /// Validity, `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
     pub valid: Vec<f32>,
-    /// Number of valid pixels.
-    pub valid_pixels: f64,
 }
 
 impl Target {
@@ -182,20 +204,7 @@ impl Target {
         {
             fill(tile, &frames[tile.camera].image, factor, side, image, valid);
         }
-        let valid_pixels = valid.iter().map(|&valid| f64::from(valid)).sum();
-        Ok(Self { image, valid, valid_pixels })
-    }
-
-    /// The target for rendered tiles: see [`LossTarget`].
-    pub fn loss_target<'a>(
-        &'a self,
-        ssim_weight: f32,
-        terms: &'a [CompositedTerm],
-        exposure: Option<&'a [f32]>,
-    ) -> LossTarget<'a> {
-        let Self { image, valid, valid_pixels } = self;
-        let valid_pixels = *valid_pixels;
-        LossTarget { image, valid, valid_pixels, ssim_weight, terms, exposure }
+        Ok(Self { image, valid })
     }
 }
 
@@ -333,10 +342,11 @@ mod tests {
         let camera = organza_core::demo::turntable(1, 8).remove(0);
         let frame = Frame { name: String::new(), camera, image };
         let tiles = vec![Tile { camera: 0, origin: [-1, 0] }];
-        let target = Target::new(&TileBatch { side: 3, tiles }, 2, &[&frame]).expect("a target");
+        let batch = TileBatch { side: 3, tiles };
+        let target = Target::new(&batch, 2, &[&frame]).expect("a target");
         // pixels of the image are 0 1 / 2 3; those of square 1 are 2, 3, 7 and 8
         assert_eq!(target.valid, [0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
-        assert_eq!(target.valid_pixels, 3.0);
+        assert_eq!(valid_pixels(&batch, 2, &[&frame]), 3);
         let red = [(1, [0, 1, 5, 6]), (4, [10, 11, 15, 16]), (5, [12, 13, 17, 18])];
         for (at, square) in red {
             let mean = square.into_iter().sum::<i32>() as f32 / 4.0 / 255.0;

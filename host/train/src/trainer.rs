@@ -6,9 +6,10 @@ use super::coarse::{Batches, Drawn};
 use super::growth::{Grown, grow};
 use super::optimizer::Optimizer;
 use super::per_photograph::Exposures;
+use super::photographs::{ResidentPhotographs, StepPhotographs};
 use super::pose::PoseSet;
 use super::requirements::check;
-use super::sampler::Target;
+use super::sampler::valid_pixels;
 use super::start;
 use crate::evaluate::{Evaluation, evaluate_with};
 use crate::{Checkpoint, Progress, StepGradient, StepHooks, TrainConfig};
@@ -17,7 +18,9 @@ use muslin_device::Device;
 use organza_core::ranks::Ranks;
 use organza_core::{Camera, Error, Result, metrics};
 use organza_data::Dataset;
-use organza_render::{BatchLoss, DeviceScene, ExposureGradient, Renderer, SceneGradient, TileLoss};
+use organza_render::{
+    BatchLoss, DeviceScene, ExposureGradient, LossTarget, Renderer, SceneGradient, TileLoss,
+};
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
 ///
@@ -59,6 +62,8 @@ pub struct Trainer {
     dataset: Arc<Dataset>,
     /// Of the frames to train on; where poses are refined, as they are now.
     cameras: Vec<Camera>,
+    /// Of the frames to train on, on a GPU.
+    photographs: Option<ResidentPhotographs>,
     batches: Batches,
     /// Of the photographs to train on, where they are learned.
     pub(super) exposures: Option<Exposures>,
@@ -119,6 +124,8 @@ impl Trainer {
             cameras = poses.cameras();
         }
         let state = TrainerState::new(renderer, &config, checkpoint, cameras.len())?;
+        // after the scene, which must fit
+        let photographs = ResidentPhotographs::new(renderer.device(), &frames)?;
         let renderer = renderer.clone();
         let step = checkpoint.progress.step;
         Ok(Self {
@@ -126,6 +133,7 @@ impl Trainer {
             config,
             dataset,
             cameras,
+            photographs,
             batches,
             exposures,
             poses,
@@ -286,14 +294,19 @@ impl Trainer {
     ) -> Result<(StepReport, Vec<ExposureGradient>)> {
         let frames: Vec<_> = self.dataset.train_frames().collect();
         let Drawn { batch, factor, ray_steps } = drawn;
-        let target = Target::new(batch, *factor, &frames)?;
+        let factor = *factor;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
-        let terms = self.config.loss.terms();
-        let ssim_weight = self.config.loss.ssim_weight;
-        let target = target.loss_target(ssim_weight, &terms, exposure.as_deref());
+        let resident = self.photographs.as_ref();
+        let target = LossTarget {
+            photographs: &StepPhotographs { resident, frames: &frames, batch, factor },
+            valid_pixels: valid_pixels(batch, factor, &frames) as f64,
+            ssim_weight: self.config.loss.ssim_weight,
+            terms: &self.config.loss.terms(),
+            exposure: exposure.as_deref(),
+        };
         let TrainerState { scene, gradient, .. } = &self.state;
         let cameras = &drawn.cameras(&self.cameras)[..];
-        let scene = &scene.coarser(*factor, *ray_steps);
+        let scene = &scene.coarser(factor, *ray_steps);
         let own = hooks.loss.as_mut();
         let ranks = self.ranks.as_deref();
         let found = self

@@ -73,7 +73,7 @@ impl LossSource<'_> {
         match self {
             Self::Compared(comparison) => comparison.backward(device, plan, rendered),
             Self::Given(d_tiles) => {
-                let values = values_of_tiles(d_tiles, &plan.tiles, 3 * plan.area());
+                let values = values_of_tiles(d_tiles, &plan.places(), 3 * plan.area());
                 let d_tiles = device.upload("gradient of the tiles", &values)?;
                 Ok(TileGradient { d_tiles, terms: Vec::new() })
             }
@@ -114,12 +114,10 @@ impl<'a> Comparison<'a> {
     ) -> Result<TileGradient> {
         let target = self.target;
         let area = plan.area();
-        let tiles = &plan.tiles[..];
-        let image =
-            device.upload("photographs", &values_of_tiles(target.image, tiles, 3 * area))?;
-        let valid = device.upload("masks", &values_of_tiles(target.valid, tiles, area))?;
+        let places = plan.places();
+        let [image, valid] = target.photographs.on_device(device, &places)?;
         let expose = |all: &[f32]| {
-            let exposure = values_of_tiles(all, tiles, exposure::VALUES);
+            let exposure = values_of_tiles(all, &places, exposure::VALUES);
             Exposed::new(device, rendered, plan.side, &exposure)
         };
         let exposed = target.exposure.map(expose).transpose()?;
@@ -135,7 +133,7 @@ impl<'a> Comparison<'a> {
         match &mut self.own {
             None => {}
             Some(OwnGradient::Host(all)) => {
-                let values = values_of_tiles(all, tiles, 3 * area);
+                let values = values_of_tiles(all, &places, 3 * area);
                 d_tiles = device.upload("gradient of the tiles", &values)?;
             }
             Some(OwnGradient::Device(own)) => {

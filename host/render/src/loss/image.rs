@@ -1,5 +1,8 @@
 //! The loss of rendered tiles and its gradient with respect to their pixels. [`organza_shaders::loss`] has the formula.
 
+use std::borrow::Cow;
+use std::fmt;
+
 use glam::Vec4;
 use organza_shaders::limits;
 use organza_shaders::loss::{
@@ -10,6 +13,7 @@ use organza_shaders::ssim::{
 };
 
 use crate::stages::composite::CompositedTerm;
+use crate::stages::cut::values_of_tiles;
 use muslin_device::{Buffer, Device};
 use organza_core::tile::MAX_TILE_SIDE;
 use organza_core::{Error, Result, metrics};
@@ -41,14 +45,12 @@ pub struct LossOutput {
     side: u32,
 }
 
-/// The ground truth of tiles: K tiles of S x S pixels.
+/// The ground truth of tiles, and the loss that compares with it.
 #[derive(Clone, Copy, Debug)]
 pub struct LossTarget<'a> {
-    /// `[K, 3, S, S]`: the photographs; 0 where there is no pixel.
-    pub image: &'a [f32],
-    /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
-    pub valid: &'a [f32],
-    /// How many of `valid` are 1.
+    /// The photographs behind the tiles.
+    pub photographs: &'a dyn Photographs,
+    /// How many of their pixels are valid.
     pub valid_pixels: f64,
     /// w, the weight of `1 - SSIM` in the settings.
     pub ssim_weight: f32,
@@ -57,6 +59,46 @@ pub struct LossTarget<'a> {
     /// `[K, 3, 2]`: a gain and an offset for each channel, which the rendered tiles get before they are compared.
     /// Without them they are compared as they are.
     pub exposure: Option<&'a [f32]>,
+}
+
+/// The photographs behind the tiles of a batch.
+pub trait Photographs: fmt::Debug + Sync {
+    /// Colors `[tiles, 3, S, S]`, 0 where there is no pixel, and validity `[tiles, S, S]`, 1 where a photograph has a pixel and 0 elsewhere:
+    /// of the batch's tiles in some places, in this order.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::upload`].
+    fn on_device(&self, device: &Device, places: &[usize]) -> Result<[Buffer<f32>; 2]>;
+
+    /// The same of all K tiles, on the host.
+    ///
+    /// # Errors
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
+    fn on_host(&self) -> Result<[Cow<'_, [f32]>; 2]>;
+}
+
+/// Photographs' tiles on the host: K tiles of S x S pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct TileImages<'a> {
+    /// `[K, 3, S, S]`: colors; 0 where there is no pixel.
+    pub image: &'a [f32],
+    /// `[K, S, S]`: 1 where a photograph has a pixel, 0 elsewhere.
+    pub valid: &'a [f32],
+    /// S
+    pub side: u32,
+}
+
+impl Photographs for TileImages<'_> {
+    fn on_device(&self, device: &Device, places: &[usize]) -> Result<[Buffer<f32>; 2]> {
+        let area = (self.side * self.side) as usize;
+        let image = values_of_tiles(self.image, places, 3 * area);
+        let valid = values_of_tiles(self.valid, places, area);
+        Ok([device.upload("photographs", &image)?, device.upload("masks", &valid)?])
+    }
+
+    fn on_host(&self) -> Result<[Cow<'_, [f32]>; 2]> {
+        Ok([self.image.into(), self.valid.into()])
+    }
 }
 
 /// Sums over the valid pixels of a tile.

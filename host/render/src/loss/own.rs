@@ -1,6 +1,6 @@
 //! Losses that a caller computes, on the host or on the device.
 
-use super::image::{LossInputs, LossTarget};
+use super::image::{LossInputs, TileImages};
 use muslin_device::{Buffer, Device};
 use organza_core::{RenderedTiles, Result, TileBatch};
 
@@ -13,7 +13,7 @@ pub struct LossBatch<'a> {
     /// Y `[K, 3, S, S]`, as the photographs' cameras would have exposed them.
     pub rendered: &'a RenderedTiles,
     /// The photographs behind the tiles, `[K, 3, S, S]`, and which of their pixels count.
-    pub target: LossTarget<'a>,
+    pub target: TileImages<'a>,
 }
 
 /// The result of a loss on the host.

@@ -6,7 +6,7 @@ use super::renderer::Renderer;
 use crate::gradient::SceneGradient;
 use crate::loss::compare::{BatchLoss, Comparison, LossSource, OwnGradient, check_len};
 use crate::loss::exposure;
-use crate::loss::image::LossTarget;
+use crate::loss::image::{LossTarget, TileImages};
 use crate::loss::own::{LossBatch, OwnLoss};
 use crate::scene::device_scene::DeviceScene;
 use muslin_device::memory;
@@ -53,7 +53,9 @@ impl Renderer {
             Some(OwnLoss::Device(own)) => Some(OwnGradient::Device(own)),
             Some(OwnLoss::Host(own)) => {
                 let rendered = &pass.whole_batch(&mut parts, batch, target)?;
-                found = own(&LossBatch { batch, rendered, target: *target })?;
+                let [image, valid] = target.photographs.on_host()?;
+                let target = TileImages { image: &image, valid: &valid, side: batch.side };
+                found = own(&LossBatch { batch, rendered, target })?;
                 check_len(found.grad_tiles.len(), rendered.data.len())?;
                 loss = Some(found.loss);
                 Some(OwnGradient::Host(&found.grad_tiles))

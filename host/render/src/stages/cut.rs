@@ -71,6 +71,11 @@ pub fn cut(
 }
 
 impl PartTiles {
+    /// The tiles' places in the batch.
+    pub fn places(&self) -> Vec<usize> {
+        self.tiles.iter().map(|tile| tile.place).collect()
+    }
+
     /// The parts of a batch.
     pub fn split(scene: &DeviceScene, batch: &TileBatch, part_bytes: u64) -> Result<Vec<Self>> {
         cut(scene, batch.side, &by_camera(batch, usize::MAX), part_bytes)
@@ -122,9 +127,9 @@ impl PartTiles {
     }
 }
 
-/// The part of a batch's values `[K, len]` that belongs to a part's tiles, in their order.
-pub(crate) fn values_of_tiles(values: &[f32], tiles: &[PlannedTile], len: usize) -> Vec<f32> {
-    tiles.iter().flat_map(|tile| &values[tile.place * len..][..len]).copied().collect()
+/// The values of some tiles, in the order of their places, from a batch's `[K, len]`.
+pub(crate) fn values_of_tiles(values: &[f32], places: &[usize], len: usize) -> Vec<f32> {
+    places.iter().flat_map(|place| &values[place * len..][..len]).copied().collect()
 }
 
 /// Words of a tile's mask, a bit for each Gaussian.

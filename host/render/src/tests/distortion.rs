@@ -5,7 +5,7 @@ use crate::loss::terms::powers;
 use crate::pass::part::Part;
 use crate::stages::composite::weighted_sum;
 use crate::stages::cut::{PART_BYTES, PartTiles};
-use crate::{CompositedTerm, LossTarget, Renderer, SceneGradient};
+use crate::{CompositedTerm, LossTarget, Renderer, SceneGradient, TileImages};
 use organza_core::{Scene, demo};
 
 /// Half the distance of two values whose difference is taken.
@@ -50,8 +50,7 @@ fn gradients(renderer: &Renderer, scene: &Scene, weight: f32) -> [Vec<f32>; 3] {
     let image = vec![0.3; 3 * 4 * AREA];
     let valid = valid();
     let target = LossTarget {
-        image: &image,
-        valid: &valid,
+        photographs: &TileImages { image: &image, valid: &valid, side: 16 },
         valid_pixels: valid.iter().copied().map(f64::from).sum(),
         ssim_weight: 0.0,
         terms: &[CompositedTerm::distortion(weight)],

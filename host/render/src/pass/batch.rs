@@ -13,6 +13,7 @@ use std::ops::Range;
 
 use glam::Vec4;
 
+use super::capacity::BatchKind;
 use super::output::Output;
 use super::part::Part;
 use super::renderer::Renderer;
@@ -61,6 +62,8 @@ pub struct BatchPart {
     needed: Option<Capacity>,
     /// Whether a prediction was too small: the host then waits for the counts.
     waits: bool,
+    /// Whether it is rendered for [`Pass::backward`].
+    is_for_gradients: bool,
     /// Nothing before it is rendered, and where it is rendered again.
     part: Option<Part>,
     /// Whether the part is counted in [`Parts::room`].
@@ -96,6 +99,7 @@ impl BatchPart {
             plan,
             needed: None,
             waits: false,
+            is_for_gradients: false,
             part: None,
             is_kept: false,
             d_tiles: None,
@@ -182,13 +186,25 @@ impl<'a> Pass<'a> {
     fn evaluate<'p>(&self, at: &'p mut BatchPart, keep: bool) -> Result<&'p Part> {
         if at.part.is_none() {
             let predicts = self.device().leaves_counts_on_device() && !at.waits;
-            let kind = [self.scene.gaussians, at.plan.side];
-            let tiles = at.plan.tiles.len();
-            let predicted = || self.renderer.predictor().predict(kind, tiles);
+            at.is_for_gradients = keep;
+            let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
             let capacity = if predicts { at.needed.or_else(predicted) } else { None };
             at.part = Some(Part::evaluate(self.scene, self.cameras, &at.plan, keep, capacity)?);
         }
         Ok(at.part.as_ref().expect("it was just made"))
+    }
+
+    fn kind(&self, at: &BatchPart) -> BatchKind {
+        BatchKind {
+            side: at.plan.side,
+            is_for_gradients: at.is_for_gradients,
+            ray_steps: self.scene.ray_steps,
+        }
+    }
+
+    /// Tiles and Gaussians.
+    fn size(&self, at: &BatchPart) -> [u32; 2] {
+        [at.plan.tiles.len() as u32, self.scene.gaussians]
     }
 
     /// Reads buffers of a part, and what it needed. Waits once, or not at all if nothing is left to read. If the part had too
@@ -215,8 +231,7 @@ impl<'a> Pass<'a> {
             return Ok(None);
         };
         if at.needed.is_none() && self.device().leaves_counts_on_device() {
-            let kind = [self.scene.gaussians, at.plan.side];
-            self.renderer.predictor().observe(kind, at.plan.tiles.len(), needed);
+            self.renderer.predictor().observe(self.kind(at), self.size(at), needed);
         }
         at.needed = Some(needed);
         Ok(Some((words, needed)))

@@ -1,6 +1,6 @@
 //! The capacity that a part needs, judging by others: a GPU then does not wait for its counts.
 
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
 
 use crate::stages::counts::Capacity;
 
@@ -13,34 +13,38 @@ const LEAST: f64 = 1024.0;
 /// Kernels count items in 32 bits, and some of them in steps of three.
 const MOST: f64 = (u32::MAX / 4) as f64;
 
-/// The room that recent batches needed, per tile.
-#[derive(Debug, Default, PartialEq)]
-pub struct CapacityPredictor {
-    /// The scene's Gaussians and the tiles' side: other kinds of batches need other capacities.
-    kind: [u32; 2],
-    seen: VecDeque<[f64; 3]>,
+/// Batches that need alike many pairs, members and samples for each tile and Gaussian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BatchKind {
+    /// Side of a tile, in pixels.
+    pub side: u32,
+    /// Whether they are for gradients: an evaluation between steps of a training shows other tiles.
+    pub is_for_gradients: bool,
+    /// Length of T's steps, as a multiple of sigma.
+    pub ray_steps: u32,
 }
 
+/// The room that recent batches of each kind needed, for each tile and Gaussian.
+#[derive(Debug, Default, PartialEq)]
+pub struct CapacityPredictor(HashMap<BatchKind, VecDeque<[f64; 3]>>);
+
 impl CapacityPredictor {
-    /// Records what a batch of `tiles` tiles has needed.
-    pub fn observe(&mut self, kind: [u32; 2], tiles: usize, needed: Capacity) {
-        if kind != self.kind {
-            (self.kind, self.seen) = (kind, VecDeque::new());
-        }
-        self.seen.truncate(BATCHES - 1);
+    /// Records what a batch of so many tiles and Gaussians has needed.
+    pub fn observe(&mut self, kind: BatchKind, [tiles, gaussians]: [u32; 2], needed: Capacity) {
+        let seen = self.0.entry(kind).or_default();
+        seen.truncate(BATCHES - 1);
         let Capacity { pairs, members, samples } = needed;
-        self.seen
-            .push_front([pairs, members, samples].map(|number| f64::from(number) / tiles as f64));
+        let size = f64::from(tiles) * f64::from(gaussians);
+        seen.push_front([pairs, members, samples].map(|number| f64::from(number) / size));
     }
 
-    /// The capacity for a batch of `tiles` tiles; `None` before the first batch of this kind, or if it exceeds 32 bits.
-    pub fn predict(&self, kind: [u32; 2], tiles: usize) -> Option<Capacity> {
-        if kind != self.kind {
-            return None;
-        }
-        let most = |which: usize| self.seen.iter().map(|seen| seen[which]).reduce(f64::max);
-        let capacity = |which| {
-            let number = most(which)? * tiles as f64 * (1.0 + MARGIN) + LEAST;
+    /// The capacity for a batch of so many tiles and Gaussians; `None` before the first batch of this kind, or if it exceeds 32 bits.
+    pub fn predict(&self, kind: BatchKind, [tiles, gaussians]: [u32; 2]) -> Option<Capacity> {
+        let seen = self.0.get(&kind)?;
+        let size = f64::from(tiles) * f64::from(gaussians);
+        let capacity = |which: usize| {
+            let most = seen.iter().map(|seen| seen[which]).reduce(f64::max)?;
+            let number = most * size * (1.0 + MARGIN) + LEAST;
             (number < MOST).then(|| rounded_up(number as u32))
         };
         Some(Capacity { pairs: capacity(0)?, members: capacity(1)?, samples: capacity(2)? })
@@ -61,7 +65,7 @@ fn rounded_up(number: u32) -> u32 {
 mod tests {
     use super::*;
 
-    const KIND: [u32; 2] = [100, 16];
+    const KIND: BatchKind = BatchKind { side: 16, is_for_gradients: true, ray_steps: 1 };
 
     fn needed(samples: u32) -> Capacity {
         Capacity { pairs: 10, members: 20, samples }
@@ -70,27 +74,27 @@ mod tests {
     #[test]
     fn room_is_for_the_most_that_was_seen_lately() {
         let mut predictor = CapacityPredictor::default();
-        assert_eq!(predictor.predict(KIND, 4), None);
-        predictor.observe(KIND, 4, needed(80_000));
+        assert_eq!(predictor.predict(KIND, [4, 100]), None);
+        predictor.observe(KIND, [4, 100], needed(80_000));
         for _ in 0..BATCHES - 1 {
-            predictor.observe(KIND, 4, needed(8_000));
+            predictor.observe(KIND, [4, 100], needed(8_000));
         }
-        let capacity = predictor.predict(KIND, 8).expect("seen");
+        let capacity = predictor.predict(KIND, [8, 100]).expect("seen");
         // 22, 45 and 180,000, and 1024 more, with four significant bits
         assert_eq!(capacity, Capacity { pairs: 1152, members: 1152, samples: 196_608 });
-        predictor.observe(KIND, 4, needed(8_000));
-        assert_eq!(predictor.predict(KIND, 4).expect("seen").samples, 10_240);
-        // another scene
-        assert_eq!(predictor.predict([101, 16], 4), None);
-        predictor.observe([101, 16], 4, needed(800));
-        assert_eq!(predictor.predict([101, 16], 4).expect("seen").samples, 2048);
-        assert_eq!(predictor.predict(KIND, 4), None);
+        predictor.observe(KIND, [4, 100], needed(8_000));
+        let samples = |gaussians| predictor.predict(KIND, [4, gaussians]).expect("seen").samples;
+        assert_eq!(samples(100), 10_240);
+        // the scene has grown
+        assert_eq!(samples(200), 20_480);
+        let evaluation = BatchKind { is_for_gradients: false, ..KIND };
+        assert_eq!(predictor.predict(evaluation, [4, 100]), None);
     }
 
     #[test]
     fn counts_beyond_the_limit_are_not_predicted() {
         let mut predictor = CapacityPredictor::default();
-        predictor.observe(KIND, 1, needed(u32::MAX));
-        assert_eq!(predictor.predict(KIND, 1), None);
+        predictor.observe(KIND, [1, 1], needed(u32::MAX));
+        assert_eq!(predictor.predict(KIND, [1, 1]), None);
     }
 }

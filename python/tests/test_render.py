@@ -69,6 +69,22 @@ def test_cameras_of_matrices_match_the_file(renderer, scene, cameras, tmp_path):
     assert len(cameras[1]) == 1 and np.array_equal(cameras[1:].poses, cameras[1].poses)
 
 
+def test_cameras_of_a_data_set_are_of_the_world(renderer, scene, cameras, tmp_path):
+    renderer.render(scene, cameras[0]).save(tmp_path / "0.png")
+    renderer.render(scene, cameras[1]).save(tmp_path / "1.png")
+    path = tmp_path / "transforms.json"
+    cameras.save(path)
+    file = json.loads(path.read_text())
+    for index, frame in enumerate(file["frames"]):
+        frame["file_path"] = f"{index}.png"
+        # far from the origin, and in a large unit: a scene would have coordinates of its own
+        frame["transform_matrix"] = [[100 * x for x in row[:3]] + [1e4 * row[3]] for row in frame["transform_matrix"][:3]]
+    path.write_text(json.dumps(file))
+    loaded, expected = organza.Cameras.load(tmp_path), organza.Cameras.load(path)
+    assert loaded.names == ["0.png", "1.png"] and loaded.sizes == [(40, 40)] * 2
+    assert np.allclose(loaded.poses, expected.poses, rtol=1e-12)
+
+
 def test_a_released_recording_has_the_same_gradients(renderer, scene, cameras, tiles, slopes):
     recording = renderer.record(scene, cameras, tiles)
     rendered, _ = recording.tiles()

@@ -41,7 +41,7 @@ impl Parity for PairInverseDistance {
             let center = self.scene.gaussian(gaussian).position;
             let offset = [0, 1, 2].map(|i| center[i] - view.eye[i].into());
             let distance = dot(offset, offset).sqrt();
-            let u = Rounded::from(1.0) / distance.largest(LEAST_DISTANCE.into());
+            let u = Rounded::from(1.0) / distance.max(LEAST_DISTANCE.into());
             [u, u * u, 0.0.into()]
         };
         listed(self.pair.iter().flat_map(of))

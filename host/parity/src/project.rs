@@ -176,11 +176,11 @@ impl Project {
         let zero = Rounded::exact(0.0);
         let outside = |axis: usize| {
             let x = found.mean[axis];
-            (window[axis] - x).largest(x - window[axis + 2]).largest(zero)
+            (window[axis] - x).max(x - window[axis + 2]).max(zero)
         };
         let [dx, dy] = [outside(0), outside(1)];
         let [across, down] = found.jacobian.map(|row| dot(row, row));
-        let longest = gaussian.axes().into_iter().fold(zero, Number::largest);
+        let longest = gaussian.axes().into_iter().fold(zero, Number::max);
         let most = (across + down) * longest * longest + self.params.blur.into();
         let reach = Rounded::from(1.02 * cutoff()) * most + 0.02.into();
         (dx * dx + dy * dy - reach).is_above(0.0)

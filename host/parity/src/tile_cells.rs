@@ -51,7 +51,7 @@ impl Parity for TileCells {
                 let last = first + f64::from(size[axis] - 1);
                 let [before, behind] =
                     [Rounded::from(first) - centers[axis], centers[axis] - last.into()];
-                (extents[axis] - before.largest(behind).largest(0.0.into())).is_above(0.0)
+                (extents[axis] - before.max(behind).max(0.0.into())).is_above(0.0)
             };
             let mut bits = 0_u32;
             for cell in 0..32 {

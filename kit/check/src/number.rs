@@ -38,17 +38,17 @@ pub trait Number:
     }
 
     /// The larger of two numbers.
-    fn largest(self, other: Self) -> Self {
+    fn max(self, other: Self) -> Self {
         (self - other).above(0.0, self, other)
     }
 
     /// The smaller of two numbers.
-    fn smallest(self, other: Self) -> Self {
-        -(-self).largest(-other)
+    fn min(self, other: Self) -> Self {
+        -(-self).max(-other)
     }
 
-    /// The size of a number.
-    fn size(self) -> Self {
+    /// The size of a number, without its sign.
+    fn abs(self) -> Self {
         self.above(0.0, self, -self)
     }
 

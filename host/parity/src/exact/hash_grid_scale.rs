@@ -9,14 +9,14 @@ pub fn color_bound(gradient: [Rounded; 3]) -> Rounded {
 
 /// A bound of |dL/da_k| of a segment's samples (Eq. 11), whose product is to a power.
 pub fn transmittance_bound([gradient, transmittance, power]: [Rounded; 3]) -> Rounded {
-    power * (gradient * transmittance).size()
+    power * (gradient * transmittance).abs()
 }
 
 /// The largest absolute value; infinite if a value is infinite or NaN.
 pub fn largest(values: impl IntoIterator<Item = Rounded>) -> Rounded {
     let endless = Rounded::exact(f64::INFINITY);
     let larger = |most: Rounded, x: Rounded| match x.value.is_finite() {
-        true => most.largest(x.size()),
+        true => most.max(x.abs()),
         false => endless,
     };
     values.into_iter().fold(Rounded::exact(0.0), larger)

@@ -4,7 +4,7 @@ use super::numeric::Number;
 
 /// `(|d|, 1 - SSIM, d^2, m)` of a pixel, summed over its channels; d is the difference of the images.
 pub fn sums<N: Number>(d: [N; 3], dissimilarity: N, valid: N) -> [N; 4] {
-    [N::sum(d.map(N::size)), dissimilarity, N::sum(d.map(|d| d * d)), valid]
+    [N::sum(d.map(N::abs)), dissimilarity, N::sum(d.map(|d| d * d)), valid]
 }
 
 /// The loss from the sums over `valid` pixels: `(1 - w) |x - y| + w (1 - SSIM)`, the mean over their three channels.

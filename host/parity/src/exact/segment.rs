@@ -29,8 +29,8 @@ fn planes<N: Number>(p: [N; 3], v: [N; 3]) -> [N; 2] {
             continue;
         }
         let [zero, one] = [-p / v, (N::from(1.0) - p) / v];
-        enter = enter.largest(zero.smallest(one));
-        exit = exit.smallest(zero.largest(one));
+        enter = enter.max(zero.min(one));
+        exit = exit.min(zero.max(one));
     }
     [enter, exit]
 }
@@ -48,8 +48,8 @@ pub fn segment<N: Number>(p: [N; 3], eye: [N; 3], step: f64) -> Segment<N> {
     let v = std::array::from_fn(|axis| eye[axis] - p[axis]);
     // Eq. 6
     let [zero, one] = [0.0, 1.0].map(N::from);
-    let [t0, t1] = planes(p, v).map(|t| t.smallest(one).largest(zero));
-    let lambda = (t1 - t0).largest(zero);
+    let [t0, t1] = planes(p, v).map(|t| t.min(one).max(zero));
+    let lambda = (t1 - t0).max(zero);
     let way = v.map(|v| lambda * v);
     let [count, factor] = steps(dot(way, way).sqrt(), step);
     Segment { start: std::array::from_fn(|axis| p[axis] + t0 * v[axis]), way, count, factor }
@@ -82,10 +82,10 @@ pub fn contracted_ray<N: Number>(p: [N; 3], eye: [N; 3], step: f64) -> Contracte
     let end = dot(eye, direction);
     let foot = std::array::from_fn(|axis| eye[axis] - end * direction[axis]);
     let inner = N::from(3f64.sqrt() / 4.0);
-    let radius = dot(foot, foot).sqrt().largest(inner);
+    let radius = dot(foot, foot).sqrt().max(inner);
     let squeeze = |u: N| {
-        let beyond = N::from(2.0) * radius - radius * radius / u.size();
-        (u.size() - radius).above(0.0, u.above(0.0, beyond, -beyond), u)
+        let beyond = N::from(2.0) * radius - radius * radius / u.abs();
+        (u.abs() - radius).above(0.0, u.above(0.0, beyond, -beyond), u)
     };
     let ends = [squeeze(end - far), squeeze(end)];
     let [count, factor] = steps(inner / radius * (ends[1] - ends[0]), step);

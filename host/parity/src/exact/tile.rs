@@ -11,7 +11,7 @@ pub fn reaches(support: Vec4, tile: &Tile, side: u32) -> Option<bool> {
     let [x, y, radius, _] = support.to_array().map(Rounded::from);
     let outside = |x: Rounded, low: i32| {
         let low = f64::from(low);
-        (Rounded::from(low) - x).largest(x - (low + f64::from(side)).into()).largest(0.0.into())
+        (Rounded::from(low) - x).max(x - (low + f64::from(side)).into()).max(0.0.into())
     };
     let [dx, dy] = [outside(x, tile.origin[0]), outside(y, tile.origin[1])];
     let reach = radius * 1.001.into() + 0.01.into();

@@ -16,6 +16,6 @@ pub fn unit<N: Number>(x: [N; 3], [low, high]: [[f64; 3]; 2], is_contracted: boo
 pub fn contract<N: Number>(x: [N; 3]) -> [N; 3] {
     let half = N::from(0.5);
     let q = x.map(|x| x - half);
-    let n = q.into_iter().fold(N::from(0.25), |n, q| n.largest(q.size()));
+    let n = q.into_iter().fold(N::from(0.25), |n, q| n.max(q.abs()));
     q.map(|q| half + q * (half - N::from(1.0) / (N::from(16.0) * n)) / n)
 }

@@ -37,7 +37,7 @@ impl Parity for Ripples {
             let wave = number(4.0) * (x * x + y * y).sqrt() / middle;
             // a whole wave begins where the last one ends
             let slope = number(2.0) * (wave - Rounded::exact(wave.value.floor())) - number(1.0);
-            number(1.0) - number(0.8) * slope.size()
+            number(1.0) - number(0.8) * slope.abs()
         };
         listed((0..side).flat_map(|y| (0..side).map(move |x| gray(at(x), at(y)))))
     }

@@ -44,6 +44,8 @@ pub struct Gpu {
 #[derive(Debug)]
 pub struct Reading {
     staging: wgpu::Buffer,
+    /// Bytes of `staging` that are used.
+    size: u64,
     /// Of each range, in `staging`: the first byte, and the number of bytes.
     ranges: Vec<(usize, usize)>,
     submission: Option<wgpu::SubmissionIndex>,
@@ -247,7 +249,7 @@ impl Gpu {
             // the receiver is gone only if nobody wants the bytes anymore
             let _ = sender.send(result);
         });
-        Reading { staging, ranges: places, submission, mapped }
+        Reading { staging, size, ranges: places, submission, mapped }
     }
 
     /// Waits for the submission that copies the bytes, and gives the bytes of each range to `take`. Later submissions go on.
@@ -256,7 +258,7 @@ impl Gpu {
         reading: Reading,
         mut take: impl FnMut(&[u8]) -> Result<()>,
     ) -> Result<()> {
-        let Reading { staging, ranges, submission, mapped } = reading;
+        let Reading { staging, size, ranges, submission, mapped } = reading;
         let lost = |reason: String| Error::DeviceLost { reason };
         let polled =
             self.device.poll(wgpu::PollType::Wait { submission_index: submission, timeout: None });

@@ -25,7 +25,7 @@ fn a_tile_takes_more_members_than_one_dispatch() {
     let exact = |pixel: Vec2| -> [f64; 4] {
         let mut sum = [0.0; 4];
         for splat in splats.as_chunks::<3>().0 {
-            let term = Splat::from_vectors(splat).term(pixel.as_dvec2().to_array());
+            let term: [f64; 4] = Splat::from_vectors(splat).term(pixel.as_dvec2().to_array());
             sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += term);
         }
         sum

@@ -289,8 +289,9 @@ impl Number for Rounded {
     }
 
     fn log_sigmoid(self) -> Self {
-        // relative to the logarithm of 1 + e^-|x|
-        let share = self.value.abs().log_sigmoid() / self.value.log_sigmoid();
+        // relative to the logarithm of 1 + e^-|x|: all of it where x is not negative
+        let negative = self.value.min(0.0);
+        let share = (-negative).log_sigmoid() / negative.log_sigmoid();
         let of_exp = (exp_roundings(self.value) + DIVISION) * share;
         self.increasing(f64::log_sigmoid).rounded(of_exp + ARITHMETIC)
     }

@@ -73,8 +73,8 @@ impl Parity for Tint {
 
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let [half, quarter] = [0.5, 0.25].map(Rounded::from);
-        let tints: [fn(Rounded) -> Rounded; 3] = [|x| x, |x| x * x, |x| half - quarter * x];
-        listed(tints.iter().flat_map(|tint| self.gray.iter().map(|&x| tint(x.into()))))
+        let tints = |x: Rounded| [x, x * x, half - quarter * x];
+        listed((0..3).flat_map(|row| self.gray.iter().map(move |&x| tints(x.into())[row])))
     }
 }
 

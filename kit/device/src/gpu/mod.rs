@@ -267,7 +267,7 @@ impl Gpu {
         let mapped = mapped.recv().map_err(|_| lost("it did not answer".into()))?;
         mapped.map_err(|error| lost(error.to_string()))?;
         let bytes =
-            staging.slice(..).get_mapped_range().map_err(|error| lost(error.to_string()))?;
+            staging.slice(..size).get_mapped_range().map_err(|error| lost(error.to_string()))?;
         let taken =
             ranges.into_iter().try_for_each(|(first, len)| take(&bytes[first..first + len]));
         drop(bytes);

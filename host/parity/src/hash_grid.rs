@@ -239,7 +239,7 @@ mod tests {
     const MISTAKES: [(&str, fn([f32; 3]) -> [f32; 3]); 4] = [
         ("x and y swapped", |[x, y, z]| [y, x, z]),
         ("y and z swapped", |[x, y, z]| [x, z, y]),
-        ("upper for lower weights along z", |[x, y, z]| [x, y, 1.0 - z]),
+        ("a smaller z", |[x, y, z]| [x, y, 0.8 * z]),
         ("the next point along x", |[x, y, z]| [(x + 0.1) % 1.0, y, z]),
     ];
 

@@ -43,7 +43,7 @@ pub fn skips_the_barrier(id: Invocation, output: Write<u32>, values: Shared<u32,
 }
 
 /// Adds to an unwritten element.
-#[kernel(threads(64))]
+#[kernel(threads(64), over(input.len()))]
 pub fn adds_to_nothing(id: Invocation, input: Read<u32>, output: Write<u32>) {
     if id.index() < 64 {
         output.write(id.index(), output.read(id.index()) + input.read(id.index()));

@@ -14,6 +14,7 @@ mod thorough;
 
 use std::process::Command;
 
+use muslin::given::Inputs;
 use muslin::glam::UVec3;
 use muslin::invocation::Invocation;
 use muslin::kernel::Dispatch;
@@ -148,7 +149,7 @@ fn canaries_differ() {
     let device = devices::cpu(None);
     let run = |runner: KernelRunner<'_>| {
         let inputs = AddsToNothingInputs { input: vec![1; 64], output: unwritten(72) };
-        runner.run(&inputs.kernel(), 64, 1).unwrap().remove(0)
+        runner.run(&inputs.kernel()).unwrap().remove(0)
     };
     let [one, other] = [KernelRunner::new, KernelRunner::with_other_canaries]
         .map(|new| run(new(&device, "adds_to_nothing")));

@@ -245,7 +245,7 @@ impl Gpu {
         recorder.traffic.bytes_down += size;
         drop(recorder);
         let (sender, mapped) = mpsc::channel();
-        staging.slice(..size).map_async(wgpu::MapMode::Read, move |result| {
+        staging.slice(..).map_async(wgpu::MapMode::Read, move |result| {
             // the receiver is gone only if nobody wants the bytes anymore
             let _ = sender.send(result);
         });

@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 use glam::Vec4;
+use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 
 use super::hash_grid::HashGridGradient;
 use super::{SceneGradient, TensorGradient};
-use muslin_device::Device;
+use muslin_device::{Buffer, Device};
 use organza_core::Result;
 use organza_core::ranks::Ranks;
 
@@ -34,50 +35,70 @@ pub fn share_bounds(
     Ok(())
 }
 
-/// Adds up the sums of all ranks. Only blocks that are not zero on some rank travel.
-pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
-    let SceneGradient { color, transmittance, poses, .. } = gradient;
-    let mut buffers = vec![
-        &color.table.sum,
-        &transmittance.table.sum,
-        &color.network.sum,
-        &transmittance.network.sum,
-    ];
-    buffers.extend(poses.iter().map(|poses| &poses.sum));
-    let mut values: Vec<i64> = Vec::new();
-    for buffer in &buffers {
-        values.extend(bytemuck::pod_collect_to_vec::<u32, i64>(&device.read(*buffer)?));
+/// Integers on the device that all ranks have some of.
+struct SharedSums<'a> {
+    buffer: &'a Buffer<u32>,
+    values: Vec<i64>,
+    /// Not 0 where a block of [`VALUES_PER_FLAG`] values was added to.
+    touched: Vec<u32>,
+}
+
+impl<'a> SharedSums<'a> {
+    /// `touched` is known of a hash grid. Elsewhere, it says which blocks are not zero.
+    fn read(device: &Device, buffer: &'a Buffer<u32>, touched: Option<Vec<u32>>) -> Result<Self> {
+        let values: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(buffer)?);
+        let blocks = values.chunks(VALUES_PER_FLAG as usize);
+        let look = || blocks.map(|block| u32::from(block.iter().any(|&sum| sum != 0))).collect();
+        let touched = touched.unwrap_or_else(look);
+        Ok(Self { buffer, values, touched })
     }
-    let is_touched = |block: &[i64]| u32::from(block.iter().any(|&sum| sum != 0));
-    let mut flags: Vec<_> = values.chunks(BLOCK).map(is_touched).collect();
+
+    /// The blocks that were touched.
+    fn blocks(&mut self) -> impl Iterator<Item = &mut [i64]> {
+        let blocks = self.values.chunks_mut(VALUES_PER_FLAG as usize).zip(&self.touched);
+        blocks.filter(|(_, touched)| **touched != 0).map(|(block, _)| block)
+    }
+}
+
+/// Adds up the sums of all ranks. Only blocks that some rank has touched travel.
+pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
+    let mut all = Vec::new();
+    let mut flags = Vec::new();
+    for table in tables(gradient) {
+        let touched = device.read(&table.touched)?;
+        all.push(SharedSums::read(device, &table.sum, Some(touched))?);
+        flags.extend(device.read(&table.status)?);
+    }
+    let networks = [&gradient.color.network, &gradient.transmittance.network];
+    for binned in networks.into_iter().chain(&gradient.poses) {
+        all.push(SharedSums::read(device, &binned.sum, None)?);
+    }
+    flags.extend(all.iter().flat_map(|sums| &sums.touched));
     ranks.or(&mut flags)?;
-    let mut packed = Vec::new();
-    let touched = values.chunks(BLOCK).zip(&flags).filter(|(_, flag)| **flag != 0);
-    touched.for_each(|(block, _)| packed.extend(block));
-    ranks.sum(&mut packed)?;
-    let touched = values.chunks_mut(BLOCK).zip(&flags).filter(|(_, flag)| **flag != 0);
-    let mut rest = &packed[..];
-    for (block, _) in touched {
-        let (sums, after) = rest.split_at(block.len());
-        block.copy_from_slice(sums);
+    let (status, mut rest) = flags.split_at(tables(gradient).len());
+    for sums in &mut all {
+        let (touched, after) = rest.split_at(sums.touched.len());
+        sums.touched.copy_from_slice(touched);
         rest = after;
     }
-    let mut words = bytemuck::cast_slice::<i64, u32>(&values);
-    for buffer in buffers {
-        let (own, after) = words.split_at(buffer.len());
-        device.write(buffer, 0, own)?;
-        words = after;
+    let mut packed = Vec::new();
+    all.iter_mut().for_each(|sums| sums.blocks().for_each(|block| packed.extend(&*block)));
+    ranks.sum(&mut packed)?;
+    let mut rest = &packed[..];
+    for sums in &mut all {
+        for block in sums.blocks() {
+            let (values, after) = rest.split_at(block.len());
+            block.copy_from_slice(values);
+            rest = after;
+        }
+        device.write(sums.buffer, 0, bytemuck::cast_slice::<i64, u32>(&sums.values))?;
     }
-    for flags in tables(gradient).into_iter().flat_map(|table| [&table.touched, &table.status]) {
-        let mut of_all = device.read(flags)?;
-        ranks.or(&mut of_all)?;
-        device.write(flags, 0, &of_all)?;
+    for ((table, sums), status) in tables(gradient).into_iter().zip(&all).zip(status) {
+        device.write(&table.touched, 0, &sums.touched)?;
+        device.write(&table.status, 0, &[*status])?;
     }
     Ok(())
 }
-
-/// Values of sums that travel together.
-const BLOCK: usize = 64;
 
 /// The gradients of Gaussians, and the statistics of growth, as rows: one for each Gaussian that a view batch has seen.
 pub struct Rows<'a> {

@@ -56,10 +56,10 @@ struct TileNumbers {
     /// The tile's place in the batch.
     place: f64,
     loss: TileLoss,
-    /// The caller's loss of a part, at its first tile; 0 elsewhere.
-    own: f64,
     /// The gradient of its exposure, if that is learned.
     exposure: [[f64; 2]; 3],
+    /// The caller's loss of a part, at its first tile; 0 elsewhere.
+    own: f64,
 }
 
 impl LossSource<'_> {
@@ -174,12 +174,24 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// Adds what other ranks have measured.
+    /// Adds what other ranks have measured: as many numbers of each tile as there are.
     pub fn gather(&mut self, ranks: &dyn Ranks) -> Result<()> {
-        let mine: Vec<_> = self.found.values().copied().collect();
+        let width = match (self.target.exposure, &self.own) {
+            (None, None) => 5,
+            (Some(_), None) => 11,
+            (_, Some(_)) => 12,
+        };
+        let rows = self.found.values().flat_map(|tile| {
+            let numbers: [f64; 12] = bytemuck::cast(*tile);
+            numbers.into_iter().take(width)
+        });
+        let mine: Vec<f64> = rows.collect();
         for bytes in ranks.gather(bytemuck::cast_slice(&mine).to_vec())? {
-            let numbers: Vec<TileNumbers> = bytemuck::pod_collect_to_vec(&bytes);
-            self.found.extend(numbers.into_iter().map(|tile| (tile.place as usize, tile)));
+            for row in bytemuck::pod_collect_to_vec::<u8, f64>(&bytes).chunks_exact(width) {
+                let mut numbers = [0.0; 12];
+                numbers[..width].copy_from_slice(row);
+                self.found.insert(numbers[0] as usize, bytemuck::cast(numbers));
+            }
         }
         Ok(())
     }

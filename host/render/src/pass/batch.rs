@@ -345,6 +345,7 @@ impl<'a> Pass<'a> {
                 };
                 part.backward(self.scene, &d_splats, into, rows.as_mut(), continues)
             })?;
+            at.d_tiles = None;
             if !(is_alone || parts.stays && at.is_kept) {
                 at.release();
             }

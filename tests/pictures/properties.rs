@@ -203,7 +203,7 @@ fn composites_are_weighted_means() {
             for (index, (sum, pixel)) in sums.iter().zip(&pixels).enumerate() {
                 let center = Vec2::new((index % 8) as f32 + 0.5, (index / 8) as f32 + 0.5);
                 let center = center.as_dvec2().to_array();
-                let exact: Vec<_> = splats.iter().map(Splat::from_vectors).collect();
+                let exact: Vec<_> = splats.iter().map(Splat::<f64>::from_vectors).collect();
                 if exact.iter().any(|splat| (splat.q(center) - cutoff()).abs() < 1e-4) {
                     continue; // rounding decides whether that falloff has ended: either is right
                 }

@@ -235,8 +235,10 @@ impl Parity for HashGrid {
 mod tests {
     use super::*;
 
-    /// Mistakes of a kernel, as those of a point that it takes for another.
-    const MISTAKES: [(&str, fn([f32; 3]) -> [f32; 3]); 4] = [
+    /// The point that a mistaken kernel takes for another.
+    type Mistake = fn([f32; 3]) -> [f32; 3];
+
+    const MISTAKES: [(&str, Mistake); 4] = [
         ("x and y swapped", |[x, y, z]| [y, x, z]),
         ("y and z swapped", |[x, y, z]| [x, z, y]),
         ("a smaller z", |[x, y, z]| [x, y, 0.8 * z]),

@@ -249,6 +249,7 @@ impl Parity for Project {
 }
 
 /// The projection of a Gaussian in a camera.
+#[expect(clippy::large_enum_variant, reason = "there are few at a time")]
 pub(super) enum Fate {
     /// It lies behind the near plane.
     Behind,

@@ -220,6 +220,7 @@ pub type OverOf = fn(&[u8], &[u64]) -> Items;
 #[derive(Clone, Copy)]
 pub struct Elements(pub u64);
 
+#[expect(clippy::len_without_is_empty, reason = "it stands for a buffer in expressions of `over`")]
 impl Elements {
     /// Number of elements.
     pub fn len(self) -> u32 {

@@ -254,11 +254,11 @@ impl<'a> Pass<'a> {
             parts.room = KEPT_SAMPLES;
         }
         loop {
-            let mut added = self.to_splats(parts, loss, into);
+            let mut added = self.backward_to_splats(parts, loss, into);
             // other ranks do not begin again
             let is_shared = self.ranks.is_some() && added.is_ok();
             if added.is_ok() {
-                added = self.to_tensors(parts, loss, into);
+                added = self.backward_to_tensors(parts, loss, into);
             }
             match added {
                 Ok(true) => return Ok(()),
@@ -280,7 +280,7 @@ impl<'a> Pass<'a> {
     }
 
     /// From the tiles of each part to its splats, which raise the bounds of both hash grids' sums.
-    fn to_splats(
+    fn backward_to_splats(
         &self,
         parts: &mut Parts,
         loss: &mut LossSource<'_>,
@@ -316,7 +316,7 @@ impl<'a> Pass<'a> {
 
     /// From the splats of each part to the tensors. Returns false if a batch's only part had too little room: nothing was
     /// added then.
-    fn to_tensors(
+    fn backward_to_tensors(
         &self,
         parts: &mut Parts,
         loss: &mut LossSource<'_>,

@@ -34,10 +34,12 @@ pub struct CompositedTerm {
     pub weight: f32,
     /// The values `[pairs, 3]`: constants, without a gradient.
     pub(crate) values: fn(TileContext<'_>) -> Result<Buffer<f32>>,
-    /// The derivative by the sums, `[tiles, 4, S, S]`; of the sums, the mask `[tiles, S, S]`, and the factor of each pixel.
-    pub(crate) backward:
-        fn(TileContext<'_>, &Buffer<f32>, &Buffer<f32>, f32) -> Result<Buffer<f32>>,
+    pub(crate) backward: TermBackward,
 }
+
+/// The derivative of a term by its sums, `[tiles, 4, S, S]`; of the sums, the mask `[tiles, S, S]`, and the factor of each pixel.
+pub(crate) type TermBackward =
+    fn(TileContext<'_>, &Buffer<f32>, &Buffer<f32>, f32) -> Result<Buffer<f32>>;
 
 /// The derivative of a loss by the tiles of a part.
 #[derive(Debug)]

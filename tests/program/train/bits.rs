@@ -5,7 +5,7 @@ use std::fs;
 use organza::data::Background;
 use organza::train::config::LearnExposure;
 use organza::train::{CHECKPOINT, Checkpoint, TrainConfig, Trainer};
-use organza::{Device, Renderer, Result};
+use organza::{Device, DeviceOptions, Renderer, Result, SpirvPath};
 use organza_tests::devices;
 
 use super::runs::{TINY, assert_same, assert_same_run, begun, bits, sandbox, state_bits};
@@ -116,6 +116,29 @@ fn a_step_waits_once_and_that_changes_nothing() {
         assert_eq!(found.progress.step, state.progress.step);
         assert!(state_bits(&found) == state_bits(&state), "{name}");
     }
+}
+
+/// A software GPU gets a card's portions here.
+#[test]
+fn a_step_waits_once_for_a_card_and_sends_no_photograph() {
+    if !devices::has_gpu() {
+        return;
+    }
+    let (config, checkpoint, dataset) = begun();
+    let options = DeviceOptions::gpu(SpirvPath::Passthrough).like_a_card(true);
+    let renderer = Renderer::new(organza::open_device(&options).expect("a GPU"));
+    let pixels = u64::from(config.run.tiles_per_step * config.run.tile_size.pow(2));
+    let mut trainer = Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer");
+    for _ in 0..3 {
+        trainer.step().expect("a step");
+    }
+    let before = renderer.device().traffic();
+    trainer.step().expect("a step");
+    let step = renderer.device().traffic() - before;
+    assert_eq!(step.waits, 1, "{step:?}");
+    assert!(step.submissions <= 3 && step.dispatches < 120, "{step:?}");
+    // 256 bytes for each dispatch, and what is not 16 bytes a pixel: cameras, tiles and their places
+    assert!(step.bytes_up < 256 * step.dispatches + 4 * pixels, "{step:?}");
 }
 
 #[test]

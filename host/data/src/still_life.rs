@@ -75,7 +75,7 @@ impl StillLife {
     /// Takes a photograph. Two calls give the same one.
     ///
     /// # Errors
-    /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
+    /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
     ///
     /// # Panics
     /// Where there is no photograph of this index.

@@ -169,7 +169,7 @@ fn is_canary(found: f64, is_float: bool) -> bool {
     if is_float { found == float || found == 2.0 * float } else { found == integer }
 }
 
-/// A set of a kernel's inputs, and the kernel's equation. [`case!`] declares the type.
+/// A set of a kernel's inputs, and the kernel's equation. [`case!`](crate::case!) declares the type.
 pub trait Parity: Deref<Target: Inputs> + Sized + 'static {
     /// Name of the kernel.
     const KERNEL: &'static str = <Self::Target as Inputs>::KERNEL;

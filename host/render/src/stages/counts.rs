@@ -23,7 +23,7 @@ pub struct Capacity {
 }
 
 impl Capacity {
-    /// What a part needed, from the values of [`PartCounts::counts`]; none if that was more than it had: it is empty.
+    /// What a part needed, from the values of `PartCounts::counts`; none if that was more than it had: it is empty.
     pub fn needed(counts: &[u32]) -> Option<Self> {
         let [pairs, members, samples] = [PAIRS, MEMBERS, SAMPLES].map(|slot| counts[slot as usize]);
         (counts[OVERFLOW as usize] == 0).then_some(Self { pairs, members, samples })

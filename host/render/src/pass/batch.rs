@@ -254,13 +254,10 @@ impl<'a> Pass<'a> {
             parts.room = KEPT_SAMPLES;
         }
         loop {
-            let mut added = self.backward_to_splats(parts, loss, into);
+            let splats = self.backward_to_splats(parts, loss, into);
             // other ranks do not begin again
-            let is_shared = self.ranks.is_some() && added.is_ok();
-            if added.is_ok() {
-                added = self.backward_to_tensors(parts, loss, into);
-            }
-            match added {
+            let is_shared = self.ranks.is_some() && splats.is_ok();
+            match splats.and_then(|()| self.backward_to_tensors(parts, loss, into)) {
                 Ok(true) => return Ok(()),
                 Ok(false) => {}
                 Err(error) => {
@@ -285,7 +282,7 @@ impl<'a> Pass<'a> {
         parts: &mut Parts,
         loss: &mut LossSource<'_>,
         into: &SceneGradient,
-    ) -> Result<bool> {
+    ) -> Result<()> {
         let device = self.device();
         let is_alone = self.is_alone(parts);
         let mut index = 0;
@@ -311,7 +308,7 @@ impl<'a> Pass<'a> {
             }
             index += 1;
         }
-        Ok(true)
+        Ok(())
     }
 
     /// From the splats of each part to the tensors. Returns false if a batch's only part had too little room: nothing was

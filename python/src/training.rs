@@ -390,6 +390,8 @@ impl Run {
         let mut session = Session::new(&self.device, &self.config, &self.dataset, folder);
         session.time_limit = self.time_limit;
         session.stop = &self.stop;
+        // a caller may keep the scene of a step
+        session.ahead = 0;
         session.mixed = self.ranks.as_ref().is_some_and(|ranks| ranks.mixed);
         session.ranks = self.ranks.clone().map(|ranks| ranks as Arc<dyn Ranks>);
         let mut reporter = Reporter::new(folder);

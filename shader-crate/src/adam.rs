@@ -31,7 +31,7 @@ pub struct AdamParams {
 /// `value = (1 - alpha lambda) value - alpha m^ / (sqrt(v^) + epsilon)`; the gradient becomes 0 for the next step.
 ///
 /// A block of [`VALUES_PER_FLAG`] values that nothing has touched keeps its value and its moments: it costs one read.
-#[kernel(threads(64), over(params.values), lanes(values))]
+#[kernel(threads(64), over(params.values), lanes(values), counts(values))]
 pub fn adam<L: Lane>(
     id: Invocation,
     params: &AdamParams,

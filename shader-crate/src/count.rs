@@ -13,8 +13,10 @@ pub const PAIRS: u32 = 1;
 pub const MEMBERS: u32 = 2;
 /// Index in `counts`: samples of the transmittance network.
 pub const SAMPLES: u32 = 3;
+/// Index in `counts`: `u32::MAX`, where a kernel runs over all its items unless [`OVERFLOW`] is raised.
+pub const ALL: u32 = 4;
 /// Values of `counts`.
-pub const COUNTS: u32 = 4;
+pub const COUNTS: u32 = 5;
 
 /// Parameters of [`record_total`].
 #[params]

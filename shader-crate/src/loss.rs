@@ -8,7 +8,9 @@ use glam::Vec4;
 
 use crate::limits::MAX_TILE_SIDE;
 use crate::ssim::{SLOPES, Taps, WINDOW};
-use muslin::math::{TINY, abs};
+use muslin::atomic;
+use muslin::count::OVERFLOW;
+use muslin::math::{TINY, abs, is_finite};
 use muslin::prelude::*;
 
 /// Parameters of [`loss_terms`] and [`loss_rows`].
@@ -88,6 +90,30 @@ pub fn loss_rows(
             next += 1;
         }
         row_sum.write(row, total);
+    }
+}
+
+/// Parameters of [`loss_check`].
+#[params]
+pub struct LossCheckParams {
+    /// Rows of all tiles.
+    pub rows: u32,
+}
+
+/// Raises [`OVERFLOW`] if a loss is not finite: the first two sums of some row of [`loss_rows`]. Rows along x.
+#[kernel(threads(64), over(params.rows))]
+pub fn loss_check(
+    id: Invocation,
+    params: &LossCheckParams,
+    row_sum: Read<Vec4>,
+    counts: Write<u32>,
+) {
+    let row = id.index();
+    if row < params.rows {
+        let sum = row_sum.read(row);
+        if !(is_finite(sum.x) && is_finite(sum.y)) {
+            atomic::raise(counts, OVERFLOW, 1);
+        }
     }
 }
 

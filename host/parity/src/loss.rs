@@ -1,9 +1,10 @@
-//! Cases of `loss_terms`, `loss_rows` and `loss_gradient`.
+//! Cases of `loss_terms`, `loss_rows`, `loss_check` and `loss_gradient`.
 
 use glam::Vec4;
 use muslin_check::prelude::*;
 use organza_shaders::loss::{
-    LossGradientInputs, LossGradientParams, LossParams, LossRowsInputs, LossTermsInputs,
+    LossCheckInputs, LossCheckParams, LossGradientInputs, LossGradientParams, LossParams,
+    LossRowsInputs, LossTermsInputs,
 };
 use organza_shaders::ssim::SLOPES;
 
@@ -122,6 +123,38 @@ impl Parity for LossRows {
             let [r, g, b, valid] = self.difference[at].to_array().map(Rounded::from);
             sums([r, g, b], self.dissimilarity[at].into(), valid)[index % 4]
         })))
+    }
+}
+
+case!(pub LossCheck(LossCheckInputs));
+
+impl Parity for LossCheck {
+    fn sets() -> Vec<(String, Self)> {
+        let of = |rows: u32, bad: Option<Vec4>| {
+            let mut random = Random::new(u64::from(rows));
+            let mut row_sum = Fill::Random.vectors(&mut random, rows as usize, [0.0, 400.0], 1e38);
+            if let (Some(bad), 1..) = (bad, rows) {
+                row_sum[random.below(rows) as usize] = bad;
+            }
+            let params = LossCheckParams { rows };
+            let set = Self(LossCheckInputs { params, row_sum, counts: vec![0, 7, 8, 9, u32::MAX] });
+            (format!("{rows} rows, {bad:?}"), set)
+        };
+        let bad = [
+            None,
+            Some(Vec4::X * f32::NAN),
+            Some(Vec4::X * f32::INFINITY),
+            Some(Vec4::Y * f32::NEG_INFINITY),
+            // squares are for the PSNR
+            Some(Vec4::new(1.0, 1.0, f32::INFINITY, 1.0)),
+        ];
+        SIZES.into_iter().flat_map(|rows| bad.map(|bad| of(rows, bad))).collect()
+    }
+
+    fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
+        let is_finite = |sum: &Vec4| sum.x.is_finite() && sum.y.is_finite();
+        let failed = !self.row_sum.iter().all(is_finite);
+        listed([u32::from(failed), 7, 8, 9, u32::MAX])
     }
 }
 

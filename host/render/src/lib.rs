@@ -32,6 +32,7 @@ pub use loss::image::{
     LossInputs, LossOutput, LossTarget, Photographs, TileImages, TileLoss, image_loss,
 };
 pub use loss::own::{DeviceLossBatch, DeviceLossGradient, LossBatch, LossGradient, OwnLoss};
+pub use pass::loss_gradient::QueuedLoss;
 pub use pass::recording::Recording;
 pub use pass::renderer::Renderer;
 pub use queries::contribution::Contributions;

@@ -5,6 +5,7 @@ mod recording;
 
 use crate::pass::part::Part;
 use crate::stages::composite::TileGradient;
+use crate::stages::counts::PartCounts;
 use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::{
     Capacity, DeviceScene, LossTarget, MODULES, Renderer, SceneGradient, TileImages, TileLoss,
@@ -61,7 +62,8 @@ fn evaluate(
     capacity: Option<Capacity>,
 ) -> (Vec<Vec<u32>>, Option<Capacity>) {
     let device = scene.device();
-    let part = Part::evaluate(scene, cameras, plan, true, capacity).expect("a part");
+    let counts = capacity.map(|capacity| PartCounts::new(device, capacity).expect("memory"));
+    let part = Part::evaluate(scene, cameras, plan, true, counts).expect("a part");
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
     let image = &part.composite.image;
     let d_tiles = TileGradient { d_tiles: image.view(), terms: Vec::new() };

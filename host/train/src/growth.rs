@@ -2,7 +2,6 @@
 
 use glam::{Quat, Vec3};
 
-use super::checkpoint::Checkpoint;
 use super::config::GrowthConfig;
 use organza_core::scene::{Gaussians, logit};
 
@@ -12,6 +11,16 @@ const SPLIT_OFFSET: f32 = 0.6;
 const SPLIT_SCALE: f32 = 0.65;
 /// and so much less opaque: together they have its weight at its center, and 0.98 of its sum.
 const SPLIT_OPACITY: f32 = 0.75;
+
+/// The Gaussians of a training, and what belongs to each.
+#[derive(Clone, Debug)]
+pub struct Population {
+    pub gaussians: Gaussians,
+    /// Adam's m and v.
+    pub moments: [Gaussians; 2],
+    /// `[N]`: see [`SceneGradient::statistics`](organza_render::SceneGradient::statistics).
+    pub statistics: Vec<[f32; 4]>,
+}
 
 /// The fates of the Gaussians.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -80,7 +89,7 @@ impl GrowthPlan {
 }
 
 /// Puts children in the place of their parents; `moments` are Adam's.
-fn apply(children: &[Child], gaussians: &mut Gaussians, moments: [&mut Gaussians; 2]) {
+fn apply(children: &[Child], gaussians: &mut Gaussians, moments: &mut [Gaussians; 2]) {
     let parents: Vec<_> = children.iter().map(|child| child.parent).collect();
     let is_new: Vec<_> = children.iter().map(|child| child.side.is_some()).collect();
     for moment in moments {
@@ -136,22 +145,20 @@ fn clear(gaussians: &mut Gaussians, is_new: &[bool]) {
     }
 }
 
-/// Changes the Gaussians of a checkpoint.
-pub fn grow(config: &GrowthConfig, checkpoint: &mut Checkpoint) -> Grown {
-    let strengths: Vec<_> = checkpoint.statistics.iter().copied().map(strength).collect();
-    let plan = GrowthPlan::new(config, &checkpoint.scene.gaussians.opacity, &strengths);
+/// Splits and removes Gaussians.
+pub fn grow(config: &GrowthConfig, population: &mut Population) -> Grown {
+    let Population { gaussians, moments, statistics } = population;
+    let strengths: Vec<_> = statistics.iter().copied().map(strength).collect();
+    let plan = GrowthPlan::new(config, &gaussians.opacity, &strengths);
     let children: Vec<_> = plan.children().collect();
-    let [first, second] = &mut checkpoint.moments;
-    let moments = [&mut first.gaussians, &mut second.gaussians];
-    apply(&children, &mut checkpoint.scene.gaussians, moments);
-    checkpoint.statistics = vec![[0.0; 4]; children.len()];
+    apply(&children, gaussians, moments);
+    *statistics = vec![[0.0; 4]; children.len()];
     plan.grown
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::TrainConfig;
     use organza_core::scene::Scene;
 
     fn scene() -> Scene {
@@ -176,33 +183,34 @@ mod tests {
         config: &GrowthConfig,
         scene: Scene,
         statistics: [[f32; 4]; 4],
-    ) -> (Checkpoint, Grown) {
-        let mut checkpoint = Checkpoint::begin(scene.clone(), &TrainConfig::default()).unwrap();
-        checkpoint.moments = [scene.clone(), scene];
-        checkpoint.statistics = statistics.to_vec();
-        let counts = grow(config, &mut checkpoint);
-        checkpoint.scene.validate().unwrap();
-        (checkpoint, counts)
+    ) -> (Population, Grown) {
+        let gaussians = scene.gaussians.clone();
+        let moments = [gaussians.clone(), gaussians.clone()];
+        let mut population = Population { gaussians, moments, statistics: statistics.to_vec() };
+        let counts = grow(config, &mut population);
+        let gaussians = population.gaussians.clone();
+        Scene { gaussians, ..scene }.validate().unwrap();
+        (population, counts)
     }
 
     #[test]
     fn the_strongest_are_split_and_transparent_ones_go() {
         let statistics =
             [[1.0, 2.0, 5.0, 0.0], [9.0, 1.0, 5.0, 0.0], [1.0, 1.0, 5.0, 0.0], [0.0; 4]];
-        let (Checkpoint { scene, moments: [moments, second], .. }, counts) =
+        let (Population { gaussians, moments: [moments, second], .. }, counts) =
             grown(&config(), scene(), statistics);
-        assert_eq!(moments.gaussians, second.gaussians);
+        assert_eq!(moments, second);
         assert_eq!(counts, Grown { split: 1, pruned: 1 });
         // 0, both halves of 2, 3
-        assert_eq!(scene.gaussians.len(), 4);
-        let [a, b] = [1, 2].map(|i| Vec3::from(scene.gaussians.position[i]));
+        assert_eq!(gaussians.len(), 4);
+        let [a, b] = [1, 2].map(|i| Vec3::from(gaussians.position[i]));
         assert!((a + b).abs_diff_eq(2.0 * Vec3::new(2.0, 0.0, 1.0), 1e-5));
         // along the longest axis, the second, 0.6 standard deviations each
         assert!(((a - b).length() - 1.2 * (-0.2_f32).exp()).abs() < 1e-5);
-        assert!((scene.gaussians.log_scale[1][1] - (-0.2 + 0.65_f32.ln())).abs() < 1e-6);
-        assert!((sigmoid(scene.gaussians.opacity[1]) - 0.375).abs() < 1e-6);
-        assert_eq!(moments.gaussians.position[1], [0.0; 3]);
-        assert_eq!(moments.gaussians.position[3], [3.0, 0.0, 1.0]);
+        assert!((gaussians.log_scale[1][1] - (-0.2 + 0.65_f32.ln())).abs() < 1e-6);
+        assert!((sigmoid(gaussians.opacity[1]) - 0.375).abs() < 1e-6);
+        assert_eq!(moments.position[1], [0.0; 3]);
+        assert_eq!(moments.position[3], [3.0, 0.0, 1.0]);
     }
 
     /// In f32 the sigmoid of a logit below -104 is 0.
@@ -213,8 +221,8 @@ mod tests {
         scene.gaussians.log_scale[0] = [100.0; 3];
         scene.gaussians.rotation[1] = [0.0; 4];
         let config = GrowthConfig { min_opacity: 0.0, rate: 1.0, ..config() };
-        let (checkpoint, _) = grown(&config, scene, [[1.0, 1.0, 5.0, 0.0]; 4]);
-        assert!(checkpoint.scene.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
+        let (population, _) = grown(&config, scene, [[1.0, 1.0, 5.0, 0.0]; 4]);
+        assert!(population.gaussians.opacity.iter().all(|&opacity| opacity == -200.0));
     }
 
     #[test]

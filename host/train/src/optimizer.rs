@@ -5,7 +5,7 @@ use organza_shaders::adam::{AdamKernel, AdamParams};
 use super::config::{EPSILON, OptimizerConfig};
 use muslin_device::{Buffer, Device};
 use organza_core::error::Result;
-use organza_core::scene::{FieldTensors, Scene, Tensors};
+use organza_core::scene::{FieldTensors, GaussianTensors, Gaussians, Scene, Tensors};
 use organza_render::{
     DeviceScene, SceneGradient, TensorGradient, pack, replace_gaussians, unpack, upload,
 };
@@ -26,11 +26,16 @@ impl Optimizer {
     }
 
     /// The moments of the Gaussians are these from now on.
-    pub fn replace_gaussians(&mut self, device: &Device, moments: &[Scene; 2]) -> Result<()> {
+    pub fn replace_gaussians(&mut self, device: &Device, moments: &[Gaussians; 2]) -> Result<()> {
         for (own, moment) in self.moments.iter_mut().zip(moments) {
-            replace_gaussians(device, own, &moment.gaussians)?;
+            replace_gaussians(device, own, moment)?;
         }
         Ok(())
+    }
+
+    /// The moments of the Gaussians, m and v.
+    pub fn of_gaussians(&self) -> [&GaussianTensors<Buffer<f32>>; 2] {
+        self.moments.each_ref().map(|moment| &moment.gaussians)
     }
 
     /// The moments as they are now, as scenes.
@@ -54,7 +59,7 @@ impl Optimizer {
         config: &OptimizerConfig,
         now: (u32, f64),
     ) -> Result<()> {
-        let mut adam = Adam::new(device, config, &self.always, now, scene.extent());
+        let mut adam = Adam::new(device, config, gradient, &self.always, now, scene.extent());
         if !gradient.has_transmittance {
             adam.keep_transmittance();
         }
@@ -70,6 +75,7 @@ impl Optimizer {
 struct Adam<'a> {
     device: &'a Device,
     config: &'a OptimizerConfig,
+    gradient: &'a SceneGradient,
     always: &'a Buffer<u32>,
     /// What each tensor's update has of its own; `None` for tensors that stay as they are.
     updates: Tensors<Option<Update>>,
@@ -100,6 +106,7 @@ impl<'a> Adam<'a> {
     fn new(
         device: &'a Device,
         config: &'a OptimizerConfig,
+        gradient: &'a SceneGradient,
         always: &'a Buffer<u32>,
         (step, fraction): (u32, f64),
         extent: f64,
@@ -114,7 +121,7 @@ impl<'a> Adam<'a> {
         updates.transmittance.network = of_transmittance(rates.transmittance.network);
         updates.transmittance.grid = of_transmittance(rates.transmittance.grid)
             .map(|update| Update { kept: 1.0 - decay, ..update });
-        Self { device, config, always, updates }
+        Self { device, config, gradient, always, updates }
     }
 
     /// Leaves the tensors of T as they are.
@@ -149,6 +156,6 @@ impl<'a> Adam<'a> {
             second_moment,
             value,
         };
-        self.device.run(&kernel, values, 1)
+        self.device.run(&kernel.counted(&self.gradient.unless_failed(values)), values, 1)
     }
 }

@@ -61,6 +61,8 @@ pub struct Session<'a> {
     pub command: Option<String>,
     /// A flag that another thread sets to save and stop.
     pub stop: &'a AtomicBool,
+    /// Steps that a GPU may be ahead of the last [`Event::Step`]. With 0, its scene is exactly the step's.
+    pub ahead: usize,
     /// The ranks that share the run. This one is rank 0: only it reads and writes files. The others call
     /// [`follow`](super::follow). The scene's bits do not depend on them.
     pub ranks: Option<Arc<dyn Ranks>>,
@@ -97,7 +99,7 @@ pub enum Event<'a> {
         report: &'a StepReport,
         /// Number of Gaussians.
         gaussians: usize,
-        /// The scene on the device.
+        /// The scene on the device, which can be [some steps](Session::ahead) newer.
         scene: &'a DeviceScene,
     },
     /// The log has a new record.
@@ -138,6 +140,9 @@ pub enum Outcome {
 /// A listener to a session. Its error ends the run.
 pub type Watch<'w> = dyn FnMut(Event<'_>) -> Result<()> + 'w;
 
+/// Enough for a GPU that never waits for the host; memory does not depend on it.
+const STEPS_AHEAD: usize = 2;
+
 /// A stop flag that is never set.
 static NEVER: AtomicBool = AtomicBool::new(false);
 
@@ -159,6 +164,7 @@ impl<'a> Session<'a> {
             planned: None,
             command: None,
             stop: &NEVER,
+            ahead: STEPS_AHEAD,
             ranks: None,
             mixed: false,
         }

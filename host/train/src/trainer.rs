@@ -1,9 +1,10 @@
 //! One step after the other: draw tiles, render, compare, go back, move, grow. The state that a step changes, and its measurements.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::coarse::{Batches, Drawn};
-use super::growth::{Grown, grow};
+use super::growth::{Grown, Population, grow};
 use super::optimizer::Optimizer;
 use super::per_photograph::Exposures;
 use super::photographs::{ResidentPhotographs, StepPhotographs};
@@ -14,12 +15,14 @@ use super::start;
 use crate::evaluate::{Evaluation, evaluate_with};
 use crate::{Checkpoint, Progress, StepGradient, StepHooks, TrainConfig};
 use glam::Vec4;
-use muslin_device::Device;
+use muslin_device::{Buffer, Device, Pending};
 use organza_core::ranks::Ranks;
+use organza_core::scene::Gaussians;
 use organza_core::{Camera, Error, Result, metrics};
 use organza_data::Dataset;
 use organza_render::{
-    BatchLoss, DeviceScene, ExposureGradient, LossTarget, Renderer, SceneGradient, TileLoss,
+    BatchLoss, DeviceScene, ExposureGradient, LossTarget, QueuedLoss, Renderer, SceneGradient,
+    TileLoss,
 };
 
 /// Trains a scene, step by step. Everything that a step changes stays on the device.
@@ -71,6 +74,8 @@ pub struct Trainer {
     poses: Option<PoseSet>,
     pub(super) state: TrainerState,
     pub(super) step: u32,
+    /// Steps whose losses the host has not read: see [`Trainer::advance`].
+    queued: VecDeque<QueuedStep>,
     /// See [`Trainer::with_ranks`].
     pub(super) ranks: Option<Arc<dyn Ranks>>,
 }
@@ -139,6 +144,7 @@ impl Trainer {
             poses,
             state,
             step,
+            queued: VecDeque::new(),
             ranks: None,
         })
     }
@@ -156,6 +162,11 @@ impl Trainer {
     #[must_use]
     pub fn steps(&self) -> u32 {
         self.step
+    }
+
+    /// Steps whose losses are known.
+    pub(super) fn finished(&self) -> u32 {
+        self.step - self.queued.len() as u32
     }
 
     /// Whether all steps of the settings are done. [`Trainer::step`] can go on all the same.
@@ -214,6 +225,7 @@ impl Trainer {
     /// The same errors as [`Device::read`](muslin_device::Device::read); [`Error::Diverged`] where a gradient was not
     /// finite.
     pub fn checkpoint(&self, seconds: f64) -> Result<Checkpoint> {
+        assert!(self.queued.is_empty(), "steps are finished before the scene is saved");
         let device = self.renderer.device();
         let state = &self.state;
         state.gradient.check(device)?;
@@ -242,25 +254,106 @@ impl Trainer {
     /// # Errors
     /// The same errors as [`Trainer::step`], and those of the hooks.
     pub fn step_with(&mut self, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
-        self.state.set_transmittance(self.config.learns_transmittance(self.step));
+        self.finish_steps()?;
+        let drawn = self.draw(hooks);
+        let report = self.finished_step(&drawn, hooks)?;
+        self.grow_if_due(report)
+    }
+
+    /// Goes on by one step. Returns the reports of the steps that are finished, in their order.
+    ///
+    /// On a GPU, steps are queued: the host prepares the next one while the GPU works, and reads the losses of a step `ahead`
+    /// steps later. It waits in every step for ranks, hooks, poses and exposures, whose numbers the next step needs, and where
+    /// [`Renderer::queue_loss_gradient`] says so. The bits of the scene are the same.
+    ///
+    /// # Errors
+    /// The same errors as [`Trainer::step_with`].
+    pub fn advance(&mut self, hooks: &mut StepHooks<'_>, ahead: usize) -> Result<Vec<StepReport>> {
+        let drawn = self.draw(hooks);
+        let waits = self.ranks.is_some()
+            || self.poses.is_some()
+            || self.exposures.is_some()
+            || hooks.loss.is_some()
+            || hooks.gradient.is_some();
+        let queued = if waits { Ok(None) } else { self.queue(&drawn) };
+        let mut reports = Vec::new();
+        match queued {
+            Ok(Some((loss, values))) => {
+                self.queued.push_back(QueuedStep { step: self.step, drawn, loss, values });
+                self.step += 1;
+                let left = if self.is_time_to_grow() { 0 } else { ahead };
+                while self.queued.len() > left {
+                    self.finish_oldest(&mut reports)?;
+                }
+            }
+            // the waiting step has ways to make room
+            Err(error) if !error.is_out_of_memory() => return Err(error),
+            Ok(None) | Err(_) => {
+                reports = self.finish_steps()?;
+                reports.push(self.finished_step(&drawn, hooks)?);
+            }
+        }
+        if let Some(last) = reports.pop() {
+            reports.push(self.grow_if_due(last)?);
+        }
+        Ok(reports)
+    }
+
+    /// Waits for all queued steps, and returns their reports. What looks at the scene comes after this.
+    ///
+    /// # Errors
+    /// The same errors as [`Trainer::step`].
+    pub fn finish_steps(&mut self) -> Result<Vec<StepReport>> {
+        let mut reports = Vec::new();
+        while !self.queued.is_empty() {
+            self.finish_oldest(&mut reports)?;
+        }
+        Ok(reports)
+    }
+
+    /// Waits for the oldest queued step. If it has failed, later ones have done nothing: all are taken again, one by one.
+    fn finish_oldest(&mut self, reports: &mut Vec<StepReport>) -> Result<()> {
+        let Some(QueuedStep { step, drawn, loss, values }) = self.queued.pop_front() else {
+            return Ok(());
+        };
+        let device = self.renderer.device();
+        if let Some(found) = loss.finish(&self.renderer, &device.finish(values)?) {
+            reports.push(StepReport::new(step + 1, self.scene().len(), &found));
+            return Ok(());
+        }
+        self.state.gradient.clear_failure(device)?;
+        let later: Vec<_> = self.queued.drain(..).map(|queued| queued.drawn).collect();
+        self.step = step;
+        for drawn in std::iter::once(drawn).chain(later) {
+            reports.push(self.finished_step(&drawn, &mut StepHooks::new())?);
+        }
+        Ok(())
+    }
+
+    /// The tiles of the next step.
+    fn draw(&mut self, hooks: &StepHooks<'_>) -> Drawn {
         let frames: Vec<_> = self.dataset.train_frames().collect();
-        let drawn = match hooks.loss {
+        match hooks.loss {
             // a caller may know photographs by their pixels, and tiles by what renders them
             Some(_) => self.batches.whole(self.step, &frames),
             None => self.batches.draw(&self.config.run, self.step, &frames),
-        };
+        }
+    }
+
+    /// A step, for whose loss the host waits.
+    fn finished_step(&mut self, drawn: &Drawn, hooks: &mut StepHooks<'_>) -> Result<StepReport> {
+        self.state.set_transmittance(self.config.learns_transmittance(self.step));
         let rollback = |trainer: &Self| trainer.state.gradient.rollback(trainer.renderer.device());
-        let (report, exposures) = self.add_gradient(&drawn, hooks)?;
+        let (report, exposures) = self.add_gradient(drawn, hooks)?;
         report.check(self.step).inspect_err(|_| rollback(self))?;
         let device = self.renderer.device();
-        let TrainerState { scene, optimizer, gradient } = &self.state;
+        let TrainerState { scene, gradient, .. } = &self.state;
         if let Some(hook) = &mut hooks.gradient {
             let between = StepGradient { device, step: self.step, scene, gradient };
             hook(&between).inspect_err(|_| rollback(self))?;
         }
         let done = self.config.run.fraction(self.step);
         let settings = &self.config.optimizer;
-        let now = (self.step, done);
         if let Some(learned) = &mut self.exposures {
             let rate = settings.rate_at(settings.exposure, done);
             let moved = learned.step(&exposures, settings, rate);
@@ -275,51 +368,96 @@ impl Trainer {
             gradient.clear_poses(device);
             self.cameras = poses.cameras();
         }
-        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
-        gradient.clear_touched(device);
-        scene.update_occupancy(device)?;
+        self.optimize()?;
         // a GPU moves the scene while the host draws the next tiles
-        device.submit();
+        self.renderer.device().submit();
         self.step += 1;
-        let grows = is_time_to_grow(&self.config, self.step);
-        let grown = grows.then(|| self.grow()).transpose()?;
-        Ok(StepReport { grown, ..report })
+        Ok(report)
     }
 
-    /// Adds the gradient of a batch's loss; returns what it measured, and the gradients of the exposures.
-    fn add_gradient(
-        &mut self,
+    /// A step whose loss the host reads later. `None`, with nothing queued, where it must wait.
+    fn queue(&mut self, drawn: &Drawn) -> Result<Option<(QueuedLoss, Pending)>> {
+        self.state.set_transmittance(self.config.learns_transmittance(self.step));
+        let device = self.renderer.device();
+        let TrainerState { scene, gradient, .. } = &self.state;
+        let loss = self.with_target(drawn, &mut |target| {
+            let cameras = &drawn.cameras(&self.cameras);
+            let scene = &scene.coarser(drawn.factor, drawn.ray_steps);
+            self.renderer.queue_loss_gradient(scene, cameras, &drawn.batch, target, gradient)
+        })?;
+        let Some(loss) = loss else { return Ok(None) };
+        self.optimize()?;
+        let values = device.read_later(loss.buffers())?;
+        Ok(Some((loss, values)))
+    }
+
+    /// Moves the scene by its gradient, which is zero afterward.
+    fn optimize(&self) -> Result<()> {
+        let device = self.renderer.device();
+        let TrainerState { scene, optimizer, gradient } = &self.state;
+        let now = (self.step, self.config.run.fraction(self.step));
+        let settings = &self.config.optimizer;
+        device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
+        gradient.clear_touched(device);
+        Ok(scene.update_occupancy(device)?)
+    }
+
+    /// Calls `use_target` with the ground truth of a step's tiles.
+    fn with_target<T>(
+        &self,
         drawn: &Drawn,
-        hooks: &mut StepHooks<'_>,
-    ) -> Result<(StepReport, Vec<ExposureGradient>)> {
+        use_target: &mut dyn FnMut(&LossTarget<'_>) -> Result<T>,
+    ) -> Result<T> {
         let frames: Vec<_> = self.dataset.train_frames().collect();
-        let Drawn { batch, factor, ray_steps } = drawn;
+        let Drawn { batch, factor, .. } = drawn;
         let factor = *factor;
         let exposure = self.exposures.as_ref().map(|exposures| exposures.tile_values(batch));
         let resident = self.photographs.as_ref();
-        let target = LossTarget {
+        use_target(&LossTarget {
             photographs: &StepPhotographs { resident, frames: &frames, batch, factor },
             valid_pixels: valid_pixels(batch, factor, &frames) as f64,
             ssim_weight: self.config.loss.ssim_weight,
             terms: &self.config.loss.terms(),
             exposure: exposure.as_deref(),
-        };
+        })
+    }
+
+    /// Adds the gradient of a batch's loss; returns what it measured, and the gradients of the exposures.
+    fn add_gradient(
+        &self,
+        drawn: &Drawn,
+        hooks: &mut StepHooks<'_>,
+    ) -> Result<(StepReport, Vec<ExposureGradient>)> {
         let TrainerState { scene, gradient, .. } = &self.state;
-        let cameras = &drawn.cameras(&self.cameras)[..];
-        let scene = &scene.coarser(factor, *ray_steps);
-        let own = hooks.loss.as_mut();
+        let cameras = &drawn.cameras(&self.cameras);
+        let scene = &scene.coarser(drawn.factor, drawn.ray_steps);
         let ranks = self.ranks.as_deref();
-        let found = self
-            .renderer
-            .add_loss_gradient(scene, cameras, batch, &target, own, gradient, ranks)?;
-        Ok((StepReport::new(&found), found.exposures))
+        let found = self.with_target(drawn, &mut |target| {
+            let own = hooks.loss.as_mut();
+            let batch = &drawn.batch;
+            self.renderer.add_loss_gradient(scene, cameras, batch, target, own, gradient, ranks)
+        })?;
+        let report = StepReport::new(self.step + 1, self.scene().len(), &found);
+        Ok((report, found.exposures))
+    }
+
+    /// The report of the last step, with the change of the Gaussians if it is time for one.
+    fn grow_if_due(&mut self, report: StepReport) -> Result<StepReport> {
+        let is_due = report.step == self.step && self.is_time_to_grow();
+        let grown = is_due.then(|| self.grow()).transpose()?;
+        Ok(StepReport { grown, gaussians: self.scene().len(), ..report })
+    }
+
+    fn is_time_to_grow(&self) -> bool {
+        is_time_to_grow(&self.config, self.step)
     }
 
     /// On the host: once in many steps.
     fn grow(&mut self) -> Result<Grown> {
-        let mut checkpoint = self.checkpoint(0.0)?;
-        let grown = grow(&self.config.growth, &mut checkpoint);
-        self.state.replace_gaussians(self.renderer.device(), &checkpoint)?;
+        let device = self.renderer.device();
+        let mut population = self.state.population(device)?;
+        let grown = grow(&self.config.growth, &mut population);
+        self.state.replace_gaussians(device, &population)?;
         Ok(grown)
     }
 }
@@ -335,6 +473,10 @@ pub(super) fn is_time_to_grow(config: &TrainConfig, step: u32) -> bool {
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct StepReport {
+    /// Steps that are done, with this one.
+    pub step: u32,
+    /// Number of Gaussians afterward.
+    pub gaussians: usize,
     /// The loss of the batch.
     pub loss: f64,
     /// The mean absolute difference of the batch's values, the first part of the loss of the settings.
@@ -351,10 +493,12 @@ pub struct StepReport {
 
 impl StepReport {
     /// The report on a batch's loss.
-    fn new(found: &BatchLoss) -> Self {
+    fn new(step: u32, gaussians: usize, found: &BatchLoss) -> Self {
         let total = TileLoss::total(&found.tiles);
         let pixels = (3.0 * total.valid).max(1.0);
         Self {
+            step,
+            gaussians,
             loss: found.loss,
             // each part of the loss separately
             l1: total.value(0.0),
@@ -373,6 +517,17 @@ impl StepReport {
         let reason = format!("the loss of step {step} is {}", self.loss);
         Err(Error::Diverged { reason })
     }
+}
+
+/// A step on a GPU whose loss the host has not read.
+#[derive(Debug)]
+struct QueuedStep {
+    /// Steps before it.
+    step: u32,
+    /// To take it again, if it has failed.
+    drawn: Drawn,
+    loss: QueuedLoss,
+    values: Pending,
 }
 
 /// The state that a step changes.
@@ -411,12 +566,35 @@ impl TrainerState {
         self.gradient.has_transmittance = is_learned;
     }
 
-    /// The Gaussians are those of a checkpoint from now on; the fields stay.
-    pub fn replace_gaussians(&mut self, device: &Device, checkpoint: &Checkpoint) -> Result<()> {
-        self.scene.replace_gaussians(device, &checkpoint.scene.gaussians)?;
-        self.optimizer.replace_gaussians(device, &checkpoint.moments)?;
+    /// All Gaussians. Waits once.
+    pub fn population(&self, device: &Device) -> Result<Population> {
+        let of_moments = self.optimizer.of_gaussians();
+        let tensors = [&self.scene.tensors().gaussians, of_moments[0], of_moments[1]];
+        let tensors = tensors.into_iter().flat_map(|tensors| tensors.as_ref().into_vec());
+        let mut buffers: Vec<_> = tensors.map(Buffer::view).collect();
+        buffers.push(self.gradient.statistics.view());
+        let words = device.read_all(&buffers)?;
+        let mut values = words.iter().map(|words| bytemuck::cast_slice::<u32, f32>(words));
+        let mut next = || values.next().expect("as many as buffers");
+        let mut gaussians = || {
+            let mut gaussians = Gaussians::zeros(self.scene.config(), self.scene.len())?;
+            let targets = gaussians.tensors_mut().into_vec();
+            targets.into_iter().for_each(|target| target.copy_from_slice(next()));
+            Ok::<_, Error>(gaussians)
+        };
+        Ok(Population {
+            gaussians: gaussians()?,
+            moments: [gaussians()?, gaussians()?],
+            statistics: next().as_chunks().0.to_vec(),
+        })
+    }
+
+    /// The Gaussians are these from now on; the fields stay.
+    pub fn replace_gaussians(&mut self, device: &Device, population: &Population) -> Result<()> {
+        self.scene.replace_gaussians(device, &population.gaussians)?;
+        self.optimizer.replace_gaussians(device, &population.moments)?;
         self.gradient.replace_gaussians(device, &self.scene)?;
-        self.write_statistics(device, &checkpoint.statistics)
+        self.write_statistics(device, &population.statistics)
     }
 
     /// `[N]`: see [`SceneGradient::statistics`].

@@ -16,6 +16,9 @@ pub fn adapters() -> Vec<AdapterInfo> {
 #[derive(Debug)]
 pub enum Gpu {}
 
+#[derive(Debug)]
+pub struct Reading;
+
 impl Gpu {
     pub fn open(_: &DeviceOptions, _: &'static Modules) -> Result<Self> {
         Err(Error::NoGpu { reason: "muslin-device is compiled without its feature `gpu`".into() })
@@ -43,6 +46,8 @@ methods! {
     allocate(&'static str, u64, bool) -> Result<GpuBuffer>;
     write(&GpuBuffer, &[u8]) -> ();
     read(&[(&RawBuffer, u64, usize)], impl FnMut(&[u8]) -> Result<()>) -> Result<()>;
+    read_later(&[(&RawBuffer, u64, usize)]) -> Reading;
+    finish_reading(Reading, impl FnMut(&[u8]) -> Result<()>) -> Result<()>;
     dispatch(&'static KernelInfo, &[u8], &[(usize, &Count)], &[&RawBuffer], [u32; 3]) -> Result<()>;
     clear(&RawBuffer) -> ();
     copy(&RawBuffer, &RawBuffer, u64) -> ();

@@ -8,6 +8,7 @@ use bytemuck::Pod;
 use crate::buffer::{Buffer, Memory, RawBuffer};
 use crate::cpu_memory::Writer;
 use crate::device::{Device, DeviceKind};
+use crate::gpu::Reading;
 use crate::{Error, Result};
 
 impl Device {
@@ -281,18 +282,73 @@ impl Device {
         let DeviceKind::Gpu(gpu) = &self.kind else {
             return buffers.iter().map(|buffer| self.read(buffer)).collect();
         };
-        let ranges: Vec<_> =
-            buffers.iter().map(|buffer| (buffer.raw(), 0, buffer.raw().bytes as usize)).collect();
-        let mut values = Vec::with_capacity(buffers.len());
-        gpu.read(&ranges, |bytes| {
-            let words = bytemuck::cast_slice(bytes);
-            // not zeros: these would take as long as the copy
-            let mut copied =
-                crate::memory::reserve(words.len(), buffers[values.len()].raw().label)?;
-            copied.extend_from_slice(words);
-            values.push(copied);
-            Ok(())
-        })?;
-        Ok(values)
+        let mut values = Values::of(buffers);
+        gpu.read(&whole(buffers), |bytes| values.take(bytes))?;
+        Ok(values.found)
     }
+
+    /// Like [`Device::read_all`], but a GPU goes on with what comes later, and [`Device::finish`] has the values.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::read`].
+    pub fn read_later(&self, buffers: &[Buffer<u32>]) -> Result<Pending> {
+        let DeviceKind::Gpu(gpu) = &self.kind else {
+            return Ok(Pending(PendingValues::Known(self.read_all(buffers)?)));
+        };
+        let reading = gpu.read_later(&whole(buffers));
+        Ok(Pending(PendingValues::Reading(reading, Values::of(buffers))))
+    }
+
+    /// The values of [`Device::read_later`], which this device has given. Waits until they are there, and not for later work.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::read`].
+    pub fn finish(&self, pending: Pending) -> Result<Vec<Vec<u32>>> {
+        match (&self.kind, pending.0) {
+            (_, PendingValues::Known(values)) => Ok(values),
+            (DeviceKind::Gpu(gpu), PendingValues::Reading(reading, mut values)) => {
+                gpu.finish_reading(reading, |bytes| values.take(bytes))?;
+                Ok(values.found)
+            }
+            _ => panic!("another device reads these values"),
+        }
+    }
+}
+
+/// Values of buffers that a device will have read: [`Device::finish`] takes them.
+#[derive(Debug)]
+pub struct Pending(PendingValues);
+
+#[derive(Debug)]
+enum PendingValues {
+    Known(Vec<Vec<u32>>),
+    Reading(Reading, Values),
+}
+
+/// The values of some buffers, one after the other.
+#[derive(Debug)]
+struct Values {
+    labels: Vec<&'static str>,
+    found: Vec<Vec<u32>>,
+}
+
+impl Values {
+    fn of(buffers: &[Buffer<u32>]) -> Self {
+        let labels = buffers.iter().map(|buffer| buffer.raw().label).collect();
+        Self { labels, found: Vec::with_capacity(buffers.len()) }
+    }
+
+    fn take(&mut self, bytes: &[u8]) -> Result<()> {
+        let words = bytemuck::cast_slice(bytes);
+        // not zeros: these would take as long as the copy
+        let mut copied = crate::memory::reserve(words.len(), self.labels[self.found.len()])?;
+        copied.extend_from_slice(words);
+        self.found.push(copied);
+        Ok(())
+    }
+}
+
+/// All bytes of each buffer.
+fn whole(buffers: &[Buffer<u32>]) -> Vec<(&RawBuffer, u64, usize)> {
+    buffers.iter().map(|buffer| (buffer.raw(), 0, buffer.raw().bytes as usize)).collect()
 }

@@ -4,7 +4,7 @@ use std::fs;
 
 use organza::data::Background;
 use organza::train::config::LearnExposure;
-use organza::train::{CHECKPOINT, Checkpoint, TrainConfig, Trainer};
+use organza::train::{CHECKPOINT, Checkpoint, StepHooks, TrainConfig, Trainer};
 use organza::{Device, DeviceOptions, Renderer, Result, SpirvPath};
 use organza_tests::devices;
 
@@ -118,27 +118,105 @@ fn a_step_waits_once_and_that_changes_nothing() {
     }
 }
 
-/// A software GPU gets a card's portions here.
-#[test]
-fn a_step_waits_once_for_a_card_and_sends_no_photograph() {
+/// A software GPU that gets a card's portions, and a trainer on it.
+fn on_a_card() -> Option<(Renderer, impl Fn(&Renderer) -> Trainer)> {
     if !devices::has_gpu() {
-        return;
+        return None;
     }
     let (config, checkpoint, dataset) = begun();
     let options = DeviceOptions::gpu(SpirvPath::Passthrough).like_a_card(true);
     let renderer = Renderer::new(organza::open_device(&options).expect("a GPU"));
-    let pixels = u64::from(config.run.tiles_per_step * config.run.tile_size.pow(2));
-    let mut trainer = Trainer::resume(&renderer, config, dataset, &checkpoint).expect("a trainer");
+    let trainer = move |renderer: &Renderer| {
+        let (config, dataset) = (config.clone(), dataset.clone());
+        Trainer::resume(renderer, config, dataset, &checkpoint).expect("a trainer")
+    };
+    Some((renderer, trainer))
+}
+
+#[test]
+fn a_card_waits_for_no_step_and_gets_no_photograph() {
+    let Some((renderer, trainer)) = on_a_card() else { return };
+    let mut trainer = trainer(&renderer);
+    let run = trainer.config().run.clone();
+    let pixels = u64::from(run.tiles_per_step * run.tile_size.pow(2));
     for _ in 0..3 {
-        trainer.step().expect("a step");
+        trainer.advance(&mut StepHooks::new(), 2).expect("a step");
     }
     let before = renderer.device().traffic();
-    trainer.step().expect("a step");
+    trainer.advance(&mut StepHooks::new(), 2).expect("a step");
     let step = renderer.device().traffic() - before;
-    assert_eq!(step.waits, 1, "{step:?}");
+    assert_eq!(step.waits, 0, "{step:?}");
     assert!(step.submissions <= 3 && step.dispatches < 120, "{step:?}");
     // 256 bytes for each dispatch, and what is not 16 bytes a pixel: cameras, tiles and their places
     assert!(step.bytes_up < 256 * step.dispatches + 4 * pixels, "{step:?}");
+}
+
+/// Whatever happens to a step in flight: too little room, memory that ends, or a stop.
+#[test]
+fn steps_in_flight_have_the_bits_of_single_steps() {
+    let Some((renderer, trainer)) = on_a_card() else { return };
+    const STEPS: usize = 20;
+    let mut one_by_one = trainer(&renderer);
+    let mut states = Vec::new();
+    let mut losses = Vec::new();
+    for _ in 0..STEPS {
+        losses.push(one_by_one.step().expect("a step").loss);
+        states.push(state_bits(&one_by_one.checkpoint(0.0).expect("a state")));
+    }
+    for ahead in [0, 1, 2, 5] {
+        let mut trainer = trainer(&renderer);
+        let begin = trainer.steps();
+        let mut reports = Vec::new();
+        for step in 0..STEPS {
+            match step % 5 {
+                1 => renderer.shrink_predictions(0.5),
+                // masks fit, samples do not
+                2 if ahead == 1 => renderer.shrink_predictions(0.9),
+                3 => drop(renderer.device().refuse_one(10 + 7 * step as u64)),
+                _ => {}
+            }
+            reports.extend(trainer.advance(&mut StepHooks::new(), ahead).expect("a step"));
+            assert!(reports.len() + ahead > step, "{} reports after step {step}", reports.len());
+            if step % 7 == 6 || step + 1 == STEPS {
+                renderer.device().refuse_one(0);
+                reports.extend(trainer.finish_steps().expect("steps"));
+                let found = state_bits(&trainer.checkpoint(0.0).expect("a state"));
+                assert!(found == states[step], "step {step}, {ahead} ahead");
+            }
+        }
+        let found: Vec<_> = reports.iter().map(|report| report.loss).collect();
+        assert_eq!(found, losses, "{ahead} ahead");
+        let steps: Vec<_> = reports.iter().map(|report| report.step).collect();
+        assert_eq!(steps, (begin + 1..=begin + STEPS as u32).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn a_step_in_flight_whose_loss_is_not_finite_changes_nothing() {
+    let Some((renderer, trainer)) = on_a_card() else { return };
+    let device = renderer.device();
+    let mut trainer = trainer(&renderer);
+    for _ in 0..4 {
+        trainer.advance(&mut StepHooks::new(), 2).expect("a step");
+    }
+    trainer.finish_steps().expect("steps");
+    // of all Gaussians, so that each step sees it
+    let opacity = &trainer.scene().tensors().gaussians.opacity;
+    device.write(opacity, 0, &vec![f32::NAN; opacity.len()]).expect("memory");
+    let before = state_bits(&trainer.checkpoint(0.0).expect("a state"));
+    let step = trainer.steps();
+    let mut error = None;
+    for _ in 0..4 {
+        if let Err(found) = trainer.advance(&mut StepHooks::new(), 2) {
+            error.get_or_insert(found);
+        }
+    }
+    let error = error.expect("an error").to_string();
+    assert!(error.contains(&format!("the loss of step {step} is NaN")), "{error}");
+    let _ = trainer.finish_steps();
+    let after = trainer.checkpoint(0.0).expect("a state");
+    assert_eq!(after.progress.step, step);
+    assert!(state_bits(&after) == before);
 }
 
 #[test]

@@ -4,10 +4,12 @@ pub mod hash_grid;
 pub mod ranks;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::Vec4;
 use muslin::binned::ROWS;
 use organza_shaders::binned::{BinnedGradientKernel, BinnedGradientParams};
+use organza_shaders::count::{ALL, COUNTS};
 use organza_shaders::hash_grid_backward::VALUES_PER_FLAG;
 use organza_shaders::pose_backward;
 
@@ -26,6 +28,13 @@ pub const POSE: usize = pose_backward::VALUES as usize;
 pub const GEOMETRY: [&str; 4] =
     ["gaussians.position", "gaussians.rotation", "gaussians.log_scale", "gaussians.opacity"];
 
+/// Counts of queued batches, before one fails.
+const NO_FAILURE: [u32; COUNTS as usize] = {
+    let mut counts = [0; COUNTS as usize];
+    counts[ALL as usize] = u32::MAX;
+    counts
+};
+
 /// Gradients of all tensors of a scene; kernels add to them.
 #[derive(Debug)]
 pub struct SceneGradient {
@@ -42,6 +51,8 @@ pub struct SceneGradient {
     pub has_transmittance: bool,
     /// Those of the cameras' poses, where they are wanted.
     pub(crate) poses: Option<BinnedGradient>,
+    /// `[COUNTS]`: of batches that the host does not wait for.
+    pub(crate) counts: Arc<Buffer<u32>>,
 }
 
 /// The gradient of one tensor, in the order of the tensor's values: a range of a buffer.
@@ -119,6 +130,7 @@ impl SceneGradient {
             transmittance,
             has_transmittance: true,
             poses: None,
+            counts: Arc::new(device.upload("counts of queued batches", &NO_FAILURE)?),
         })
     }
 
@@ -139,6 +151,20 @@ impl SceneGradient {
     pub fn read_poses(&self, device: &Device) -> Result<Vec<[f32; POSE]>> {
         let Some(poses) = &self.poses else { return Ok(Vec::new()) };
         Ok(device.read(&poses.values)?.as_chunks().0.to_vec())
+    }
+
+    /// `values` that a step may change: none after a queued batch has failed. See [`Renderer::queue_loss_gradient`](crate::Renderer::queue_loss_gradient).
+    #[must_use]
+    pub fn unless_failed(&self, values: u32) -> Count {
+        Count::on_device(&self.counts, ALL, values)
+    }
+
+    /// Forgets that a queued batch has failed. Later ones add to the gradient again.
+    ///
+    /// # Errors
+    /// The same errors as [`Device::write`].
+    pub fn clear_failure(&self, device: &Device) -> Result<()> {
+        Ok(device.write(&self.counts, 0, &NO_FAILURE)?)
     }
 
     /// Every tensor's gradient.

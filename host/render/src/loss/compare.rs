@@ -7,6 +7,7 @@ use super::image::{LossInputs, LossTarget, TileLoss, image_loss};
 use super::own::{DeviceLoss, DeviceLossBatch};
 use crate::stages::composite::{CompositedTerm, MaskedTerm, TileGradient};
 use crate::stages::cut::{PartTiles, values_of_tiles};
+use crate::stages::tiles::Bins;
 use muslin_device::{Buffer, Device};
 use organza_core::ranks::Ranks;
 use organza_core::{Error, Result, TileBatch};
@@ -78,6 +79,14 @@ impl LossSource<'_> {
                 Ok(TileGradient { d_tiles, terms: Vec::new() })
             }
         }
+    }
+
+    /// Queues a look at the loss of [`Self::backward`]: see [`PartCounts::check_loss`](crate::stages::counts::PartCounts::check_loss).
+    pub fn check(&self, device: &Device, bins: &Bins) -> Result<()> {
+        let (Self::Compared(comparison), Some(counts)) = (self, &bins.part_counts) else {
+            return Ok(());
+        };
+        Ok(counts.check_loss(device, &comparison.sums[0].view(), &bins.pair_mask)?)
     }
 
     /// Whether a caller's function sees the tiles, which must then be there.

@@ -10,6 +10,7 @@
 //! - **Gaussians** are summed camera by camera; between ranks as [`Rows`].
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::Vec4;
 
@@ -22,7 +23,7 @@ use crate::gradient::ranks::{self, Rows};
 use crate::loss::compare::LossSource;
 use crate::scene::device_scene::DeviceScene;
 use crate::stages::composite::TileGradient;
-use crate::stages::counts::Capacity;
+use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::{Limits, PartTiles, by_camera, cut};
 use muslin_device::{Buffer, Count, Device};
 use organza_core::ranks::Ranks;
@@ -40,6 +41,8 @@ pub struct Pass<'a> {
     pub cameras: &'a [Camera],
     /// Those that share the batch, if there are several.
     pub ranks: Option<&'a dyn Ranks>,
+    /// The counts of batches that the host does not wait for: see [`Pass::queue`].
+    pub queued: Option<&'a Arc<Buffer<u32>>>,
 }
 
 /// The parts of a batch, of this rank.
@@ -189,7 +192,12 @@ impl<'a> Pass<'a> {
             at.is_for_gradients = keep;
             let predicted = || self.renderer.predictor().predict(self.kind(at), self.size(at));
             let capacity = if predicts { at.needed.or_else(predicted) } else { None };
-            at.part = Some(Part::evaluate(self.scene, self.cameras, &at.plan, keep, capacity)?);
+            let counts = capacity.map(|capacity| match self.queued {
+                Some(counts) => Ok(PartCounts::with(counts.clone(), capacity)),
+                None => PartCounts::new(self.device(), capacity),
+            });
+            let counts = counts.transpose()?;
+            at.part = Some(Part::evaluate(self.scene, self.cameras, &at.plan, keep, counts)?);
         }
         Ok(at.part.as_ref().expect("it was just made"))
     }
@@ -271,6 +279,31 @@ impl<'a> Pass<'a> {
         }
     }
 
+    /// Queues what [`Self::backward`] does, and waits for nothing. Returns false, with nothing queued, where the host must wait:
+    /// for a batch of several parts, and where nothing is known of the room that such batches need.
+    ///
+    /// If the batch has too little room, or its loss is not finite, it raises [`OVERFLOW`](muslin::count::OVERFLOW) in the counts,
+    /// and it adds nothing. Nor do later batches, until the flag is cleared.
+    pub fn queue(
+        &self,
+        parts: &mut Parts,
+        loss: &mut LossSource<'_>,
+        into: &SceneGradient,
+    ) -> Result<Option<(BatchKind, [u32; 2])>> {
+        let [at] = &mut parts.list[..] else { return Ok(None) };
+        at.is_for_gradients = true;
+        let found = (self.kind(at), self.size(at));
+        let is_predicted = self.renderer.predictor().predict(found.0, found.1).is_some();
+        if !is_predicted {
+            return Ok(None);
+        }
+        into.snapshot(self.device());
+        let splats = self.backward_to_splats(parts, loss, into);
+        let tensors = splats.and_then(|()| self.backward_to_tensors(parts, loss, into));
+        tensors.inspect_err(|_| into.rollback(self.device()))?;
+        Ok(Some(found))
+    }
+
     /// Whether a batch has one part, whose counts the host need not know.
     fn is_alone(&self, parts: &Parts) -> bool {
         parts.list.len() == 1 && self.ranks.is_none()
@@ -293,6 +326,9 @@ impl<'a> Pass<'a> {
             }
             let part = at.part.as_ref().expect("it was evaluated");
             let d_tiles = loss.backward(device, &at.plan, &part.composite.image)?;
+            if self.queued.is_some() {
+                loss.check(device, &part.bins)?;
+            }
             let d_splats = device.run_in_pool(|| {
                 let context = part.context(self.scene);
                 let d_splats = part.composite.backward(context, &d_tiles)?;
@@ -352,7 +388,7 @@ impl<'a> Pass<'a> {
             ranks::sum(device, ranks, into)?;
         }
         into.finish(device)?;
-        if is_alone {
+        if is_alone && self.queued.is_none() {
             let at = &mut parts.list[0];
             let Some((words, _)) = self.read(at, loss.buffers())? else { return Ok(false) };
             loss.take(&at.plan, &words);

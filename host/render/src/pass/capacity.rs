@@ -50,6 +50,12 @@ impl CapacityPredictor {
         Some(Capacity { pairs: capacity(0)?, members: capacity(1)?, samples: capacity(2)? })
     }
 
+    /// Multiplies what was seen by a factor.
+    pub fn shrink(&mut self, factor: f64) {
+        let numbers = self.0.values_mut().flatten().flatten();
+        numbers.for_each(|number| *number *= factor);
+    }
+
     /// Forgets everything. Returns whether there was anything.
     pub fn forget(&mut self) -> bool {
         std::mem::take(self) != Self::default()

@@ -1,15 +1,17 @@
 //! The gradient of a batch's loss, of tiles beside photographs.
 
 use super::batch::{Parts, Pass};
+use super::capacity::BatchKind;
 use super::output::Output;
 use super::renderer::Renderer;
 use crate::gradient::SceneGradient;
 use crate::loss::compare::{BatchLoss, Comparison, LossSource, OwnGradient, check_len};
 use crate::loss::exposure;
-use crate::loss::image::{LossTarget, TileImages};
+use crate::loss::image::{LossTarget, TileImages, TileLoss};
 use crate::loss::own::{LossBatch, OwnLoss};
 use crate::scene::device_scene::DeviceScene;
-use muslin_device::memory;
+use crate::stages::counts::Capacity;
+use muslin_device::{Buffer, memory};
 use organza_core::ranks::Ranks;
 use organza_core::{Camera, RenderedTiles, Result, TileBatch};
 
@@ -68,6 +70,73 @@ impl Renderer {
             found.gather(ranks).inspect_err(|_| gradient.rollback(device))?;
         }
         Ok(found.finish(batch, loss))
+    }
+
+    /// Queues what [`Renderer::add_loss_gradient`] does with the image's loss, and waits for nothing: a GPU then works on several
+    /// batches, one after the other, while the host prepares the next one. `None`, with nothing queued, where the host must wait:
+    /// on a CPU, if tiles have exposures, for a batch of several parts, and for the first batch of a kind, which tells the room
+    /// that such batches need.
+    ///
+    /// A batch fails if it has too little room or if its loss is not finite. Neither it nor any later queued batch then adds to the
+    /// gradient, and [`SceneGradient::unless_failed`] counts nothing, until [`SceneGradient::clear_failure`].
+    ///
+    /// # Errors
+    /// The same errors as [`Renderer::render`]. The gradient is then as it was before.
+    pub fn queue_loss_gradient(
+        &self,
+        scene: &DeviceScene,
+        cameras: &[Camera],
+        batch: &TileBatch,
+        target: &LossTarget<'_>,
+        gradient: &SceneGradient,
+    ) -> Result<Option<QueuedLoss>> {
+        if target.exposure.is_some() || !self.device().leaves_counts_on_device() {
+            return Ok(None);
+        }
+        let pass = Pass { queued: Some(&gradient.counts), ..self.pass(scene, cameras) };
+        let mut parts = pass.cut(batch)?;
+        let mut loss = LossSource::Compared(Comparison::new(target, None));
+        let Some((kind, size)) = pass.queue(&mut parts, &mut loss, gradient)? else {
+            return Ok(None);
+        };
+        let mut buffers = loss.buffers();
+        buffers.push(gradient.counts.view());
+        let places = parts.list[0].plan.places();
+        Ok(Some(QueuedLoss { kind, size, places, ssim_weight: target.ssim_weight, buffers }))
+    }
+}
+
+/// The loss of a batch that a GPU works on.
+#[derive(Debug)]
+pub struct QueuedLoss {
+    kind: BatchKind,
+    size: [u32; 2],
+    /// Each tile's place in the batch.
+    places: Vec<usize>,
+    ssim_weight: f32,
+    buffers: Vec<Buffer<u32>>,
+}
+
+impl QueuedLoss {
+    /// What [`QueuedLoss::finish`] takes the values of. The next batch overwrites some of them.
+    #[must_use]
+    pub fn buffers(&self) -> &[Buffer<u32>] {
+        &self.buffers
+    }
+
+    /// The loss, from the values of [`QueuedLoss::buffers`]. `None` if this batch or one before it has failed.
+    #[must_use]
+    pub fn finish(self, renderer: &Renderer, values: &[Vec<u32>]) -> Option<BatchLoss> {
+        let [rows, counts] = values else { unreachable!("as many as buffers") };
+        let needed = Capacity::needed(counts)?;
+        renderer.predictor().observe(self.kind, self.size, needed);
+        let rows = bytemuck::cast_slice::<u32, f32>(rows);
+        let tiles = rows.chunks_exact(rows.len() / self.places.len()).map(TileLoss::of_rows);
+        let mut tiles: Vec<_> = self.places.into_iter().zip(tiles).collect();
+        tiles.sort_by_key(|(place, _)| *place);
+        let tiles: Vec<_> = tiles.into_iter().map(|(_, tile)| tile).collect();
+        let loss = TileLoss::total(&tiles).value(self.ssim_weight);
+        Some(BatchLoss { loss, tiles, exposures: Vec::new() })
     }
 }
 

@@ -9,7 +9,7 @@ use crate::gradient::ranks::Rows;
 use crate::scene::device_scene::DeviceScene;
 use crate::stages::color::Color;
 use crate::stages::composite::{Composite, TileContext};
-use crate::stages::counts::Capacity;
+use crate::stages::counts::{Capacity, PartCounts};
 use crate::stages::cut::PartTiles;
 use crate::stages::project::{pose_backward, project, project_backward};
 use crate::stages::tiles::Bins;
@@ -27,20 +27,20 @@ pub struct Part {
 }
 
 impl Part {
-    /// `keep` says whether [`Part::backward`] will be called. With a `capacity`, nothing waits for the device; if it is too
-    /// small, the part is empty. Without one, the host waits for the counts, and there is room for everything.
+    /// `keep` says whether [`Part::backward`] will be called. With `counts`, nothing waits for the device; if their capacity is
+    /// too small, the part is empty. Without, the host waits for the counts, and there is room for everything.
     pub fn evaluate(
         scene: &DeviceScene,
         cameras: &[Camera],
         plan: &PartTiles,
         keep: bool,
-        capacity: Option<Capacity>,
+        counts: Option<PartCounts>,
     ) -> Result<Self> {
         let device = scene.device();
         device.run_in_pool(|| {
             let used: Vec<_> = plan.cameras().into_iter().map(|index| &cameras[index]).collect();
             let projection = project(device, scene, &used, &plan.windows())?;
-            let bins = Bins::new(scene, plan, projection, capacity)?;
+            let bins = Bins::new(scene, plan, projection, counts)?;
             let segments = segments(scene, &bins.pairs)?;
             let samples = bins.count_samples(device, &segments.1)?;
             let transmittance =

@@ -84,6 +84,6 @@ impl Renderer {
 
     /// What all parts of a batch share, without ranks.
     pub(crate) fn pass<'a>(&'a self, scene: &'a DeviceScene, cameras: &'a [Camera]) -> Pass<'a> {
-        Pass { renderer: self, scene, cameras, ranks: None }
+        Pass { renderer: self, scene, cameras, ranks: None, queued: None }
     }
 }

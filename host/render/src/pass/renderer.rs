@@ -100,6 +100,12 @@ impl Renderer {
         half
     }
 
+    /// Makes predictions of the room that batches need smaller, by a factor. For tests.
+    #[doc(hidden)]
+    pub fn shrink_predictions(&self, factor: f64) {
+        self.predictor().shrink(factor);
+    }
+
     /// What earlier parts have needed.
     pub(crate) fn predictor(&self) -> MutexGuard<'_, CapacityPredictor> {
         self.predictor.lock().unwrap_or_else(PoisonError::into_inner)

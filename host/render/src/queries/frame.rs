@@ -1,6 +1,7 @@
 //! One frame of one camera, as a plan that something else runs: a page in a browser.
 
 use crate::pass::part::Part;
+use crate::stages::counts::PartCounts;
 use crate::stages::cut::{PartTiles, PlannedTile};
 use crate::stages::project::project;
 use crate::stages::scan::total;
@@ -89,7 +90,8 @@ impl Renderer {
         let camera = Camera::look_at(eye, [0.0; 3], [0.0, 0.0, 1.0], 1.0, [shape.side; 2])?;
         let camera = std::slice::from_ref(&camera);
         let scene = &scene.with_ray_steps(shape.steps.into());
-        let part = Part::evaluate(scene, camera, &plan, false, Some(shape.capacity))?;
+        let counts = PartCounts::new(device, shape.capacity)?;
+        let part = Part::evaluate(scene, camera, &plan, false, Some(counts))?;
         let bins = &part.bins;
         let counts = bins.part_counts.as_ref().expect("there is a capacity").counts.planned();
         let number = |buffer: Option<u32>| buffer.expect("the device is a planner");

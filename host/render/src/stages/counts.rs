@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
+use glam::Vec4;
 use muslin::count::OVERFLOW;
 use organza_shaders::count::{
     COUNTS, ClearOnOverflowKernel, ClearOnOverflowParams, MEMBERS, PAIRS, RecordTotalKernel,
     RecordTotalParams, SAMPLES,
 };
+use organza_shaders::loss::{LossCheckKernel, LossCheckParams};
 
 use super::scan::Mask;
 use muslin_device::{Buffer, Count, Device, Result};
@@ -42,12 +44,17 @@ pub struct PartCounts {
 impl PartCounts {
     /// No counts yet.
     pub fn new(device: &Device, capacity: Capacity) -> Result<Self> {
+        Ok(Self::with(Arc::new(device.zeros("counts", COUNTS as usize)?), capacity))
+    }
+
+    /// The same in a buffer `[COUNTS]`. If a part before has raised [`OVERFLOW`] there, this one is empty, too.
+    pub fn with(counts: Arc<Buffer<u32>>, capacity: Capacity) -> Self {
         let Capacity { pairs, members, samples } = capacity;
         let mut capacity = [0; COUNTS as usize];
         for (slot, number) in [(PAIRS, pairs), (MEMBERS, members), (SAMPLES, samples)] {
             capacity[slot as usize] = number;
         }
-        Ok(Self { counts: Arc::new(device.zeros("counts", COUNTS as usize)?), capacity })
+        Self { counts, capacity }
     }
 
     /// Records the total at the end of exclusive sums as the number at a slot.
@@ -61,10 +68,10 @@ impl PartCounts {
     pub fn clear_on_overflow(
         &self,
         device: &Device,
-        masks: [&Mask; 2],
+        masks: &[&Mask],
         ranges: &[&Buffer<u32>],
     ) -> Result<()> {
-        let of_masks = masks.into_iter().flat_map(|mask| [&mask.bits, &mask.first]);
+        let of_masks = masks.iter().flat_map(|mask| [&mask.bits, &mask.first]);
         for table in of_masks.chain(ranges.iter().copied()) {
             let params = ClearOnOverflowParams { len: table.len() as u32 };
             let kernel = ClearOnOverflowKernel { params, counts: &*self.counts, table };
@@ -72,6 +79,19 @@ impl PartCounts {
         }
         device.publish_counts();
         Ok(())
+    }
+
+    /// Raises [`OVERFLOW`] if a loss is not finite, by the sums of its rows. Then the backward pass finds no pairs.
+    pub fn check_loss(
+        &self,
+        device: &Device,
+        row_sum: &Buffer<Vec4>,
+        pair_mask: &Mask,
+    ) -> Result<()> {
+        let params = LossCheckParams { rows: row_sum.len() as u32 };
+        let kernel = LossCheckKernel { params, row_sum, counts: &*self.counts };
+        device.run(&kernel, params.rows, 1)?;
+        self.clear_on_overflow(device, &[pair_mask], &[])
     }
 
     /// The number at a slot.

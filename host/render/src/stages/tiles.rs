@@ -7,7 +7,7 @@ use organza_shaders::tile::{
     TileRangeParams,
 };
 
-use super::counts::{Capacity, PartCounts};
+use super::counts::PartCounts;
 use super::cut::{PartTiles, words};
 use super::pairs::{Pairs, fill_pairs, pair_mask, view_ends};
 use super::project::Projection;
@@ -62,13 +62,13 @@ fn tile_mask(
 }
 
 impl Bins {
-    /// With a `capacity`, nothing waits; if it is too small, the bins are empty. Without one, waits for the counts and has
-    /// room for everything.
+    /// With `part_counts`, nothing waits; if their capacity is too small, the bins are empty. Without, waits for the counts and
+    /// has room for everything.
     pub fn new(
         scene: &DeviceScene,
         plan: &PartTiles,
         projection: Projection,
-        capacity: Option<Capacity>,
+        part_counts: Option<PartCounts>,
     ) -> Result<Self> {
         let device = scene.device();
         let Projection { camera, values: projection, degenerate } = projection;
@@ -90,7 +90,6 @@ impl Bins {
         let kernel =
             TileRangeKernel { params, first_member: &tile_mask.first, tile_first: &tile_first };
         device.run(&kernel, tiles + 1, 1)?;
-        let part_counts = capacity.map(|capacity| PartCounts::new(device, capacity)).transpose()?;
         let (count, members, largest) = match &part_counts {
             None => {
                 let first = device.read(&tile_first)?;
@@ -102,7 +101,7 @@ impl Bins {
             Some(counts) => {
                 counts.record_total(device, PAIRS, &pair_mask.first)?;
                 counts.record_total(device, MEMBERS, &tile_mask.first)?;
-                counts.clear_on_overflow(device, [&pair_mask, &tile_mask], &[&tile_first])?;
+                counts.clear_on_overflow(device, &[&pair_mask, &tile_mask], &[&tile_first])?;
                 let members = counts.count(MEMBERS);
                 let largest = members.upper_bound().min(gaussians);
                 (counts.count(PAIRS), members, largest)
@@ -148,7 +147,7 @@ impl Bins {
         let Some(counts) = &self.part_counts else { return total(device, first_sample) };
         counts.record_total(device, SAMPLES, first_sample)?;
         let ranges = [&self.tile_first, first_sample];
-        counts.clear_on_overflow(device, [&self.pair_mask, &self.tile_mask], &ranges)?;
+        counts.clear_on_overflow(device, &[&self.pair_mask, &self.tile_mask], &ranges)?;
         Ok(counts.count(SAMPLES))
     }
 }

@@ -130,7 +130,7 @@ impl Session<'_> {
 }
 
 /// Steps after which some Gaussian must have been in a tile.
-const SEEN_AFTER: u32 = 10;
+pub(super) const SEEN_AFTER: u32 = 10;
 /// Steps after which the loss must have moved, and number of steps at each end whose mean is compared.
 const MOVED_AFTER: u32 = 200;
 const ENDS: u32 = 50;
@@ -144,7 +144,7 @@ pub(super) struct FirstSteps([f64; 2]);
 impl SessionState<'_, '_, '_> {
     /// Judges a new run by the steps so far.
     pub(super) fn judge(&mut self, report: &StepReport) -> Result<()> {
-        let step = self.trainer.steps();
+        let step = report.step;
         // the other part of the loss depends on how coarse images are
         let loss = if report.l1.is_finite() { report.l1 } else { report.loss };
         if step <= ENDS {

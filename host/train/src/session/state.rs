@@ -4,14 +4,14 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use super::run::FirstSteps;
+use super::run::{FirstSteps, SEEN_AFTER};
 use crate::held_out;
 use crate::metrics::{MetricsLog, Record, SessionInfo, TimingRow};
 use crate::plan::{Now, Planner};
 use crate::ranks::{Order, tell};
 use crate::{
     BEST, Binding, CAMERAS, CHECKPOINT, CONFIG, Change, Evaluation, Event, METRICS, Outcome,
-    Session, StepHooks, Trainer, Watch,
+    Session, StepHooks, StepReport, Trainer, Watch,
 };
 use organza_core::{Camera, Result};
 
@@ -66,8 +66,11 @@ impl SessionState<'_, '_, '_> {
             let is_due = run.evaluate_every > 0 && step.is_multiple_of(run.evaluate_every);
             let evaluated = self.evaluated.is_some_and(|(at, _)| at == u64::from(step));
             let is_due = is_due && step > 0 && !evaluated;
-            if is_due && !self.evaluate(false)? {
-                break Outcome::Stopped;
+            if is_due {
+                self.finish_steps()?;
+                if !self.evaluate(false)? {
+                    break Outcome::Stopped;
+                }
             }
             self.begin()?;
             self.order(Order::Step(run.steps))?;
@@ -76,11 +79,13 @@ impl SessionState<'_, '_, '_> {
             // an early one, so that `view`, `film` and others can look at a run that has just begun
             let is_first = !has_checkpoint && self.begin.elapsed() >= FIRST_CHECKPOINT;
             if is_first || step.is_multiple_of(run.checkpoint_every) {
+                self.finish_steps()?;
                 self.save(CHECKPOINT)?;
                 saved = Some(step);
                 has_checkpoint = true;
             }
         };
+        self.finish_steps()?;
         if saved != Some(self.trainer.steps()) {
             self.save(CHECKPOINT)?;
         }
@@ -101,7 +106,7 @@ impl SessionState<'_, '_, '_> {
     /// In a run planned by time, updates the number of steps and writes it to the settings.
     fn plan(&mut self) -> Result<()> {
         let Some(planner) = &mut self.planner else { return Ok(()) };
-        let step = self.trainer.steps();
+        let step = self.trainer.finished();
         let gaussians = self.trainer.scene().len();
         let elapsed = self.begin.elapsed().as_secs_f64();
         let now = Now { step, gaussians, training: self.seconds, elapsed };
@@ -143,11 +148,10 @@ impl SessionState<'_, '_, '_> {
         Ok(())
     }
 
-    /// The learning rates of the last step, of what is learned.
-    fn rates(&self) -> BTreeMap<String, f32> {
+    /// The learning rates of a step, of what is learned; `step` counts from 1.
+    fn rates(&self, step: u32) -> BTreeMap<String, f32> {
         let config = self.trainer.config();
-        let at = self.trainer.steps().saturating_sub(1);
-        let fraction = config.run.fraction(at);
+        let fraction = config.run.fraction(step - 1);
         let optimizer = &config.optimizer;
         let is_learned = |name: &str| match name {
             "exposure" => self.trainer.fits_colors(),
@@ -163,12 +167,30 @@ impl SessionState<'_, '_, '_> {
 
     fn step(&mut self) -> Result<()> {
         let begin = Instant::now();
-        let report = self.trainer.step_with(self.hooks)?;
+        let mut reports = self.trainer.advance(self.hooks, self.session.ahead)?;
+        if self.trainer.steps() == SEEN_AFTER {
+            reports.extend(self.trainer.finish_steps()?);
+        }
+        self.report(begin, reports)
+    }
+
+    /// Waits for the steps that a GPU is ahead. Whatever looks at the scene comes after this.
+    fn finish_steps(&mut self) -> Result<()> {
+        let begin = Instant::now();
+        let reports = self.trainer.finish_steps()?;
+        self.report(begin, reports)
+    }
+
+    /// Adds the time since `begin`, and reports steps.
+    fn report(&mut self, begin: Instant, reports: Vec<StepReport>) -> Result<()> {
         let seconds = begin.elapsed().as_secs_f64();
         self.seconds += seconds;
         self.add_times(seconds);
-        let step = self.trainer.steps();
-        let gaussians = self.trainer.scene().len();
+        reports.iter().try_for_each(|report| self.report_step(report))
+    }
+
+    fn report_step(&mut self, report: &StepReport) -> Result<()> {
+        let StepReport { step, gaussians, .. } = *report;
         self.since.0 += report.tiles;
         let numbers = (u64::from(step), gaussians as u64);
         if let Some(grown) = report.grown {
@@ -181,7 +203,7 @@ impl SessionState<'_, '_, '_> {
         }
         if step.is_multiple_of(self.trainer.config().run.log_every) {
             let (tiles, then) = std::mem::replace(&mut self.since, (0, self.seconds));
-            let rates = self.rates();
+            let rates = self.rates(step);
             self.record(&Record::Step {
                 step: numbers.0,
                 seconds: self.seconds,
@@ -194,10 +216,9 @@ impl SessionState<'_, '_, '_> {
                 rates,
             })?;
         }
-        self.judge(&report)?;
+        self.judge(report)?;
         let seconds = self.seconds;
         let scene = self.trainer.scene();
-        let report = &report;
         (self.watch)(Event::Step { step, seconds, report, gaussians, scene })
     }
 

@@ -5,7 +5,7 @@ mod memory;
 mod pipeline;
 mod recorder;
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
 
 use muslin_kernel::{EntryPoint, KernelInfo};
@@ -33,11 +33,23 @@ pub struct Gpu {
     pipelines: Pipelines,
     recorder: Mutex<Recorder>,
     memory: MemoryPool,
-    /// The buffer for the next bytes that the host reads.
-    staging: Mutex<Option<wgpu::Buffer>>,
+    /// Unused buffers for bytes that the host reads.
+    staging: Mutex<Vec<wgpu::Buffer>>,
     failures: Arc<Mutex<Failures>>,
     /// Whether this is a software device that has not been opened [like a card](DeviceOptions::like_a_card).
     is_software: bool,
+}
+
+/// Bytes that a submission copies for the host.
+#[derive(Debug)]
+pub struct Reading {
+    staging: wgpu::Buffer,
+    /// Bytes of `staging` that are used.
+    size: u64,
+    /// Of each range, in `staging`: the first byte, and the number of bytes.
+    ranges: Vec<(usize, usize)>,
+    submission: Option<wgpu::SubmissionIndex>,
+    mapped: mpsc::Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
 
 impl Gpu {
@@ -203,8 +215,15 @@ impl Gpu {
     pub fn read(
         &self,
         ranges: &[(&RawBuffer, u64, usize)],
-        mut take: impl FnMut(&[u8]) -> Result<()>,
+        take: impl FnMut(&[u8]) -> Result<()>,
     ) -> Result<()> {
+        let reading = self.read_later(ranges);
+        self.recorder().traffic.waits += 1;
+        self.finish_reading(reading, take)
+    }
+
+    /// Submits all recorded work, which then copies each range for the host: a buffer, an offset in it, and a length.
+    pub fn read_later(&self, ranges: &[(&RawBuffer, u64, usize)]) -> Reading {
         // wgpu copies whole words
         let words = |&(buffer, first, len): &(&RawBuffer, u64, usize)| {
             let begin = buffer.begin + first;
@@ -212,60 +231,75 @@ impl Gpu {
         };
         let size: u64 = ranges.iter().map(words).map(|words| words.end - words.start).sum();
         let staging = self.take_staging(size);
-        {
-            let mut recorder = self.recorder();
-            let mut at = 0;
-            for range in ranges {
-                let words = words(range);
-                let memory = self.memory(range.0);
-                recorder.copy(&self.device, memory, words.clone(), &staging, at);
-                at += words.end - words.start;
-            }
-            recorder.submit(&self.device, &self.queue);
-            recorder.traffic.waits += 1;
-            recorder.traffic.bytes_down += size;
-        }
-        let (sender, receiver) = std::sync::mpsc::channel();
-        staging.slice(..size).map_async(wgpu::MapMode::Read, move |result| {
-            // the receiver is gone only if this function has returned an error
-            let _ = sender.send(result);
-        });
-        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
-        self.check()?;
-        polled.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
-        let mapped = receiver
-            .recv()
-            .map_err(|_| Error::DeviceLost { reason: "it did not answer".into() })?;
-        mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
-        let mapped = staging.slice(..size).get_mapped_range();
-        let mapped = mapped.map_err(|error| Error::DeviceLost { reason: error.to_string() })?;
+        let mut places = Vec::with_capacity(ranges.len());
+        let mut recorder = self.recorder();
         let mut at = 0;
-        let mut taken = Ok(());
         for range in ranges {
             let words = words(range);
-            let first = at + (range.0.begin + range.1 - words.start) as usize;
-            taken = taken.and_then(|()| take(&mapped[first..first + range.2]));
-            at += (words.end - words.start) as usize;
+            let memory = self.memory(range.0);
+            recorder.copy(&self.device, memory, words.clone(), &staging, at);
+            places.push(((at + range.0.begin + range.1 - words.start) as usize, range.2));
+            at += words.end - words.start;
         }
-        drop(mapped);
+        let submission = recorder.submit(&self.device, &self.queue);
+        recorder.traffic.bytes_down += size;
+        drop(recorder);
+        let (sender, mapped) = mpsc::channel();
+        // not more than the copy writes: wgpu would clear the rest first
+        staging.slice(..size).map_async(wgpu::MapMode::Read, move |result| {
+            // the receiver is gone only if nobody wants the bytes anymore
+            let _ = sender.send(result);
+        });
+        Reading { staging, size, ranges: places, submission, mapped }
+    }
+
+    /// Waits for the submission that copies the bytes, and gives the bytes of each range to `take`. Later submissions go on.
+    pub fn finish_reading(
+        &self,
+        reading: Reading,
+        mut take: impl FnMut(&[u8]) -> Result<()>,
+    ) -> Result<()> {
+        let Reading { staging, size, ranges, submission, mapped } = reading;
+        let lost = |reason: String| Error::DeviceLost { reason };
+        let polled =
+            self.device.poll(wgpu::PollType::Wait { submission_index: submission, timeout: None });
+        self.check()?;
+        polled.map_err(|error| lost(error.to_string()))?;
+        let mapped = mapped.recv().map_err(|_| lost("it did not answer".into()))?;
+        mapped.map_err(|error| lost(error.to_string()))?;
+        let bytes =
+            staging.slice(..size).get_mapped_range().map_err(|error| lost(error.to_string()))?;
+        let taken =
+            ranges.into_iter().try_for_each(|(first, len)| take(&bytes[first..first + len]));
+        drop(bytes);
         staging.unmap();
         if staging.size() <= MAX_STAGING {
-            *self.staging.lock().unwrap_or_else(PoisonError::into_inner) = Some(staging);
+            self.staging().push(staging);
         }
         taken
     }
 
+    fn staging(&self) -> std::sync::MutexGuard<'_, Vec<wgpu::Buffer>> {
+        self.staging.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// A buffer that the host can read, of at least `size` bytes.
     fn take_staging(&self, size: u64) -> wgpu::Buffer {
-        let last = self.staging.lock().unwrap_or_else(PoisonError::into_inner).take();
-        last.filter(|last| last.size() >= size).unwrap_or_else(|| {
-            self.device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some("read back"),
-                size,
-                usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-                mapped_at_creation: false,
-            })
-        })
+        let mut unused = self.staging();
+        let large_enough = unused.iter().position(|buffer| buffer.size() >= size);
+        match large_enough {
+            Some(place) => unused.swap_remove(place),
+            None => {
+                // a larger one takes the place of one that is too small
+                unused.pop();
+                self.device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some("read back"),
+                    size,
+                    usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+                    mapped_at_creation: false,
+                })
+            }
+        }
     }
 
     pub fn dispatch(

@@ -227,8 +227,12 @@ impl Recorder {
         self.finished.push(encoder.finish());
     }
 
-    /// Submits all commands to the device.
-    pub fn submit(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) {
+    /// Submits all commands to the device. Returns the number of the submission, if there was something to submit.
+    pub fn submit(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+    ) -> Option<wgpu::SubmissionIndex> {
         self.pass = None;
         if let Some(timer) = self.timer.as_mut().filter(|timer| timer.has_unresolved()) {
             // not `self.encoder()`, which would also borrow the timer
@@ -237,7 +241,7 @@ impl Recorder {
         self.publish_counts(device);
         let first = self.first.take().map(wgpu::CommandEncoder::finish);
         if self.finished.is_empty() && first.is_none() {
-            return;
+            return None;
         }
         // happens after earlier submissions and before the next one
         for (buffer, bytes) in
@@ -251,9 +255,10 @@ impl Recorder {
         }
         self.traffic.submissions += 1;
         self.traffic.command_buffers += self.finished.len() as u64 + u64::from(first.is_some());
-        queue.submit(first.into_iter().chain(self.finished.drain(..)));
+        let submission = queue.submit(first.into_iter().chain(self.finished.drain(..)));
         self.memory.submitted();
         self.bind_groups.submitted();
+        Some(submission)
     }
 
     /// Forgets all bind groups, so that the memory that they hold can return to the driver.

@@ -399,7 +399,7 @@ impl Trainer {
         let settings = &self.config.optimizer;
         device.run_in_pool(|| optimizer.step(device, scene, gradient, settings, now))?;
         gradient.clear_touched(device);
-        Ok(scene.update_occupancy(device)?)
+        scene.update_occupancy(device)
     }
 
     /// Calls `use_target` with the ground truth of a step's tiles.

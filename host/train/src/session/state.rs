@@ -178,7 +178,8 @@ impl SessionState<'_, '_, '_> {
     fn finish_steps(&mut self) -> Result<()> {
         let begin = Instant::now();
         let reports = self.trainer.finish_steps()?;
-        self.report(begin, reports)
+        // a run without a step keeps its time
+        if reports.is_empty() { Ok(()) } else { self.report(begin, reports) }
     }
 
     /// Adds the time since `begin`, and reports steps.

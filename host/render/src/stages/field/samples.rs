@@ -9,7 +9,7 @@
 use std::ops::Range;
 
 use organza_shaders::hash_grid::POINT_ROWS;
-use organza_shaders::limits::MAX_SLICE;
+use organza_shaders::limits::{MAX_HIDDEN_WIDTH, MAX_INPUTS, MAX_SLICE};
 
 use muslin_device::{Buffer, Count, Device, Result, TAIL_ALIGNMENT};
 
@@ -20,14 +20,19 @@ const BLOCK: u32 = 1 << 17;
 const GROUP: u32 = 1 << 14;
 /// Samples of a chunk on a CPU: with its gradients, about 300 rows that its second cache holds.
 const CPU_CHUNK: u32 = 1 << 11;
-/// Samples of a chunk on a GPU: enough to fill it, and few dispatches.
-const GPU_CHUNK: u32 = BLOCK;
+/// Samples of a chunk on a GPU, which is a block: enough to fill it, and more of them if there are many, for few dispatches.
+const GPU_CHUNKS: [u32; 2] = [BLOCK, 1 << 20];
+/// Rows of the widest table of a chunk.
+const MAX_ROWS: u32 = if MAX_INPUTS > MAX_HIDDEN_WIDTH { MAX_INPUTS } else { MAX_HIDDEN_WIDTH };
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;
 /// Memory for the blocks of a field that are kept for the gradients, in bytes; other blocks are computed again.
 const KEPT_BYTES: u64 = 256 << 20;
 /// Rows of a point: its position, and one more for the stage.
 pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
+
+/// Values between which rows begin.
+const ALIGNED: u32 = (TAIL_ALIGNMENT / size_of::<f32>()) as u32;
 
 const _: () = assert!(CPU_CHUNK <= MAX_SLICE && GPU_SLICE <= MAX_SLICE);
 
@@ -49,15 +54,14 @@ pub struct Layout {
 impl Layout {
     /// For samples that lie in pieces, the largest of `largest` samples, in as many blocks as it takes.
     fn new(device: &Device, largest: u32) -> Self {
-        const ALIGNED: u32 = (TAIL_ALIGNMENT / size_of::<f32>()) as u32;
         let [max, slice] = match device.is_cpu_like() {
             true => [CPU_CHUNK, CPU_CHUNK],
-            false => [GPU_CHUNK, GPU_SLICE],
+            false => [gpu_chunk(largest, device.max_buffer_bytes()), GPU_SLICE],
         };
         let chunk = largest.clamp(1, max).next_multiple_of(ALIGNED);
         // not a power of two: rows would fall into the same sets of a cache
         let stride = chunk + ALIGNED;
-        let chunks = BLOCK / chunk;
+        let chunks = (BLOCK / chunk).max(1);
         // enough for every thread
         let group = (GROUP / chunk).max(2 * device.threads() as u32).clamp(1, chunks);
         Self { chunk, stride, chunks, group, slice }
@@ -67,6 +71,16 @@ impl Layout {
     pub fn begin(&self, chunk: u32, rows: u32) -> usize {
         chunk as usize * rows as usize * self.stride as usize
     }
+}
+
+/// The most samples of a chunk on a GPU: about an eighth of all, whose tables fit a binding.
+fn gpu_chunk(samples: u32, max_buffer_bytes: u64) -> u32 {
+    let [min, max] = GPU_CHUNKS;
+    let row_bytes = max_buffer_bytes / u64::from(MAX_ROWS);
+    let fitting = (row_bytes / size_of::<f32>() as u64).min(max.into()) as u32;
+    let wanted = (samples / 8).next_power_of_two();
+    // room for the distance between rows
+    wanted.min(fitting.saturating_sub(ALIGNED)).max(min) / ALIGNED * ALIGNED
 }
 
 /// Memory of a block's samples.
@@ -240,6 +254,21 @@ impl<'a> Chunks<'a> {
 mod tests {
     use super::*;
     use muslin_device::DeviceOptions;
+
+    #[test]
+    fn many_samples_are_few_chunks_on_a_card() {
+        const CARD: u64 = (1 << 31) - 1;
+        for (samples, expected) in [(1, 1), (1 << 17, 1), (300_000, 3), (1 << 20, 8)] {
+            let chunks = u32::div_ceil(samples, gpu_chunk(samples, CARD));
+            assert_eq!(chunks, expected, "{samples}");
+        }
+        let chunks = |samples: u32| samples.div_ceil(gpu_chunk(samples, CARD));
+        assert!((8..=9).contains(&chunks(8_000_000)), "{}", chunks(8_000_000));
+        // a software device, and browsers
+        assert_eq!(gpu_chunk(8_000_000, 128 << 20), BLOCK);
+        let chunk = u64::from(gpu_chunk(8_000_000, 1 << 29));
+        assert!((chunk + u64::from(ALIGNED)) * u64::from(MAX_ROWS) * 4 <= 1 << 29, "{chunk}");
+    }
 
     #[test]
     fn chunks_end_where_cameras_do() {

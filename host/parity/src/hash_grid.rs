@@ -32,7 +32,7 @@ pub(super) fn unrounded_point(bits: i32, random: &mut Random) -> [Split; 3] {
     [0; 3].map(|_| Split::new(random.below((1 << bits) + 1) as f32 * unit, 0.0))
 }
 
-/// Points from rounded coordinates and their rounding errors.
+/// Points from the coarse and the fine part of each coordinate.
 pub(super) fn points_of(coordinates: impl Iterator<Item = (f32, f32)>) -> Vec<[Split; 3]> {
     let splits: Vec<_> = coordinates.map(|(x, rest)| Split::new(x, rest)).collect();
     splits.as_chunks().0.to_vec()

@@ -106,7 +106,7 @@ impl Image {
         let values = batch.output_shape().iter().product::<usize>();
         if tiles.side != batch.side || tiles.data.len() != values {
             let reason = format!(
-                "{} tiles of side {} are not those of a batch of {} tiles of side {side}",
+                "{} tiles of side {} do not belong to a batch of {} tiles of side {side}",
                 tiles.count,
                 tiles.side,
                 batch.tiles.len()

@@ -181,7 +181,7 @@ impl Listing {
         }
         let name = first.path.file_name()?.to_string_lossy();
         Some(format!(
-            "no file in {} is the mask of a photograph, so none is used; that of {} would be {name}.png, in the same \
+            "no file in {} is the mask of a photograph, so none is used; the mask of {} would be {name}.png, in the same \
              folders as in `images`, or named by the data set",
             folder.display(),
             first.path.display()

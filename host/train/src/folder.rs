@@ -131,8 +131,8 @@ impl Session<'_> {
         }
         let Some(binding) = Binding::load(path)? else {
             watch(Event::Warning(
-                "the checkpoint does not say which settings and data it belongs to, as an older \
-                 program wrote it: those of the run's folder are taken as they are",
+                "an older program wrote the checkpoint, without its settings and data: the run's folder \
+                 gives them, unchecked",
             ))?;
             return Ok(Vec::new());
         };

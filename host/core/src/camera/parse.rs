@@ -26,7 +26,7 @@ pub fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
     let parse = |(index, frame): (usize, &Value)| {
         let source = Source { file, frame, size: None };
         if source.is_panorama() {
-            let reason = "is a panorama of 360 degrees, of which a data set makes several views; name its folder instead";
+            let reason = "is a panorama of 360 degrees, which a data set cuts into several views; name its folder instead";
             return Err(camera_error(origin, index, reason.to_owned()));
         }
         source.valid_camera(index, origin)

@@ -141,7 +141,7 @@ fn parts_are_given_up_where_memory_ends() {
             let was_refused = !device.refuse_one(0);
             match found {
                 Ok(found) => {
-                    assert!(bits(&found) == expected, "buffer {number}, going back");
+                    assert!(bits(&found) == expected, "buffer {number}, backward");
                     survived += u32::from(was_refused);
                 }
                 Err(error) => assert!(error.is_out_of_memory(), "{error}"),

@@ -11,7 +11,7 @@ use image::metadata::Orientation;
 use image::{DynamicImage, ImageDecoder, ImageEncoder, ImageReader};
 use organza::Camera;
 use organza::data::{DatasetOptions, Poses};
-use organza::still_life::StillLife;
+use organza::still_life;
 use serde_json::Value;
 
 use crate::sandbox::{Outcome, Sandbox};
@@ -53,7 +53,7 @@ fn the_poses_of_a_film_are_found() {
         let name = camera.file_path.as_deref().expect("a name");
         let frame = name.split(['-', '.']).rev().nth(1).expect("frame-000012.png");
         let frame = frame.parse::<usize>().expect("a number");
-        assert!(!StillLife::is_shaken(frame), "frame {frame} is not sharp");
+        assert!(!still_life::is_shaken(frame), "frame {frame} is not sharp");
         &film[frame]
     });
     let pairs: Vec<_> =
@@ -111,9 +111,9 @@ fn photographs_of_the_still_life_are_a_data_set() {
     assert_eq!(fs::read_dir(sandbox.path("walk/images")).unwrap().count(), 6);
     assert!(!sandbox.path("walk/images.part").exists());
     // A file's pixels are the photograph's, but for what JPEG loses.
-    let walk = StillLife::new(6, [64, 48]).unwrap();
+    let cameras = still_life::cameras(6, [64, 48]).unwrap();
     let file = image::open(sandbox.path("walk/images/00004.jpg")).unwrap().to_rgb8();
-    let photograph = walk.photograph(4).unwrap();
+    let photograph = still_life::photograph(&cameras[4], 4).unwrap();
     let pairs = file.as_raw().iter().zip(photograph.pixels().as_flattened());
     let off: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     assert!(off < 4 * file.as_raw().len() as u64, "{off}");

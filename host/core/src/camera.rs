@@ -47,7 +47,7 @@ const ORTHONORMAL_TOLERANCE: f64 = 1e-3;
 /// # Ok::<(), organza_core::Error>(())
 /// ```
 ///
-/// Serde's form of it is that of the viewer's page. [`Self::validate`] checks what was read.
+/// Serialized as in the JSON of the viewer's page. Deserializing checks nothing: call [`Self::validate`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Camera {
@@ -185,7 +185,7 @@ impl Camera {
         self.with_size([self.width, self.height].map(|side| side.div_ceil(factor)))
     }
 
-    /// The same view, whose longest side has at most `side` pixels: see [`Self::with_size`].
+    /// The same view, with at most `side` pixels on the image's longest side: see [`Self::with_size`].
     #[must_use]
     pub fn within(&self, side: u32) -> Self {
         let longest = self.width.max(self.height);
@@ -271,7 +271,7 @@ impl Camera {
         self.check().map_err(|reason| camera_error(origin, frame, reason))
     }
 
-    /// [`Self::validate`], for callers that name the camera in their own words.
+    /// Like [`Self::validate`], for callers with their own names of cameras.
     pub fn check(&self) -> Result<(), String> {
         self.check_intrinsics().and_then(|()| self.check_pose())
     }

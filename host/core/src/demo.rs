@@ -75,7 +75,7 @@ pub fn turntable(views: usize, side: u32) -> Vec<Camera> {
         let offset = [reach * cos, reach * sin, height];
         let eye = std::array::from_fn(|axis| TARGET[axis] + DISTANCE * offset[axis]);
         Camera::look_at(eye, TARGET, [0.0, 0.0, 1.0], ANGLE.to_radians(), [side, side])
-            .expect("the eye is away from the target, and the side is that of an image")
+            .expect("the eye is away from the target, and the side is an image's")
     };
     (0..views).map(camera).collect()
 }

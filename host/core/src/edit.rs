@@ -1,4 +1,4 @@
-//! Parts of a scene: what lies in a region, and what hangs together.
+//! Parts of a scene: the Gaussians in a region, and the largest cluster.
 
 use std::collections::{BTreeMap, HashMap};
 use std::f32::consts::LN_2;
@@ -43,7 +43,7 @@ impl Region {
 struct Grids {
     /// The cubes that hold places, by the logarithm of their side to the base 2. Casts of large numbers saturate.
     cubes: BTreeMap<i32, HashMap<[i64; 3], usize>>,
-    /// Of each cube, another one that it hangs together with; itself at the end of the chain.
+    /// For each cube, another cube of its cluster; the cube itself at the end of the chain.
     joined: Vec<usize>,
 }
 
@@ -73,7 +73,7 @@ impl Grids {
         number
     }
 
-    /// Joins a cube, which holds a place, with those of a level that it touches, if it lies in one of that level.
+    /// Joins cube `number`, which holds a place, with all cubes of a level that touch the place's cube in this level.
     fn join(&mut self, number: usize, place: [f32; 3], level: i32) {
         let at = Self::cube(place, level);
         for step in 0..27 {
@@ -90,9 +90,9 @@ impl Grids {
 /// Which Gaussians belong to the largest cluster, the one with the most of them.
 ///
 /// A Gaussian lies in a cube of a grid. The cube's side is `reach` times the Gaussian's longest axis (one standard
-/// deviation), rounded up to a power of 2. Two Gaussians hang together if their cubes are the same or touch, also at a
-/// corner; if one is smaller, its place counts as a cube of the larger side. Of clusters with as many Gaussians, the one with
-/// the first Gaussian is taken.
+/// deviation), rounded up to a power of 2. Two Gaussians are connected if their cubes are the same or touch, even at a
+/// corner; the smaller cube counts as one of the larger side. Among clusters of equal size, the one with the first Gaussian
+/// is taken.
 #[must_use]
 pub fn largest_cluster(gaussians: &Gaussians, reach: f32) -> Vec<bool> {
     let longest = |scale: &[f32; 3]| scale.iter().copied().fold(f32::NEG_INFINITY, f32::max);
@@ -114,7 +114,7 @@ pub fn largest_cluster(gaussians: &Gaussians, reach: f32) -> Vec<bool> {
     let clusters: Vec<_> = numbers.into_iter().map(|number| grids.cluster(number)).collect();
     let mut sizes = vec![0_usize; grids.joined.len()];
     clusters.iter().for_each(|&cluster| sizes[cluster] += 1);
-    // of equal ones, `max_by_key` takes the last
+    // among equal clusters, `max_by_key` takes the last
     let largest = (0..sizes.len()).rev().max_by_key(|&cluster| sizes[cluster]);
     clusters.iter().map(|&cluster| Some(cluster) == largest).collect()
 }
@@ -145,7 +145,7 @@ mod tests {
         }
     }
 
-    /// Gaussians at places, whose longest axes are these.
+    /// Gaussians at places, each with the length of its longest axis.
     fn gaussians(places: &[([f32; 3], f32)]) -> Gaussians {
         let mut gaussians = Gaussians::zeros(&demo::config(), places.len()).unwrap();
         for (i, (place, longest)) in places.iter().enumerate() {

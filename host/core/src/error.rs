@@ -1,6 +1,6 @@
 //! Errors, in words that say what happened, where, and what to do about it.
 //!
-//! The `Display` text of an [`Error`] does not repeat that of its source. [`chain`] joins them.
+//! The `Display` text of an [`Error`] does not repeat its source. [`chain`] joins both.
 
 #[cfg(test)]
 mod tests;
@@ -361,7 +361,7 @@ fn describe_write(path: &Path, source: &io::Error) -> String {
                 .to_owned()
         }
         io::ErrorKind::NotFound => match path.parent() {
-            // Such as /proc, whose files and folders only the system makes.
+            // For example /proc: only the system makes files there.
             Some(folder) if folder.is_dir() => {
                 format!(
                     "the file system of {} takes no new files; choose another folder",

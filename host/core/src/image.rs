@@ -100,13 +100,13 @@ impl Image {
     /// ignored.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the tiles are not those of the batch.
+    /// [`Error::Argument`] if the tiles do not belong to the batch.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let side = batch.side as usize;
         let values = batch.output_shape().iter().product::<usize>();
         if tiles.side != batch.side || tiles.data.len() != values {
             let reason = format!(
-                "{} tiles of side {} are not those of a batch of {} tiles of side {side}",
+                "{} tiles of side {} do not belong to a batch of {} tiles of side {side}",
                 tiles.count,
                 tiles.side,
                 batch.tiles.len()
@@ -163,8 +163,8 @@ impl Image {
         }
     }
 
-    /// A smaller image, whose pixels are the means of squares of `factor` x `factor` pixels. Pixels that do not fill
-    /// a square, at the right and lower edges, are cut off.
+    /// A smaller image: each pixel is the mean of a square of `factor` x `factor` pixels. Pixels at the right and lower edges
+    /// that do not fill a square are cut off.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](crate::error::DeviceError::OutOfMemory).
@@ -223,7 +223,7 @@ impl Image {
     }
 }
 
-/// Pixels for a PNG, row by row. Those of 16 bits have their higher byte first.
+/// Pixels for a PNG, row by row. Values of 16 bits have their higher byte first.
 struct Pixels<'a> {
     bytes: &'a [u8],
     size: [u32; 2],

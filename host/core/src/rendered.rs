@@ -1,4 +1,4 @@
-//! Rendered tiles, and what a pixel can have beside its color.
+//! Rendered tiles, and the channels of a pixel beside its color.
 
 use std::collections::BTreeMap;
 
@@ -7,8 +7,7 @@ use serde::Serialize;
 
 use crate::{Result, TileBatch};
 
-/// What a pixel can have beside its color. All are 0 where no Gaussian has a weight. `docs/pipeline.md` has the
-/// definitions.
+/// A value of a pixel beside its color. It is 0 where no Gaussian has a weight. `docs/pipeline.md` has the definitions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Channel {
     /// The mean of the Gaussians' depths by their weights. A depth is the coordinate of a center along the camera's axis,
@@ -63,9 +62,9 @@ pub struct RenderedTiles {
 /// The work of rendering a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RenderReport {
-    /// Parts that the batch was rendered in.
+    /// Number of parts of the batch.
     pub parts: usize,
-    /// (Gaussian, camera) pairs whose color and transmittance were evaluated.
+    /// (Gaussian, camera) pairs with an evaluated color and transmittance.
     pub pairs: u64,
     /// (Gaussian, tile) memberships.
     pub members: u64,
@@ -106,7 +105,7 @@ impl RenderedTiles {
 }
 
 impl RenderReport {
-    /// Adds the numbers of a part.
+    /// Adds the counts of a part.
     pub fn add(&mut self, part: &Self) {
         self.parts += part.parts;
         self.pairs += part.pairs;

@@ -93,11 +93,11 @@ pub(super) fn read<'a>(
     Ok((read_file(path, length, "a photograph")?, share))
 }
 
-/// Checks a photograph, as reading a data set does. If the camera was held on its side, and the file says so, this is the
-/// file with its pixels turned instead. The rest of what the camera wrote, such as the focal length, stays.
+/// Checks a photograph, as reading a data set does. If the file says that the camera was held on its side, returns a file
+/// with turned pixels. The camera's other data, such as the focal length, stay.
 ///
 /// # Errors
-/// Those of [`Dataset::load`](super::Dataset::load) for a photograph.
+/// The same errors as [`Dataset::load`](super::Dataset::load) for a photograph.
 pub fn upright(path: &Path) -> Result<Option<Vec<u8>>> {
     let size = size(path)?;
     let budget = Budget::beside(0);
@@ -106,7 +106,7 @@ pub fn upright(path: &Path) -> Result<Option<Vec<u8>>> {
     turned(&bytes).map_err(|error| broken(path, &error))
 }
 
-/// A photograph's file with its pixels turned; `None` if it is not to be turned.
+/// A photograph's file with turned pixels; `None` if it is upright.
 fn turned(bytes: &[u8]) -> ImageResult<Option<Vec<u8>>> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
     let is_jpeg = reader.format() == Some(ImageFormat::Jpeg);
@@ -303,7 +303,7 @@ fn has_whole_palette(bytes: &[u8]) -> bool {
     true
 }
 
-/// Whether a JPEG has its own end-of-image marker. That of a thumbnail does not count.
+/// Whether a JPEG has its own end-of-image marker. A thumbnail's marker does not count.
 fn has_jpeg_end(bytes: &[u8]) -> bool {
     const END: u8 = 0xd9;
     let mut rest = bytes.get(2..).unwrap_or_default();

@@ -24,7 +24,7 @@ pub(super) struct Shot {
     pub mask: Option<PathBuf>,
     /// The camera of the whole photograph, or of the view that is cut from it.
     pub camera: Camera,
-    /// Its pose as the files give it, in the world.
+    /// The camera's pose in the world, as the files give it.
     pub pose: [[f64; 4]; 4],
     /// Distortion of the camera's image.
     pub lens: Lens,
@@ -32,7 +32,7 @@ pub(super) struct Shot {
     pub factor: u32,
     /// Whether the frame is held out from training.
     pub held_out: bool,
-    /// The photograph that it must be, if a run was trained on it.
+    /// The digest that the file must have, if a run was trained on it.
     pub trained: Option<Digest>,
 }
 
@@ -42,7 +42,7 @@ impl Shot {
         self.lens.cut.map_or([self.camera.width, self.camera.height], |cut| cut.size)
     }
 
-    /// Reads the photograph. The digest is that of its file and of its mask.
+    /// Reads the photograph. The digest covers its file and its mask.
     ///
     /// # Errors
     /// [`organza_core::Error::ReadFile`]; [`organza_core::Error::Invalid`] if the photograph or its mask cannot be decoded, has

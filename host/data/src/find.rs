@@ -13,7 +13,7 @@ use organza_core::input::has_extension;
 /// Name of the folder of photographs. `masks`, `images_2` and so on are beside it.
 const IMAGES: &str = "images";
 pub(super) const MASKS: &str = "masks";
-/// Most folders in a photograph's path whose tails are tried: a path may be of any length.
+/// Most tails of a photograph's path that are tried: a path may have any length.
 const DEEPEST: usize = 32;
 /// Most files that are named as not used.
 const MOST_NAMED: usize = 3;
@@ -80,7 +80,7 @@ pub(super) fn named(folder: &Path, name: &str) -> PathBuf {
     paths.find(|path| is_there(path)).unwrap_or_else(|| folder.join(name))
 }
 
-/// What to say of PLY files in a data set's folders, if it has no points to start from.
+/// A note about PLY files in a data set's folders, if it has no points to start from.
 pub(super) fn unused_clouds(folder: &Path, reason: &str) -> Vec<String> {
     let folders = ["", "sparse", "sparse/0", "colmap", "colmap/sparse/0"];
     let files =
@@ -142,8 +142,8 @@ fn is_there(path: &Path) -> bool {
     path.exists() && !path.is_dir()
 }
 
-/// The mask of a photograph: the one that the data set names, or `masks/NAME.png` for `images/NAME`, as in COLMAP, or
-/// the same with the photograph's extension replaced.
+/// The mask of a photograph: the mask that the data set names, or `masks/NAME.png` for `images/NAME`, as in COLMAP, or the
+/// same with the photograph's extension replaced.
 fn mask_of(
     folder: &Path,
     photograph: &Path,

@@ -11,17 +11,17 @@ use organza_core::camera::median;
 const SEEN: RangeInclusive<u8> = 8..=247;
 /// Fewer points say nothing about a photograph.
 const LEAST: usize = 50;
-/// A pixel whose logarithm is further from the median than this shows something else, in front of the point.
+/// Largest distance of a pixel's logarithm from the median. Beyond it, something else is in front of the point.
 const OTHER: f64 = 0.4;
-/// How often such pixels are left out, and the median is taken again.
+/// Number of times that such pixels are left out, and the median is taken again.
 const ROUNDS: usize = 3;
 
 impl Dataset {
-    /// How much the exposures of the photographs to train on differ: the standard deviation of the logarithms of their gains, over
-    /// photographs and channels. 0.1 is about 10%. `None` if fewer than two photographs show enough points with a color.
+    /// The spread of exposures: the standard deviation of the logarithms of gains, over all photographs to train on and their
+    /// channels. 0.1 is about 10%. `None` if fewer than two photographs show enough points with a color.
     ///
-    /// The gain of a photograph is the median, over the points in its image, of the pixel's value divided by that of the point's
-    /// color. Pixels that are further from the median than a factor of 1.5 do not count, as something may be in front of the point.
+    /// The gain of a photograph is the median, over the points in its image, of the pixel divided by the point's color. Pixels
+    /// that differ from the median by a factor of more than 1.5 do not count, as something may be in front of the point.
     #[must_use]
     pub fn exposure_spread(&self) -> Option<f64> {
         let frames: Vec<_> = self.train_frames().collect();

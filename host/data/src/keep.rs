@@ -146,8 +146,8 @@ impl<T> Deref for Kept<T> {
             Self::Memory(values) => values,
             Self::Disk { map, .. } => {
                 let len = map.len() / size_of::<T>();
-                // SAFETY: the bytes are those of a slice of T, and nothing writes to them anymore. A map starts at
-                // the start of a page, which is aligned for every T.
+                // SAFETY: `Store::keep` has written a slice of T, and nothing writes to these bytes anymore. A map
+                // starts at the start of a page, which is aligned for every T.
                 unsafe { slice::from_raw_parts(map.as_ptr().cast(), len) }
             }
         }

@@ -23,14 +23,14 @@ pub(super) struct Lens {
     pub denominator: [f64; 3],
     /// p1 and p2, the tangential coefficients.
     pub tangential: [f64; 2],
-    /// The photograph that the camera's image is cut from; `None` if its camera is that of the image.
+    /// The photograph that the camera's image is cut from; `None` if the image is the whole photograph.
     pub cut: Option<Cut>,
 }
 
-/// How a pinhole view is cut from a photograph that no plane holds.
+/// How a pinhole view is cut from a photograph with too wide a view for one plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cut {
-    /// The view's axes in those of the photograph's camera: right, down and forward.
+    /// The view's axes in the photograph's camera space: right, down and forward.
     pub axes: [DVec3; 3],
     /// Focal lengths of the photograph in pixels; pixels in a radian for a panorama.
     pub focal: [f64; 2],
@@ -85,7 +85,7 @@ impl Lens {
         ]
     }
 
-    /// The square of what the radial terms depend on: a fisheye's angle to the axis, or else the radius at depth 1.
+    /// The square of the variable of the radial terms: a fisheye's angle to the axis, or else the radius at depth 1.
     fn extent(&self, DVec3 { x, y, z }: DVec3) -> f64 {
         if self.fisheye { x.hypot(y).atan2(z).powi(2) } else { (x * x + y * y) / (z * z) }
     }

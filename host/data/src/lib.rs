@@ -73,8 +73,8 @@ const POINT_STEPS: f64 = 16384.0;
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Dataset {
-    /// All frames. Their order is that of the file (nerfstudio), of the train file and then the test file (Blender),
-    /// or of their names (COLMAP).
+    /// All frames, in the order of the file (nerfstudio), of the train file and then the test file (Blender), or of their
+    /// names (COLMAP).
     pub frames: Vec<Frame>,
     /// Indices of the frames to train on, ascending.
     pub train: Vec<usize>,
@@ -84,9 +84,9 @@ pub struct Dataset {
     pub background: [f64; 3],
     /// Points from which training may start; empty if the data set has none.
     pub points: Vec<Point>,
-    /// The file of these points.
+    /// The file that the points were read from.
     pub points_file: Option<PathBuf>,
-    /// Photographs in the data set whose files do not exist. Their frames are left out.
+    /// Photographs of the data set that do not exist as files. Their frames are left out.
     pub missing: Vec<PathBuf>,
     /// Number of frames with a mask: a file beside the photograph.
     pub masked: usize,
@@ -123,8 +123,8 @@ struct Listing {
 }
 
 impl Listing {
-    /// Adds a photograph that was found, or its views if no plane holds it. `camera` is that of the whole photograph, and
-    /// has its name.
+    /// Adds a photograph, or its pinhole views if its view is too wide for one plane. `camera` is the camera of the whole
+    /// photograph, and has its name.
     fn add(
         &mut self,
         Found { path, prepared, mask }: Found,
@@ -154,7 +154,7 @@ impl Listing {
         Ok(())
     }
 
-    /// What to say if a camera sees much less than any lens, or nearly everything.
+    /// A note if a camera sees much less than through any real lens, or nearly everything.
     fn unlikely_lens(&self) -> Option<String> {
         let focal = |shot: &Shot| {
             let Camera { fl_x, width, height, .. } = shot.camera;
@@ -171,7 +171,7 @@ impl Listing {
         ))
     }
 
-    /// What to say if there are masks, and none is that of a photograph.
+    /// A note if there are masks, but none for any photograph.
     fn unused_masks(&self, path: &Path) -> Option<String> {
         let folder = if path.is_dir() { path } else { path.parent()? }.join(find::MASKS);
         let first = self.shots.first()?;
@@ -181,7 +181,7 @@ impl Listing {
         }
         let name = first.path.file_name()?.to_string_lossy();
         Some(format!(
-            "no file in {} is the mask of a photograph, so none is used; that of {} would be {name}.png, in the same \
+            "no file in {} is the mask of a photograph, so none is used; the mask of {} would be {name}.png, in the same \
              folders as in `images`, or named by the data set",
             folder.display(),
             first.path.display()
@@ -274,7 +274,7 @@ impl Dataset {
     }
 }
 
-/// What to say if photographs are equal.
+/// A note if photographs are equal.
 fn repeated(shots: &[Shot], digests: &[Digest]) -> Option<String> {
     let mut first = HashMap::new();
     let mut pairs = Vec::new();
@@ -305,8 +305,8 @@ fn significant(number: f64) -> String {
     if number < 10.0 { format!("{number:.2}") } else { format!("{number:.0}") }
 }
 
-/// A point of the world, in a scene. It is rounded to a place that no data set knows as exactly, so that a run does not
-/// depend on how far coordinates were rounded.
+/// A point of the world in the scene's coordinates. It is rounded to a step finer than any data set's precision, so that a run
+/// does not depend on the rounding in files.
 fn own_point(placement: &Placement, position: [f64; 3]) -> [f64; 3] {
     if placement.is_identity() {
         return position;
@@ -373,7 +373,7 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
     }
 }
 
-/// Suggests what to do if a folder has no data set, or if its photographs are `missing`, of which this is the first.
+/// Suggests what to do if a folder has no data set, or if photographs are missing. `missing` is the first of them.
 fn hint(path: &Path, missing: Option<&Path>) -> Option<String> {
     let path = if path.is_dir() { path } else { path.parent()? };
     let mut folders: Vec<_> =

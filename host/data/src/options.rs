@@ -33,8 +33,8 @@ pub struct DatasetOptions {
     pub allow_outside: bool,
     /// Storage for the photographs.
     pub keep: Keep,
-    /// The coordinates that cameras and points get: those of a scene, or [`Placement::default`] for those of the files.
-    /// `None` finds the data set's own: see [`Placement::of`].
+    /// The coordinates of cameras and points: a scene's placement, or [`Placement::default`] for the files' own coordinates.
+    /// `None` chooses a placement from the cameras: see [`Placement::of`].
     pub placement: Option<Placement>,
 }
 

@@ -1,10 +1,10 @@
-//! Cuts photographs that no plane holds into pinhole views: panoramas of 360 degrees, and those of wide fisheyes.
+//! Cuts photographs with too wide a view for one plane into pinhole views: panoramas of 360 degrees, and wide fisheyes.
 //!
-//! The views to train on are the faces of a cube around the camera. So the poles are seen, and each direction is seen once:
-//! no color counts twice. In the middle of a view, a pixel is as wide as the photograph's. Elsewhere it is narrower, so it
-//! misses nothing: only near a panorama's poles are columns closer together, and there they repeat one another.
+//! The views to train on are the faces of a cube around the camera. So each direction, also a pole, is seen once, and no
+//! color counts twice. In the middle of a view, a pixel is as wide as the photograph's. Elsewhere it is narrower, so no
+//! detail is lost. Only near a panorama's poles are columns closer together, but there they repeat one another.
 //!
-//! Faces share nothing, so what searches for their poses could not join them. It sees other views, which overlap.
+//! Faces do not overlap, so a program that searches for poses could not join them. It gets other views, which do.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
@@ -20,7 +20,7 @@ use super::{DatasetOptions, Frame, decode};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE, median};
 use organza_core::error::Result;
 
-/// A view of a panorama: its name, and its right, down and forward axes in those of the photograph's camera.
+/// A view of a panorama: its name, and its right, down and forward axes in the photograph's camera space.
 pub type View = (&'static str, [DVec3; 3]);
 
 /// The views to train on: the faces of a cube.
@@ -32,7 +32,7 @@ pub const FACES: [View; 6] = [
     ("up", [DVec3::X, DVec3::Z, DVec3::NEG_Y]),
     ("down", [DVec3::X, DVec3::NEG_Z, DVec3::Y]),
 ];
-/// The views to find poses with: headings in degrees. Each shares half of what it shows with the next one.
+/// The views to find poses with: headings in degrees. Each overlaps the next one by half.
 pub const HEADINGS: [View; 8] = [
     ("000", heading(1.0, 0.0)),
     ("045", heading(FRAC_1_SQRT_2, FRAC_1_SQRT_2)),
@@ -51,9 +51,9 @@ const fn heading(cos: f64, sin: f64) -> [DVec3; 3] {
 
 /// Tangent of 60 degrees. A plane that shows more than this stretches a fisheye's edge by 4.
 const WIDE: f64 = 1.732_050_807_568_877_2;
-/// Places on a side of a view at which the photograph is looked for.
+/// Places on each side of a view where the photograph is tested.
 const GRID: u32 = 32;
-/// Ending of a view's name. That of its panorama comes before, and then the view's own.
+/// Ending of a view's name `PANORAMA.VIEW.png`.
 const ENDING: &str = ".png";
 
 /// Whether an image of `[width, height]` pixels has the shape of a panorama of 360 degrees.
@@ -62,7 +62,7 @@ pub fn is_panorama([width, height]: [u32; 2]) -> bool {
     (f64::from(width) - 2.0 * f64::from(height)).abs() <= 0.01 * f64::from(width)
 }
 
-/// The panorama that one of `views` is of, by the view's name; `None` for other images.
+/// The panorama's name in the name of one of its `views`; `None` for other images.
 ///
 /// ```
 /// use organza_data::panorama::{FACES, HEADINGS, panorama_of};
@@ -83,8 +83,8 @@ fn view_of<'n>(name: &'n str, views: &[View]) -> Option<(&'n str, DMat3)> {
     Some((panorama, DMat3::from_cols(*right, *down, *forward)))
 }
 
-/// The `views` of each panorama, around one place, sorted by name. What was `found` are the cameras of [`HEADINGS`], one by
-/// one. The median of what they say of their panorama counts, so some may be wrong or missing.
+/// The cameras of each panorama's `views`, all at one place, sorted by name. `found` has a camera for each view of
+/// [`HEADINGS`]. A panorama has the median pose of its found views, so some may be wrong or missing.
 #[must_use]
 pub fn join(found: &[Camera], views: &[View]) -> Vec<Camera> {
     let mut panoramas: BTreeMap<_, Vec<(DVec4, DVec3)>> = BTreeMap::new();
@@ -115,7 +115,7 @@ pub fn join(found: &[Camera], views: &[View]) -> Vec<Camera> {
     joined
 }
 
-/// What the names of a panorama's views begin with, by the name of its file.
+/// The first part of the names of a panorama's views, given the name of its file.
 #[must_use]
 pub fn stem(name: &str) -> &str {
     name.strip_suffix(ENDING).unwrap_or(name)
@@ -124,7 +124,7 @@ pub fn stem(name: &str) -> &str {
 /// Views of a panorama's file, each with at most `side` pixels a side.
 ///
 /// # Errors
-/// Those of [`Dataset::load`](super::Dataset::load) for a photograph.
+/// The same errors as [`Dataset::load`](super::Dataset::load) for a photograph.
 pub fn cut(path: &Path, side: u32, views: &[View]) -> Result<Vec<Frame>> {
     let size = decode::size(path)?;
     let pose = DMat4::IDENTITY.to_cols_array_2d();
@@ -148,7 +148,7 @@ pub fn cut(path: &Path, side: u32, views: &[View]) -> Result<Vec<Frame>> {
     seen(&shot, side * factor, views).into_par_iter().map(frame).collect()
 }
 
-/// The views of a photograph. One that a plane holds is its only view.
+/// The views of a photograph. A photograph that fits on one plane is its only view.
 pub(super) fn views_of(shot: Shot) -> Vec<Shot> {
     let Camera { fl_x, fl_y, width, .. } = shot.camera;
     if shot.lens.panorama {
@@ -169,7 +169,7 @@ fn is_wide(shot: &Shot) -> bool {
     shot.lens.fisheye && sides.into_iter().any(is_seen)
 }
 
-/// Those of `views`, of `side` pixels a side, that show some of the photograph.
+/// The `views`, of `side` x `side` pixels, that show some of the photograph.
 fn seen(shot: &Shot, side: f64, views: &[View]) -> Vec<Shot> {
     let mut whole = Cut::whole(&shot.camera);
     if shot.lens.panorama {

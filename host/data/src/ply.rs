@@ -37,7 +37,7 @@ pub(super) fn read_from(source: impl Read, length: u64, path: &Path) -> Result<V
     points(&file.element("vertex", &POSITION)?, path)
 }
 
-/// A PLY file of `length` bytes whose header has been read. Its elements follow, each after the other.
+/// A PLY file of `length` bytes, after its header. Its elements follow one after the other.
 pub struct Ply<'a, R: Read> {
     reader: Reader<BufReader<Limited<R>>>,
     header: Header,
@@ -75,8 +75,8 @@ impl<'a, R: Read> Ply<'a, R> {
         element.into_iter().flat_map(|element| element.properties.keys().map(String::as_str))
     }
 
-    /// Reads all of an element, whose properties must include those of `needed`. Elements before it are skipped; a call
-    /// for one of them, or for this one again, is an error.
+    /// Reads all of an element, which must have the `needed` properties. Elements before it are skipped; a call for one of
+    /// them, or for this one again, is an error.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a file without the element or its properties, and for a truncated one;

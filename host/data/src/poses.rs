@@ -17,7 +17,7 @@ use organza_core::{Camera, Error, Result};
 /// The cameras of a data set. Reading them opens no photograph, so it is quick, and finds most mistakes in a data
 /// set. [`Poses::photographs`] reads the photographs.
 pub struct Poses {
-    /// Photographs in the data set whose files do not exist. Their frames are left out.
+    /// Photographs of the data set that do not exist as files. Their frames are left out.
     pub missing: Vec<PathBuf>,
     /// Files outside of the data set's folder, as the data set names them.
     pub outside: Vec<PathBuf>,
@@ -29,7 +29,7 @@ pub struct Poses {
     pub path: PathBuf,
     /// Where the coordinates of cameras and points lie in the world, which is the files' own space.
     pub placement: Placement,
-    /// Of the files. It does not depend on the placement.
+    /// The fingerprint of the files. It does not depend on the placement.
     pub(super) fingerprint: Fingerprint,
     pub(super) listing: Listing,
     pub(super) options: DatasetOptions,
@@ -53,10 +53,10 @@ pub struct Pose {
 }
 
 impl Poses {
-    /// Reads the cameras of a data set. `path` is that of [`Dataset::load`].
+    /// Reads the cameras of a data set, with the same `path` as [`Dataset::load`].
     ///
     /// # Errors
-    /// Those of [`Dataset::load`] that are not about the content of a photograph.
+    /// The same errors as [`Dataset::load`], except for the content of photographs.
     pub fn load(path: &Path, options: &DatasetOptions) -> Result<Self> {
         options.check()?;
         fs::metadata(path).map_err(|source| Error::read(path, source))?;
@@ -99,13 +99,13 @@ impl Poses {
         })
     }
 
-    /// Describes the difference of frames and points to those of a run; `None` if there is none.
+    /// Describes how frames and points differ from a run's; `None` if they do not.
     #[must_use]
     pub fn difference(&self, trained: &Fingerprint) -> Option<&'static str> {
         self.fingerprint.difference(trained)
     }
 
-    /// Takes only the photographs of a run, whose frames these are: reading another one is an error.
+    /// Accepts only the photographs that a run was trained on: reading a changed one is an error.
     pub fn require(&mut self, trained: &Fingerprint) {
         let shots = &mut self.listing.shots;
         let digests = trained.photographs();

@@ -20,7 +20,7 @@ const DEPTHS: usize = 96;
 const RANGE: [f64; 2] = [0.2, 8.0];
 /// Number of photographs that a pixel is compared with.
 const NEIGHBORS: usize = 6;
-/// Number of these that count, those that agree best: in the others, something may be in front.
+/// Number of these that count: the ones that agree best, as something may be in front in the others.
 const AGREEING: usize = 3;
 /// Best distance between two compared cameras, relative to their distance from the target.
 const BASELINE: f64 = 0.25;
@@ -35,7 +35,7 @@ const TRIES: u32 = 20;
 /// Opacity from which a pixel shows the scene, and not the background.
 const SOLID: f32 = 0.5;
 
-/// Finds at most `count` points; `distance` is that of the cameras from their target.
+/// Finds at most `count` points. `distance` is the cameras' distance from their target.
 pub fn points(frames: &[&Frame], distance: f64, count: usize, seed: u64) -> Vec<Point> {
     let views: Vec<View> = frames.par_iter().map(|frame| View::new(frame)).collect();
     let neighbors: Vec<_> =

@@ -49,7 +49,7 @@ pub(super) fn nerfstudio(
     Ok(listing)
 }
 
-/// Adds the points to start from: those of the file's point cloud, or else those of a COLMAP model.
+/// Adds the points to start from, out of the file's point cloud, or else out of a COLMAP model.
 fn add_points(file: &Value, path: &Path, listing: &mut Listing, access: &mut Access) -> Result<()> {
     match file.get("ply_file_path") {
         None | Some(Value::Null) => {}
@@ -211,8 +211,8 @@ const LEAST: usize = 3;
 /// Largest distance of a camera from its place, relative to the distances between cameras.
 const CLOSE: f64 = 0.02;
 
-/// The model's points, in the world of a listing's cameras, and their file. None if there is no model; the error says why one that is
-/// there is not used.
+/// The points of a COLMAP model, in the world of a listing's cameras, and their file. `None` without a model. The error says why
+/// the model is not used.
 ///
 /// Poses often come from such a model, but nerfstudio and instant-ngp rotate, move and scale them. Photographs of the
 /// same name determine the transformation. They need not be where the model expects them.
@@ -265,7 +265,8 @@ fn file_name(path: &str) -> &str {
     name.rsplit_once('.').map_or(name, |(stem, _)| stem)
 }
 
-/// Of a model's cameras whose photographs have one name, the one in the same folders. `None` if that is more than one.
+/// The model's camera with the same photograph: of all `cameras` whose photographs have its name, the one in the same
+/// folders. `None` if several are.
 fn most_alike<'a>(cameras: &[&'a Camera], camera: &Camera) -> Option<&'a Camera> {
     let most = cameras.iter().map(|other| likeness(other, camera)).max()?;
     let mut best = cameras.iter().filter(|other| likeness(other, camera) == most);

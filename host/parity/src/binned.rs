@@ -54,7 +54,7 @@ impl Parity for BinnedGradient {
             let len = count as usize;
             let mut sum = write_sums(&fill.values(random, len, [-1.0, 1.0], 1e30));
             if fill != Fill::Huge {
-                // rows that many numbers were added to, and that cancel each other
+                // sums of many numbers, in rows that cancel each other
                 for sum in sum.as_chunks_mut().0.iter_mut().take(9 * len) {
                     *sum = words((u64::from(random.below(u32::MAX)) << 20) as i64 - (1 << 51));
                 }
@@ -71,7 +71,7 @@ impl Parity for BinnedGradient {
         if output == "sum" {
             return vec![Some(Rounded::exact(0.0)); len.min(self.sum.len())];
         }
-        // the rows that matter are three
+        // only three rows matter
         let sums = read_sums(&self.sum, self.gradient.len()).into_iter();
         let sums = sums.map(|sum| Rounded::from(sum).rounded(3.0));
         listed(sums.zip(&self.gradient).map(|(sum, &before)| sum + before.into()))

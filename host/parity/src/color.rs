@@ -37,7 +37,7 @@ pub fn joined(output: &mut Output, stride: usize) -> Vec<f64> {
     rest
 }
 
-// the cameras and the box are those of the inputs
+// the cameras and the box that the inputs are made of
 case!(pub ColorInputs(ColorInputsInputs) { cameras: Vec<Camera>, aabb: [[f64; 3]; 2] });
 
 impl ColorInputs {
@@ -207,7 +207,7 @@ impl Parity for ColorHead {
     }
 }
 
-/// A head whose logits are about as large as `size`, of both signs, and none of which cancels.
+/// A head with logits of about `size`, of both signs. The terms of a logit do not cancel.
 pub fn layer_of_size(size: f32) -> Dense {
     let mut layer = Dense::new(ITEMS, 16, 1, Fill::Random, &mut Random::new(5));
     layer.parameters.iter_mut().for_each(|row| *row = row.abs() * size / 8.0);

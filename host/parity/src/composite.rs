@@ -58,7 +58,7 @@ impl Composite {
             tile: pack(&tiles),
             tile_first,
             member,
-            // everywhere
+            // all cells
             cells: vec![u32::MAX; all as usize],
             splat,
             sum: planes(sum.as_chunks().0, area),

@@ -50,7 +50,7 @@ impl CompositeBackward {
         self
     }
 
-    /// The same with covariances that a blur has made larger, and weights that make up for it.
+    /// The same with blurred covariances, and weights that compensate for the blur.
     fn compensated(mut self) -> Self {
         self.params.compensated_blur = 0.3;
         let mut random = Random::new(17);

@@ -81,7 +81,7 @@ impl Parity for CountFill {
         SIZES.into_iter().flat_map(|size| [0, 1].map(|misfit| of(size, misfit))).collect()
     }
 
-    /// The rest of each total behind `first`, at most `most`; nothing where something did not fit.
+    /// The rest of each total behind `first`, at most `most`; 0 after an overflow.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let number = |&[_, slot, first, most]: &[u32; 4]| match self.counts[..] {
             [0, ref counts @ ..] => counts[slot as usize - 1].saturating_sub(first).min(most),

@@ -11,7 +11,7 @@ const WEIGHT: u32 = 3;
 case!(pub Dense(DenseInputs));
 
 impl Dense {
-    /// A layer whose weights and inputs are filled; `huge` ones leave their sums finite. Rows begin at multiples of four.
+    /// A layer with filled weights and inputs. The sums of huge numbers stay finite. Rows begin at multiples of four.
     pub fn new(samples: u32, inputs: u32, columns: u32, fill: Fill, random: &mut Random) -> Self {
         let stride = (samples + 5).next_multiple_of(4);
         let bias = WEIGHT + inputs * columns;

@@ -12,7 +12,7 @@ use super::binned::{with_sums, write_sums};
 use super::dense::Dense;
 use super::exact::dense::relu;
 
-// the layer's input has rows up to the last whose gradient is wanted: those behind its own are zeros
+// The layer's input has all rows with a wanted gradient. Rows behind the layer's own inputs are zeros.
 case!(pub DenseBackward(DenseBackwardInputs) { layer: Dense });
 
 impl DenseBackward {
@@ -96,7 +96,7 @@ case!(pub DenseWeightBackward(DenseWeightBackwardInputs) {
     layer: Dense,
     /// Where the samples of each camera begin, and where the last ones end.
     first: Vec<u32>,
-    /// `[4 parameters]`: what other chunks have added.
+    /// `[4 parameters]`: the sums of other chunks.
     before: Vec<f32>,
 });
 
@@ -160,7 +160,7 @@ impl DenseWeightBackward {
         first..first + self.layer.params.samples
     }
 
-    /// The slices that end in the chunk, or the one that goes on behind it.
+    /// The slices that end in the chunk, or the slice that goes on behind it.
     fn in_chunk(&self, are_whole: bool) -> impl Iterator<Item = Range<u32>> {
         let chunk = self.chunk();
         self.slices().into_iter().filter(move |slice| {
@@ -176,7 +176,7 @@ impl DenseWeightBackward {
         Some((place / layer.params.columns, 4 * (place % layer.params.columns) + value as u32 % 4))
     }
 
-    /// A parameter's sum over the samples of a slice: those in the chunk, and what the chunk before has left.
+    /// A parameter's sum over a slice: the samples in the chunk, and the carry of the chunk before.
     fn sum(&self, slice: &Range<u32>, value: usize) -> Rounded {
         let Some((input, row)) = self.place(value) else { return Rounded::exact(0.0) };
         let chunk = self.chunk();
@@ -247,12 +247,12 @@ impl Parity for DenseWeightBackward {
         Ok(outputs.into_iter().map(|output| with_sums(output, self.before.len())).collect())
     }
 
-    /// A parameter's slope is the sum of what it is multiplied with. Slices are added exactly.
+    /// A parameter's derivative is the sum of its factors. Slices are added exactly.
     fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
         let values = self.before.len();
         if output == "sum" {
             let before = f64::from(self.before[index]);
-            // what a GPU may flush is not added
+            // a sum that a GPU may flush is not added
             let before = if before.abs() < f64::from(TINY) { 0.0 } else { before };
             let slices: Vec<_> = self.in_chunk(true).map(|slice| self.sum(&slice, index)).collect();
             let value = before + slices.iter().map(|slice| slice.value).sum::<f64>();

@@ -26,13 +26,13 @@ pub(super) fn grid() -> GridConfig {
     GridConfig { levels: 5, features: 2, log2_table: 9, base_resolution: 5.0, growth: 2.1 }
 }
 
-/// A point whose coordinates are multiples of `2^-bits`.
+/// A point with coordinates that are multiples of `2^-bits`.
 pub(super) fn unrounded_point(bits: i32, random: &mut Random) -> [Split; 3] {
     let unit = 2_f32.powi(-bits);
     [0; 3].map(|_| Split::new(random.below((1 << bits) + 1) as f32 * unit, 0.0))
 }
 
-/// Points of coordinates and what they are rounded by.
+/// Points from the coarse and the fine part of each coordinate.
 pub(super) fn points_of(coordinates: impl Iterator<Item = (f32, f32)>) -> Vec<[Split; 3]> {
     let splits: Vec<_> = coordinates.map(|(x, rest)| Split::new(x, rest)).collect();
     splits.as_chunks().0.to_vec()
@@ -112,7 +112,7 @@ impl HashGrid {
         Self::new(grid, points_of(x.into_iter().zip(rest)), table, &mut random)
     }
 
-    /// Points at multiples of 1/16 of a cell, in levels whose scales have few bits.
+    /// Points at multiples of 1/16 of a cell, in levels with scales of few bits.
     ///
     /// Even a driver that regroups operations computes their positions exactly, so wrong weights and corners show in
     /// levels of every resolution.
@@ -183,8 +183,8 @@ impl HashGrid {
 
     /// The features, with the error of a position in a level as a part of its resolution.
     ///
-    /// Weights are good to a few 6e-8 of the corners' sizes. This error has no equation: a position is two f32, and the corners
-    /// may be those of the next cell.
+    /// Weights have an error of a few 6e-8 of the corners' sizes. This error has no equation: a position is two f32, and rounding
+    /// may move it to the next cell.
     pub(super) fn known(&self, len: usize, position: f64) -> Vec<Option<Rounded>> {
         let encode = |&point| encode(&self.grid, &self.table, exact_point(point));
         let encoded: Vec<_> = self.points.iter().map(encode).collect();
@@ -235,7 +235,7 @@ impl Parity for HashGrid {
 mod tests {
     use super::*;
 
-    /// The point that a mistaken kernel takes for another.
+    /// The point that a wrong kernel reads instead.
     type Mistake = fn([f32; 3]) -> [f32; 3];
 
     const MISTAKES: [(&str, Mistake); 4] = [

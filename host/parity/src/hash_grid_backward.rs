@@ -28,7 +28,7 @@ case!(pub HashGridBackward(HashGridBackwardInputs) {
 const SMALLEST: f64 = 1.175_494_350_822_287_5e-38;
 
 impl HashGridBackward {
-    /// The unit is a power of two, as a multiple of which gradients are below 2^50; none is added that is larger than the limit.
+    /// The unit is a power of two. Gradients are below 2^50 units; larger ones than the limit are not added.
     fn new(
         grid: GridConfig,
         points: Vec<[Split; 3]>,
@@ -165,7 +165,7 @@ impl HashGridBackward {
         (sums, touched)
     }
 
-    /// For each value: the sizes of what is added to it, in units. An error has no equation, as in `hash_grid`.
+    /// For each value, the summed sizes of its terms, in units. An error has no equation, as in `hash_grid`.
     fn sizes(&self) -> Vec<f64> {
         let features = self.grid.features as usize;
         let mut sizes = vec![0.0; self.sum.len() / 2];
@@ -254,7 +254,7 @@ impl Parity for HashGridGradient {
             let gradient = fill.values(random, count as usize, [-1.0, 1.0], 1e30);
             let blocks = count.div_ceil(VALUES_PER_FLAG) as usize;
             let touched = (0..blocks).map(|_| random.below(2));
-            // nothing is bound as nothing
+            // an empty buffer cannot be bound
             let touched = touched.chain([0]).collect();
             let scale = 2_f32.powi(random.below(90) as i32 - 30);
             Self(HashGridGradientInputs {

@@ -1,7 +1,7 @@
 //! The test case of every kernel: one file per stage, with the names of `shader-crate`.
 //!
-//! A case implements [`Parity`](muslin_check::Parity): it has random inputs and inputs that break careless code, and the equation, which
-//! also says how far a device may be off. A kernel without a case fails a test.
+//! A case implements [`Parity`](muslin_check::Parity): it has random inputs, inputs that break careless code, and the equation, which
+//! also gives the tolerance. A kernel without a case fails a test.
 
 mod adam;
 mod binned;

@@ -13,7 +13,7 @@ use super::project_backward::ProjectBackward;
 /// Values of a pose.
 const POSE: usize = VALUES as usize;
 
-// before: the sums that other parts have added to the poses of all places
+// before: the sums of other parts, for the poses of all places
 case!(pub PoseBackward(PoseBackwardInputs) { set: ProjectBackward, before: Vec<f32> });
 
 /// A pair's camera, Gaussian and number.
@@ -50,8 +50,8 @@ impl PoseBackward {
         Self { inputs, set, before }
     }
 
-    /// The same with gradients of conics alone, which give all pairs terms of one size, or none. Those of means and of needles hide
-    /// all others.
+    /// The same with gradients of conics alone, so that all pairs have terms of one size, or none. Otherwise the terms of means and
+    /// of needles would hide the others.
     fn conics(&self) -> Self {
         let mut set = self.set.clone();
         for pair in self.pairs() {
@@ -82,7 +82,7 @@ impl PoseBackward {
     }
 }
 
-/// The derivatives of a pair's part of the loss; unknown where rounding decides about its projection.
+/// The derivatives of a pair's part of the loss; unknown where rounding decides its projection.
 fn derivatives(set: &ProjectBackward, [camera, gaussian, pair]: Pair) -> [Rounded; POSE] {
     if !matches!(set.forward.fate(camera, gaussian), Some(Fate::Projected(_))) {
         return [Rounded::UNKNOWN; POSE];
@@ -95,8 +95,8 @@ fn derivatives(set: &ProjectBackward, [camera, gaussian, pair]: Pair) -> [Rounde
     })
 }
 
-/// Moves a Gaussian as if a pose had moved the camera: the camera stays, and the Gaussian moves the other way. Right to
-/// the first order, at a pose of 0.
+/// Moves a Gaussian against the camera's motion, so that it looks as if the camera had moved. Correct to first order, at a
+/// pose of 0.
 fn moved(
     view: &View,
     still: &Gaussian<Rounded>,

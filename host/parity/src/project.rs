@@ -52,7 +52,7 @@ impl Project {
         for gaussian in 0..len {
             let rotation = &mut set.rotation[4 * gaussian..][..4];
             if Vec4::from_slice(rotation).as_dvec4().length() < 1e-12 {
-                // the one length that a rotation may not have
+                // zero is the only length that a rotation must not have
                 rotation.copy_from_slice(&random.values(4, 0.1, 1.0));
             }
             let cameras = 0..set.cameras.len();
@@ -64,7 +64,7 @@ impl Project {
         set
     }
 
-    /// Whether rounding decides if a Gaussian is visible, or an f32 may overflow on one device and not on another.
+    /// Whether rounding decides if a Gaussian is visible, or if an f32 overflows.
     fn is_undecided(&self, camera: usize, gaussian: usize) -> bool {
         let is_large = |x: f64| (1e35..1e42).contains(&x.abs());
         let Gaussian { log_scale, .. } = self.gaussian(gaussian);
@@ -88,7 +88,7 @@ impl Project {
         sizes.chain(found.mean.map(Number::value)).any(is_large) || determinant < 1e-34
     }
 
-    /// The sets that need all of their images.
+    /// The sets without a window: each Gaussian may lie anywhere in its images.
     pub(super) fn everywhere() -> Vec<(String, Self)> {
         let usual = [-5.0, 0.0];
         let mut sets = inputs::sets(|n, fill, random| Self::new(n, fill, 0.3, usual, random));
@@ -145,8 +145,8 @@ impl Project {
         Gaussian::read(&self.position, &self.rotation, &self.log_scale, gaussian)
     }
 
-    /// The projection of a Gaussian; `None` where rounding decides if it ends before the window, or where it depends on how far the
-    /// kernel's numbers reach.
+    /// The projection of a Gaussian; `None` if rounding decides whether it ends before the window, or if the kernel's numbers may
+    /// overflow.
     pub(super) fn fate(&self, camera: usize, gaussian: usize) -> Option<Fate> {
         let view = View::from_camera(&self.cameras[camera]);
         let gaussian = self.gaussian(gaussian);

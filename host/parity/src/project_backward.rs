@@ -108,7 +108,7 @@ impl ProjectBackward {
             .collect()
     }
 
-    /// What a pair adds to the loss where its Gaussian lies elsewhere.
+    /// A pair's part of the loss, for a moved Gaussian.
     pub(super) fn loss<N: Number>(
         &self,
         camera: usize,
@@ -123,8 +123,8 @@ impl ProjectBackward {
         N::sum(values.zip(slopes).map(|(x, slope)| x * N::from(slope.into())))
     }
 
-    /// The derivatives of the loss of a Gaussian's pairs, by position, rotation, log_scale and opacity; unknown where a projection
-    /// depends on how far the kernel's numbers reach.
+    /// The derivatives of the loss of a Gaussian's pairs, by position, rotation, log_scale and opacity; unknown where the kernel's
+    /// numbers may overflow in a projection.
     fn derivatives(&self, gaussian: usize) -> [Rounded; 11] {
         let pairs: Vec<_> = self.pairs(gaussian).collect();
         let opacity = Number::sum(pairs.iter().map(|(_, pair)| Rounded::from(pair[0].z)));

@@ -43,7 +43,7 @@ impl Parity for ScanBlock {
         })
     }
 
-    /// Sums from a block's begin on, one of them behind the last value; and those of whole blocks.
+    /// The exclusive sums within each block, with one sum behind the last value; and the sum of each whole block.
     fn exact(&self, output: &str, _: usize) -> Vec<Option<Rounded>> {
         let mut sum = 0;
         let mut prefix = Vec::new();

@@ -11,10 +11,10 @@ use super::exact::segment::{contracted_ray, segment};
 use super::exact::unit_cube::unit;
 use super::project;
 
-/// Rays up to this size have places and points of two parts.
+/// Rays up to this size have coordinates of two f32.
 const NEAR: f64 = 8.0;
 
-// the cameras and the box are those of the inputs
+// the cameras and the box that the inputs are made of
 case!(pub Segment(SegmentInputs) { cameras: Vec<Camera>, aabb: [[f64; 3]; 2] });
 
 impl Segment {
@@ -100,8 +100,8 @@ impl Segment {
         world.fold(0.0, f64::max)
     }
 
-    /// The values of an output, and the scale of a place's error by the sizes of the ray and of the world. The division of a ray by
-    /// its planes is good to 3 ulp; a contracted ray is one f32 of its ends' sizes, and known the less the shorter it is.
+    /// The values of an output. `of_place` gives a place's error from the sizes of the ray and of the world. A ray is divided by
+    /// its planes with an error of 3 ulp. A contracted ray has the rounding error of its ends, so a short one is known badly.
     fn known(&self, output: &str, of_place: impl Fn(f64, f64) -> f64) -> Vec<Option<Rounded>> {
         let of = |&slot: &u32| {
             let [p, eye] = self.ends(slot);

@@ -31,7 +31,7 @@ impl Splat {
         })
     }
 
-    /// Of covariances from thin to large, whose weights make up for the blur.
+    /// Splats from thin to large, with weights that compensate for the blur.
     fn compensated() -> Self {
         let mut set = Self::new(inputs::ITEMS, Fill::Random, &mut Random::new(6));
         set.params.compensated_blur = 0.3;
@@ -85,7 +85,7 @@ impl Parity for Splat {
     }
 }
 
-/// Where the tiles of two cameras begin, and those of a third, which has none.
+/// The first tile of each of three cameras. The third has no tiles.
 const FIRST_TILE: [u32; 4] = [0, 3, 5, 5];
 
 case!(pub SplatBackward(SplatBackwardInputs));
@@ -128,7 +128,7 @@ impl SplatBackward {
         set
     }
 
-    /// The sums of every pair's members: those lie in the order of the masks' bits.
+    /// The sum over every pair's members, which are in the order of the masks' bits.
     fn sums(&self) -> BTreeMap<u32, [Rounded; 12]> {
         let row = 32 * self.params.gaussians.div_ceil(32) as usize;
         let mut sums = BTreeMap::new();

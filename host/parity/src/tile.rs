@@ -62,7 +62,7 @@ impl TileMask {
         set
     }
 
-    /// A Gaussian of which rounding decides if it is a member is moved behind the camera.
+    /// Moves Gaussians behind the camera if rounding decides whether they are members.
     fn leave_the_margin(&mut self) {
         let TileMaskParams { gaussians, side, .. } = self.params;
         for tile in tiles() {
@@ -136,7 +136,7 @@ impl Parity for TileFill {
         })
     }
 
-    /// A pair's number is its place among those of its camera, behind those of the cameras before.
+    /// Pairs are numbered camera by camera.
     fn exact(&self, _: &str, _: usize) -> Vec<Option<Rounded>> {
         let words = self.params.words as usize;
         let gaussians = 32 * self.params.words as usize;

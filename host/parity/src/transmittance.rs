@@ -20,7 +20,7 @@ use super::scan::prefix;
 /// Samples before the chunk.
 pub(super) const FIRST_SAMPLE: u32 = 3;
 
-/// The first samples of pairs that have about `samples` in all: most have some, some have none.
+/// The first samples of pairs with about `samples` samples in all: most pairs have some, some have none.
 pub(super) fn some_pairs(samples: u32, random: &mut Random) -> Vec<u32> {
     let mut counts = vec![0];
     let mut left = samples;
@@ -33,7 +33,7 @@ pub(super) fn some_pairs(samples: u32, random: &mut Random) -> Vec<u32> {
     prefix(counts)
 }
 
-/// First samples of pairs of which some have many, by name.
+/// First samples of pairs, some with many samples, by name.
 pub(super) fn long_pairs() -> [(&'static str, Vec<u32>); 4] {
     [
         ("one pair has all", prefix([16_384])),
@@ -95,7 +95,7 @@ impl TransmittanceInputs {
         })
     }
 
-    /// The same samples, in cells of which some are full and some empty.
+    /// The same samples, with full and empty cells.
     fn occupied(mut self, random: &mut Random) -> Self {
         self.params.occupancy = 7;
         let mut value = |_| (random.between(-0.5, 1.5)).clamp(0.0, 1.0);
@@ -109,7 +109,7 @@ impl TransmittanceInputs {
         OccupancyGrid { side, aabb: [[0.0; 3], [1.0; 3]], is_contracted: false }
     }
 
-    /// The same samples on contracted rays, whose ends are up to 300 cubes away.
+    /// The same samples on contracted rays, with ends up to 300 cubes away.
     fn contracted(mut self, random: &mut Random) -> Self {
         self.params.contracted = 1;
         for (pair, vectors) in self.segment.chunks_mut(SEGMENT_VECTORS as usize).enumerate() {
@@ -214,7 +214,7 @@ impl Parity for TransmittanceInputs {
     }
 }
 
-/// The layers whose logits are of all sizes, and samples of every kind.
+/// Layers with logits of all sizes, and samples of every kind.
 pub(super) fn head_sets<S>(new: impl Fn(Dense, Fill, &mut Random) -> S) -> Vec<(String, S)> {
     let mut sets =
         inputs::sets(|n, fill, random| new(Dense::new(n, 16, 1, fill, random), fill, random));
@@ -225,7 +225,7 @@ pub(super) fn head_sets<S>(new: impl Fn(Dense, Fill, &mut Random) -> S) -> Vec<(
     sets
 }
 
-/// Points `[7, stride]` of which the heads read the factors alone.
+/// Points `[7, stride]`. The heads read only the factors.
 pub(super) fn points(layer: &Dense, factor: &[f32]) -> Vec<f32> {
     let mut point = vec![f32::NAN; (POINT_ROWS * layer.params.stride) as usize];
     point.extend(factor);

@@ -15,10 +15,10 @@ use super::transmittance::{
 /// Samples behind the chunk.
 const AFTER: u32 = 2;
 
-/// The first samples of pairs, and the number of those in the chunk: three others lie before them and two behind.
+/// The first samples of pairs, and the number of samples in the chunk. Three more samples lie before the chunk, two behind.
 type Chunk = (Vec<u32>, u32);
 
-/// The chunks of all sizes, and those with long segments.
+/// Chunks of all sizes, and chunks with long segments.
 fn sets<T>(seed: u64, new: impl Fn(Chunk, Fill, &mut Random) -> T) -> Vec<(String, T)> {
     let mut sets = inputs::sets(|n, fill, random| new(chunk(n, random), fill, random));
     for (name, pairs) in long_pairs() {
@@ -145,7 +145,7 @@ impl Parity for ExtraBackward {
         sets(15, Self::new)
     }
 
-    /// Every sample of a pair has a copy of its extra vector: the gradients of those in the chunk are added to what was there.
+    /// Every sample of a pair has a copy of its extra vector. The gradients of the copies in the chunk are added to the sum.
     fn exact_at(&self, _: &str, index: usize) -> Option<Rounded> {
         let ExtraBackwardParams { samples, stride, .. } = self.params;
         let row = &self.input_gradient[(1 + index % EXTRA) * stride as usize..];

@@ -1,4 +1,4 @@
-//! Renders Gaussians without sorting them: from a scene, cameras and tiles to pixels, and back to gradients.
+//! Renders Gaussians without sorting them: from a scene, cameras and tiles to pixels, and from dL/dY to gradients.
 //!
 //! To render, you only need this crate, and [`organza_core`] for scenes, cameras and tiles. The compiled kernels are
 //! part of it. [`organza`](https://crates.io/crates/organza) exports all of it, and trains.
@@ -53,7 +53,7 @@ pub use stages::transmittance::Ray;
 use muslin_device::{Device, DeviceOptions, Modules};
 use organza_core::Result;
 
-/// The compiled kernels for GPUs, of which [`open_device`] makes a device.
+/// The compiled GPU kernels, which [`open_device`] passes to the device.
 pub static MODULES: Modules = muslin_device::modules!();
 
 /// Opens the device that `options` describe, with the kernels of this crate.

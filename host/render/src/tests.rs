@@ -1,4 +1,4 @@
-//! A part whose numbers stay on the device, beside one that the host knows all about. Smaller images, as training sees them, and exposures.
+//! Parts whose counts stay on the device against parts whose counts the host reads; smaller images, as in training; exposures.
 
 mod distortion;
 mod recording;
@@ -30,14 +30,14 @@ fn tiles() -> TileBatch {
 fn every(nth: usize) -> Scene {
     let mut scene = demo::scene();
     scene.config.step *= 4.0;
-    // few Gaussians, at their whole weight; `tests/cases/antialiased` has the others
+    // few Gaussians at full weight; `tests/cases/antialiased` tests compensated ones
     scene.config.antialiased = false;
     let indices: Vec<_> = (0..scene.gaussians.len()).step_by(nth).collect();
     scene.gaussians = scene.gaussians.select(&indices);
     scene
 }
 
-/// Some, with small hash grids: going back looks at every entry, for each part.
+/// Some Gaussians, with small hash grids: the backward pass visits every entry, for each part.
 fn some() -> Scene {
     let mut scene = every(24);
     let config = &mut scene.config;
@@ -200,7 +200,7 @@ fn a_smaller_image_has_the_blur_of_its_pixels() {
     }
 }
 
-/// Half the distance of two losses whose difference is taken.
+/// Step of the central differences.
 const STEP: f32 = 1e-2;
 /// w
 const WEIGHT: f32 = 0.5;
@@ -256,7 +256,7 @@ fn gradients_match_differences() {
         let (_, found, by_bias) = of_exposure(&renderer, &scene, &exposure);
         let slope = |of: &dyn Fn(f32) -> f64| (of(STEP) - of(-STEP)) / f64::from(2.0 * STEP);
         let largest = found.iter().fold(0.0_f64, |most, g| most.max(g.abs()));
-        // those of a tile of each camera
+        // the values of one tile per camera
         for at in (0..6).chain(12..18) {
             let expected = slope(&|step| {
                 let mut exposure = exposure.clone();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use image::ExtendedColorType;
 use image::codecs::jpeg::JpegEncoder;
-use organza::still_life::StillLife;
+use organza::still_life;
 use organza::{Camera, Error, Image, Renderer, Result, Scene, Tile, TileBatch, demo};
 use organza_core::write_atomic;
 use serde::Serialize;
@@ -248,7 +248,7 @@ fn write_photographs(args: &Args, console: Console) -> Result<()> {
     }
     let width = args.size.unwrap_or(WIDTH);
     let size = [width, width * 3 / 4];
-    let walk = StillLife::new(usize::from(args.views.unwrap_or(PHOTOGRAPHS)), size)?;
+    let mut cameras = still_life::cameras(args.views.unwrap_or(PHOTOGRAPHS).into(), size)?;
     let images = folder.join(IMAGES);
     let unfinished = folder.join("images.part");
     // A call that was stopped has left it.
@@ -256,16 +256,14 @@ fn write_photographs(args: &Args, console: Console) -> Result<()> {
         fs::remove_dir_all(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
     }
     fs::create_dir(&unfinished).map_err(|source| Error::write(&unfinished, source))?;
-    let mut cameras = Vec::new();
     let mut pictures = Vec::new();
     {
-        let progress = console.progress("ray tracing", walk.cameras().len(), "photographs");
-        for (index, camera) in walk.cameras().iter().enumerate() {
+        let progress = console.progress("ray tracing", cameras.len(), "photographs");
+        for (index, camera) in cameras.iter_mut().enumerate() {
             let name = format!("{index:05}.jpg");
-            write_jpeg(&walk.photograph(index)?, &unfinished.join(&name))?;
+            write_jpeg(&still_life::photograph(camera, index)?, &unfinished.join(&name))?;
             pictures.push(Picture::new(index, &images.join(&name), camera));
-            let file_path = Some(format!("{IMAGES}/{name}"));
-            cameras.push(Camera { file_path, ..camera.clone() });
+            camera.file_path = Some(format!("{IMAGES}/{name}"));
             progress.advance(1);
         }
     }

@@ -1,4 +1,4 @@
-//! The settings and the data that a checkpoint belongs to. A run resumes with exactly these, or not at all.
+//! The settings and the data of a checkpoint's run. A run resumes only with the same settings and data.
 
 use std::fs;
 use std::path::Path;
@@ -48,7 +48,7 @@ pub struct Change {
     pub to: Value,
 }
 
-/// The settings and the data of a checkpoint.
+/// The settings and the data of a checkpoint's run.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Binding {
     /// The settings, as in `config.toml`.
@@ -98,11 +98,11 @@ impl Binding {
         })
     }
 
-    /// Compares a run's settings with those of its checkpoint, which has done `step` steps. Returns the [allowed
-    /// changes](CHANGEABLE). Errors name `folder`.
+    /// Compares a run's settings with its checkpoint's, which is after `step` steps. Returns the [allowed changes](CHANGEABLE).
+    /// Errors name `folder`.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for the first setting that differs and must not. It names the setting.
+    /// [`Error::Invalid`] for the first setting that must not differ. It names the setting.
     pub fn check_settings(
         &self,
         config: &TrainConfig,
@@ -120,7 +120,7 @@ impl Binding {
         }
         let now_plan = &config.run.plan;
         let then_plan = &then.run.plan;
-        // the plan was made after the checkpoint, before the run was killed
+        // a plan that was made after the checkpoint, before the run was killed
         let continues = now_plan.len() > then_plan.len() && now_plan.starts_with(then_plan);
         let now = config.list();
         let then = then.list();
@@ -149,7 +149,7 @@ impl Binding {
         Ok(changes)
     }
 
-    /// What to say if another version of the program wrote the checkpoint.
+    /// A note if another version of the program wrote the checkpoint.
     #[must_use]
     pub fn other_version(&self) -> Option<String> {
         let then = &self.version;
@@ -160,10 +160,10 @@ impl Binding {
         })
     }
 
-    /// Compares a run's data with those of its checkpoint. Errors name `path`.
+    /// Compares a run's data with its checkpoint's. Errors name `path`.
     ///
     /// # Errors
-    /// [`Error::Invalid`], which says which part differs.
+    /// [`Error::Invalid`], with the part that differs.
     pub fn check_data(&self, data: &Fingerprint, path: &Path) -> Result<()> {
         match data.difference(&self.data) {
             None => Ok(()),
@@ -201,7 +201,7 @@ pub fn settings_of(folder: &Path) -> Result<TrainConfig> {
 /// Like [`settings_of`], but changes settings for a resume.
 ///
 /// # Errors
-/// The same errors as [`settings_of`], for the changed settings too; those of `change`.
+/// The same errors as [`settings_of`], also for the changed settings; any error of `change`.
 pub fn changed_settings_of(
     folder: &Path,
     change: impl FnOnce(TrainConfig) -> Result<TrainConfig>,

@@ -18,8 +18,8 @@ pub fn dataset(
     part(renderer, views, side, hold_out_every, &|_| true, &mut |_, _| {})
 }
 
-/// Like [`dataset`], but with only those views that `takes` takes: it is told whether a view is held out. `progress` is
-/// called with the number of finished views and of all.
+/// Like [`dataset`], but with only the views for which `takes` is true. Its argument is whether the view is held out.
+/// `progress` is called with the number of finished views and of all views.
 ///
 /// # Errors
 /// The same errors as [`dataset`].

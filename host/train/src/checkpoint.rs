@@ -1,4 +1,4 @@
-//! `checkpoint.safetensors`: a scene file that also holds what training needs to go on, and how far it has come.
+//! `checkpoint.safetensors`: a scene file that also holds the state of training and its progress.
 
 use std::collections::BTreeMap;
 use std::io::{BufReader, Cursor, Read, Seek};
@@ -17,13 +17,13 @@ use serde::{Deserialize, Serialize};
 
 /// Prefixes of the names of Adam's moments.
 const MOMENTS: [&str; 2] = ["adam.first.", "adam.second."];
-/// `[N, 4]`: what growth goes by, gathered since the last time.
+/// `[N, 4]`: the statistics for growth, added up since it last ran.
 const STATISTICS: &str = "train.statistics";
 /// Names of the tensors of exposures, after their prefixes.
 const EXPOSURE: &str = "exposure";
-/// Those of poses.
+/// The same for poses.
 const POSE: &str = "pose";
-/// Where training stands, to the bit.
+/// The complete state of training: a run that continues from it has the same bits.
 ///
 /// This continues a run's training from code:
 ///
@@ -51,12 +51,12 @@ pub struct Checkpoint {
     pub moments: [Scene; 2],
     /// `[N]`: see [`SceneGradient::statistics`](organza_render::SceneGradient).
     pub statistics: Vec<[f32; 4]>,
-    /// The exposures of the photographs, where the run learns them; none is as before the first step.
+    /// The exposures of the photographs, if the run learns them. `None` is the state before the first step.
     pub exposures: Option<PerPhotograph>,
-    /// How the cameras of the photographs have moved, where the run refines poses: rotation vectors and shifts, as
-    /// [`Camera::moved`](organza_core::Camera::moved) takes them.
+    /// The motions of the photographs' cameras, if the run refines poses: rotation vectors and shifts, as for
+    /// [`Camera::moved`](organza_core::Camera::moved).
     pub poses: Option<PerPhotograph>,
-    /// How far it has come.
+    /// The progress of training.
     pub progress: Progress,
 }
 
@@ -83,7 +83,7 @@ impl Checkpoint {
         })
     }
 
-    /// The tensors of a file beside those of the scene; `photographs` are those of [`Checkpoint::photograph_tensors`].
+    /// The tensors of a file beside the scene's. `photographs` is from [`Checkpoint::photograph_tensors`].
     fn beside_scene<'a>(
         &'a self,
         photographs: &'a [(String, Tensor)],
@@ -112,7 +112,7 @@ impl Checkpoint {
         Ok(metadata)
     }
 
-    /// Writes the file, beside and renamed. It is bound to a run's settings and data, if to any.
+    /// Writes the file, atomically. With a `binding`, the file records the run's settings and data.
     ///
     /// # Errors
     /// The same errors as [`Scene::save`]: [`Error::NotFinite`] where training has overflowed.
@@ -120,7 +120,7 @@ impl Checkpoint {
         self.with_encoding(binding, |tensors, metadata| write_tensors(path, tensors, metadata))
     }
 
-    /// [`Self::save`] to memory, bound to nothing.
+    /// [`Self::save`] to memory, without a binding.
     pub(crate) fn to_bytes(&self) -> Result<Vec<u8>> {
         self.with_encoding(None, tensors_to_bytes)
     }
@@ -189,9 +189,8 @@ impl Checkpoint {
         exposures.chain(self.poses.iter().flat_map(|found| found.tensors(POSE, &[6]))).collect()
     }
 
-    /// How the cameras of the frames that a run is trained on have moved, as
-    /// [`Camera::moved`](organza_core::Camera::moved) takes it: reads nothing else of a checkpoint's file. Empty where
-    /// poses were not refined.
+    /// Reads only the motions of the cameras that a run is trained on, as for
+    /// [`Camera::moved`](organza_core::Camera::moved), from a checkpoint's file. Empty if poses were not refined.
     ///
     /// # Errors
     /// The same errors as [`Checkpoint::load`], for the header and this tensor.
@@ -214,20 +213,20 @@ impl Checkpoint {
         Err(Error::Invalid { origin: path.to_owned(), reason })
     }
 
-    /// The exposures of all photographs: those of the checkpoint, or those before the first step.
+    /// The exposures of all photographs: the checkpoint's, or the state before the first step.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where they are those of another number.
+    /// [`Error::Invalid`] if the checkpoint has another number of photographs.
     pub(super) fn exposures_of(&self, photographs: usize) -> Result<PerPhotograph> {
         per_photograph_or_start(self.exposures.as_ref(), photographs, "exposures")
     }
 
-    /// The same of poses.
+    /// The poses of all photographs, like [`Self::exposures_of`].
     pub(super) fn poses_of(&self, photographs: usize) -> Result<PerPhotograph> {
         per_photograph_or_start(self.poses.as_ref(), photographs, "poses")
     }
 
-    /// Checks that training can have made the tensors beside the scene.
+    /// Checks that the tensors beside the scene are possible results of training.
     fn check(&self, origin: &Path) -> Result<()> {
         for (spec, values) in self.beside_scene(&self.photograph_tensors()) {
             let tensor = spec.name;
@@ -236,7 +235,7 @@ impl Checkpoint {
                 let value = values[index];
                 return Err(Error::NotFinite { origin, tensor, index, value });
             }
-            // means of squares, of which roots are taken
+            // means of squares: the optimizer takes their roots
             let is_square = tensor.starts_with(MOMENTS[1]);
             if let Some(index) = values.iter().position(|value| is_square && *value < 0.0) {
                 let value = values[index];
@@ -251,7 +250,7 @@ impl Checkpoint {
     }
 }
 
-/// The learned values of all photographs: those of the checkpoint, or those before the first step.
+/// The learned values of all photographs: the values that were found in the checkpoint, or the values before the first step.
 fn per_photograph_or_start(
     found: Option<&PerPhotograph>,
     photographs: usize,
@@ -272,7 +271,7 @@ fn per_photograph_or_start(
 /// The key of [`Progress`] in the metadata.
 pub const PROGRESS: &str = "train";
 
-/// How far training has come.
+/// The progress of training.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Progress {
     /// Steps that are done.
@@ -282,7 +281,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Reads that of a checkpoint, and nothing else of it.
+    /// Reads only the progress of a checkpoint.
     ///
     /// # Errors
     /// The same errors as [`Checkpoint::load`](crate::Checkpoint::load), for the header.

@@ -1,6 +1,6 @@
 //! Coarse to fine. For most of a run, steps see photographs at half their size, and T has longer steps. A tile then
-//! shows four times as much of the scene, and large structures find their place before small ones. 3D Gaussian
-//! Splatting (Kerbl et al. 2023) begins with smaller images, too.
+//! shows four times the area, so large structures converge before small ones. 3D Gaussian Splatting (Kerbl et al. 2023)
+//! begins with smaller images, too.
 
 use std::borrow::Cow;
 
@@ -18,8 +18,8 @@ const RAY_STEPS: u32 = 2;
 #[derive(Debug)]
 pub struct Batches {
     whole: Sampler,
-    /// Draws tiles of smaller photographs. `None` if some photograph would be less than a tile wide or high, or if no pixel
-    /// of them would be valid.
+    /// Draws tiles of smaller photographs. `None` if a smaller photograph is less than a tile wide or high, or if no pixel of
+    /// any is valid.
     smaller: Option<Sampler>,
 }
 
@@ -67,14 +67,14 @@ impl Batches {
         }
     }
 
-    /// Draws the tiles of a step that sees whole photographs, as rendering shows them.
+    /// Draws the tiles of a step that is not coarse.
     pub fn whole(&mut self, step: u32, frames: &[&Frame]) -> Drawn {
         Drawn { batch: self.whole.batch(step, frames), factor: 1, ray_steps: 1 }
     }
 }
 
 impl Drawn {
-    /// The cameras of the images that the tiles belong to, from those of the photographs.
+    /// The cameras of the images that the tiles belong to, given the photographs' cameras.
     #[must_use]
     pub fn cameras<'c>(&self, cameras: &'c [Camera]) -> Cow<'c, [Camera]> {
         match self.factor {

@@ -64,7 +64,7 @@ impl RunConfig {
 
     /// Sets the total number of steps of the run, from `step` on.
     pub(super) fn replan(&mut self, step: u32, steps: u32) {
-        // a run without a plan that goes on: what is done is a part of the new number
+        // a run without a plan that goes on: the steps that are done are a part of the new number
         if self.plan.is_empty() && step > 0 {
             self.plan.push([0, steps]);
         }
@@ -88,8 +88,8 @@ impl TrainConfig {
         leaves.into_iter().map(|(name, value)| (name, value.to_string())).collect()
     }
 
-    /// Sets the values that depend on the data set, so that the run's file records them: the background that
-    /// photographs are over, and whether exposures are learned.
+    /// Sets the values that depend on the data set, so that the run's file records them: the photographs' background, and
+    /// whether exposures are learned.
     pub fn resolve(&mut self, dataset: &Dataset) {
         if self.data.path.is_some() {
             self.data.background = Background::Color(dataset.background.map(|value| value as f32));

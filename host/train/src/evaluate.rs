@@ -1,8 +1,8 @@
 //! Compares a scene with photographs. Each is rendered whole and compared by PSNR and SSIM.
 //!
-//! The rendered f32 values are clamped to 0 to 1, as in a picture, but not rounded to 8 bits; NaN is black. Pixels
-//! that the photograph does not have, as after undistorting, are ignored: PSNR is over the other pixels, and SSIM
-//! over windows without any such pixel.
+//! The rendered f32 values are clamped to 0 to 1, as in a picture, but not rounded to 8 bits; NaN is black. Pixels that
+//! are not valid, as after undistorting, are ignored: PSNR is over the valid pixels, and SSIM over windows of valid
+//! pixels.
 
 #[cfg(test)]
 mod tests;
@@ -28,8 +28,8 @@ pub struct Score {
     pub psnr: Option<f64>,
     /// The structural similarity, at most 1. `None`, null in JSON, if no window of 11 x 11 pixels is valid.
     pub ssim: Option<f64>,
-    /// PSNR after fitting a gain and an offset for each channel. Each half of the image has the fit of the other
-    /// half. Only [`evaluate_with`] measures it, on request.
+    /// PSNR after fitting a gain and an offset for each channel, where each half of the image uses the other half's
+    /// fit. Only [`evaluate_with`] measures it, on request.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub psnr_fitted: Option<f64>,
 }
@@ -108,7 +108,7 @@ fn across(pixels: u32) -> usize {
 /// ```
 ///
 /// # Errors
-/// [`Error::Argument`] if a photograph does not have its camera's size; those of [`Renderer::render`].
+/// [`Error::Argument`] if a photograph does not have its camera's size; the same errors as [`Renderer::render`].
 pub fn evaluate(renderer: &Renderer, scene: &DeviceScene, frames: &[&Frame]) -> Result<Evaluation> {
     evaluate_with(renderer, scene, frames, false, &mut |_| {})
 }
@@ -334,7 +334,7 @@ pub fn compare_splats(
 }
 
 /// PSNR with a gain and an offset for each channel, fitted by least squares. The left and the right half of the image
-/// each have the fit of the other half, so no pixel takes part in its own fit. `None` if one half has no valid pixel.
+/// each use the other half's fit, so no pixel takes part in its own fit. `None` if one half has no valid pixel.
 fn psnr_fitted(
     [width, _]: [usize; 2],
     rendered: &[[f32; 3]],

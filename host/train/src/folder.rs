@@ -1,4 +1,4 @@
-//! The folder of a run, to which one training process writes at a time, and the check of a session that goes on in it.
+//! The folder of a run, which one process at a time writes to, and the checks of a session that continues in it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use crate::FolderLock;
 
 /// `checkpoint.safetensors`: the checkpoint.
 pub const CHECKPOINT: &str = "checkpoint.safetensors";
-/// `checkpoint.best.safetensors`: the checkpoint whose held-out views were rendered best.
+/// `checkpoint.best.safetensors`: the checkpoint with the best held-out views.
 pub const BEST: &str = "checkpoint.best.safetensors";
 /// `config.toml`: all settings.
 pub const CONFIG: &str = "config.toml";
@@ -30,7 +30,7 @@ pub const EVALUATIONS: &str = "evaluations.csv";
 /// Files that a run writes directly into its folder.
 const FILES: [&str; 7] = [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS];
 
-/// Whether a path in a run's folder is that of a file that the run writes.
+/// Whether the run writes the file of this path in its folder.
 #[must_use]
 pub fn is_run_file(path: &Path) -> bool {
     path.starts_with(PICTURES) || FILES.iter().any(|name| path == Path::new(name))
@@ -114,8 +114,8 @@ pub(super) struct OpenLog {
 }
 
 impl Session<'_> {
-    /// Compares the settings and the data with those of the checkpoint. Returns the settings that changed, in this
-    /// resume and in earlier ones.
+    /// Compares the settings and the data with the checkpoint's. Returns the settings that changed, in this resume and in
+    /// earlier ones.
     pub(super) fn check_binding(
         &self,
         path: &Path,
@@ -131,8 +131,8 @@ impl Session<'_> {
         }
         let Some(binding) = Binding::load(path)? else {
             watch(Event::Warning(
-                "the checkpoint does not say which settings and data it belongs to, as an older \
-                 program wrote it: those of the run's folder are taken as they are",
+                "an older program wrote the checkpoint, without its settings and data: the run's folder \
+                 gives them, unchecked",
             ))?;
             return Ok(Vec::new());
         };
@@ -144,7 +144,7 @@ impl Session<'_> {
         Ok([binding.changes(), &changed].concat())
     }
 
-    /// Opens the log. Writes the settings, and records those that `changed` in this resume.
+    /// Opens the log. Writes the settings, and records the ones that `changed` in this resume.
     pub(super) fn open_log(&self, resume: bool, step: u64, changed: &[&Change]) -> Result<OpenLog> {
         let path = self.folder.path().join(METRICS);
         if !resume {

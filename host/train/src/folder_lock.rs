@@ -19,7 +19,7 @@ pub struct FolderLock {
 }
 
 impl FolderLock {
-    /// Locks an existing folder, or returns a name of the process that has locked it.
+    /// Locks an existing folder, or returns the name of the process that has locked it.
     ///
     /// # Errors
     /// [`Error::WriteFile`] if the folder cannot be written to, or if something else is in the place of the lock file.
@@ -58,7 +58,7 @@ impl FolderLock {
 
 impl Drop for FolderLock {
     fn drop(&mut self) {
-        // Others that share the lock still need the file. The last one can have the lock for itself.
+        // Other processes that share the lock still need the file. Only the last one can lock it exclusively.
         if !matches!(self.file.try_lock(), Err(TryLockError::WouldBlock)) {
             // A program that has opened it meanwhile finds it removed, and tries again.
             let _ = fs::remove_file(&self.path);
@@ -81,7 +81,7 @@ fn lock(
         let mut file = open(path)?;
         match try_lock(&file) {
             Ok(()) => {}
-            // the last of those that share a lock has it for itself, for a moment at its end
+            // the last process of a shared lock takes it exclusively, for a moment at its end
             Err(TryLockError::WouldBlock) if patience > 0 => {
                 patience -= 1;
                 std::thread::sleep(Duration::from_millis(10));

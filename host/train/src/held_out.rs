@@ -3,7 +3,7 @@
 use crate::evaluate::ViewScore;
 use organza_data::{Dataset, Frame};
 
-/// The held-out frames that an evaluation measures: all of them, or those of an intermediate evaluation. `views` is
+/// The held-out frames that an evaluation measures: all, or the few of an intermediate evaluation. `views` is
 /// [`RunConfig::evaluate_views`](super::config::RunConfig::evaluate_views).
 pub(super) fn frames(dataset: &Dataset, views: u32, all: bool) -> Vec<&Frame> {
     let frames: Vec<_> = dataset.held_out_frames().collect();
@@ -18,7 +18,7 @@ pub(super) fn chosen(count: usize, views: u32) -> Vec<usize> {
 }
 
 /// The mean PSNR over the views that every evaluation of a run measures. It decides which checkpoint is the best.
-/// `count` is the number of held-out views. `scores` has all of them, or only those that were chosen.
+/// `count` is the number of held-out views. `scores` has all of them, or only the chosen ones.
 pub(super) fn comparable(scores: &[ViewScore], count: usize, views: u32) -> Option<f64> {
     let has_all = scores.len() == count;
     let places = if has_all { chosen(count, views) } else { (0..scores.len()).collect() };

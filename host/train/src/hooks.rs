@@ -1,4 +1,4 @@
-//! Functions of the caller's that a step calls: a loss, and a function between the gradient and the optimizer.
+//! Functions of the caller in a step: a loss, and a function between the gradient and the optimizer.
 
 use std::fmt;
 
@@ -69,8 +69,8 @@ pub struct StepGradient<'a> {
     pub step: u32,
     /// The scene at this step.
     pub scene: &'a DeviceScene,
-    /// The gradient of the batch's loss. Between the steps that train T (`optimizer.transmittance_every`), it has none of
-    /// T, whose tensors then stay as they are.
+    /// The gradient of the batch's loss. It has no gradient of T in steps that do not train T
+    /// (`optimizer.transmittance_every`).
     pub gradient: &'a SceneGradient,
 }
 
@@ -84,8 +84,8 @@ impl<'h> StepHooks<'h> {
     /// Sets a loss on the host: a function of the rendered tiles Y `[K, 3, S, S]` and of the photographs behind them.
     /// It returns the loss and `grad_tiles`, dL/dY.
     ///
-    /// It sees all tiles of a step at once, also those of other ranks. Where exposures are learned, tiles are as the
-    /// photographs' cameras would have exposed them.
+    /// It sees all tiles of a step at once, also other ranks' tiles. If exposures are learned, tiles have the exposure of
+    /// their photographs.
     #[must_use]
     pub fn loss(mut self, loss: impl FnMut(&LossBatch<'_>) -> Result<LossGradient> + 'h) -> Self {
         self.loss = Some(OwnLoss::Host(Box::new(loss)));

@@ -1,4 +1,4 @@
-//! Turns Gaussians of other programs into a scene, by training on their own images as a viewer that sorts shows them.
+//! Turns Gaussians of other programs into a scene: renders them as a sorting viewer does, and trains on these images.
 
 use std::ops::RangeInclusive;
 
@@ -19,7 +19,7 @@ pub struct Import {
     pub steps: u32,
     /// Longest side of an image to train on, in pixels.
     pub side: u32,
-    /// Background color, 0 to 1, which files do not have.
+    /// Background color, 0 to 1. Files have none.
     pub background: [f32; 3],
 }
 
@@ -40,19 +40,19 @@ impl Default for Import {
 pub struct Imported {
     /// The scene.
     pub scene: Scene,
-    /// Mean PSNR, in dB, of its images compared with those of the file, over views that training has not seen. `None`
-    /// without such views.
+    /// Mean PSNR, in dB, of its images against the file's, over views that training has not seen. `None` without such
+    /// views.
     pub psnr: Option<f64>,
     /// Part of the pixels of all views in which the file shows anything but the background.
     pub covered: f64,
 }
 
 /// Makes a scene with the same images as the Gaussians of a file. Training adapts the networks, and moves all values of the
-/// Gaussians a little. `progress` is called with the number of finished steps. An error of it ends the training.
+/// Gaussians a little. `progress` is called with the number of finished steps. Its error ends the training.
 ///
 /// # Errors
-/// The same errors as [`Trainer::start`]; [`Error::Invalid`](organza_core::Error::Invalid) if no camera sees a Gaussian; those of
-/// `progress`.
+/// The same errors as [`Trainer::start`]; [`Error::Invalid`](organza_core::Error::Invalid) if no camera sees a Gaussian; any error
+/// of `progress`.
 pub fn import(
     renderer: &Renderer,
     file: SplatFile,
@@ -99,7 +99,7 @@ pub fn import(
 fn config(gaussians: usize, steps: u32) -> TrainConfig {
     let mut config = TrainConfig::default();
     config.run.steps = steps;
-    // as viewers that sort show the file
+    // like in viewers that sort
     config.scene.antialiased = false;
     config.growth.end = 0.0;
     config.growth.max_gaussians = gaussians as u32;

@@ -19,7 +19,7 @@ use organza_core::{Error, Result, write_inside};
 /// Largest log, in bytes. No run logs as much; a larger file is not a log.
 const MAX_BYTES: u64 = 1 << 30;
 
-/// One line of `metrics.jsonl`: an object whose `kind` names the variant.
+/// One line of `metrics.jsonl`: an object. Its `kind` names the variant.
 ///
 /// A number that is NaN or infinite is null in the file. Reading it gives NaN or `None`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

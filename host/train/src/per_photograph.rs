@@ -18,8 +18,8 @@ pub const VALUES: usize = 6;
 
 /// Learned values of all training photographs, with Adam's state.
 ///
-/// A step only changes the photographs that it shows, and each counts its own steps. So Adam's moments of a
-/// photograph do not decay while others are shown.
+/// A step only changes the values of photographs in its batch, and each photograph counts its own steps. So a
+/// photograph's moments do not decay in other steps.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PerPhotograph {
     /// Learned values, `[photographs, 6]`.
@@ -184,7 +184,7 @@ impl Exposures {
     }
 }
 
-/// Computed in f64, whose exponential is the same in every program on one machine.
+/// Computed in f64: its exponential is the same in every program on one machine.
 fn gain(log: f32) -> f32 {
     f64::from(log).exp() as f32
 }

@@ -1,4 +1,4 @@
-//! Photographs on a GPU, so that the pixels of a step's tiles need not go there in every step.
+//! Photographs on a GPU, so that a step need not upload the pixels of its tiles.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use organza_data::{Frame, Photograph};
 use organza_render::Photographs;
 use organza_shaders::target::{TargetParams, TargetTile, TargetTilesKernel};
 
-/// The most bytes of photographs that stay on a GPU. The tiles of others go there in each step.
+/// The most bytes of photographs that stay on a GPU. Tiles of other photographs are uploaded in each step.
 const RESIDENT_BYTES: u64 = 1 << 30;
 /// Bytes of a page.
 const PAGE_BYTES: usize = 64 << 20;
@@ -21,12 +21,12 @@ pub struct ResidentPhotographs {
     level: Buffer<f32>,
     /// Photographs, one after the other: words as [`organza_shaders::target`] reads them.
     pages: Vec<Buffer<u32>>,
-    /// Of each photograph on a page, the page and its first word.
+    /// For each photograph on a page, the page and the photograph's first word.
     places: Vec<(usize, u32)>,
 }
 
 impl ResidentPhotographs {
-    /// Uploads photographs as long as there is room. `None` on a CPU, which has them already.
+    /// Uploads as many photographs as fit. `None` on a CPU, which has them already.
     ///
     /// # Errors
     /// [`DeviceError::DeviceLost`](organza_core::error::DeviceError::DeviceLost).
@@ -37,7 +37,7 @@ impl ResidentPhotographs {
         }
     }
 
-    /// On pages of so many bytes, unless one photograph has more.
+    /// Like [`Self::new`], with pages of `page_bytes`; a larger photograph has a page of its own.
     fn on_pages(device: &Device, frames: &[&Frame], page_bytes: usize) -> Result<Self> {
         let level: Vec<_> = (0..=u8::MAX).map(|level| f32::from(level) / 255.0).collect();
         let level = device.upload("levels of colors", &level)?;
@@ -156,7 +156,7 @@ impl Photographs for StepPhotographs<'_> {
     }
 }
 
-/// Adds the words of the `length` x `length` pixels of a photograph behind a tile; outside of the photograph, none is valid.
+/// Adds the words of the `length` x `length` pixels of a photograph behind a tile. Pixels outside of the photograph are not valid.
 fn square(photograph: &Photograph, tile: &Tile, factor: u32, length: u32, words: &mut Vec<u32>) {
     let [left, top] = tile.origin.map(|at| i64::from(at) * i64::from(factor));
     let [width, height] = [photograph.width(), photograph.height()].map(i64::from);

@@ -5,11 +5,11 @@ use super::held_out;
 
 /// Part of a step's time that grows with the number of Gaussians. Pixels, rays and fields take the rest.
 const PER_GAUSSIAN: f64 = 0.3;
-/// A new plan is made after every step whose number is a power of two, up to this one,
+/// A new plan is made after steps 1, 2, 4 and so on, up to this one,
 const FIRST_STEPS: u32 = 64;
 /// then after each of this many equal parts of the time,
 const PLANS: f64 = 20.0;
-/// until this part of the time is over. So the end does not move away from a run that is about to reach it.
+/// until this part of the time is over. So a run that is nearly done ends as planned.
 const LAST: f64 = 0.97;
 /// Least number of steps in a plan before anything is measured. Only the first step depends on it.
 const UNKNOWN: u32 = 1000;
@@ -108,7 +108,7 @@ impl Planner {
 mod tests {
     use super::*;
 
-    /// Simulates a run whose steps take `cost(fraction, gaussians)` seconds. Returns its seconds and its settings.
+    /// Simulates a run. A step takes `cost(fraction, gaussians)` seconds. Returns the run's seconds and its settings.
     fn run(seconds: f64, cost: impl Fn(f64, f64) -> f64) -> (f64, TrainConfig) {
         let mut config = TrainConfig::default();
         config.run.evaluate_views = 5;

@@ -10,18 +10,18 @@ use organza_data::{Frame, Point};
 
 const SHUFFLE: u64 = 6;
 
-/// Points that are nearer than this part of their mean distance are in one place.
+/// Points that are nearer than this part of their mean distance count as one place.
 const SAME: f64 = 0.01;
 /// Fewer places do not show a scene.
 const LEAST_PLACES: usize = 8;
-/// Part of the points that photographs must show, where colors tell nothing.
+/// Part of the points that photographs must show, if colors prove nothing.
 const LEAST_SEEN: f64 = 0.1;
-/// Number of points whose colors must be compared.
+/// Least number of points with compared colors.
 const LEAST_COLORS: usize = 30;
-/// Largest difference from the photographs' colors, relative to that of points with each other's colors. It is below 0.4 for the
-/// points of COLMAP, and near 1 in the wrong place.
+/// Largest difference from the photographs' colors, relative to the difference with shuffled colors. It is below 0.4 for
+/// COLMAP's points, and near 1 for points in wrong places.
 const LARGEST_DIFFERENCE: f64 = 0.65;
-/// Least mean difference of the points' colors from each other, in levels of 255.
+/// Least mean difference between the points' colors, in levels of 255.
 const LEAST_SPREAD: f64 = 4.0;
 /// Most points and photographs that are compared.
 const MOST_POINTS: usize = 4000;
@@ -33,7 +33,7 @@ pub(super) fn resolution(target: &Target, count: usize) -> f64 {
     SAME * target.radius / (count.max(1) as f64).sqrt()
 }
 
-/// The first of each place: points without those that repeat another one.
+/// The first point of each place: leaves out points that repeat another one.
 pub(super) fn distinct<T: Copy>(
     points: &[T],
     place: impl Fn(&T) -> [f64; 3],
@@ -84,15 +84,15 @@ pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> O
     (!is_seen).then(|| format!("the photographs show only {share:.0}% of its {all} points"))
 }
 
-/// The color where a photograph shows a point, or what is in front of it.
+/// The photograph's color at the projection of a point. It may show something in front of the point.
 fn shown(point: &Point, frame: &Frame) -> Option<[f32; 3]> {
     let [x, y, _] = frame.camera.project(point.position)?;
     let [x, y] = [x as u32, y as u32];
     frame.image.is_valid(x, y).then(|| frame.image.color(x, y))
 }
 
-/// The difference of a color from the photographs', in levels of 255. It is that of the best quarter: in the others,
-/// something may be in front.
+/// The difference of a color from the best quarter of the photographs, in levels of 255: in the others, something may be
+/// in front.
 fn difference(color: [u8; 3], shown: &[[f32; 3]]) -> f64 {
     let mean = |shown: &[f32; 3]| {
         let pairs = color.iter().zip(shown);

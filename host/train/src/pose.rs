@@ -167,7 +167,7 @@ mod tests {
             let mean = mean(&|at| motions[at][part][axis]);
             assert!(mean.abs() < 1e-7, "{part}, {axis}: {mean}");
         }
-        // each camera's own motion remains: relative to other cameras, only the common motion was removed
+        // only the common motion was removed, so each camera still moves relative to the others
         let common: Vec<_> =
             before.iter().zip(poses.cameras()).map(|(a, b)| motion(a, &b)[0]).collect();
         assert!(common.iter().all(|turn| turn.abs_diff_eq(common[0], 1e-5)), "{common:?}");
@@ -206,7 +206,7 @@ mod tests {
         assert!(most < 1e-9, "{most}");
     }
 
-    /// Adam's first step has the size of its rate. For values that are not 0, the gradient must be that of the loss.
+    /// Adam's first step has the size of its rate. For values that are not 0, the gradient must match the loss.
     #[test]
     fn gradients_match_differences() {
         let mut poses = poses();

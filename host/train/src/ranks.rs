@@ -1,4 +1,4 @@
-//! A run that ranks share: rank 0 leads it, reads and writes its files, and sends the others what comes next.
+//! A run that ranks share: rank 0 leads it, reads and writes its files, and sends the next action to the others.
 
 use std::sync::Arc;
 
@@ -19,9 +19,9 @@ use organza_render::Renderer;
 pub(super) enum Order {
     /// A step, and the number of steps of the run.
     Step(u32),
-    /// Each rank measures one held-out view, from `first` on: of all views, or of those of intermediate evaluations.
+    /// Each rank measures one held-out view, from `first` on, of all views or of an intermediate evaluation's views.
     Evaluate { first: usize, all: bool },
-    /// Nothing more.
+    /// The end of the run.
     End,
 }
 
@@ -55,7 +55,7 @@ fn check_photographs(
     )
 }
 
-/// Makes sure that all ranks have the same hooks, as far as it can be seen.
+/// Makes sure that all ranks have hooks of the same kinds.
 fn check_hooks(ranks: &dyn Ranks, hooks: &StepHooks<'_>) -> Result<()> {
     let mine = format!("{hooks:?}").into_bytes();
     match ranks.gather(mine.clone())?.iter().all(|other| *other == mine) {
@@ -82,13 +82,12 @@ pub(super) fn lead(
     ranks.broadcast(checkpoint.to_bytes()?).map(drop)
 }
 
-/// Takes part in the run of a [`Session`](super::Session) of rank 0 that has these ranks, to its end. The photographs
-/// must be those of the session, and every step calls `hooks`, which must do the same as the session's; its settings and its
-/// scene come from there. `mixed` is that of the session.
+/// Takes part in the run of rank 0's [`Session`](super::Session), to its end. The session sends its settings and its scene.
+/// The photographs, `mixed` and `hooks` must be the same as the session's. Every step calls `hooks`.
 ///
 /// # Errors
 /// The same errors as [`Session::run`](super::Session::run); [`Error::Rank`](organza_core::Error::Rank) where another
-/// rank has failed. The caller then [tells](Ranks::fail) the others.
+/// rank has failed. The caller must [report](Ranks::fail) an error to the others.
 pub fn follow(
     renderer: &Renderer,
     dataset: &Arc<Dataset>,
@@ -123,14 +122,14 @@ pub fn follow(
     }
 }
 
-/// What a trainer does together with the others.
+/// The work of a trainer together with other ranks.
 impl Trainer {
     /// The cameras of the frames to train on, if their poses are refined.
     pub(super) fn refined_cameras(&self) -> Option<&[Camera]> {
         self.config.poses.refine.then(|| self.cameras())
     }
 
-    /// What evaluations measure. Where exposures are learned, the scene does not have those of held-out photographs.
+    /// Whether evaluations also fit colors: if exposures are learned, held-out photographs have no learned exposure.
     pub(super) fn fits_colors(&self) -> bool {
         self.exposures.is_some()
     }
@@ -140,7 +139,7 @@ impl Trainer {
         self.ranks.as_ref().map_or(1, |ranks| ranks.size())
     }
 
-    /// Measures as many views from `first` on as can be at once, together with all ranks; rank 0 has them all.
+    /// Measures one view per rank, from `first` on. Rank 0 returns all of them.
     pub(super) fn measure(
         &self,
         frames: &[&Frame],
@@ -159,7 +158,7 @@ impl Trainer {
     }
 }
 
-/// Joins what ranks have measured, each at most one of these frames in their order; rank 0 has them all.
+/// Gathers the measurements of all ranks on rank 0. Rank i may have measured frame i.
 pub(super) fn gather_views(
     ranks: &dyn Ranks,
     mine: Option<(Evaluation, Image)>,
@@ -172,10 +171,10 @@ pub(super) fn gather_views(
     Ok(views.map(|(bytes, frame)| decode(bytes, frame)).collect())
 }
 
-/// Numbers of 64 bits before an encoded image.
+/// Words of 64 bits before the pixels.
 const WORDS: usize = 7;
 
-/// Pixels that are not finite, PSNR, SSIM and the fitted PSNR, the image. JSON would lose an infinite PSNR.
+/// Encodes the number of pixels that are not finite, PSNR, SSIM, the fitted PSNR, and the image. JSON would lose an infinite PSNR.
 fn encode(found: &Evaluation, image: &Image) -> Vec<u8> {
     let Score { psnr, ssim, psnr_fitted, .. } = found.mean;
     let score = |score: Option<f64>| [u64::from(score.is_some()), score.unwrap_or(0.0).to_bits()];

@@ -12,7 +12,7 @@ const PLACE_BYTES: u64 = 80;
 const PIXEL_BYTES: u64 = 4 * 4;
 /// Bytes per pixel of the part of a step that is rendered at once: its color, the loss and the gradients.
 const PART_PIXEL_BYTES: u64 = 256;
-/// The most bytes that a run must have for them. With less memory, parts are smaller, down to one tile.
+/// The most bytes that a run must have for such pixels. With less memory, parts are smaller, down to one tile.
 const MOST_PIXEL_BYTES: u64 = 2 << 30;
 
 impl TrainConfig {
@@ -59,7 +59,7 @@ fn built_in_bytes(config: &TrainConfig) -> u64 {
     3 * u64::from(config.data.built_in_views) * u64::from(config.data.built_in_side).pow(2)
 }
 
-/// Settings that were made in code are held to what files are held to.
+/// Checks settings that were made in code like settings from a file.
 pub(super) fn check(config: &TrainConfig, dataset: &Dataset) -> Result<()> {
     config.validate()?;
     if dataset.train.is_empty() {

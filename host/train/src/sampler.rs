@@ -45,8 +45,8 @@ fn cells(length: u32, side: u32) -> u32 {
 }
 
 impl Sampler {
-    /// A sampler for photographs, seen `factor` times smaller. A tile's camera is the index of its photograph. `None` if no
-    /// pixel is valid.
+    /// A sampler for photographs, `factor` times smaller. A tile's camera is the index of its photograph. `None` if no pixel is
+    /// valid.
     ///
     /// # Errors
     /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
@@ -75,7 +75,7 @@ impl Sampler {
         Ok(memory::check(bytes, what)?)
     }
 
-    /// The tiles of a step. `frames` are those of [`Self::new`].
+    /// The tiles of a step. `frames` are the same as for [`Self::new`].
     pub fn batch(&mut self, step: u32, frames: &[&Frame]) -> TileBatch {
         let first = u64::from(step) * self.groups_per_step as u64;
         let places = first..first + self.groups_per_step as u64;
@@ -83,8 +83,8 @@ impl Sampler {
         TileBatch { side: self.side, tiles }
     }
 
-    /// The group at a position in the sequence of all epochs. An epoch's number of groups depends on the shifts of its grids,
-    /// so a later epoch's place follows from those before it.
+    /// The group at a position in the sequence of all epochs. An epoch's number of groups depends on the shifts of its grids.
+    /// So an epoch's first position follows from all earlier epochs.
     fn group(&mut self, at: u64, frames: &[&Frame]) -> Vec<Tile> {
         let mut epoch = match self.epoch.take() {
             Some(epoch) if epoch.first <= at => epoch,
@@ -140,7 +140,7 @@ fn sides(photograph: &Photograph, factor: u32) -> [u32; 2] {
     [photograph.width() / factor, photograph.height() / factor]
 }
 
-/// The columns and the rows of an image, `factor` times smaller than a photograph, that lie in these ranges.
+/// Clamps ranges of columns and rows to an image that is `factor` times smaller than a photograph.
 fn within(photograph: &Photograph, factor: u32, ranges: [[i32; 2]; 2]) -> [Range<u32>; 2] {
     let sides = sides(photograph, factor);
     std::array::from_fn(|axis| {
@@ -149,7 +149,7 @@ fn within(photograph: &Photograph, factor: u32, ranges: [[i32; 2]; 2]) -> [Range
     })
 }
 
-/// Whether a pixel of an image, `factor` times smaller than a photograph, is valid: if all that it is the mean of are.
+/// Whether a pixel of an image, `factor` times smaller than a photograph, is valid: all pixels of its square must be.
 fn is_valid(photograph: &Photograph, factor: u32, x: u32, y: u32) -> bool {
     let square = |at: u32| at * factor..(at + 1) * factor;
     square(y).all(|row| square(x).all(|column| photograph.is_valid(column, row)))
@@ -311,7 +311,7 @@ mod tests {
     #[test]
     fn every_valid_pixel_comes_once_an_epoch_and_no_tile_is_without_one() {
         let all = photographs(&SIZES, |_, _, _| true);
-        // of the second image, a corner; of the third, nothing
+        // the first image, a corner of the second, nothing of the third
         let part = photographs(&SIZES, |at, x, y| at == 0 || (at == 1 && x >= 9 && y < 2));
         for (frames, factor, pixels) in [
             (&all, 1, 7 * 5 + 16 * 9 + 3 * 3),
@@ -344,7 +344,7 @@ mod tests {
         let tiles = vec![Tile { camera: 0, origin: [-1, 0] }];
         let batch = TileBatch { side: 3, tiles };
         let target = Target::new(&batch, 2, &[&frame]).expect("a target");
-        // pixels of the image are 0 1 / 2 3; those of square 1 are 2, 3, 7 and 8
+        // pixels of the image are 0 1 / 2 3; pixel 1 is the mean of 2, 3, 7 and 8
         assert_eq!(target.valid, [0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
         assert_eq!(valid_pixels(&batch, 2, &[&frame]), 3);
         let red = [(1, [0, 1, 5, 6]), (4, [10, 11, 15, 16]), (5, [12, 13, 17, 18])];

@@ -18,10 +18,10 @@ const MOST_CAMERAS: usize = 200;
 
 /// The scene's box: the points that cameras see, without the few that are far away.
 ///
-/// Each camera that sees a point adds to the point's weight. It adds less for a farther point, because a photograph
-/// then shows less of it. On each axis, the box leaves out the same small part of the weight at both ends. The box
-/// contains the object in which the optical axes meet. Without points it is the box of this object. If the axes do
-/// not meet either, it is the box of `places`, the positions of the first Gaussians.
+/// Each camera that sees a point adds to the point's weight, and less for a farther point, which looks smaller in its
+/// photograph. On each axis, the box leaves out the same small part of the weight at both ends. The box contains the
+/// object in which the optical axes meet. Without points it is the box of this object. If the axes do not meet either,
+/// it is the box of `places`, the positions of the first Gaussians.
 pub(super) fn scene_box(
     cameras: &[Camera],
     target: &Target,
@@ -45,7 +45,7 @@ pub(super) fn scene_box(
     [(middle - half).to_array(), (middle + half).to_array()]
 }
 
-/// The box of the points that cameras see, of which there must be at least one.
+/// The box of the points that cameras see. At least one point must be visible.
 fn seen(
     cameras: &[Camera],
     target: &Target,

@@ -25,7 +25,7 @@ use organza_splats::{self as splats, Splat};
 const PLACES: u64 = 2;
 const FIELDS: u64 = 3;
 
-/// Part of the Gaussians that is spread along rays, behind the cameras' target. The others fill a ball.
+/// Part of the Gaussians that are spread along rays, behind the cameras' target. The others fill a ball.
 const BEHIND: f64 = 0.25;
 /// Last bias of the transmittance network: a large logit, because space is empty at first.
 const TRANSMITTANCE_BIAS: f32 = 5.0;
@@ -34,7 +34,7 @@ const TRANSMITTANCE_BIAS: f32 = 5.0;
 /// to start from do not fit.
 ///
 /// # Errors
-/// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; those of [`start`] and [`start_from`].
+/// [`Error::Invalid`] if a setting is out of range or no frame is left to train on; the same errors as [`start`] and [`start_from`].
 pub(super) fn first_scene(
     config: &TrainConfig,
     dataset: &Dataset,
@@ -99,8 +99,8 @@ pub fn start(
 /// with the mean color over all directions.
 ///
 /// # Errors
-/// The same errors as [`splats::load`]; [`Error::Invalid`] if there are more Gaussians than a run may have, or if no camera sees
-/// them; those of [`Scene::zeros`].
+/// The same errors as [`splats::load`] and [`Scene::zeros`]; [`Error::Invalid`] if there are more Gaussians than a run may have,
+/// or if no camera sees them.
 pub fn start_from(
     path: &Path,
     config: &TrainConfig,
@@ -155,9 +155,9 @@ pub fn from_splats(
     Ok(scene)
 }
 
-/// Points to start from: those of the data set, or else points found in its photographs.
+/// Points to start from: the data set's, or else points found in its photographs.
 ///
-/// A ray without a match in another photograph gives no point. Random places that cameras see replace these.
+/// A ray without a match in another photograph gives no point. Random places that cameras see replace missing points.
 ///
 /// # Errors
 /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
@@ -235,8 +235,8 @@ fn choose(
     chosen.into_iter().map(|i| (DVec3::from(points[i].position), points[i].color)).unzip()
 }
 
-/// Root mean square distance of each place to its three nearest neighbors.
-/// Nearer ones than the `resolution` are the same place. `alone` is for a place without neighbors.
+/// Root mean square distance of each place to its three nearest neighbors. Neighbors nearer than the `resolution` are the
+/// same place. A place without neighbors gets `alone`.
 fn spacing(places: &[DVec3], resolution: f64, alone: f64) -> Vec<f64> {
     let entries: Vec<_> = places.iter().map(DVec3::to_array).collect();
     let tree = ImmutableKdTree::new_from_slice(&distinct(&entries, |place| *place, resolution));
@@ -353,7 +353,7 @@ mod tests {
         scene.validate().unwrap();
     }
 
-    /// The size of a Gaussian is the distance to its neighbors, however often its place is there.
+    /// The size of a Gaussian is the distance to its neighbors, even if its place is repeated.
     #[test]
     fn repeated_places_have_the_size_of_the_space_between_places() {
         let grid = |by: f64| {

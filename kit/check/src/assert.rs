@@ -10,9 +10,9 @@ use super::{devices, measure::Measure, report};
 use crate::{Case, Report, Rounding, Row};
 
 /// Checks each kernel with its case on every device of this machine: the CPU with each instruction set and with denormals
-/// [flushed](devices::flushing), the CPUs that [check](devices::checked) for mistakes, and the GPU, passed through and through naga,
-/// with its variants. Each result is compared with the CPU's and with the equations; where the CPU only checks more, it is the
-/// same. Every kernel of the cases' packages must have a case, and the equations give most of what it writes: see
+/// [flushed](devices::flushing), the CPUs that [check](devices::checked) for mistakes, and the GPU with its variants, each with
+/// SPIR-V as it is and through naga. Each result is compared with the CPU's and with the equations. Every kernel of the cases'
+/// packages must have a case, and the equations must know most values that it writes: see
 /// [`Parity::COMPARED`](super::Parity::COMPARED).
 ///
 /// It prints a table for each device, which `cargo xtask parity` shows.
@@ -28,7 +28,7 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     }
     let cpu = devices::cpu(None);
     let mut failures = Vec::new();
-    // they say what is wrong, where others have wrong values
+    // first, as they name the mistake, where other devices only have wrong values
     checked(cases, &cpu, &mut failures);
     let flushing = [("cpu, flushing", devices::flushing())];
     let plain = devices::cpus().into_iter().chain(flushing).chain(devices::gpus(modules));
@@ -67,12 +67,12 @@ pub fn assert_parity(cases: &[Case], modules: &'static Modules) {
     assert!(lines.is_empty(), "{}", lines.join("\n"));
 }
 
-/// What one or several devices say of a kernel.
+/// A failure of a kernel on one or several devices.
 struct Failure {
     kernel: &'static str,
     devices: Vec<String>,
     what: String,
-    /// The command of a debugger.
+    /// The debugger's command.
     command: Option<String>,
 }
 
@@ -83,7 +83,7 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Adds a failure, or a device to what others have said. Returns it if it is new.
+/// Adds a failure, or adds the device to the same failure of others. Returns it if it is new.
 fn add<'a>(
     failures: &'a mut Vec<Failure>,
     kernel: &'static str,
@@ -112,7 +112,7 @@ fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<Failure>) {
     for (name, device) in &checked {
         let is_variant = name.contains("variants");
         for case in cases.iter().filter(|case| is_new(case, device, name)) {
-            // the exponential of a variant is not that of lanes
+            // a variant and the lanes of a CPU have different exponentials
             let reference = if is_variant { cpu } else { &scalar };
             let result = case.measure(reference, device, Rounding::AsWritten);
             add_failure(failures, case, device, [name, "the CPU"], &result);
@@ -125,12 +125,12 @@ fn checked(cases: &[Case], cpu: &Device, failures: &mut Vec<Failure>) {
     }
 }
 
-/// Whether a device runs something for a case that others do not: devices of variants are for these alone.
+/// Whether a device runs anything new for a case: a device with variants only runs kernels that have one.
 fn is_new(case: &Case, device: &Device, name: &str) -> bool {
     !name.contains("variants") || case.entry_point(device) != case.kernel
 }
 
-/// Adds what is wrong with a result. A kernel's first wrong value has the command of a debugger.
+/// Adds a result's failures. A kernel's first wrong value comes with the debugger's command.
 fn add_failure(
     failures: &mut Vec<Failure>,
     case: &Case,
@@ -158,7 +158,7 @@ fn add_failure(
     }
 }
 
-/// Outputs of which the equations give too few values.
+/// Outputs with too few values from the equations.
 fn uncompared(case: &Case, measure: &Measure) -> Vec<String> {
     let mut failures = Vec::new();
     if measure.values == 0 {
@@ -174,7 +174,7 @@ fn uncompared(case: &Case, measure: &Measure) -> Vec<String> {
     failures
 }
 
-/// Lists the kernels without a case, in packages with at least one case, and says what to do.
+/// A message for each kernel without a case, in packages with at least one case.
 #[must_use]
 pub fn missing(cases: &[Case]) -> Vec<String> {
     let has_case = |kernel: &&KernelInfo| cases.iter().any(|case| case.kernel == kernel.name);

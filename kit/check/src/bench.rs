@@ -1,4 +1,4 @@
-//! How long kernels take, beside what a device could compute and read.
+//! The time of kernels, compared with the device's peak rates of arithmetic and memory.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -171,8 +171,8 @@ pub fn seconds(seconds: f64) -> String {
     format!("{seconds:.6}")
 }
 
-/// Runs a pass on the CPU and on each GPU, and prints what each of its kernels takes, beside the device's peaks. For a test that
-/// `cargo xtask bench` runs: an ignored one, named `bench`. The passes should keep the device busy.
+/// Runs a pass on the CPU and on each GPU, and prints the time of each of its kernels, beside the device's peaks. Call it in an
+/// ignored test with the name `bench`: `cargo xtask bench` runs it. The passes should keep the device busy.
 ///
 /// # Panics
 /// If a pass fails.
@@ -200,7 +200,7 @@ pub struct Peaks {
     pub gbs: f64,
 }
 
-/// Number of dispatches, of which the fastest counts.
+/// Number of dispatches. The fastest counts.
 const RUNS: usize = 12;
 /// Target time of a dispatch, in seconds: long compared with the cost of starting it.
 const SECONDS: f64 = 0.01;

@@ -173,7 +173,7 @@ fn is_canary(found: f64, is_float: bool) -> bool {
 pub trait Parity: Deref<Target: Inputs> + Sized + 'static {
     /// Name of the kernel.
     const KERNEL: &'static str = <Self::Target as Inputs>::KERNEL;
-    /// The part of each output's written elements of which [`Parity::exact`] must know the value, over all sets.
+    /// The least part of each output's written elements, over all sets, for which [`Parity::exact`] must know the value.
     ///
     /// If a case lowers it, a comment says why.
     const COMPARED: f64 = 0.9;
@@ -181,7 +181,7 @@ pub trait Parity: Deref<Target: Inputs> + Sized + 'static {
     /// The sets of inputs, each with a name.
     fn sets() -> Vec<(String, Self)>;
 
-    /// Runs the kernel over what it declares. A case may change outputs here, so that the equation has them, too.
+    /// Runs the kernel. A case may change outputs here, to the form that its equation has.
     ///
     /// # Errors
     /// Any error of the device.
@@ -189,8 +189,8 @@ pub trait Parity: Deref<Target: Inputs> + Sized + 'static {
         runner.run(&self.kernel())
     }
 
-    /// The equation, for an element of an output: its value, and how far a device may be off. `None` for what the kernel does
-    /// not write, and [`Rounded::UNKNOWN`] where rounding decides about it. Integers must be equal.
+    /// The equation, for an element of an output: its value, and the error allowed. `None` for an element that the kernel does
+    /// not write, and [`Rounded::UNKNOWN`] where rounding decides the value. Integers must be equal.
     fn exact_at(&self, output: &str, index: usize) -> Option<Rounded> {
         let _ = (output, index);
         None
@@ -202,17 +202,16 @@ pub trait Parity: Deref<Target: Inputs> + Sized + 'static {
         (0..len).map(|index| self.exact_at(output, index)).collect()
     }
 
-    /// Like [`exact`](Self::exact), for drivers that regroup operations. Only kernels with numbers of two f32 need it: the
-    /// second gets lost there.
+    /// Like [`exact`](Self::exact), for drivers that regroup operations. Only kernels with numbers of two f32 need it: such
+    /// drivers lose the second f32.
     fn exact_regrouped(&self, output: &str, len: usize) -> Vec<Option<Rounded>> {
         self.exact(output, len)
     }
 }
 
-/// Declares and registers a case whose inputs are those of its kernel: `case!(pub Square(SquareInputs))` is a struct around them.
+/// Declares and registers a case: `case!(pub Square(SquareInputs))` is a struct around the inputs of its kernel.
 ///
-/// What the inputs are made of may lie beside them: `case!(pub Normals(NormalsInputs) { scene: Scene })` has the fields `inputs` and
-/// `scene`.
+/// A case may keep more values: `case!(pub Normals(NormalsInputs) { scene: Scene })` has the fields `inputs` and `scene`.
 #[macro_export]
 macro_rules! case {
     ($visibility:vis $case:ident($inputs:ty)) => {

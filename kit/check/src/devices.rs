@@ -6,11 +6,11 @@ use std::sync::Mutex;
 
 use muslin_device::{Device, DeviceOptions, Error, InstructionSet, Modules, SpirvPath};
 
-/// The ways in which SPIR-V reaches a GPU, by name.
+/// The paths of SPIR-V to a GPU, by name.
 const GPUS: [(&str, SpirvPath); 2] =
     [("gpu passthrough", SpirvPath::Passthrough), ("gpu naga", SpirvPath::Naga)];
 
-/// All devices to run a kernel on: `cpu`, and those of [`gpus`].
+/// All devices to run a kernel on: `cpu`, and the ones of [`gpus`].
 ///
 /// # Panics
 /// If [`gpus`] panics.
@@ -19,7 +19,7 @@ pub fn all(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     std::iter::once(("cpu", cpu(None))).chain(gpus(modules)).collect()
 }
 
-/// The GPU, passed through and through naga; empty without a GPU.
+/// The GPU twice: with SPIR-V as it is, and through naga. Empty without a GPU.
 ///
 /// Without a GPU the tests run only on the CPU, and say so. `MUSLIN_REQUIRE_GPU=1` makes that a failure.
 ///
@@ -47,8 +47,7 @@ pub fn gpus(modules: &'static Modules) -> Vec<(&'static str, Device)> {
     devices
 }
 
-/// The GPU with plain kernels and the same GPU with its variants, passed through and through naga; empty without a
-/// GPU.
+/// The GPU with plain kernels and with its variants, each with SPIR-V as it is and through naga. Empty without a GPU.
 ///
 /// # Panics
 /// If [`gpus`] panics.
@@ -63,7 +62,7 @@ pub fn variants(modules: &'static Modules) -> Vec<(&'static str, [Device; 2])> {
     gpus.filter_map(|(name, _)| Some((name, pair(path_of(name)?)))).collect()
 }
 
-/// The way in which SPIR-V reaches a device of [`gpus`].
+/// The path of SPIR-V to a device of [`gpus`].
 fn path_of(name: &str) -> Option<SpirvPath> {
     GPUS.into_iter().find(|gpu| gpu.0 == name).map(|gpu| gpu.1)
 }

@@ -10,7 +10,7 @@ use crate::number::Rounded;
 /// One output of a kernel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output {
-    /// Name, usually that of the binding.
+    /// Name, usually the binding's.
     pub name: &'static str,
     /// Values of the output.
     pub values: Values,
@@ -98,7 +98,7 @@ pub struct Worst {
 /// The largest differences of a kernel on a device.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Measure {
-    /// Largest absolute difference, among elements whose terms are below 1e9: next to 1e30 it means nothing.
+    /// Largest absolute difference, among elements with terms below 1e9: for terms of 1e30 it would mean nothing.
     pub absolute: Worst,
     /// Largest difference relative to the CPU's value. Flushed denormals are left out, and so are results of a
     /// cancellation: less than a thousandth of its terms.
@@ -142,7 +142,7 @@ impl Measure {
             let difference = nan_is_infinite((cpu_value - value).abs());
             let Rounded { error, terms, .. } =
                 if is_exact { Rounded::exact(cpu_value) } else { allowed(index) };
-            // an equation may have a number beyond those of f32
+            // an equation's number may be too large for an f32
             let is_beyond = cpu_value.is_finite() && cpu_value.abs() > f64::from(f32::MAX);
             if (error.is_infinite() || is_beyond && error > 0.0) && !value.is_nan() {
                 continue;

@@ -1,4 +1,4 @@
-//! The numbers of equations: f64, a [`Rounded`] that knows how far a kernel may be off, and a [`Dual`] with a derivative.
+//! The numbers of equations: f64, a [`Rounded`] with the error allowed to a kernel, and a [`Dual`] with a derivative.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -28,7 +28,7 @@ pub trait Number:
     fn log_sigmoid(self) -> Self;
     /// The least integer that is not below the number.
     fn ceil(self) -> Self;
-    /// `yes` where the number is above a limit, else `no`. Where rounding may decide, all that lies between them is allowed.
+    /// `yes` if the number is above a limit, else `no`. If rounding decides, any value between the two is allowed.
     fn above(self, limit: f64, yes: Self, no: Self) -> Self;
 
     /// A number that lies in a range, whatever rounding does.
@@ -91,7 +91,7 @@ impl Number for f64 {
 /// Half a unit in the last place of 1: the error of an f32 that is rounded to the nearest.
 const UNIT: f64 = 1.0 / 16_777_216.0;
 
-/// Roundings of an addition or a product. A kernel may compute the same in another way, with two more.
+/// Roundings of an addition or a product: one, and two more for a kernel that computes the same in another way.
 const ARITHMETIC: f64 = 3.0;
 
 /// Roundings of a division or a square root: 3 ulp.
@@ -102,10 +102,10 @@ fn exp_roundings(x: f64) -> f64 {
     2.0 * (3.0 + 2.0 * x.abs().min(200.0))
 }
 
-/// A number in f64, and how far an f32 may be off that a kernel computes in the same way.
+/// A number in f64, and the error of an f32 that a kernel computes in the same way.
 ///
-/// Each operation adds its own rounding, that of a sum relative to the sizes of all its terms: so drivers may regroup them, and sums
-/// may have any order. A denormal may count as 0.
+/// Each operation adds its own rounding error. A sum's error is relative to the sizes of all its terms, so drivers may regroup
+/// them, in any order. A denormal may count as 0.
 ///
 /// ```
 /// use muslin_check::number::{Number, Rounded};
@@ -119,14 +119,14 @@ fn exp_roundings(x: f64) -> f64 {
 pub struct Rounded {
     /// The value in f64.
     pub value: f64,
-    /// The size of the terms that the value is a sum of: at least that of the value.
+    /// The size of the terms that add up to the value: at least the value's own size.
     pub terms: f64,
-    /// How far a device may be off. Infinite if rounding decides about the value.
+    /// The error allowed to a device. Infinite if rounding decides the value.
     pub error: f64,
 }
 
 impl Rounded {
-    /// A value of which nothing is known: rounding decides about it.
+    /// An unknown value: rounding decides it.
     pub const UNKNOWN: Self = Self { value: 0.0, terms: 0.0, error: f64::INFINITY };
 
     /// A value that devices have exactly.
@@ -135,7 +135,7 @@ impl Rounded {
         Self::within(value, 0.0)
     }
 
-    /// A value with an error that somebody has derived by hand. A denormal may count as 0.
+    /// A value with an error that was derived by hand. A denormal may count as 0.
     #[must_use]
     pub fn within(value: f64, error: f64) -> Self {
         Self { value, terms: value.abs(), error }
@@ -148,7 +148,7 @@ impl Rounded {
         let size = self.value.abs();
         let tiny = f64::from(TINY);
         if size - self.error < tiny {
-            // and so may what it is computed from
+            // and so may the numbers that it is computed from
             self.error += 2.0 * tiny.min(size + self.error);
         }
         if self.error.is_nan() {
@@ -161,7 +161,7 @@ impl Rounded {
     #[must_use]
     pub fn is_above(self, limit: f64) -> Option<bool> {
         let apart = self.value - limit;
-        // of infinity, nothing decides
+        // infinity is above or below any limit
         let is_decided = self.error == 0.0 || apart.abs() > self.error || apart.is_infinite();
         is_decided.then_some(apart > 0.0)
     }
@@ -178,7 +178,7 @@ impl Rounded {
     }
 }
 
-/// An input, or a constant. It may be no f32, and a denormal may count as 0.
+/// An input, or a constant. It need not be an f32, and a denormal may count as 0.
 impl From<f64> for Rounded {
     fn from(value: f64) -> Self {
         let size = value.abs();
@@ -203,7 +203,7 @@ impl From<u32> for Rounded {
     }
 }
 
-/// The values of an output, all of which are known.
+/// The values of an output with only known values.
 pub fn listed(values: impl IntoIterator<Item = impl Into<Rounded>>) -> Vec<Option<Rounded>> {
     values.into_iter().map(|value| Some(value.into())).collect()
 }

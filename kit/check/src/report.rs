@@ -1,4 +1,4 @@
-//! The results of all cases on one device, and the way of a debugger to a wrong element.
+//! The results of all cases on one device, and the debugger's command for a wrong element.
 
 use std::fmt::Write as _;
 use std::{env, fmt};
@@ -19,7 +19,7 @@ pub struct Report {
     pub adapter: String,
     /// The adapter's driver.
     pub driver: String,
-    /// The way in which kernels reach the device.
+    /// The path of kernels to the device.
     pub path: &'static str,
     /// A row for each entry point that the device can run.
     pub kernels: Vec<Row>,
@@ -28,7 +28,7 @@ pub struct Report {
 /// The result of a kernel's case.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// The entry point that ran: the kernel's name, or that of its variant.
+    /// The entry point that ran: the kernel or its variant.
     pub kernel: &'static str,
     /// Whether all values are within their errors.
     pub ok: bool,
@@ -90,7 +90,7 @@ impl Report {
     }
 }
 
-/// Runs the cases on each device whose entry point differs from those of the devices before it.
+/// Runs each case on the devices. A device is left out for a case if an earlier device had the same entry point.
 fn rows(
     cases: &[Case],
     cpu: &Device,

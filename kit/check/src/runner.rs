@@ -87,7 +87,7 @@ impl<'d> KernelRunner<'d> {
             let reason = "it writes behind its output".into();
             return Err(Error::Kernel { kernel: self.kernel.into(), reason });
         }
-        // what was not written is the same on all devices
+        // unwritten elements get the same value on all devices
         values.iter_mut().filter(|value| **value == canary).for_each(|value| *value = usual);
         Ok(values)
     }
@@ -95,8 +95,8 @@ impl<'d> KernelRunner<'d> {
     /// Reads an output that the kernel must have written entirely.
     ///
     /// # Errors
-    /// The same errors as [`KernelRunner::read`], or an error if an element still is a canary. On a device that checks, also that of
-    /// [`Device::read`].
+    /// The same errors as [`KernelRunner::read`], or an error if an element still is a canary. On a device that checks, also the
+    /// errors of [`Device::read`].
     pub fn read_all<T: Canary>(&self, buffer: &Buffer<T>) -> Result<Vec<T>> {
         let values = self.read(buffer)?;
         self.device.read_range(buffer, 0, values.len())?;
@@ -109,14 +109,14 @@ impl<'d> KernelRunner<'d> {
         }
     }
 
-    /// Uploads what is given, and runs the kernel over what it declares, and with at least one workgroup: the kernel itself must test
-    /// for an empty input. Returns the outputs, by the names of the bindings.
+    /// Uploads the inputs, and runs the kernel over its declared size, but with at least one workgroup: the kernel itself must
+    /// test for an empty input. Returns the outputs, by the names of the bindings.
     ///
     /// # Errors
     /// The same errors as [`Device::run`], or an error if the kernel has written after an output's end.
     ///
     /// # Panics
-    /// If the kernel does not declare what it runs over.
+    /// If the kernel does not declare a size (`over`).
     pub fn run<'a>(&self, kernel: &impl Dispatch<'a, Given>) -> Result<Vec<Output>> {
         let info = kernel.info();
         let uniform = kernel.uniform();
@@ -181,9 +181,8 @@ fn is_written(binding: &BindingInfo) -> bool {
 pub trait Canary: Pod + PartialEq {
     /// A value that no kernel computes.
     const CANARY: Self;
-    /// Another value that no kernel computes. A case fills the outputs of one device with this value, and those of
-    /// the other device with [`Canary::CANARY`]. A kernel that reads its unwritten output then gives two different
-    /// results.
+    /// Another value that no kernel computes. A case fills the outputs with this value on one device, and with
+    /// [`Canary::CANARY`] on the other. A kernel that reads its unwritten output then gives two different results.
     const OTHER_CANARY: Self;
 }
 

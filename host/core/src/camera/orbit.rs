@@ -85,9 +85,9 @@ impl Orbit {
         })
     }
 
-    /// `count` cameras on a way that stays where given cameras stood, and ends where it begins. Where these stand all around,
-    /// it is a ring; otherwise it goes to and fro on the arc that they cover. Distance and elevation follow the cameras that
-    /// stand on the same side. The way begins in the middle of the arc, or at the first camera.
+    /// `count` cameras on a closed path through the space where the given cameras stood. If these stand all around, the path is
+    /// a ring that starts at the first camera. Otherwise it swings along the arc that they cover, and starts in its middle.
+    /// Distance and elevation follow the cameras on the same side.
     ///
     /// # Errors
     /// [`Error::Argument`] without cameras; [`Error::Camera`] as [`Camera::look_at`].
@@ -169,7 +169,7 @@ impl Orbit {
     }
 }
 
-/// The middle of the arc that some azimuths cover, and half its length. That is `None` where they are all around.
+/// The middle and half the length of the arc that some azimuths cover. The length is `None` if they are all around.
 fn arc(azimuths: impl Iterator<Item = f64>) -> (f64, Option<f64>) {
     let mut sorted: Vec<_> = azimuths.collect();
     sorted.sort_by(f64::total_cmp);
@@ -185,8 +185,8 @@ fn arc(azimuths: impl Iterator<Item = f64>) -> (f64, Option<f64>) {
 /// The mean of the images' upward directions is biased if cameras look down from one side. But photographers hold the
 /// horizon level, so an image's direction to the right is horizontal, and directions along it get little weight.
 ///
-/// Images of cameras that look straight down show no upward direction. It is then opposite to theirs. They look straight
-/// down if they look in one direction, and that is -z, or their images are turned in all ways.
+/// Images of cameras that look straight down show no upward direction, so it is opposite to their line of sight. Cameras
+/// look straight down if all look in one direction, and it is -z or their images are turned in all directions.
 /// Without cameras the result is z, as in most data sets.
 pub fn upward<'a>(cameras: impl ExactSizeIterator<Item = &'a Camera> + Clone) -> DVec3 {
     let count = cameras.len() as f64;
@@ -298,7 +298,7 @@ mod tests {
         assert!(found.cameras(3).is_ok());
     }
 
-    /// As from a drone that flies to and fro over flat ground at z = 0.
+    /// Images like a drone's that flies to and fro over flat ground at z = 0.
     #[test]
     fn an_orbit_of_cameras_that_look_straight_down_stays_above_the_ground() {
         // with the image's top always to the north, or ahead of the drone, and in a world whose y points down

@@ -16,8 +16,8 @@ pub const PERSPECTIVE_MODELS: [&str; 6] =
 pub const PINHOLE_MODELS: [&str; 2] = ["PINHOLE", "SIMPLE_PINHOLE"];
 /// Model of panoramas of 360 degrees. Their size says all about them.
 pub const PANORAMA: &str = "EQUIRECTANGULAR";
-/// Largest difference between `R^T R` and the identity of a rotation whose numbers have three digits: they are off by 0.0005
-/// each.
+/// Largest difference between `R^T R` and the identity for a rotation that was written with three digits: each number is
+/// off by up to 0.0005.
 const THREE_DIGITS: f64 = 2e-3;
 const COEFFICIENTS: [&str; 8] = ["k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"];
 
@@ -26,7 +26,7 @@ pub fn cameras(file: &Value, origin: &Path) -> Result<Vec<Camera>> {
     let parse = |(index, frame): (usize, &Value)| {
         let source = Source { file, frame, size: None };
         if source.is_panorama() {
-            let reason = "is a panorama of 360 degrees, of which a data set makes several views; name its folder instead";
+            let reason = "is a panorama of 360 degrees, which a data set cuts into several views; name its folder instead";
             return Err(camera_error(origin, index, reason.to_owned()));
         }
         source.valid_camera(index, origin)
@@ -62,8 +62,8 @@ pub(super) fn focal_length(side: f64, angle: f64) -> Result<f64, String> {
     Ok(0.5 * side / (0.5 * angle).tan())
 }
 
-/// A pose without what other programs leave in its rotation: one scale of all axes, which says nothing about a camera, or the
-/// errors of three digits. What is no such rotation, and what is exact enough, stays as it is.
+/// Repairs what other programs leave in a pose's rotation: a common scale of all axes, which means nothing for a camera, or
+/// the rounding to three digits. Exact rotations, and all other matrices, stay unchanged.
 fn straightened(mut pose: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
     let off = |axes: DMat3| {
         let off = axes.transpose() * axes - DMat3::IDENTITY;
@@ -86,13 +86,13 @@ fn straightened(mut pose: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
     pose
 }
 
-/// A frame, and the file whose values replace those that the frame lacks.
+/// A frame and its file. The file has the values that the frame lacks.
 pub struct Source<'a> {
     /// The whole file.
     pub file: &'a Value,
     /// The frame.
     pub frame: &'a Value,
-    /// Width and height in pixels, if neither gives them: those of the photograph itself.
+    /// Width and height of the photograph in pixels, used if neither gives a size.
     pub size: Option<[u32; 2]>,
 }
 
@@ -120,7 +120,7 @@ impl Source<'_> {
             (None, Some((side, angle))) => focal_length(side, angle).map(Some),
             (None, None) => Ok::<_, String>(None),
         };
-        // as instant-ngp: square pixels, and the axis in the middle
+        // like instant-ngp: square pixels, and the principal point in the middle
         let fl_x = match self.is_panorama() {
             true => w / std::f64::consts::TAU,
             false => focal("fl_x", angle_x)?.ok_or_else(|| self.missing("fl_x"))?,
@@ -200,7 +200,7 @@ impl Source<'_> {
                 format!("row {index} of `transform_matrix` is not four numbers; {EXPECTED}")
             })?;
         }
-        // all of a homogeneous matrix may be multiplied
+        // a homogeneous matrix may have any common factor
         let last = pose[3][3];
         if last.is_normal() && last != 1.0 {
             pose.as_flattened_mut().iter_mut().for_each(|value| *value /= last);

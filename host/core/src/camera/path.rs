@@ -14,9 +14,9 @@ const FORWARD: DVec3 = DVec3::NEG_Z;
 /// A smooth path through keys: cameras of one image size.
 ///
 /// A Catmull-Rom spline interpolates the target, the distance to it, the rotation, the logarithm of the focal lengths
-/// (so a zoom looks steady) and the principal point. Between two keys it is a cubic Bézier curve. Its tangent at a
-/// key is that of the parabola through the key and its neighbors. Rotations use spherical interpolation in the
-/// curve's construction (Shoemake, "Animating rotation with quaternion curves", 1985).
+/// (so a zoom looks steady) and the principal point. Between two keys it is a cubic Bézier curve. At a key, it has the
+/// tangent of the parabola through the key and its neighbors. Rotations use spherical interpolation in the curve's
+/// construction (Shoemake, "Animating rotation with quaternion curves", 1985).
 ///
 /// If all keys look at one place, a key's target is the point of its axis nearest to that place. The camera then
 /// turns around the place and keeps it in view. Otherwise the distance is 0, and the spline interpolates the camera's
@@ -122,8 +122,8 @@ impl CameraPath {
         points[0].camera(self.size)
     }
 
-    /// `count` cameras at equal intervals: from the first key to the last, or once around a closed path, whose first
-    /// camera then follows the last.
+    /// `count` cameras at equal intervals: from the first key to the last, or once around a closed path. On a closed path,
+    /// the first camera follows the last.
     #[must_use]
     pub fn cameras(&self, count: usize) -> Vec<Camera> {
         let is_closed = self.times.len() > self.keys.len();
@@ -262,8 +262,8 @@ fn spans(lengths: Vec<f64>) -> Vec<f64> {
     lengths.into_iter().map(|length| length.max(SHORTEST * mean)).collect()
 }
 
-/// The tangent at each key: that of the parabola through the key and its neighbors. `rates` are the mean velocities
-/// of the segments.
+/// The tangent at each key, taken from the parabola through the key and its neighbors. `rates` are the mean velocities of
+/// the segments.
 fn tangents(rates: &[Motion], spans: &[f64], is_closed: bool) -> Vec<Motion> {
     let inner = |before: usize, after: usize| {
         let a = spans[before];
@@ -277,7 +277,7 @@ fn tangents(rates: &[Motion], spans: &[f64], is_closed: bool) -> Vec<Motion> {
     if last == 0 {
         return vec![rates[0].clone(); 2];
     }
-    // the parabola through the first three keys, and that through the last three
+    // the parabolas through the first three keys and through the last three
     let end = |rate: &Motion, tangent: &Motion| rate.times(2.0).plus(&tangent.times(-1.0));
     let between: Vec<_> = (1..=last).map(|key| inner(key - 1, key)).collect();
     let first = end(&rates[0], &between[0]);

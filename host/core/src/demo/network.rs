@@ -40,7 +40,7 @@ impl Form {
         self
     }
 
-    /// The form itself where `gate` is 1, and far below every knot where it is 0.
+    /// This form where `gate` is 1, and a value far below every knot where it is 0.
     #[must_use]
     pub fn gated(self, gate: &Self) -> Self {
         const CLOSED: f32 = 10.0;

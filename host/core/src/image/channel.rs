@@ -91,7 +91,7 @@ impl ChannelImage {
     /// Copies a rendered channel to the places of its tiles in `batch`. Parts beyond the edge are cut off.
     ///
     /// # Errors
-    /// [`Error::Argument`] if the tiles are not those of the batch, or do not have the channel.
+    /// [`Error::Argument`] if the tiles do not belong to the batch, or do not have the channel.
     pub fn paste(&mut self, batch: &TileBatch, tiles: &RenderedTiles) -> Result<()> {
         let area = (batch.side * batch.side) as usize;
         let planes = self.channel.planes();

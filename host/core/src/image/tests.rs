@@ -122,7 +122,7 @@ fn decode(path: &Path) -> (png::Info<'static>, Vec<u8>) {
     (reader.info().clone(), pixels)
 }
 
-/// The ends of Turbo are those of d3-scale-chromatic, rounded down.
+/// The colors at Turbo's ends are d3-scale-chromatic's, rounded down.
 #[test]
 fn channels_make_pictures() {
     let of = |channel: Channel, value: fn(i32, i32, usize) -> f32| {

@@ -48,7 +48,7 @@ pub trait Ranks: Debug + Send + Sync {
     /// The same errors as [`Ranks::max`].
     fn exchange(&self, for_each: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>>;
 
-    /// The bytes of rank 0. Those of other ranks are ignored.
+    /// The bytes of rank 0. Other ranks' bytes are ignored.
     ///
     /// # Errors
     /// The same errors as [`Ranks::max`].
@@ -72,7 +72,7 @@ fn ended(rank: usize, message: &str) -> Error {
 /// different programs and devices.
 ///
 /// # Errors
-/// [`Error::Rank`], on every rank, for the first rank that differs from rank 0; those of [`Ranks::max`].
+/// [`Error::Rank`], on every rank, for the first rank that differs from rank 0; the same errors as [`Ranks::max`].
 pub fn check_agreement(
     ranks: &dyn Ranks,
     arithmetic: &str,

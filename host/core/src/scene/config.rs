@@ -46,8 +46,8 @@ pub struct SceneConfig {
     pub transmittance_mlp: MlpConfig,
     /// Length of a transmittance step (sigma), in units of the unit cube.
     pub step: f64,
-    /// Cells along a side of the unit cube in which a Gaussian must be, or a ray loses no light there: 0, or up to
-    /// [`MAX_OCCUPANCY`]. A file without this field has 0: everywhere, T is what the networks say.
+    /// Cells along a side of the occupancy grid: a ray loses light only in cells with Gaussians. Up to [`MAX_OCCUPANCY`]; 0 is
+    /// no grid, so networks alone decide T. A file without this field has 0.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub occupancy: u32,
     /// Added to the diagonal of each projected covariance, in square pixels.
@@ -294,7 +294,7 @@ mod tests {
         assert_eq!(SceneConfig::from_json(&text, "b").unwrap(), config);
     }
 
-    /// Files need not have the newer fields, and have them only where they say something.
+    /// Files may lack the newer fields. A default value is not written.
     #[test]
     fn newer_fields_can_be_missing() {
         let usual = basic();

@@ -43,9 +43,9 @@ impl Scene {
         Self::read_with(&mut Cursor::new(bytes), place, [], None).map(|(scene, ..)| scene)
     }
 
-    /// Like [`Self::load`], from a reader of `length` bytes that errors name `origin`. Also reads other data of the
-    /// same Gaussians: scenes of the same shape, whose tensors' names have these prefixes, and the rows of another tensor,
-    /// given its name and width.
+    /// Like [`Self::load`], from a reader of `length` bytes. Errors name `origin`. Also reads other data of the same
+    /// Gaussians: for each prefix, a scene of the same shape whose tensors' names have the prefix; and the rows of one more
+    /// tensor, given its name and width.
     pub fn read_with<const P: usize>(
         reader: &mut (impl Read + Seek),
         (length, origin): (u64, &Path),

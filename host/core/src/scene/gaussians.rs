@@ -109,7 +109,7 @@ macro_rules! define {
                 GaussianTensors { $($name: bytemuck::cast_slice_mut(&mut self.$name),)+ }
             }
 
-            /// Appends other Gaussians, whose vectors must have the same lengths.
+            /// Appends other Gaussians. Their vectors must have the same lengths.
             pub fn append(&mut self, other: &Self) {
                 $(self.$name.extend_from_slice(&other.$name);)+
             }

@@ -68,7 +68,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The box of nearly all of the opacity, as [`bounds`] says: what to look at. `config.aabb` is larger.
+    /// The box to look at, which has nearly all of the opacity: see [`bounds`]. `config.aabb` is larger.
     #[must_use]
     pub fn visible_box(&self) -> [[f64; 3]; 2] {
         let Gaussians { position, log_scale, opacity, .. } = &self.gaussians;
@@ -144,8 +144,8 @@ const LEFT_OUT: f64 = 0.01;
 /// Standard deviations that a Gaussian reaches.
 const SUPPORT: f64 = 3.0;
 
-/// The box of nearly all of the opacity: a Gaussian counts as much as it is opaque. So a few that are far away, large and
-/// faint do not matter. All have the margin of a Gaussian of middle size. Opacities are logits, scales logarithms.
+/// The box of nearly all of the opacity: opacities weight the Gaussians, so a few far, large and faint ones do not matter.
+/// The box has a margin for a Gaussian of median size. Opacities are logits, scales are logarithms.
 #[must_use]
 pub fn bounds(position: &[[f32; 3]], log_scale: &[[f32; 3]], opacity: &[f32]) -> [[f64; 3]; 2] {
     let weight = opacity.iter().map(|logit| 1.0 / (1.0 + f64::from(-logit).exp()));
@@ -161,7 +161,7 @@ pub fn bounds(position: &[[f32; 3]], log_scale: &[[f32; 3]], opacity: &[f32]) ->
     [ends.map(|[low, _]| low - margin), ends.map(|[_, high]| high + margin)]
 }
 
-/// The values up to which values have these weights together; 0 where there are none.
+/// Weighted quantiles: the values at which the summed weights reach the given parts; 0 without values.
 fn quantiles<const N: usize>(
     values: impl Iterator<Item = (f32, f64)>,
     weights: [f64; N],

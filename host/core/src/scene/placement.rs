@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 
 /// Distance of the cameras from what they look at, in units of the scene. The near plane at 0.01 is then close to them.
 const DISTANCE: f64 = 4.0;
-/// The same where the cameras look at no common place: some may stand close to what they show.
+/// The same for cameras that look at no common place: some may stand close to objects.
 const SPREAD_DISTANCE: f64 = 100.0;
 /// Cosine of 5 degrees. If the cameras' upward direction is this close to an axis of the world, the data set is aligned, and
 /// the axis is taken.
@@ -65,12 +65,12 @@ impl Default for Placement {
 }
 
 impl Placement {
-    /// The placement in which cameras surround the origin at about one distance, and z is up. It moves, turns and grows
-    /// with the cameras. `points` give a distance to cameras that stand still.
+    /// The placement in which cameras surround the origin at a standard distance, with z up. A similarity of the cameras
+    /// changes it alike. `points` give a distance to cameras that stand still.
     #[must_use]
     pub fn of(cameras: &[Camera], points: &[[f64; 3]]) -> Self {
         let eye = |camera: &Camera| DVec3::from(camera.eye());
-        // first the axes, so that nothing else depends on those of the world
+        // first the axes, so that nothing else depends on the world's axes
         let up = aligned(upward(cameras.iter()));
         let right = cameras.first().map_or(DVec3::X, |first| rightward(first, up));
         let axes = Self { up: up.to_array(), right: right.to_array(), ..Self::default() };
@@ -92,7 +92,7 @@ impl Placement {
         Self { offset, scale: unit * target.distance / distance, ..axes }
     }
 
-    /// A placement that the file `origin`, which is no scene, has as JSON.
+    /// Parses a placement from JSON of the file `origin`, which is not a scene.
     ///
     /// # Errors
     /// [`Error::Invalid`] for another structure; [`Error::BadConfig`] for a value that is out of range.
@@ -105,7 +105,7 @@ impl Placement {
         Ok(placement)
     }
 
-    /// The same in a world whose unit is the meter, if meters are known.
+    /// The same placement in a world with meters as units, if meters are known.
     #[must_use]
     pub fn in_meters(&self) -> Self {
         let meters = self.meters.unwrap_or(1.0);
@@ -113,13 +113,13 @@ impl Placement {
         Self { offset, scale: self.scale * meters, meters: None, ..*self }
     }
 
-    /// Whether the scene's coordinates are those of the world.
+    /// Whether the scene's coordinates equal the world's.
     #[must_use]
     pub fn is_identity(&self) -> bool {
         *self == Self::default()
     }
 
-    /// The rotation from the scene's axes to those of the world.
+    /// The rotation from the scene's axes to the world's.
     #[must_use]
     pub fn rotation(&self) -> DMat3 {
         let up = DVec3::from(self.up);
@@ -192,7 +192,7 @@ impl Placement {
         }
         let rotation = self.rotation();
         let off = rotation.transpose() * rotation - DMat3::IDENTITY;
-        // not so for NaN
+        // false for NaN
         let is_small = |x: f64| x.abs() <= ORTHONORMAL;
         if !off.to_cols_array().into_iter().all(is_small) {
             let reason = format!(
@@ -204,8 +204,8 @@ impl Placement {
     }
 }
 
-/// The horizontal direction to the right, given the one upward. The axes of the world stay axes; otherwise it is the one from
-/// which the first camera looks.
+/// A horizontal axis, given the upward one. If `up` is an axis of the world, so is the result. Otherwise it points to the
+/// first camera.
 fn rightward(first: &Camera, up: DVec3) -> DVec3 {
     if up.abs().max_element() == 1.0 {
         return if up.x == 0.0 { DVec3::X } else { -up.x * DVec3::Z };
@@ -219,7 +219,7 @@ fn rightward(first: &Camera, up: DVec3) -> DVec3 {
     level.try_normalize().unwrap_or_else(|| up.any_orthonormal_vector())
 }
 
-/// An axis of the world that is near a direction, or else the direction itself.
+/// The world's axis that is close to a direction; the direction itself if none is.
 fn aligned(up: DVec3) -> DVec3 {
     let axis = up.round();
     if axis.length_squared() == 1.0 && axis.dot(up) >= ALIGNED { axis } else { up }

@@ -9,7 +9,7 @@ use super::tensor_file::TensorRef;
 
 /// One `T` for each tensor of a scene. All layers of a network are one tensor, as on a device.
 ///
-/// The fields have the same names as those of [`Scene`](super::Scene).
+/// The fields are named as in [`Scene`](super::Scene).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tensors<T> {
     /// The Gaussians' values.

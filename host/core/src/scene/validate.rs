@@ -1,4 +1,4 @@
-//! Checks that a scene's tensors agree with its configuration, and warns of what is probably not as intended.
+//! Checks that a scene's tensors agree with its configuration, and warns of probable mistakes.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -27,7 +27,7 @@ impl TensorSpec {
     /// Takes the tensor's values from the `tensors` of the file `origin`.
     ///
     /// # Errors
-    /// Those of [`Self::check_shape`].
+    /// The same errors as [`Self::check_shape`].
     pub fn take(&self, tensors: &mut BTreeMap<String, Tensor>, origin: &Path) -> Result<Vec<f32>> {
         let found = tensors.remove(&self.name);
         self.check_shape(found.as_ref().map(|found| &found.shape[..]), origin)?;
@@ -75,7 +75,7 @@ impl Scene {
     fn check_layers(&self, origin: &Path) -> Result<()> {
         let networks = [&self.color.network, &self.transmittance.network];
         for (network, field) in networks.into_iter().zip(self.config.fields()) {
-            // Go on to the longer of the two: a layer that only one side has is a difference, too.
+            // A layer that only one side has is a difference, too.
             for index in 0..network.layers.len().max(field.widths.len() - 1) {
                 let layer = network.layers.get(index);
                 let found = layer.map_or(Vec::new(), |layer| vec![layer.outputs, layer.inputs]);

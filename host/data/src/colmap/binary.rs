@@ -79,7 +79,7 @@ struct Records<'a, R> {
 }
 
 impl<'a, R: Read + Seek> Records<'a, R> {
-    /// Opens a file of `length` bytes, whose records have at least `smallest` bytes each.
+    /// Opens a file of `length` bytes. Each record has at least `smallest` bytes.
     fn open(
         source: R,
         length: u64,

@@ -25,10 +25,10 @@ const POINTS_PLY: &str = "points3D.ply";
 type Cameras = HashMap<u32, Intrinsics>;
 /// Cameras and their lenses.
 type Lensed = Vec<(Camera, Lens)>;
-/// Points with their ids, and what holds them.
+/// Points with their ids and their support.
 type Points = Vec<(u64, Point, Support)>;
 
-/// What holds a point.
+/// The evidence for a point.
 #[derive(Clone, Copy)]
 struct Support {
     /// Mean distance in pixels between where images see the point and where they should; negative if unknown.
@@ -94,7 +94,7 @@ impl Model {
         }
     }
 
-    /// The points of `points3D`, or else those of a PLY file beside it.
+    /// The points of `points3D`, or else of a PLY file beside it.
     fn points(&self) -> Result<(Vec<Point>, PathBuf)> {
         let path = self.file("points3D");
         let mut points = self.supported_points()?;
@@ -106,7 +106,7 @@ impl Model {
         Ok((points.into_iter().map(|(_, point, _)| point).collect(), path))
     }
 
-    /// What to say if there are several models.
+    /// A note if there are several models.
     pub fn note(&self) -> Option<String> {
         let others =
             self.others.iter().map(|(folder, count)| format!("{} {count}", folder.display()));
@@ -139,7 +139,7 @@ fn largest(folders: Vec<PathBuf>) -> Option<Model> {
         return models.pop();
     }
     let mut sized: Vec<_> = models.into_iter().map(|model| (model.photographs(), model)).collect();
-    // The sort is stable: of equals, the first number is used.
+    // The sort is stable: among equal sizes, the first number is used.
     sized.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
     let mut sized = sized.into_iter();
     let (_, largest) = sized.next()?;

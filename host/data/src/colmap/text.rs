@@ -82,14 +82,14 @@ fn image(mut line: &str) -> Result<Image, String> {
     Ok(Image { rotation, translation, camera, name: line.to_owned() })
 }
 
-/// Whether a line is an image's, and not one of observations: those are triples of numbers.
+/// Whether a line is an image's pose. Lines of observations are triples of numbers.
 fn is_pose(line: &str) -> bool {
     let numbers = || line.split_whitespace().map(str::parse::<f64>);
     let is_triples = numbers().count().is_multiple_of(3) && numbers().all(|number| number.is_ok());
     !is_triples && image(line).is_ok()
 }
 
-/// A point's id, position and color, and what holds it.
+/// A point's id, position, color and support.
 type Row = (u64, [f64; 3], [f64; 3], Support);
 
 fn point(mut line: &str) -> Result<Row, String> {

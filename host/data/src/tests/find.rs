@@ -11,7 +11,7 @@ fn load_with(path: &Path, edit: impl FnOnce(&mut DatasetOptions)) -> Result<Data
     Dataset::load(path, &options)
 }
 
-/// Two photographs of 6 x 4 pixels, whose `file_path` is edited.
+/// Two photographs of 6 x 4 pixels, with an edited `file_path`.
 fn renamed(edit: impl Fn(&str) -> String) -> TempDir {
     let mut file = transforms(2);
     let folder = nerfstudio_folder(&file);
@@ -71,7 +71,7 @@ fn smaller_photographs_are_used_if_they_are_there() {
     assert_facts(result, &["images_4/0.png", "3 x 1", "6 x 4", "4 times smaller"]);
 }
 
-/// A mask whose left half is black.
+/// A mask with a black left half.
 fn half(path: &Path, [width, height]: [u32; 2]) {
     let _ = fs::create_dir_all(path.parent().unwrap());
     let pixel = |x: u32, _| image::Luma([if x < width / 2 { 0 } else { 1 }]);

@@ -54,7 +54,7 @@ fn every_eighth_frame_is_held_out() {
     assert_eq!(generated.kind, DatasetKind::Generated);
 }
 
-/// Cameras read without the photographs equal those of the frames.
+/// Cameras read without the photographs equal the frames' cameras.
 #[test]
 fn poses_equal_the_cameras_of_frames() {
     let mut distorted = transforms(3);
@@ -131,7 +131,7 @@ fn copies_and_stray_masks_are_named() {
         notes.concat()
     };
     assert_eq!(note(), "");
-    // masks of which none fits, one that fits, and one of another size
+    // a mask of no photograph, one that fits, and one of another size
     write_image(&root.join("masks/other.png"), [6, 4], [255; 3]);
     assert!(note().contains("masks is the mask of a photograph"), "{}", note());
     assert!(note().contains("0.png.png"), "{}", note());

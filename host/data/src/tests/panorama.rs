@@ -37,7 +37,7 @@ fn color_of(direction: DVec3) -> DVec3 {
     127.5 * (direction.normalize() + 1.0)
 }
 
-/// A data set of photographs whose colors `color` gives for a place, in pixels.
+/// A data set of photographs. `color` gives the color at a place in pixels.
 fn folder(file: &Value, size: [u32; 2], color: impl Fn([f64; 2]) -> DVec3) -> TempDir {
     let folder = nerfstudio_folder(file);
     let pixel = |x: u32, y: u32| {
@@ -97,7 +97,7 @@ fn views_of_a_panorama_show_the_directions_of_their_rays() {
     }
 }
 
-/// A room with waves on its walls, photographed by six pinhole cameras, of which a panorama is made.
+/// A room with waves on its walls. Six pinhole cameras photograph it, and a panorama is made of their photographs.
 #[test]
 fn views_equal_the_pinhole_photographs_that_a_panorama_is_made_of() {
     let side = 600;
@@ -202,8 +202,8 @@ fn views_that_were_found_one_by_one_join_at_one_place() {
         let name = format!("images/{panorama}.{:03}.png", 90 * side);
         Camera { file_path: Some(name), ..face.clone() }
     };
-    // Of the first panorama, one view is elsewhere and looks elsewhere, and the others are a little off. Of the second one,
-    // a view alone says where it is.
+    // In the first panorama, one view has a wrong place and direction, and the others are a little off. The second panorama
+    // has only one view.
     let mut found: Vec<_> = (0..4).map(|side| heading(0, side)).collect();
     for (view, off) in found.iter_mut().zip([-1e-3, -2e-3, 2e-3]) {
         let (sin, cos) = f64::sin_cos(off);

@@ -42,7 +42,7 @@ impl Shot {
     }
 }
 
-/// Writes a photograph whose red is its column and whose green is its row.
+/// Writes a photograph with red = column and green = row.
 fn ramp(path: &Path, width: u32, height: u32) {
     let pixel = |x: u32, y: u32| image::Rgb([x as u8, y as u8, 7]);
     image::RgbImage::from_fn(width, height, pixel).save(path).unwrap();

@@ -39,7 +39,7 @@ fn units_and_origin_of_the_files_do_not_matter() {
                 assert!((found[axis] - expected[axis]).abs() < 1e-7, "{found:?}, {expected:?}");
             }
         }
-        // the poses stay as the files give them, and the fingerprint is that of the files
+        // the poses and the fingerprint are the files'
         let world = super::load(files.path()).unwrap();
         let given: Vec<_> = world.frames.iter().map(|frame| frame.camera.camera_to_world).collect();
         assert_eq!(found.poses, given);

@@ -18,13 +18,13 @@ pub struct Splat<N> {
     pub color: [N; 3],
 }
 
-/// `opacity T`, of an opacity's logit: alpha but for the falloff.
+/// `opacity T`, from the opacity's logit: alpha without the falloff.
 pub fn weight<N: Number>(logit: N, transmittance: N) -> N {
     logit.sigmoid() * transmittance
 }
 
-/// `sqrt(det(cov2d) / det(cov2d + blur I))`, of the conic of the blurred covariance: what a weight is multiplied with. At least
-/// 1/255; a smaller one is constant.
+/// The factor of a compensated weight, `sqrt(det(cov2d) / det(cov2d + blur I))`, from the conic of the blurred covariance. At
+/// least 1/255; there it is constant.
 pub fn compensation<N: Number>([xx, xy, yy]: [N; 3], blur: f64) -> N {
     let least = N::from(1.0 / 255.0);
     let blur = N::from(blur);

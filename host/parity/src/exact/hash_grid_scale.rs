@@ -7,7 +7,7 @@ pub fn color_bound(gradient: [Rounded; 3]) -> Rounded {
     largest(gradient.map(|g| g / 4.0.into()))
 }
 
-/// A bound of |dL/da_k| of a segment's samples (Eq. 11), whose product is to a power.
+/// A bound of |dL/da_k| of a segment's samples (Eq. 11). Their product has the exponent `power`.
 pub fn transmittance_bound([gradient, transmittance, power]: [Rounded; 3]) -> Rounded {
     power * (gradient * transmittance).abs()
 }

@@ -12,7 +12,7 @@ pub struct OccupancyGrid {
     pub side: u32,
     /// The scene's box.
     pub aabb: [[f64; 3]; 2],
-    /// Whether what lies outside is contracted.
+    /// Whether the space outside the box is contracted.
     pub is_contracted: bool,
 }
 
@@ -75,7 +75,7 @@ impl OccupancyGrid {
         is_inside.then(|| x + self.entries() * (y + self.entries() * z))
     }
 
-    /// How full the cells around a point of the unit cube are: the grid is a dense level whose points are the cells' centers.
+    /// How full the cells around a point of the unit cube are: the grid is a dense level with its points at the cells' centers.
     pub fn occupied(&self, table: &[f32], point: [f64; 3]) -> f64 {
         let resolution = self.entries() as u64;
         let scale = f64::from(self.side);

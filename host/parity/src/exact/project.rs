@@ -81,13 +81,13 @@ pub struct Projected<N> {
     pub place: [N; 3],
     /// Rows of J W.
     pub jacobian: [[N; 3]; 2],
-    /// Rows of J W R S, of which cov2d is the Gram matrix but for the blur.
+    /// Rows of J W R S. Their Gram matrix is cov2d without the blur.
     pub footprint: [[N; 3]; 2],
     /// Center, in pixels.
     pub mean: [N; 2],
     /// xx, xy, yy of cov2d, the blur included.
     pub covariance: [N; 3],
-    /// Of cov2d.
+    /// The determinant of cov2d.
     pub determinant: N,
 }
 
@@ -120,7 +120,7 @@ pub fn project<N: Number>(view: &View, blur: f64, gaussian: &Gaussian<N>) -> Opt
     let footprint = jacobian.map(|row| axes.map(|axis| dot(row, axis)));
     let [u, v] = footprint;
     let blur = N::from(blur);
-    // of the Gram matrix: `uu vv - uv uv` would cancel for a needle
+    // the determinant of the Gram matrix: `uu vv - uv uv` would cancel for a needle
     let normal = cross(u, v);
     let uu = dot(u, u);
     let uv = dot(u, v);
@@ -166,7 +166,7 @@ impl<N: Number> Projected<N> {
         [yy, -xy, xx].map(|entry| entry / self.determinant)
     }
 
-    /// Of the support: `sqrt(2 ln 255 * largest eigenvalue of cov2d)`, in pixels.
+    /// The radius of the support: `sqrt(2 ln 255 * largest eigenvalue of cov2d)`, in pixels.
     pub fn radius(&self) -> N {
         let [xx, xy, yy] = self.covariance;
         let half = N::from(0.5);

@@ -1,4 +1,4 @@
-//! Eq. 4 to 8: a ray in the unit cube, and its steps. Of a ray that is contracted: all of its steps.
+//! Eq. 4 to 8: a ray in the unit cube, and its steps; a contracted ray, and its steps.
 
 use super::numeric::{Number, dot};
 use super::unit_cube::contract;
@@ -64,7 +64,7 @@ pub struct ContractedRay<N> {
     pub direction: [N; 3],
     /// Up to this distance from the foot, steps are even.
     pub radius: N,
-    /// Where the Gaussian and the camera are, in the coordinate in which steps are even.
+    /// The Gaussian and the camera, in the coordinate with even steps.
     pub ends: [N; 2],
     /// K; 0 without a ray.
     pub count: N,

@@ -9,7 +9,7 @@ pub fn direction(eye: [f64; 3], center: [f64; 3]) -> [f64; 3] {
     v.map(|x| x / length)
 }
 
-/// The harmonics of the bands 0 to `degree`, that of band l and order m at `l*l + l + m`.
+/// The harmonics of the bands 0 to `degree`. Band l and order m are at `l*l + l + m`.
 pub fn harmonics(degree: u32, direction: [f64; 3]) -> Vec<f64> {
     let bands = 0..=degree as i32;
     bands.flat_map(|l| (-l..=l).map(move |m| harmonic(l, m, direction))).collect()

@@ -1,4 +1,4 @@
-//! The gradient of a hash grid's table: scale, sums in fixed point, and the gradient as numbers.
+//! The gradient of a hash grid's table: the scale, the fixed-point sums, and the gradient in f32.
 
 use glam::Vec4;
 use organza_shaders::hash_grid::HashGridParams;
@@ -20,17 +20,17 @@ const _: () = assert!(MAX_LAYERS as usize == MAX_HIDDEN_LAYERS + 1);
 /// Gradient of a hash grid's table.
 ///
 /// For each part of a batch: [`raise_bound`](Self::raise_bound), [`set_scale`](Self::set_scale), then
-/// [`accumulate`](Self::accumulate) for each block, then [`finish`](Self::finish).  Nothing of it waits for the device.
-/// Several parts can share a scale: each of them raises the bound before it is set.
+/// [`accumulate`](Self::accumulate) for each block, then [`finish`](Self::finish). No call waits for the device. Parts can
+/// share a scale: all of them raise the bound before the scale is set.
 #[derive(Clone, Debug)]
 pub struct HashGridGradient {
     /// `[entries, features]`; [`HashGridGradient::finish`] adds to it.
     pub gradient: Buffer<f32>,
-    /// `[ceil(entries * features / 64)]`: not 0 where a block of 64 values of the gradient has been added to.  Who
-    /// clears the gradient clears the flags.
+    /// `[ceil(entries * features / 64)]`: not 0 where a block of 64 values has changed. Clear these flags together with the
+    /// gradient.
     pub touched: Buffer<u32>,
-    /// `[1]`: 0 while all is well, else the last of [`organza_shaders::hash_grid_scale`]'s `STATUS_..`: the
-    /// gradient is not finite, and what is not has been left out.
+    /// `[1]`: 0, or the last `STATUS_..` of [`organza_shaders::hash_grid_scale`]: some gradients were not finite, and are left
+    /// out.
     pub status: Buffer<u32>,
     /// `[2 * entries * features]`: 64-bit integers, the low word first; 0 between parts.
     pub(crate) sum: Buffer<u32>,
@@ -58,10 +58,10 @@ impl HashGridGradient {
         })
     }
 
-    /// Raises the bound of what is added until the next [`finish`](Self::finish).
+    /// Raises the bound of the gradients that are added until the next [`finish`](Self::finish).
     ///
-    /// `pair_gradient [pairs, 3]`; for the transmittance field, T `[pairs]` and the power that it is to, none for the color
-    /// field.
+    /// `pair_gradient [pairs, 3]`. `transmittance` is T `[pairs]` and its exponent for the transmittance field, `None` for the
+    /// color field.
     pub fn raise_bound(
         &self,
         device: &Device,
@@ -71,7 +71,7 @@ impl HashGridGradient {
     ) -> Result<()> {
         let capacity = pairs.upper_bound();
         let color = u32::from(transmittance.is_none());
-        // a binding must be bound
+        // every binding needs a buffer, even if the kernel does not read it
         let (transmittance, power) = transmittance.unwrap_or((&self.scale, 1.0));
         let kernel = HashGridPeakKernel {
             params: HashGridPeakParams { pairs: capacity, color, power },
@@ -82,7 +82,7 @@ impl HashGridGradient {
         device.run(&kernel.counted(pairs), capacity, 1)
     }
 
-    /// Sets the unit of the sums by the bound: at most `samples` samples will be added.
+    /// Sets the unit of the fixed-point sums from the bound, for at most `samples` samples.
     pub fn set_scale(&self, device: &Device, field: &DeviceField, samples: &Count) -> Result<()> {
         for (layer, slot) in field.layers.iter().zip(1..) {
             let params = HashGridNormParams {
@@ -107,8 +107,8 @@ impl HashGridGradient {
 
     /// Adds the gradients of a block of `count` samples to the sums.
     ///
-    /// `points` as [`DeviceField::encode`] takes them; `feature_gradient [chunks, rows, stride]`, from
-    /// `params.first_row` on those of the grid's features.
+    /// `points` are as for [`DeviceField::encode`]. In `feature_gradient [chunks, rows, stride]`, the first row of the grid's
+    /// features is `params.first_row`.
     pub fn accumulate(
         &self,
         device: &Device,
@@ -144,7 +144,7 @@ impl HashGridGradient {
         device.run(&kernel, values, 1)
     }
 
-    /// Makes it as new, but for the status.
+    /// Clears everything but the status.
     pub fn clear(&self, device: &Device) {
         device.clear(&self.gradient);
         [&self.touched, &self.sum, &self.bound].into_iter().for_each(|b| device.clear(b));

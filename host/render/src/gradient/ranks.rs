@@ -1,4 +1,4 @@
-//! What ranks add up: the gradients of the fields, of poses, and of Gaussians.
+//! Sums over ranks: the gradients of fields, poses and Gaussians.
 
 use std::ops::Range;
 
@@ -35,16 +35,16 @@ pub fn share_bounds(
     Ok(())
 }
 
-/// Integers on the device that all ranks have some of.
+/// Integer sums on the device, which all ranks add up.
 struct SharedSums<'a> {
     buffer: &'a Buffer<u32>,
     values: Vec<i64>,
-    /// Not 0 where a block of [`VALUES_PER_FLAG`] values was added to.
+    /// Not 0 where a block of [`VALUES_PER_FLAG`] values has changed.
     touched: Vec<u32>,
 }
 
 impl<'a> SharedSums<'a> {
-    /// `touched` is known of a hash grid. Elsewhere, it says which blocks are not zero.
+    /// Hash grids have flags, `touched`. Without flags, the blocks that are not zero count as touched.
     fn read(device: &Device, buffer: &'a Buffer<u32>, touched: Option<Vec<u32>>) -> Result<Self> {
         let values: Vec<i64> = bytemuck::pod_collect_to_vec(&device.read(buffer)?);
         let blocks = values.chunks(VALUES_PER_FLAG as usize);
@@ -60,7 +60,7 @@ impl<'a> SharedSums<'a> {
     }
 }
 
-/// Adds up the sums of all ranks. Only blocks that some rank has touched travel.
+/// Adds up the sums of all ranks. Only blocks that some rank has touched are sent.
 pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Result<()> {
     let mut all = Vec::new();
     let mut flags = Vec::new();
@@ -100,7 +100,7 @@ pub fn sum(device: &Device, ranks: &dyn Ranks, gradient: &SceneGradient) -> Resu
     Ok(())
 }
 
-/// The gradients of Gaussians, and the statistics of growth, as rows: one for each Gaussian that a view batch has seen.
+/// The gradients of Gaussians, and the statistics of growth, as rows: one for each Gaussian in a view batch.
 pub struct Rows<'a> {
     device: &'a Device,
     ranks: &'a dyn Ranks,
@@ -108,12 +108,12 @@ pub struct Rows<'a> {
     tensors: Vec<&'a TensorGradient>,
     /// `[N]`: the statistics before the step.
     before: Vec<Vec4>,
-    /// For each rank, what goes to it: for each view batch, how many rows follow, and the rows. A row is the Gaussian's
-    /// index, its values of all tensors, and its three statistics.
+    /// The words to send to each rank: for each view batch, the number of rows, and the rows. A row is the Gaussian's
+    /// index, its gradient in all tensors, and its three statistics.
     for_each: Vec<Vec<u32>>,
 }
 
-/// Values of a Gaussian's statistics that count.
+/// Statistics of a Gaussian; the fourth value of the vector is not used.
 const STATISTICS: usize = 3;
 
 impl<'a> Rows<'a> {
@@ -131,7 +131,7 @@ impl<'a> Rows<'a> {
         Ok(Self { device, ranks, gradient, tensors, before, for_each })
     }
 
-    /// Takes the rows that a view batch has made from the device.
+    /// Moves a view batch's rows from the device to this list.
     pub fn take(&mut self) -> Result<()> {
         let device = self.device;
         let mut columns = Vec::with_capacity(self.tensors.len());
@@ -191,7 +191,7 @@ impl<'a> Rows<'a> {
         begin(rank)..begin(rank + 1)
     }
 
-    /// The sums of the rows that this rank owns, those that any view batch has. Takes the rows that each rank has sent.
+    /// Sums the rows of this rank's Gaussians over all view batches. Removes the rows from `rest`, the words of each rank.
     fn sum(&self, views: usize, rest: &mut [&[u32]]) -> Vec<u32> {
         let width = self.width();
         let owned = self.owned(self.ranks.rank());
@@ -224,7 +224,7 @@ impl<'a> Rows<'a> {
         touched.flat_map(row).collect()
     }
 
-    /// Writes the sums that each owner has told.
+    /// Writes the sums of all owners to the device.
     fn write(&self, sums: &[Vec<u32>]) -> Result<()> {
         let zeros = |tensor: &&TensorGradient| vec![0.0_f32; tensor.range.len()];
         let mut columns: Vec<_> = self.tensors.iter().map(zeros).collect();

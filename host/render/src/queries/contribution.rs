@@ -31,18 +31,18 @@ pub struct Contributions {
 /// Sums of one Gaussian.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct GaussianSums {
-    /// Of `alpha / max(S, 1)`, over all pixels of all views.
+    /// Sum of `alpha / max(S, 1)` over all pixels of all views.
     pixels: f64,
-    /// Of the squares of each view's part of `pixels`.
+    /// Sum over views of the square of the view's part of `pixels`.
     squares: f64,
-    /// Like `pixels`, over the pixels whose surface was looked for.
+    /// Like `pixels`, over the pixels with a measured surface.
     measured: f64,
     /// The part of `measured` that lies in front of the surface.
     in_front: f64,
 }
 
 impl Contributions {
-    /// Those of a number of Gaussians to no view.
+    /// No contribution yet, for a number of Gaussians.
     #[must_use]
     pub fn new(gaussians: usize) -> Self {
         Self { sums: vec![GaussianSums::default(); gaussians] }
@@ -89,7 +89,7 @@ impl Renderer {
     /// The same errors as [`Renderer::render`].
     ///
     /// # Panics
-    /// If `contributions` are those of another number of Gaussians.
+    /// If `contributions` has another number of Gaussians.
     pub fn add_contributions(
         &self,
         scene: &DeviceScene,
@@ -125,7 +125,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// The sums of a part's pixels for each Gaussian. A Gaussian can be there several times.
+    /// Each Gaussian's sums over a part's pixels. A Gaussian can be in the list several times.
     fn part_sums(
         &self,
         scene: &DeviceScene,
@@ -176,7 +176,7 @@ fn red(camera: &Camera, plan: &PartTiles) -> Vec<f32> {
     red
 }
 
-/// The pixels of a tile whose surface is looked for.
+/// The pixels of a tile where the surface is measured.
 fn spaced(tile: Tile, side: u32, camera: &Camera) -> impl Iterator<Item = [i32; 2]> {
     let along = move |axis: usize, size: u32| {
         let first = tile.origin[axis];

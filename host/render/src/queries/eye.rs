@@ -27,30 +27,30 @@ use organza_core::{Camera, Channel, RenderedTiles, Result, TileBatch};
 /// second.
 const CPU_PAIRS: usize = 1 << 12;
 const GPU_PAIRS: usize = 1 << 17;
-/// While a camera moves, a Gaussian's values are computed again about once in this angle, which the eye moves as seen from
-/// the Gaussian: 4 degrees. With 0.12, blocks of 8 x 8 pixels of the built-in scene are up to 13 levels of 255 beside the exact
-/// image, with this up to 10.
+/// While the eye moves, a Gaussian's values are computed again about every 4 degrees, as seen from the Gaussian; in radians.
+/// Blocks of 8 x 8 pixels of the built-in scene then differ from the exact image by up to 10 levels of 255; with 0.12 radians,
+/// by up to 13.
 const ANGLE: f32 = 0.07;
 
-/// Colors c (Eq. 3) and transmittances T (Eq. 11) of a scene's Gaussians, as seen from one place. It belongs to one
-/// scene as it is: after the scene changes, begin with another.
+/// Colors c (Eq. 3) and transmittances T (Eq. 11) of a scene's Gaussians, as seen from one place. After the scene changes,
+/// start with a new cache.
 #[derive(Debug, Default)]
 pub struct EyeCache {
-    /// The place in world space, as kernels have it.
+    /// The place in world space, as kernels read it.
     eye: Vec3,
-    /// That of the image before.
+    /// The eye of the image before.
     eye_before: Vec3,
     position: Vec<Vec3>,
-    /// For each Gaussian, the place that its values are of; infinity where nothing is known.
+    /// `[N]`: the eye that a Gaussian's values were computed for; infinity if it has none.
     eyes: Vec<Vec3>,
-    /// For each Gaussian, the length of T's steps in multiples of sigma.
+    /// `[N]`: the length of T's steps in multiples of sigma.
     steps: Vec<u16>,
     transmittance: Vec<f32>,
     color: Vec<[f32; 3]>,
     work: FieldWork,
 }
 
-/// What the fields took for the last image.
+/// The work of the fields for the last image.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FieldWork {
     /// The time for colors and transmittances.
@@ -67,26 +67,26 @@ pub struct FieldWork {
 pub struct EyeOptions<'a> {
     /// Channels beside color.
     pub channels: &'a [Channel],
-    /// The length of T's steps in multiples of sigma, Eq. 8. With 1, the image is that of [`Renderer::render`].
+    /// The length of T's steps in multiples of sigma, Eq. 8. With 1, the image equals the one of [`Renderer::render`].
     pub steps: u16,
-    /// With two numbers, an image may show values of another place: of those Gaussians it computes some again, beside all of
-    /// which nothing is known. It computes at least as many as the first, as many as the eye's motion asks for, and at most
-    /// as many as the second.
+    /// `[least, most]`: an image may show values of another eye. Each image computes all values that are unknown. It also
+    /// renews old values: more if the eye moves faster, at least `least` and at most `most`. `None`: all values are of this
+    /// eye.
     pub renewed: Option<[usize; 2]>,
-    /// Instead of the scene's background.
+    /// Replaces the scene's background.
     pub background: Option<[f64; 3]>,
     /// Whether the image is no longer needed.
     pub is_cancelled: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl EyeCache {
-    /// What the fields took for the last image.
+    /// The work of the fields for the last image.
     #[must_use]
     pub fn work(&self) -> FieldWork {
         self.work
     }
 
-    /// What is known of another place is old from now on.
+    /// Moves the eye. All values of another eye become old.
     fn look_from(&mut self, eye: Vec3, scene: &DeviceScene) -> Result<()> {
         let gaussians = scene.len();
         if self.steps.len() != gaussians {
@@ -103,7 +103,7 @@ impl EyeCache {
         Ok(())
     }
 
-    /// Whether a Gaussian's color is of the current place.
+    /// Whether a Gaussian's values are of the current eye.
     fn is_current(&self, gaussian: u32) -> bool {
         self.eyes[gaussian as usize] == self.eye
     }
@@ -114,13 +114,13 @@ impl EyeCache {
         self.eye.distance(from) / (ANGLE * distance.clamp(f32::MIN_POSITIVE, f32::MAX))
     }
 
-    /// The Gaussians among some whose values are to be computed.
+    /// Selects the Gaussians whose values must be computed.
     fn missing(&self, gaussians: &[u32], options: &EyeOptions<'_>) -> Vec<u32> {
         let is_missing =
             |&at: &u32| !self.is_current(at) || self.steps[at as usize] > options.steps;
         let missing = gaussians.iter().copied().filter(is_missing);
         let Some([least, most]) = options.renewed else { return missing.collect() };
-        // neighbors take turns, so that old values are faint noise and no hole
+        // neighbors are renewed at different times, so that old values look like faint noise, not like a hole
         let scattered = |at: u32| 1.0 + at.wrapping_mul(0x9e37_79b9) as f32 / u32::MAX as f32;
         let age = |at| self.moved(self.eyes[at as usize], at) * scattered(at);
         let mut missing: Vec<_> = missing.map(|at| (age(at), at)).collect();
@@ -133,7 +133,7 @@ impl EyeCache {
         missing.into_iter().map(|(_, at)| at).collect()
     }
 
-    /// Evaluates the unknown values of some Gaussians. Returns the number of samples; `None` if it was cancelled.
+    /// Evaluates the [missing](Self::missing) values of some Gaussians. Returns the number of samples; `None` if cancelled.
     fn complete(
         &mut self,
         scene: &DeviceScene,
@@ -198,7 +198,7 @@ impl EyeCache {
         let device = scene.device();
         let projection = project(device, scene, &[camera], &plan.windows())?;
         let bins = Bins::new(scene, plan, projection, None)?;
-        // of one camera, a pair is its Gaussian
+        // with one camera, a pair is its Gaussian
         let gaussians = device.read(&bins.pairs.pair)?;
         let begin = Instant::now();
         let samples = self.complete(scene, &bins, &gaussians, options)?;
@@ -229,8 +229,8 @@ fn pairs_of(device: &Device, bins: &Bins, gaussians: &[u32]) -> muslin_device::R
 }
 
 impl Renderer {
-    /// Renders tiles of one camera, whose index does not matter. Colors and transmittances that are in the cache are
-    /// not computed again. Returns nothing where it was cancelled; what was computed by then is kept.
+    /// Renders tiles of one camera; the camera index of a tile is ignored. Colors and transmittances in the cache are not
+    /// computed again. Returns `None` if cancelled; the cache keeps the values that were computed by then.
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].
@@ -259,7 +259,7 @@ impl Renderer {
         Ok(Some(tiles))
     }
 
-    /// How many Gaussians each pixel sums up, row by row: those whose support reaches the pixel's center.
+    /// The number of Gaussians whose support reaches each pixel's center, row by row.
     ///
     /// # Errors
     /// The same errors as [`Renderer::render`].
@@ -275,7 +275,7 @@ impl Renderer {
             for [placed, conic] in projection.as_chunks().0 {
                 let mean = [placed.x, placed.y];
                 let reach = placed.z;
-                // the pixels whose centers the radius may reach; of what is culled it is negative
+                // the pixels whose centers the radius may reach; the radius of culled Gaussians is negative
                 let range = |axis: usize, first: usize, len: usize| {
                     let at = |value: f32| (value as isize - first as isize).clamp(0, len as isize);
                     at(mean[axis] - reach - 1.0) as usize..at(mean[axis] + reach + 1.0) as usize

@@ -11,16 +11,16 @@ use crate::{Capacity, DeviceScene, Renderer};
 use organza_core::camera::{Camera, MAX_IMAGE_SIDE};
 use organza_core::{Result, Tile, TileBatch};
 
-/// The parts that all frames of a plan share.
+/// The sizes that all frames of a plan share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameShape {
-    /// Tiles of a frame at most. Those that a frame does not need are far outside of its image.
+    /// Number of tiles. A frame puts the tiles that it does not need far outside of its image.
     pub tiles: u32,
     /// Side of a tile, in pixels.
     pub side: u32,
     /// The length of T's steps in multiples of sigma, Eq. 8.
     pub steps: u16,
-    /// The room in the tables. A frame that needs more comes out empty, and its counts say so.
+    /// Capacity of the tables. A frame that needs more is empty, and its counts show it.
     pub capacity: Capacity,
 }
 
@@ -34,14 +34,14 @@ pub struct Frame {
     pub camera: u32,
     /// `[tiles, 4]`: as [`organza_shaders::tile::Tile`] packs them.
     pub tiles: u32,
-    /// The room that the frame needed: the flag of an overflow, pairs, members and samples.
+    /// The capacity that the frame needed: a flag for an overflow, pairs, members and samples.
     pub counts: u32,
     /// `[tiles, 3, S, S]`
     pub image: u32,
 }
 
 impl Renderer {
-    /// The room that an image of a camera needs in tiles of a side, with each of some [steps](FrameShape::steps).
+    /// The capacity that a camera's image needs, for each of some [steps](FrameShape::steps).
     pub fn capacities(
         &self,
         scene: &DeviceScene,
@@ -62,7 +62,7 @@ impl Renderer {
                 let (_, first_sample) = segments(scene, &bins.pairs)?;
                 let samples = total(device, &first_sample)?.upper_bound();
                 *needed = Capacity {
-                    // pairs of several parts count once for each part: that is room to spare
+                    // a pair counts once for each part that has it, so this may be more than needed
                     pairs: needed.pairs.saturating_add(pairs).min(scene.gaussians),
                     members: needed.members.saturating_add(members),
                     samples: needed.samples.saturating_add(samples),
@@ -80,7 +80,7 @@ impl Renderer {
         let device = self.device();
         // an earlier error may have left a plan
         drop(device.take_plan());
-        // Its user puts the others anywhere to the right and below: the Gaussians there must be kept.
+        // A frame may put its tiles anywhere to the right and below: Gaussians there must not be culled.
         let origin = |place| if place == 0 { [0, 0] } else { [MAX_IMAGE_SIDE as i32; 2] };
         let tile =
             |place| PlannedTile { tile: Tile { camera: 0, origin: origin(place) }, place, view: 0 };

@@ -30,7 +30,7 @@ pub struct Leakage {
 }
 
 impl Leakage {
-    /// That of one pixel.
+    /// The leakage of one pixel.
     fn from_members(members: &mut [Member]) -> Self {
         let Some((surface, sum)) = surface(members) else { return Self::default() };
         let share = |is_there: &dyn Fn(f64) -> bool| {
@@ -46,7 +46,7 @@ impl Leakage {
         }
     }
 
-    /// That of the pixels of several.
+    /// The mean over the pixels of all parts.
     #[must_use]
     pub fn mean(parts: &[Self]) -> Self {
         let pixels = parts.iter().map(|part| part.pixels).sum::<u64>();

@@ -20,7 +20,7 @@ pub struct Member {
     pub weight: f64,
 }
 
-/// The splats and tiles of a part, for the members of its pixels; all of one camera.
+/// The splats and tiles of a part with one camera, to find the members of its pixels.
 #[derive(Debug)]
 pub struct Members {
     /// `[pairs]`: with one camera, these are Gaussians.
@@ -40,7 +40,7 @@ impl Members {
         })
     }
 
-    /// Those that reach a pixel of the image, in the part's tile with this index. `depths [N]` are those of all Gaussians.
+    /// The Gaussians that reach a pixel of the image, which lies in the part's tile `tile`. `depths [N]` has every Gaussian's depth.
     pub fn at(&self, tile: usize, pixel: [i32; 2], depths: &[f64]) -> Vec<Member> {
         let square = KernelTile { camera: 0, origin: pixel, output: 0 };
         let center = square.pixel_center(0, 0);
@@ -56,8 +56,8 @@ impl Members {
     }
 }
 
-/// The depth of a pixel's surface, the median of its weights: Gaussians with half of the weight are nearer. And S, the sum of
-/// the weights. Sorts the members by depth. None without any weight.
+/// The depth of a pixel's surface, and S, the sum of the weights. The surface is the median: Gaussians with half of the weight
+/// are nearer. Sorts the members by depth. `None` if S is 0.
 pub fn surface(members: &mut [Member]) -> Option<(f64, f64)> {
     members.sort_by(|a, b| a.depth.total_cmp(&b.depth));
     let sum: f64 = members.iter().map(|member| member.weight).sum();

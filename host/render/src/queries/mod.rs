@@ -1,4 +1,4 @@
-//! Other ways to look at a scene: from one place, as a plan for a browser, pixel by pixel, and what Gaussians contribute.
+//! Other queries of a scene: views from one place, a plan for a browser, single pixels, and the contributions of Gaussians.
 
 pub mod contribution;
 pub mod eye;

@@ -113,7 +113,7 @@ impl Renderer {
         let grid_width = scene.config.color_grid.width();
         let mut sh = Vec::new();
         let mut color_encoding = Vec::new();
-        // kept, so that the network's input can be read
+        // `keep`, so that the network's input can be read
         let color = Color::evaluate(scene, &pairs, true)?;
         for chunk in color.blocks.iter().flat_map(|block| block.chunks().collect::<Vec<_>>()) {
             let rows = device.read(&chunk.input())?;
@@ -257,7 +257,7 @@ impl Renderer {
                 alpha_sum: sum.w,
             });
         }
-        // the running sums were taken here, these by the kernels
+        // the running sums were added here; these sums are the kernels'
         let sum = device.read(&part.composite.sum)?;
         let pixel = device.read(&part.composite.image)?;
         let inspection = Inspection {

@@ -18,7 +18,7 @@ pub struct DeviceScene {
     pub(super) device: Arc<Device>,
     pub(crate) config: SceneConfig,
     pub(crate) gaussians: u32,
-    /// Eq. 13's, but in comparisons.
+    /// Eq. 13 divides sums above this: 1, or [never](Self::never_divide).
     pub(crate) divide_above: f32,
     /// See [`DeviceScene::with_ray_steps`].
     pub(crate) ray_steps: u32,
@@ -27,12 +27,12 @@ pub struct DeviceScene {
     pub(crate) color: DeviceField,
     pub(crate) transmittance: DeviceField,
     pub(crate) occupancy: Occupancy,
-    /// How often [`DeviceScene::write`] has changed it.
+    /// Number of calls of [`DeviceScene::write`].
     pub(crate) version: Arc<AtomicU64>,
 }
 
 impl DeviceScene {
-    /// Where the scene lies.
+    /// The device that the scene is on.
     #[must_use]
     pub fn device(&self) -> &Device {
         &self.device
@@ -104,15 +104,14 @@ impl DeviceScene {
         unpack(&self.config, self.len(), self.tensors.as_ref(), read)
     }
 
-    /// Replaces a tensor's values, after everything that was dispatched before. `name` is that of [`Scene::tensors`],
-    /// such as `gaussians.position` or `color.mlp.0.weight`; values are row-major. Nothing is allocated on a CPU.
+    /// Replaces a tensor's values, after everything that was dispatched before. `name` is a name of [`Scene::tensors`], such
+    /// as `gaussians.position` or `color.mlp.0.weight`; values are row-major. Nothing is allocated on a CPU.
     ///
     /// A [`Recording`](crate::Recording) of the scene as it was before has no gradient anymore.
     ///
     /// # Errors
     /// [`Error::Argument`] where there is no such tensor, or where the scene was uploaded as halves;
-    /// [`Error::WrongShape`] or [`Error::NotFinite`] where the values are not those of the tensor; as
-    /// [`Device::write`].
+    /// [`Error::WrongShape`] for another number of values; [`Error::NotFinite`]; the same errors as [`Device::write`].
     pub fn write(&self, device: &Device, name: &str, values: &[f32]) -> Result<()> {
         self.require_gradients()?;
         let specs = self.config.tensors(self.len());
@@ -145,10 +144,10 @@ impl DeviceScene {
         Ok(device.write(&parameters, place.weight_values().start, &packed)?)
     }
 
-    /// The scene has these Gaussians from now on.
+    /// Replaces all Gaussians.
     ///
     /// # Errors
-    /// The same errors as [`Device::upload`]. Some Gaussians are missing then.
+    /// The same errors as [`Device::upload`]. The scene is then not complete.
     pub fn replace_gaussians(&mut self, device: &Device, gaussians: &Gaussians) -> Result<()> {
         self.gaussians = 0;
         replace_gaussians(device, &mut self.tensors, gaussians)?;
@@ -157,7 +156,7 @@ impl DeviceScene {
         self.update_occupancy(device)
     }
 
-    /// Finds anew where Gaussians are: to be called whenever some have moved.
+    /// Recomputes the occupancy grid. Call it whenever Gaussians have moved.
     ///
     /// # Errors
     /// The same errors as [`Device::dispatch`].
@@ -166,12 +165,12 @@ impl DeviceScene {
         Ok(self.occupancy.update(device, &self.config, &self.scene_box, gaussians)?)
     }
 
-    /// Eq. 13 divides no sum.
+    /// Turns off the division of Eq. 13, for comparisons.
     pub fn never_divide(&mut self) {
         self.divide_above = f32::MAX;
     }
 
-    /// The blur that weights make up for, in square pixels; 0 if they do not.
+    /// The blur that weights compensate for, in square pixels; 0 if they do not.
     pub(crate) fn compensated_blur(&self) -> f32 {
         if self.config.antialiased { self.config.blur as f32 } else { 0.0 }
     }
@@ -186,11 +185,11 @@ impl DeviceScene {
         Self { ray_steps, ..self.clone() }
     }
 
-    /// The same scene, on the same memory, as early steps of a training see it: in images that are `factor` times
-    /// smaller, and with steps of T that are `ray_steps` times as long as sigma.
+    /// The same scene, on the same memory, for the coarse steps of a training: for images that are `factor` times smaller,
+    /// with steps of T that are `ray_steps` times as long as sigma.
     ///
-    /// A pixel is the mean of a square of `factor` by `factor` pixels, whose places have a variance of `(factor^2 - 1)
-    /// / 12` along each axis. The blur has this variance, too, in square pixels of the smaller image.
+    /// A pixel is the mean of `factor` x `factor` pixels. Their positions have a variance of `(factor^2 - 1) / 12` along each
+    /// axis. It is added to the blur, in square pixels of the smaller image.
     pub fn coarser(&self, factor: u32, ray_steps: u32) -> Self {
         let square = f64::from(factor).powi(2);
         let mut seen = self.with_ray_steps(ray_steps);

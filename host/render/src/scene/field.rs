@@ -10,12 +10,12 @@ use organza_core::error::Result;
 use organza_core::halves::pack_halves;
 use organza_core::scene::{Field, FieldTensors, GridConfig};
 
-/// A field whose tensors lie on a device: `table` and `parameters` are those of the scene.
+/// A field on a device. It shares `table` and `parameters` with the scene's tensors.
 #[derive(Clone, Debug)]
 pub struct DeviceField {
     pub(crate) levels: Buffer<GridLevel>,
     pub(crate) table: Buffer<f32>,
-    /// Instead of `table`: the same as halves.
+    /// The table in half precision, which kernels read in place of `table`.
     pub(crate) half_table: Option<Buffer<u32>>,
     pub parameters: Buffer<Vec4>,
     pub(crate) features: u32,
@@ -23,7 +23,7 @@ pub struct DeviceField {
 }
 
 impl DeviceField {
-    /// Of a host's field whose tensors lie on the device; `name` is what their names begin with.
+    /// Makes a field from tensors that are on the device. The tensors' names begin with `name`.
     ///
     /// # Errors
     /// The same errors as [`Device::upload`]; [`Error::Invalid`](organza_core::Error::Invalid) if a value is too large
@@ -50,7 +50,7 @@ impl DeviceField {
         })
     }
 
-    /// Memory beside the tensors.
+    /// Bytes on the device, without the tensors.
     pub fn bytes_beside_tensors(&self) -> u64 {
         self.levels.bytes() + self.half_table.as_ref().map_or(0, Buffer::bytes)
     }

@@ -1,4 +1,4 @@
-//! A scene on a device: how it gets there, and how it lies there.
+//! A scene on a device: its upload, and its layout there.
 
 pub mod device_scene;
 pub mod field;

@@ -1,4 +1,4 @@
-//! Where Gaussians are: a grid of the unit cube, found anew whenever they move.
+//! The occupancy grid of the unit cube: which cells Gaussians lie in. It is recomputed whenever they move.
 
 use organza_shaders::occupancy::{
     OccupancyAddKernel, OccupancyKernel, OccupancyParams, OccupancyTableParams, entries_of_side,
@@ -40,7 +40,7 @@ impl Occupancy {
         })
     }
 
-    /// A scene without a grid has a single entry, because a binding must be bound.
+    /// A scene without a grid has a single entry, because every binding needs a buffer.
     fn entries(config: &SceneConfig) -> usize {
         match config.occupancy {
             0 => 1,
@@ -53,7 +53,7 @@ impl Occupancy {
         Self::entries(config) * (size_of::<u32>() + size_of::<f32>())
     }
 
-    /// Finds anew where Gaussians are.
+    /// Recomputes the grid.
     pub fn update(
         &self,
         device: &Device,

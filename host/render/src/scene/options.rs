@@ -1,6 +1,6 @@
-//! How a scene lies on a device.
+//! The format of a scene on a device.
 
-/// How a scene lies on a device; the default is as it is, which alone has gradients.
+/// The format of a scene on a device. The default is f32, the only one with gradients.
 ///
 /// ```
 /// use organza_core::demo;

@@ -1,4 +1,4 @@
-//! A scene's tensors as kernels read them, on the way to a device and back.
+//! A scene's tensors in the kernels' layout: upload and download.
 
 use std::borrow::Cow;
 
@@ -35,10 +35,10 @@ pub fn upload(
     tensors.try_map(|name, values| device.upload(name, &values))
 }
 
-/// The tensors are those of these Gaussians from now on. A device never has both at once.
+/// Replaces the Gaussians' tensors. Old and new tensors are never on the device together.
 ///
 /// # Errors
-/// The same errors as [`Device::upload`]. Some Gaussians are missing then.
+/// The same errors as [`Device::upload`]. Some tensors are then empty.
 pub fn replace_gaussians(
     device: &Device,
     tensors: &mut Tensors<Buffer<f32>>,
@@ -51,7 +51,7 @@ pub fn replace_gaussians(
     Ok(())
 }
 
-/// Where a tensor goes on the host.
+/// The host memory that a tensor is downloaded to.
 enum Target<'a> {
     Values(&'a mut [f32]),
     Network(&'a mut Network),
@@ -64,10 +64,10 @@ fn field_targets(field: &mut Field) -> FieldTensors<Target<'_>> {
     }
 }
 
-/// The scene of `gaussians` Gaussians whose tensors `read` fills in as kernels read them.
+/// A scene of `gaussians` Gaussians. `read` fills in each tensor, in the kernels' layout.
 ///
 /// # Errors
-/// The same errors as [`Scene::zeros`]; those of `read`.
+/// The same errors as [`Scene::zeros`]; any error of `read`.
 pub fn unpack<T>(
     config: &SceneConfig,
     gaussians: usize,

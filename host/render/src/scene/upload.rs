@@ -1,4 +1,4 @@
-//! How a scene is stored on a device, and which scenes cannot be.
+//! Uploads a scene to a device.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -60,7 +60,7 @@ impl DeviceScene {
         Ok(scene)
     }
 
-    /// Fails where the grids are halves: the numbers that they were are not there.
+    /// Fails if the grids are halves: a half has no gradient.
     pub(crate) fn require_gradients(&self) -> Result<()> {
         match self.color.half_table {
             None => Ok(()),

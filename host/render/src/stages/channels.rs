@@ -1,4 +1,4 @@
-//! Channels beside color: sums of other values of each pair, with the weights of Eq. 12.
+//! Channels beside color: other values of each pair, composited by Eq. 12.
 
 use glam::Vec3;
 use organza_shaders::channels::{PairChannelsKernel, PairChannelsParams};
@@ -9,7 +9,7 @@ use muslin_device::{Buffer, Result};
 use organza_core::Channel;
 use organza_core::scene::Placement;
 
-/// The sums that a channel is made of.
+/// The sums that a channel is computed from.
 #[derive(Clone, Copy, PartialEq)]
 enum Source {
     Color,
@@ -29,7 +29,7 @@ fn source(channel: Channel) -> Source {
 /// depend on the device.
 const LEAST_WEIGHT: f32 = 1e-30;
 
-/// The channel of one tile, `[planes, S, S]`, of its sums `[4, S, S]`, in the world where a scene lies.
+/// One tile's channel `[planes, S, S]` from its sums `[4, S, S]`, in the units and axes of the world.
 fn resolve(channel: Channel, sum: &[f32], area: usize, placement: &Placement) -> Vec<f32> {
     let weight = &sum[3 * area..];
     // NaN is covered: it shows the pixels of an overflowing network.

@@ -1,4 +1,4 @@
-//! A: the color of every pair.
+//! Stage A: the color of every pair.
 
 use glam::Vec4;
 use organza_shaders::color::{ColorHeadKernel, ColorInputsKernel, ColorInputsParams};
@@ -26,7 +26,7 @@ pub struct Color {
 }
 
 impl Color {
-    /// `keep` says whether [`Color::backward`] will be called: its inputs are kept then, as far as they fit.
+    /// With `keep`, the inputs of [`Color::backward`] stay in memory, as far as they fit.
     pub fn evaluate(scene: &DeviceScene, pairs: &Pairs, keep: bool) -> Result<Self> {
         let device = scene.device();
         let config = &scene.config;
@@ -45,8 +45,8 @@ impl Color {
         Ok(Self { color, blocks })
     }
 
-    /// Adds the gradients of the color field to their sums, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_shaders::splat)); returns those of the pairs' materials, unless there are no pairs.
+    /// Backpropagates `pair_gradient [pairs, 3]` (see [`splat_backward`](organza_shaders::splat)). Adds to the gradient sums of
+    /// the color field. Returns the gradient of each pair's material; `None` without pairs.
     pub fn backward(
         &self,
         scene: &DeviceScene,

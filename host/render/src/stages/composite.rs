@@ -1,4 +1,4 @@
-//! B3 and C: the weighted sums of all tiles, and the image.
+//! Stages B3 and C: the weighted sums of all tiles, and the image.
 
 use glam::Vec4;
 use organza_shaders::composite::{CompositeKernel, CompositeParams, SUM_PLANES};
@@ -27,7 +27,7 @@ pub struct TileContext<'a> {
     pub transmittance: &'a Buffer<f32>,
 }
 
-/// A term of the loss that looks at weighted sums (Eq. 12) of other values of each pair than its color.
+/// A loss term on composited values (Eq. 12) other than color.
 #[derive(Clone, Copy, Debug)]
 pub struct CompositedTerm {
     /// Its weight in the loss. The term is a mean over the valid pixels.
@@ -37,7 +37,7 @@ pub struct CompositedTerm {
     pub(crate) backward: TermBackward,
 }
 
-/// The derivative of a term by its sums, `[tiles, 4, S, S]`; of the sums, the mask `[tiles, S, S]`, and the factor of each pixel.
+/// A term's derivative by its sums, `[tiles, 4, S, S]`. Arguments: the sums, the mask `[tiles, S, S]`, and each pixel's factor.
 pub(crate) type TermBackward =
     fn(TileContext<'_>, &Buffer<f32>, &Buffer<f32>, f32) -> Result<Buffer<f32>>;
 
@@ -46,7 +46,7 @@ pub(crate) type TermBackward =
 pub struct TileGradient {
     /// dL/dY `[tiles, 3, S, S]`
     pub d_tiles: Buffer<f32>,
-    /// Terms beside the image.
+    /// Loss terms on other values than the image.
     pub terms: Vec<MaskedTerm>,
 }
 
@@ -56,7 +56,7 @@ pub struct MaskedTerm {
     pub term: CompositedTerm,
     /// `[tiles, S, S]`: 1 where a pixel counts, 0 elsewhere.
     pub valid: Buffer<f32>,
-    /// Each pixel's: the term's weight, divided by how many pixels of the batch count.
+    /// The term's weight, divided by the number of valid pixels in the batch.
     pub factor: f32,
 }
 
@@ -144,7 +144,7 @@ impl Composite {
     }
 }
 
-/// Room for gradients of each tile's members, `[members, 3]`: zeros.
+/// Zeros for the gradient of each tile's members, `[members, 3]`.
 fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
     let members = bins.members.upper_bound();
     let bytes = u64::from(members) * u64::from(VECTORS) * size_of::<Vec4>() as u64;
@@ -156,8 +156,8 @@ fn members_gradient(device: &Device, bins: &Bins) -> Result<Buffer<Vec4>> {
     device.zeros("gradient of the members", (members * VECTORS) as usize)
 }
 
-/// Adds the gradients of each tile's members, summed over its pixels: in bands of rows if a tile is large. Splats come with
-/// whether the gradient of their colors is wanted.
+/// Adds the gradients of each tile's members, summed over its pixels, in bands of rows if a tile is large. `colors` also asks
+/// for the gradient of the splats' colors.
 fn add_members(
     TileContext { scene, bins, .. }: TileContext<'_>,
     (splat, colors): (&Buffer<Vec4>, bool),
@@ -190,8 +190,8 @@ fn add_members(
     Ok(())
 }
 
-/// The sums of Eq. 12, `[tiles, 4, S, S]`, of any three values of each pair, `color [pairs, 3]`; and the splats that they
-/// are the sums of.
+/// Composites any three values per pair, `color [pairs, 3]`, by Eq. 12. Returns the sums `[tiles, 4, S, S]` and the splats
+/// `[pairs, 3]`.
 pub fn weighted_sum(
     TileContext { scene, bins, transmittance }: TileContext<'_>,
     color: &Buffer<f32>,
@@ -246,7 +246,7 @@ pub fn weighted_sum(
     Ok((sum, splat))
 }
 
-/// `[tiles, S, S]`: tiles in 8 bits.
+/// `[tiles, S, S]`: tiles as 8-bit RGBA.
 pub fn pixels(device: &Device, side: u32, image: &Buffer<f32>) -> Result<Buffer<u32>> {
     let rgba = device.unwritten("pixels", image.len() / 3)?;
     let params = PixelsParams { count: rgba.len() as u32, area: side * side };

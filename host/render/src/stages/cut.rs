@@ -8,7 +8,7 @@ use crate::scene::device_scene::DeviceScene;
 use muslin_device::{Error, Result};
 use organza_core::tile::{Tile, TileBatch};
 
-/// The memory of one part's tables, unless told otherwise. Parts of this size keep every device busy.
+/// Default memory of one part's tables, in bytes. Parts of this size keep every device busy.
 pub const PART_BYTES: u64 = 512 << 20;
 
 /// One part of a batch: tiles ordered by camera.
@@ -27,7 +27,7 @@ pub struct PlannedTile {
     pub view: usize,
 }
 
-/// The tiles of a batch by camera. A view batch has up to `most` of one camera.
+/// Sorts a batch's tiles by camera. A view batch has at most `most` tiles of one camera.
 pub fn by_camera(batch: &TileBatch, most: usize) -> Vec<PlannedTile> {
     let tiles = batch.tiles.iter().enumerate();
     let mut tiles: Vec<_> =
@@ -40,7 +40,7 @@ pub fn by_camera(batch: &TileBatch, most: usize) -> Vec<PlannedTile> {
     tiles
 }
 
-/// Cuts tiles, ordered by camera, into parts with as many of them as fit.
+/// Cuts tiles, sorted by camera, into parts of as many tiles as fit.
 pub fn cut(
     scene: &DeviceScene,
     side: u32,
@@ -93,7 +93,7 @@ impl PartTiles {
         cameras
     }
 
-    /// The smallest part of each camera's image that holds its tiles.
+    /// The smallest rectangle of each camera's image that contains its tiles.
     pub fn windows(&self) -> Vec<[f32; WINDOW]> {
         let of_camera = |tiles: &[PlannedTile]| {
             let origins = |axis: usize| tiles.iter().map(move |tile| tile.tile.origin[axis]);
@@ -104,7 +104,7 @@ impl PartTiles {
         self.tiles.chunk_by(|a, b| a.tile.camera == b.tile.camera).map(of_camera).collect()
     }
 
-    /// The tiles as kernels see them, and where each camera's begin.
+    /// The tiles as kernels read them, and the index of each camera's first tile.
     pub fn pack(&self) -> (Vec<i32>, Vec<u32>) {
         let cameras = self.cameras();
         let mut packed = Vec::with_capacity(self.tiles.len() * KernelTile::INTEGERS);
@@ -137,7 +137,7 @@ pub fn words(gaussians: u32) -> u32 {
     gaussians.div_ceil(32)
 }
 
-/// The most that a part has.
+/// Limits of a part.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     pub tiles: usize,

@@ -23,18 +23,18 @@ pub struct Pairs {
     pub camera: Buffer<f32>,
     /// `[cameras, gaussians, 2]`
     pub projection: Buffer<Vec4>,
-    /// Where each camera's pairs end, on a CPU; nothing elsewhere.
+    /// The end of each camera's pairs on a CPU; empty on a GPU.
     pub view_ends: Vec<u32>,
 }
 
 impl Pairs {
-    /// The pairs that chunks have to end with, if they are kept for gradients, which are summed view batch by view batch.
+    /// Where chunks must end. With `keep`, at the end of each camera's pairs, because gradients are summed view by view.
     pub fn chunk_ends(&self, keep: bool) -> &[u32] {
         if keep { &self.view_ends } else { &[] }
     }
 }
 
-/// Which Gaussians any tile of a camera needs: `[cameras, words]`.
+/// For each camera, a mask of the Gaussians in any of its tiles: `[cameras, words]`.
 pub fn pair_mask(
     device: &Device,
     words: u32,
@@ -76,7 +76,7 @@ pub fn fill_pairs(
     Ok(pair)
 }
 
-/// Where each camera's pairs end.
+/// The end of each camera's pairs.
 pub fn view_ends(device: &Device, pair_mask: &Mask, cameras: u32, words: u32) -> Result<Vec<u32>> {
     let end = |camera| device.read_range(&pair_mask.first, (camera * words) as usize, 1);
     (1..=cameras).map(|camera| Ok(end(camera)?[0])).collect()
@@ -87,12 +87,12 @@ pub fn view_ends(device: &Device, pair_mask: &Mask, cameras: u32, words: u32) ->
 pub struct PairVectors {
     /// `[pairs, width]`
     pub values: Buffer<f32>,
-    /// Values of a vector.
+    /// Length of a vector.
     pub width: u32,
 }
 
 impl PairVectors {
-    /// Adds the vectors of every Gaussian's pairs in some of a part's cameras to `vector [gaussians, width]`.
+    /// Adds each Gaussian's pair vectors, over a range of the part's cameras, to `vector [gaussians, width]`.
     pub fn sum(
         &self,
         scene: &DeviceScene,

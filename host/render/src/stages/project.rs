@@ -1,4 +1,4 @@
-//! The projection of Gaussians, its derivatives by them and by the cameras' poses, and the statistics of growth.
+//! The projection of Gaussians, its derivatives by Gaussians and by camera poses, and the statistics of growth.
 //! [`organza_shaders::pose_backward`] has the equations of the poses.
 
 use std::ops::Range;
@@ -28,7 +28,7 @@ pub struct Projection {
     pub degenerate: Buffer<u32>,
 }
 
-/// Projects every Gaussian into every camera, and leaves out those that certainly end before the camera's window.
+/// Projects every Gaussian into every camera. Culls Gaussians that end before the camera's window.
 pub fn project(
     device: &Device,
     scene: &DeviceScene,
@@ -54,8 +54,8 @@ pub fn project(
     Ok(Projection { camera, values, degenerate })
 }
 
-/// Adds the gradients of positions, rotations, scales and opacities, from `pair_gradient [pairs, 3]`, to `gradient`, and the
-/// pairs to its statistics: those of some of the part's cameras.
+/// Backpropagates `pair_gradient [pairs, 3]` for a range of the part's cameras. Adds the gradients of positions, rotations,
+/// scales and opacities to `gradient`, and the pairs to its statistics.
 pub fn project_backward(
     scene: &DeviceScene,
     pairs: &Pairs,
@@ -103,8 +103,8 @@ pub fn project_backward(
     device.run(&kernel, gaussians, 1)
 }
 
-/// Adds the gradients of the poses of a part's cameras, from `pair_gradient [pairs, 3]`, to `gradient [cameras, 6]`, of all
-/// cameras that a batch may show.
+/// Backpropagates `pair_gradient [pairs, 3]` to the poses of a part's cameras. Adds to `gradient [cameras, 6]`, which has a
+/// row for every camera that a batch may show.
 pub fn pose_backward(
     scene: &DeviceScene,
     pairs: &Pairs,

@@ -1,4 +1,4 @@
-//! Exclusive prefix sums of any length, and masks with those of their bits.
+//! Exclusive prefix sums of any length, and bit masks with the prefix sums of their words' bits.
 
 use organza_shaders::scan::{BLOCK, ScanAddKernel, ScanBlockKernel, ScanParams};
 
@@ -31,7 +31,7 @@ pub fn total(device: &Device, prefix: &Buffer<u32>) -> Result<Count> {
     Ok(Count::known(device.read_range(prefix, prefix.len() - 1, 1)?[0]))
 }
 
-/// Bits of a mask and how many lie before each of its words.
+/// A bit mask, and the number of set bits before each of its words.
 #[derive(Debug)]
 pub struct Mask {
     pub bits: Buffer<u32>,

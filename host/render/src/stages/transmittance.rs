@@ -1,4 +1,4 @@
-//! B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
+//! Stages B1 and B2: the segments of all pairs, their samples as one flat list, and the products.
 
 use glam::Vec4;
 use organza_shaders::limits::MAX_SAMPLES;
@@ -32,7 +32,7 @@ pub struct Transmittance {
     pub first_sample: Buffer<u32>,
     /// Samples of all segments.
     pub samples: Count,
-    /// The power of the products: how many times as long as sigma the steps are.
+    /// Exponent of the products: the length of T's steps in multiples of sigma.
     pub power: f32,
     /// `[pairs, 4]`
     segment: Buffer<Vec4>,
@@ -41,8 +41,8 @@ pub struct Transmittance {
 }
 
 impl Transmittance {
-    /// Evaluates [`segments`], which have a number of samples. `keep` says whether [`Transmittance::backward`] will be
-    /// called: its inputs are kept then, as far as they fit.
+    /// Evaluates T for [`segments`] of `samples` samples in all. With `keep`, the inputs of [`Transmittance::backward`] stay in
+    /// memory, as far as they fit.
     pub fn evaluate(
         scene: &DeviceScene,
         pairs: &Pairs,
@@ -70,11 +70,11 @@ impl Transmittance {
     }
 }
 
-/// The part of a pair's ray in the unit cube, and what its samples let through.
+/// The part of a pair's ray in the unit cube, and the light that its samples let through.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ray {
-    /// Places of the unit cube, evenly spaced in the samples' order, from the Gaussian to the eye. Two where the ray is straight,
-    /// s and s + w of Eq. 7; if it is [contracted](organza_core::scene::Contraction), where each of its steps begins, and the end.
+    /// Points in the unit cube, from the Gaussian to the eye. A straight ray has two, s and s + w of Eq. 7. A
+    /// [contracted](organza_core::scene::Contraction) one has the start of every step, and the end.
     pub places: Vec<[f32; 3]>,
     /// The logarithm of each sample's rho, Eq. 11.
     pub log_rho: Vec<f32>,
@@ -110,7 +110,7 @@ impl Transmittance {
     }
 }
 
-/// The segments `[pairs, 4]` (Eq. 4-8), and where the samples of each begin, `[pairs + 1]`.
+/// The segments `[pairs, 4]` (Eq. 4-8), and the index of each one's first sample, `[pairs + 1]`.
 pub fn segments(scene: &DeviceScene, pairs: &Pairs) -> Result<(Buffer<Vec4>, Buffer<u32>)> {
     let device = scene.device();
     check_samples(scene, pairs)?;
@@ -206,8 +206,8 @@ fn inputs(
 }
 
 impl Transmittance {
-    /// Adds the gradients of the transmittance field to their sums, of `pair_gradient [pairs, 3]` (see
-    /// [`splat_backward`](organza_shaders::splat)); returns those of the pairs' extra vectors, unless there are no samples.
+    /// Backpropagates `pair_gradient [pairs, 3]` (see [`splat_backward`](organza_shaders::splat)). Adds to the gradient sums of
+    /// the transmittance field. Returns the gradient of each pair's extra vector; `None` without samples.
     pub fn backward(
         &self,
         scene: &DeviceScene,
@@ -243,7 +243,7 @@ impl Transmittance {
             first_sample: Some(first_sample),
             gradient: &gradient.transmittance,
         };
-        // a pair may have samples of two chunks, which are added in their order
+        // a pair's samples may lie in two chunks: they are added in order
         backward.run(
             |scratch, chunk| self.head_backward(scene, scratch, chunk, &owners, pair_gradient),
             |input_gradient, chunk| {
@@ -312,12 +312,12 @@ impl Transmittance {
 /// Which pairs have samples in which chunk.
 struct Owners<'a> {
     all: &'a Count,
-    /// `[pairs + 1]`: where each pair's samples begin, if the host knows.
+    /// `[pairs + 1]`: each pair's first sample, if the host knows it.
     first: Option<Vec<u32>>,
 }
 
 impl Owners<'_> {
-    /// The pairs that have samples in a chunk, and maybe others: the first, and how many.
+    /// First and number of the pairs with samples in a chunk. If the host does not know them, all pairs.
     fn of_chunk(&self, chunk: &Chunks<'_>) -> (u32, Count) {
         let Some(first) = &self.first else { return (0, self.all.clone()) };
         let begin = first.partition_point(|&begin| begin <= chunk.first()) as u32 - 1;

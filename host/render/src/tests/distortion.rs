@@ -8,7 +8,7 @@ use crate::stages::cut::{PART_BYTES, PartTiles};
 use crate::{CompositedTerm, LossTarget, Renderer, SceneGradient, TileImages};
 use organza_core::{Scene, demo};
 
-/// Half the distance of two values whose difference is taken.
+/// Step of the central differences.
 const STEP: f32 = 1e-2;
 /// The weight of the distortion in the loss.
 const WEIGHT: f32 = 3.0;

@@ -1,10 +1,10 @@
-//! A recorded batch beside one that is rendered and thrown away, and scenes that are written to.
+//! A recorded batch against one that is rendered again for its gradient, and scenes that change after recording.
 
 use super::{all_devices, some, tiles};
 use crate::{DeviceScene, Recording, Renderer, SceneGradient, UploadOptions};
 use organza_core::{Channel, Gradient, Scene, demo};
 
-/// One part of all tiles, and one for each tile: more than are kept.
+/// One part for all tiles, and one part per tile, which are more parts than a recording keeps.
 const PART_BYTES: [u64; 2] = [512 << 20, 1];
 
 /// Any dL/dY.
@@ -18,7 +18,7 @@ fn bits(gradient: &Gradient) -> Vec<Vec<u32>> {
     values.map(|(_, values)| values.iter().map(|value| value.to_bits()).collect()).collect()
 }
 
-/// The gradient of a batch whose parts are thrown away after they have added to it.
+/// The gradient of a batch without a recording: each part is dropped after its backward pass.
 fn rendered_again(renderer: &Renderer, scene: &DeviceScene, slopes: &[f32]) -> Gradient {
     let device = renderer.device();
     let gradient = SceneGradient::new(scene.device(), scene).expect("memory");
@@ -141,7 +141,7 @@ fn parts_are_given_up_where_memory_ends() {
             let was_refused = !device.refuse_one(0);
             match found {
                 Ok(found) => {
-                    assert!(bits(&found) == expected, "buffer {number}, going back");
+                    assert!(bits(&found) == expected, "buffer {number}, backward");
                     survived += u32::from(was_refused);
                 }
                 Err(error) => assert!(error.is_out_of_memory(), "{error}"),

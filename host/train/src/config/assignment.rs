@@ -18,7 +18,7 @@ static TEMPLATE: LazyLock<Table> = LazyLock::new(|| {
     config.data.allow_outside = true;
     // through text, so that an f32 keeps its own digits
     let mut table: Table = toml::from_str(&config.to_toml()).expect("it was just written");
-    // a file names it only where it is true, so it was, to be in the table
+    // a file has it only if it is true: so it was set, to be in the table
     table["data"]["allow_outside"] = Value::Boolean(false);
     table
 });
@@ -45,7 +45,7 @@ pub fn defaults() -> Vec<(String, String)> {
     settings.into_iter().map(|(name, value)| (name, text(value))).collect()
 }
 
-/// Checks that every name in a file's table is that of a setting.
+/// Checks that every name in a file's table is a setting.
 pub fn check_names(table: &Table) -> Result<(), String> {
     leaves(table, |_| false).into_iter().try_for_each(|(name, _)| find(&name).map(drop))
 }
@@ -65,7 +65,7 @@ pub fn leaves(table: &Table, is_leaf: fn(&Value) -> bool) -> Vec<(String, &Value
     found
 }
 
-/// Overwrites values of the table `under` with those of `over`.
+/// Overwrites values of the table `under` with the values of `over`.
 pub fn merge(under: &mut Table, over: Table) {
     for (key, value) in over {
         match (under.get_mut(&key), value) {
@@ -116,7 +116,7 @@ fn find(key: &str) -> Result<Value, String> {
     }
 }
 
-/// The setting whose name, with or without its table, begins with a key or is most similar to it.
+/// The setting that a key means: its name, with or without its table, begins with the key or is most similar to it.
 fn nearest(key: &str) -> Option<String> {
     let alike = |name: &str| {
         let last = name.rsplit('.').next().unwrap_or(name);

@@ -322,8 +322,8 @@ macro_rules! define {
                 pose: Rate = Rate { first: 3e-4, last: 3e-5 };
             }
 
-            /// How the number of Gaussians changes: those whose center has the strongest gradient are split, and
-            /// transparent ones are removed.
+            /// How the number of Gaussians changes: Gaussians with the strongest gradient of their center are split,
+            /// and transparent ones are removed.
             growth: GrowthConfig {
                 /// Largest number of Gaussians. The option also limits the first ones.
                 #[option("--max-gaussians <N>")]
@@ -344,8 +344,8 @@ macro_rules! define {
             ablation: AblationConfig {
                 /// Learn T. If false, T is 1 everywhere.
                 learn_transmittance: bool = true;
-                /// Divide sums whose weight is above 1 (Eq. 13). If false, never, not even in the run's own evaluations.
-                /// A scene file does not record it: every other command divides.
+                /// Divide sums with a weight above 1 (Eq. 13). If false, the run never divides, not even in its
+                /// evaluations. A scene file does not record it: every other command divides.
                 divide: bool = true;
             }
         }
@@ -390,7 +390,7 @@ impl<T: Display> Range<T> for RangeFrom<T> {
     }
 }
 
-/// Checks a value in its own type, whose digits are those of the file.
+/// Checks a value in its own type, so that messages show the file's digits.
 pub(super) fn within<T: Copy + PartialOrd + Display>(
     name: &str,
     value: T,

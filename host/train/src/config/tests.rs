@@ -128,7 +128,7 @@ fn photographs(levels: [u8; 2]) -> Dataset {
 
 #[test]
 fn exposures_are_learned_where_they_differ() {
-    // half the logarithm of 1.2 is 0.09, and that of 1.4 is 0.17
+    // ln(1.2) / 2 = 0.09 and ln(1.4) / 2 = 0.17
     let [alike, different] = [120, 140].map(|level| photographs([100, level]));
     for (learn, expected) in [
         (LearnExposure::Auto, [false, true]),

@@ -126,8 +126,8 @@ fn each_half_is_measured_with_the_fit_of_the_other() {
     let right = |at: usize| at % 8 >= 4;
     (0..32).filter(|&at| right(at)).for_each(|at| truth[at] = truth[at].map(|v| v + 0.25));
     let psnr = psnr_fitted([8, 4], &image(), &truth, None).unwrap();
-    // the fit of the left half leaves the right one 0.25 too dark, and the fit of the right half makes the left
-    // one 0.25 too bright: -20 log10(0.25)
+    // the left half's fit leaves the right half 0.25 too dark, and the right half's fit makes the left half
+    // 0.25 too bright: -20 log10(0.25)
     assert!((psnr - 12.041).abs() < 1e-3, "{psnr}");
 }
 

@@ -111,7 +111,7 @@ fn heads(tensors: &Tensors) -> Vec<String> {
     tensors.0.iter().map(head).collect()
 }
 
-/// Describes an index: tile, channel, row and column if the shape is that of tiles.
+/// Describes an index: tile, channel, row and column if the shape is one of tiles.
 fn place(shape: &[usize], mut index: usize) -> String {
     let mut at = vec![0; shape.len()];
     for (place, &size) in at.iter_mut().zip(shape).rev() {

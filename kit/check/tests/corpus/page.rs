@@ -31,7 +31,7 @@ fn find(bug: &'static Bug) -> Finding {
         Ok(()) => None,
     });
     let [plain, checked, thorough] = found;
-    // the plain device of these tests has a limit of time, those of programs do not
+    // the plain device of these tests has a time limit, a program's has none
     let plain = plain.filter(|text| !is_of_time(text));
     let device = match (&plain, &checked, &thorough) {
         (Some(_), ..) => "any",

@@ -1,5 +1,5 @@
-//! The derivatives of a field: chunk by chunk from its network's output back to its parameters and inputs, and group by
-//! group from there to its hash grid.
+//! The backward pass of a field: chunk by chunk through its network, from outputs to parameters and inputs, then group by
+//! group through its hash grid.
 
 use std::sync::Mutex;
 
@@ -25,7 +25,7 @@ pub struct FieldBackward<'a> {
     pub bins: &'a Bins,
     pub field: &'a DeviceField,
     pub inputs: Inputs<'a>,
-    /// `[pairs + 1]`: where each pair's samples begin; none where pairs are the samples.
+    /// `[pairs + 1]`: each pair's first sample; `None` if every pair is one sample.
     pub first_sample: Option<&'a Buffer<u32>>,
     pub gradient: &'a FieldGradient,
 }
@@ -34,7 +34,7 @@ pub struct FieldBackward<'a> {
 struct GroupScratch {
     /// Gradients of a group's inputs: `[chunks, rows, stride]`.
     input_gradient: Buffer<f32>,
-    /// Gradients of the network's parameters, of a slice that ends in another chunk: `[2, 4 parameters]`.
+    /// `[2, 4 parameters]`: partial gradient sums of the network's parameters, for a slice that goes on in the next chunk.
     carry: Buffer<f32>,
 }
 
@@ -42,11 +42,11 @@ struct GroupScratch {
 pub struct ChunkScratch {
     /// Each hidden layer's output: `[rows, stride]` each.
     activation: Vec<Buffer<f32>>,
-    /// Gradient of the network's outputs, which the stage's head writes: `[4, stride]`, and 0 without an output.
+    /// `[4, stride]`: gradient of the network's outputs, which the stage's head writes. Rows without an output are 0.
     pub logit_gradient: Buffer<f32>,
-    /// `[samples]`: for the stage's head alone.
+    /// `[samples]`: scratch memory of the stage's head.
     pub of_head: Buffer<f32>,
-    /// Gradients of two hidden layers next to each other: `[rows, stride]`.
+    /// Gradients of two adjacent hidden layers: `[rows, stride]`.
     hidden_gradient: [Buffer<f32>; 2],
 }
 
@@ -116,8 +116,8 @@ impl FieldBackward<'_> {
         Ok(())
     }
 
-    /// From `scratch.logit_gradient` back through all layers of a chunk: adds the gradients of the network's parameters to
-    /// their sums, and leaves those of its inputs in `of_inputs`, from the row where the grid's features begin.
+    /// Backpropagates `scratch.logit_gradient` through all layers of a chunk. Adds to the gradient sums of the network's
+    /// parameters. Writes the gradients of its inputs to `of_inputs`, from the grid's first row on.
     fn layers(
         &self,
         scratch: &ChunkScratch,
@@ -136,7 +136,7 @@ impl FieldBackward<'_> {
                 0 => of_inputs,
                 _ => &scratch.hidden_gradient[index % 2],
             };
-            // the rows of a hidden layer below, its padding included, or the inputs from the grid's on
+            // all rows of the hidden layer below, padding included; in the first layer, the input rows from the grid's on
             let [first_input, end_input] = match index {
                 0 => [self.inputs.grid_row, layer.inputs],
                 _ => [0, field.layers[index - 1].columns * 4],
@@ -191,7 +191,7 @@ impl FieldBackward<'_> {
                 turn: chunk.first() / full % 2,
             },
             first_pair,
-            // a binding must be bound
+            // every binding needs a buffer, even if the kernel does not read it
             first_sample: self.first_sample.unwrap_or(first_pair),
             input,
             output_gradient,

@@ -19,7 +19,7 @@ pub struct Inputs<'a> {
     pub blocks: &'a Blocks,
     /// The first row of the grid's features in the network's input.
     pub grid_row: u32,
-    /// Writes the points and the other rows of a chunk.
+    /// Writes a chunk's points, and its input rows that do not come from the grid.
     pub others: &'a (dyn Fn(&Chunks<'_>) -> Result<()> + Sync),
 }
 
@@ -65,7 +65,7 @@ impl DeviceField {
         })
     }
 
-    /// The hash grid's parameters for a piece of a block, whose features begin at `first_row`.
+    /// The hash grid's parameters for a piece of a block. The features' first row is `first_row`.
     fn grid_params(&self, piece: &Chunks<'_>, first_row: u32) -> HashGridParams {
         HashGridParams {
             points: piece.samples(),
@@ -91,7 +91,7 @@ impl DeviceField {
         }
     }
 
-    /// Room for a chunk's activations of some hidden layers, `[rows, stride]` each.
+    /// Buffers for a chunk's activations in some hidden layers, `[rows, stride]` each.
     fn activations(
         &self,
         device: &Device,
@@ -102,7 +102,7 @@ impl DeviceField {
         (0..layers).map(|_| device.unwritten("activations", len)).collect()
     }
 
-    /// Runs the hidden layers over a chunk's input, which take turns with `activations`; returns the last one's.
+    /// Runs the hidden layers on a chunk's input. Layers write to the `activations` in turn. Returns the last layer's output.
     fn hidden(
         &self,
         device: &Device,

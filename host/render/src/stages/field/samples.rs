@@ -1,7 +1,7 @@
 //! The samples of a field, in blocks: what its hash grid and its network read.
 //!
 //! A grid is evaluated level by level for a whole block, so that a level's entries are read from memory once for many
-//! samples; a network chunk by chunk, so that a chunk's activations stay in a CPU's caches.
+//! samples. A network is evaluated chunk by chunk, so that a chunk's activations stay in a CPU's caches.
 //!
 //! The gradients of networks are summed slice by slice, and a slice has samples of one camera. A CPU adds several samples
 //! of a slice at once, so there a chunk is one slice, and ends where its camera's samples do.
@@ -15,10 +15,10 @@ use muslin_device::{Buffer, Count, Device, Result, TAIL_ALIGNMENT};
 
 /// Samples of a block, in whole chunks.
 const BLOCK: u32 = 1 << 17;
-/// Samples whose gradients go to the hash grid at once, in whole chunks: what is read again for each level stays in a
-/// CPU's last cache.
+/// Samples whose gradients are added to the hash grid together, in whole chunks. Every level reads them again, so they must
+/// fit into a CPU's last-level cache.
 const GROUP: u32 = 1 << 14;
-/// Samples of a chunk on a CPU: with its gradients, about 300 rows that its second cache holds.
+/// Samples of a chunk on a CPU. With gradients, a chunk has about 300 rows, which fit into the L2 cache.
 const CPU_CHUNK: u32 = 1 << 11;
 /// Samples of a chunk on a GPU, which is a block: enough to fill it, and more of them if there are many, for few dispatches.
 const GPU_CHUNKS: [u32; 2] = [BLOCK, 1 << 20];
@@ -26,7 +26,7 @@ const GPU_CHUNKS: [u32; 2] = [BLOCK, 1 << 20];
 const MAX_ROWS: u32 = if MAX_INPUTS > MAX_HIDDEN_WIDTH { MAX_INPUTS } else { MAX_HIDDEN_WIDTH };
 /// Samples of a slice on a GPU: a chunk has enough of them to fill it.
 const GPU_SLICE: u32 = 1 << 8;
-/// Memory for the blocks of a field that are kept for the gradients, in bytes; other blocks are computed again.
+/// Bytes for a field's blocks that are kept for the backward pass. The backward pass computes all other blocks again.
 const KEPT_BYTES: u64 = 256 << 20;
 /// Rows of a point: its position, and one more for the stage.
 pub const ROWS_OF_POINT: u32 = POINT_ROWS + 1;
@@ -41,7 +41,7 @@ const _: () = assert!(CPU_CHUNK <= MAX_SLICE && GPU_SLICE <= MAX_SLICE);
 pub struct Layout {
     /// The most samples of a chunk.
     pub chunk: u32,
-    /// Distance of two rows of a chunk.
+    /// Distance between two rows of a chunk, in values.
     pub stride: u32,
     /// The most chunks of a block.
     chunks: u32,
@@ -52,7 +52,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// For samples that lie in pieces, the largest of `largest` samples, in as many blocks as it takes.
+    /// The layout for pieces of at most `largest` samples.
     fn new(device: &Device, largest: u32) -> Self {
         let [max, slice] = match device.is_cpu_like() {
             true => [CPU_CHUNK, CPU_CHUNK],
@@ -67,7 +67,7 @@ impl Layout {
         Self { chunk, stride, chunks, group, slice }
     }
 
-    /// Where a chunk with so many rows begins, in values.
+    /// Offset of a chunk, in values, where chunks have `rows` rows.
     pub fn begin(&self, chunk: u32, rows: u32) -> usize {
         chunk as usize * rows as usize * self.stride as usize
     }
@@ -92,39 +92,39 @@ struct Block {
     input: Buffer<f32>,
 }
 
-/// All samples of a field: some of their blocks have memory of their own, the others share the last one's.
+/// All samples of a field. The first blocks have memory of their own; all others share the last one's.
 #[derive(Debug)]
 pub struct Blocks {
     pub layout: Layout,
     /// Rows of the network's input.
     pub rows: u32,
-    /// Their number, or the capacity.
+    /// Number of samples; the host may know only an upper bound.
     pub count: Count,
-    /// Where each chunk begins, and where the last one ends.
+    /// First sample of each chunk, and the end of the last one.
     first: Vec<u32>,
     blocks: Vec<Block>,
 }
 
-/// Some chunks of a block that is being worked on: all of them, a group, a piece, or one.
+/// A range of chunks in the current block: all chunks, a group, a piece, or one chunk.
 #[derive(Clone, Debug)]
 pub struct Chunks<'a> {
     pub all: &'a Blocks,
     /// Memory of the block.
     block: &'a Block,
-    /// Whether what was written there before is still there.
+    /// Whether the values of the forward pass are still there.
     pub is_kept: bool,
     /// The block's first chunk.
     first_of_block: usize,
-    /// The first chunk of the block, or of the group: chunks count from there.
+    /// First chunk of the block, or of the group: [`Self::index`] counts from it.
     first_of_group: usize,
     range: Range<usize>,
 }
 
 impl Blocks {
-    /// For `count` samples, and as many `rows` of inputs.  Where they are to be kept, as many blocks as
-    /// [`KEPT_BYTES`] holds have memory of their own.
+    /// Memory for `count` samples with `rows` rows of network input. With `keep`, as many blocks as fit into [`KEPT_BYTES`]
+    /// have memory of their own.
     ///
-    /// `ends` says where chunks have to end: ascending, the last one at the end of all. If it is empty, they may end anywhere.
+    /// Chunks must end at each of the `ends`, which ascend to the number of samples. If it is empty, chunks may end anywhere.
     pub fn new(
         device: &Device,
         rows: usize,
@@ -157,7 +157,7 @@ impl Blocks {
         Ok(Self { layout, rows, count, first, blocks })
     }
 
-    /// In order.
+    /// The blocks, in order.
     pub fn iter(&self) -> impl Iterator<Item = Chunks<'_>> {
         let chunks = self.first.len() - 1;
         let last = self.blocks.len() - 1;
@@ -178,22 +178,22 @@ impl Blocks {
 }
 
 impl<'a> Chunks<'a> {
-    /// First sample, counted from the first block's.
+    /// Index of the first sample among all samples.
     pub fn first(&self) -> u32 {
         self.all.first[self.range.start]
     }
 
-    /// How many samples there are, or the capacity.
+    /// Number of samples, or an upper bound.
     pub fn samples(&self) -> u32 {
         self.all.first[self.range.end] - self.first()
     }
 
-    /// How many samples there are.
+    /// Number of samples; on a GPU, it may be known to the device alone.
     pub fn count(&self) -> Count {
         self.all.count.piece(self.first(), self.samples())
     }
 
-    /// Distance of two rows.
+    /// Distance between two rows, in values.
     pub fn stride(&self) -> u32 {
         self.all.layout.stride
     }
@@ -244,7 +244,7 @@ impl<'a> Chunks<'a> {
         })
     }
 
-    /// One after the other.
+    /// Each chunk, in order.
     pub fn chunks(&self) -> impl Iterator<Item = Self> {
         self.range.clone().map(|index| self.with(self.first_of_group, index..index + 1))
     }
@@ -282,7 +282,7 @@ mod tests {
         assert_eq!(chunks, [0..100, 100..2148, 2148..4196, 4196..4300, 4300..5000]);
         let pieces: Vec<_> = block.pieces().map(|p| (p.index(), p.first(), p.samples())).collect();
         assert_eq!(pieces, [(0, 0, 100), (1, 100, 4200), (4, 4300, 700)]);
-        // without them, only the last chunk is not full
+        // without `ends`, only the last chunk is not full
         let blocks = Blocks::new(&device, 3, Count::known(5000), true, &[]).expect("blocks");
         let block = blocks.iter().next().expect("a block");
         let chunks: Vec<_> = block.chunks().map(|c| range(c.first(), c.samples())).collect();

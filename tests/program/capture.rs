@@ -145,6 +145,12 @@ fn bad_inputs_are_refused() {
     sandbox.assert_refuses("capture notes.txt -o run", &["run holds a training run"]);
     let outcome = sandbox.shell("PATH=/nowhere \"$ORGANZA\" capture notes.txt -o data");
     outcome.assert_refused(&["not installed: ffmpeg colmap", "apt install ffmpeg colmap"]);
+    sandbox
+        .shell("mkdir bin && printf '#!/bin/sh\n' > bin/ffmpeg && chmod +x bin/ffmpeg")
+        .assert_ok();
+    let outcome = sandbox.shell("PATH=\"$PWD/bin\" \"$ORGANZA\" capture notes.txt -o data");
+    outcome.assert_refused(&["not installed: colmap. colmap finds", "https://colmap.github.io"]);
+    assert!(!outcome.stderr.contains("ffmpeg"), "{outcome:?}");
     assert!(!sandbox.path("data").exists());
     if ["colmap", "ffmpeg"].into_iter().all(is_there) {
         sandbox.assert_refuses(
@@ -529,7 +535,10 @@ fn too_few_poses_are_not_worth_training() {
         let sandbox = with_programs();
         write_model(&sandbox, "found-1/0", &walk(photos(posed)), 0.7, 6);
         let outcome = capture(&sandbox, "photos -o data").assert_ok();
-        let words = ["this can be trained, but", "next: organza train data -o data-run"];
+        let words = [
+            "this can be trained, but what a warning names",
+            "next: organza train data -o data-run",
+        ];
         match is_trainable {
             true => assert_says(&outcome, &words, &["next: mend"]),
             false => assert_says(

@@ -1,5 +1,6 @@
 //! `organza train`: trains a scene on photographs.
 
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
@@ -12,10 +13,10 @@ use organza::scene::Placement;
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
-    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, Session, TrainConfig,
+    self, CHECKPOINT, CONFIG, ConfigBuilder, Event, Outcome, Preset, REPORT, Session, TrainConfig,
 };
 use organza::view::TrainingView;
-use organza::{Dataset, Result, Scene};
+use organza::{Dataset, Error, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -24,7 +25,7 @@ use super::device::DeviceArgs;
 use super::inputs::{DataSet, check_place};
 use super::output::Folder;
 use super::progress::TrainingProgress;
-use super::ranks::{RanksArgs, Team, follow_thread};
+use super::ranks::{RanksArgs, Team, follow_thread, of_many};
 use super::signals::Signals;
 use super::view::ServerArgs;
 use super::{absolute, number_in, refuse, text_of, title};
@@ -222,7 +223,8 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     let resume = args.resume.is_some();
     let job = TrainJob { config, folder: &folder, resume, planned, time_limit, view, team };
     let mut ended = Ended::default();
-    let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event))?;
+    let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event));
+    let outcome = outcome.map_err(|error| with_resume(error, &folder))?;
     console.note(&match outcome {
         Outcome::Stopped => {
             format!("saved; `organza train --resume {}` continues from here", folder.display())
@@ -237,6 +239,20 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
         }
     });
     if args.json { print_json(&ended.with_outcome(&folder, outcome)) } else { Ok(()) }
+}
+
+/// The error, and what continues the run once a full disk has room again.
+fn with_resume(error: Error, folder: &Path) -> Error {
+    match error {
+        Error::WriteFile { path, source }
+            if [ErrorKind::StorageFull, ErrorKind::QuotaExceeded].contains(&source.kind())
+                && folder.join(CONFIG).exists() =>
+        {
+            let resume = format!("{source}, then `organza train --resume {}`", quoted(folder));
+            Error::WriteFile { path, source: io::Error::new(source.kind(), resume) }
+        }
+        error => error,
+    }
 }
 
 /// The output of `--json` at the end of a run.
@@ -336,7 +352,8 @@ impl TrainJob<'_> {
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
         let made = Folder::make(self.folder)?;
-        let folder = signals.lock_run(&made, self.resume)?;
+        let folder = signals.lock_run(&made, self.resume);
+        let folder = folder.map_err(|error| if team.is_none() { of_many(error) } else { error })?;
         let options = device.options()?;
         let of_rank = |rank| match &team {
             Some(team) => team.places().device(options.clone(), rank),

@@ -169,7 +169,7 @@ impl Judgment {
         if self.is_trainable() {
             console.note(match faults.is_empty() {
                 true => "the poses are sound, so this can be trained",
-                false => "this can be trained, but the scene will be worse where a warning says so",
+                false => "this can be trained, but what a warning names will look worse: do as it says and capture again, or train and see",
             });
             console.note(&format!("next: organza train {output} -o {output}-run"));
         } else {

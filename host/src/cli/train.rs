@@ -28,12 +28,13 @@ use super::progress::TrainingProgress;
 use super::ranks::{RanksArgs, Team, follow_thread, of_many};
 use super::signals::Signals;
 use super::view::ServerArgs;
-use super::{absolute, number_in, refuse, text_of, title};
+use super::{absolute, capture, number_in, refuse, text_of, title};
 
 const EXAMPLES: &str = "\
 Examples:
   organza train -o run                                 the built-in scene, no files needed
   organza train data/fox -o run --minutes 10
+  organza train garden.mp4 -o run                      finds the poses first, as `organza capture` does
   organza train --resume run                           continues after Ctrl-C, to the same bits
   organza train --resume run --steps 5000              extends a run, also one that is finished
   organza train data/fox -o quick --preset fast
@@ -51,6 +52,9 @@ RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (th
 checkpoint.safetensors (a scene that every other command accepts), checkpoint.best.safetensors (the one with the best \
 held-out views), evaluations.csv (the scores of each held-out view), report.html and pictures/ (its images).";
 
+/// The folder in a run for a data set that is made first.
+const CAPTURED: &str = "data";
+
 /// The examples, and the settings for `--set`.
 fn long_help() -> String {
     let mut text = format!(
@@ -64,11 +68,12 @@ fn long_help() -> String {
     text
 }
 
-/// Train a scene on photographs with poses, or on the built-in scene
+/// Train a scene on photographs or a video, or on the built-in scene
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = long_help())]
 pub struct Args {
-    /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json
+    /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json. Of a video or a folder of photographs,
+    /// RUN/data becomes the data set first, as by `organza capture`
     /// [default: the built-in scene, with --preset built-in unless --config is given]
     data: Option<PathBuf>,
     /// The folder for the run; created if it does not exist
@@ -215,7 +220,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 /// Trains as the first rank, or alone.
 fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
-    let (folder, config) = prepare(args)?;
+    let (folder, config) = prepare(args, &signals, console)?;
     let planned = args.settings.planned();
     let time_limit = args.time_limit.map(f64::from);
     let share = f64::from(args.view_share) / 100.0;
@@ -441,15 +446,37 @@ fn command_line() -> Option<String> {
     shlex::try_join(words).ok()
 }
 
-/// The run's folder and settings.
-fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
+/// The run's folder and settings. A video and photographs become a data set in the folder.
+fn prepare(args: &Args, signals: &Signals, console: Console) -> Result<(PathBuf, TrainConfig)> {
     if let Some(folder) = &args.resume {
+        if folder.join(CAPTURED).exists() && !folder.join(CONFIG).exists() {
+            let folder = folder.display();
+            return refuse(format!(
+                "{folder} has no training yet, only what it trains on: continue with the command that began it, \
+                 `organza train VIDEO|PHOTOS -o {folder}`"
+            ));
+        }
         let config = args.settings.resumed(folder)?;
         check_place(&config.data, folder)?;
         return Ok((folder.clone(), config));
     }
     let folder = args.output.clone().expect("clap requires it");
-    Ok((folder, args.settings.settings(args.data.as_deref())?))
+    let mut config = args.settings.settings(args.data.as_deref())?;
+    if let Some(source) = config.data.path.take_if(|path| capture::is_source(path)) {
+        if folder.join(CONFIG).exists() {
+            let folder = folder.display();
+            return refuse(format!(
+                "{folder} holds a run already; continue it with `--resume`, or name another folder"
+            ));
+        }
+        let data = folder.join(CAPTURED);
+        config.data.path = Some(absolute(&data));
+        config.validate()?;
+        config.check_memory()?;
+        let source = args.data.as_deref().unwrap_or(&source);
+        capture::for_training(source, &data, signals, console)?;
+    }
+    Ok((folder, config))
 }
 
 impl SettingsArgs {

@@ -16,7 +16,7 @@ use organza::train::{
     self, CHECKPOINT, CONFIG, ConfigBuilder, Event, Outcome, Preset, REPORT, Session, TrainConfig,
 };
 use organza::view::TrainingView;
-use organza::{Dataset, Error, Result, Scene};
+use organza::{Dataset, Error, Renderer, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -197,7 +197,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.print_config {
         let config = match &args.resume {
             Some(folder) => args.settings.resumed(folder)?,
-            None => args.settings.settings(args.data.as_deref())?,
+            None => args.settings.settings(args.data.as_deref())?.0,
         };
         return if args.json { print_json(&config) } else { print(&config.to_toml()) };
     }
@@ -220,13 +220,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 /// Trains as the first rank, or alone.
 fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
-    let (folder, config) = prepare(args, &signals, console)?;
+    let (folder, config, shrinks) = prepare(args, &signals, console)?;
     let planned = args.settings.planned();
     let time_limit = args.time_limit.map(f64::from);
     let share = f64::from(args.view_share) / 100.0;
     let view = args.view.then_some((&args.server, share));
     let resume = args.resume.is_some();
-    let job = TrainJob { config, folder: &folder, resume, planned, time_limit, view, team };
+    let job =
+        TrainJob { config, folder: &folder, resume, shrinks, planned, time_limit, view, team };
     let mut ended = Ended::default();
     let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event));
     let outcome = outcome.map_err(|error| with_resume(error, &folder))?;
@@ -316,6 +317,8 @@ pub struct TrainJob<'a> {
     pub folder: &'a Path,
     /// Whether the folder has a run to resume.
     pub resume: bool,
+    /// Whether photographs shrink if the run would not draw all of their pixels.
+    pub shrinks: bool,
     /// See [`Session::planned`].
     pub planned: Option<f64>,
     /// See [`Session::time_limit`].
@@ -346,10 +349,7 @@ impl TrainJob<'_> {
         config.check_memory()?;
         let team = self.team.take();
         let placement = self.placement()?;
-        if let Some(team) = &team {
-            team.tell(&config, placement)?;
-        }
-        let data = DataSet::open(config.data.clone(), placement, console)?;
+        let mut data = DataSet::open(config.data.clone(), placement, console)?;
         // a run that has begun may go on
         if !self.resume {
             data.check_downscale()?;
@@ -365,6 +365,13 @@ impl TrainJob<'_> {
             None => options.clone(),
         };
         let renderer = device.open_as(&of_rank(0), console)?;
+        if self.shrinks {
+            let steps = self.planned.map(|seconds| seconds * pixels_per_second(&renderer));
+            config.data.downscale = data.shrink(steps.unwrap_or(config.run.pixels()), console)?;
+        }
+        if let Some(team) = &team {
+            team.tell(&config, placement)?;
+        }
         let dataset = Arc::new(data.read(&renderer, console)?);
         let measures_exposures = !self.resume && config.exposure.learn == LearnExposure::Auto;
         config.resolve(&dataset);
@@ -426,6 +433,13 @@ impl TrainJob<'_> {
     }
 }
 
+/// The pixels that training draws in a second: a guess, before the first step.
+fn pixels_per_second(renderer: &Renderer) -> f64 {
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    // docs/performance.md: what a core of Zen 5 and an H200 do
+    if renderer.device().is_cpu_like() { 4e5 * cores as f64 } else { 1.2e7 }
+}
+
 /// Says how much exposures differ, and whether they are learned.
 fn say_exposures(dataset: &Dataset, learn: LearnExposure, console: Console) {
     let Some(spread) = dataset.exposure_spread() else { return };
@@ -446,8 +460,12 @@ fn command_line() -> Option<String> {
     shlex::try_join(words).ok()
 }
 
-/// The run's folder and settings. A video and photographs become a data set in the folder.
-fn prepare(args: &Args, signals: &Signals, console: Console) -> Result<(PathBuf, TrainConfig)> {
+/// The run's folder and settings, and whether photographs may shrink. A video and photographs become a data set in the folder.
+fn prepare(
+    args: &Args,
+    signals: &Signals,
+    console: Console,
+) -> Result<(PathBuf, TrainConfig, bool)> {
     if let Some(folder) = &args.resume {
         if folder.join(CAPTURED).exists() && !folder.join(CONFIG).exists() {
             let folder = folder.display();
@@ -458,10 +476,10 @@ fn prepare(args: &Args, signals: &Signals, console: Console) -> Result<(PathBuf,
         }
         let config = args.settings.resumed(folder)?;
         check_place(&config.data, folder)?;
-        return Ok((folder.clone(), config));
+        return Ok((folder.clone(), config, false));
     }
     let folder = args.output.clone().expect("clap requires it");
-    let mut config = args.settings.settings(args.data.as_deref())?;
+    let (mut config, shrinks) = args.settings.settings(args.data.as_deref())?;
     if let Some(source) = config.data.path.take_if(|path| capture::is_source(path)) {
         if folder.join(CONFIG).exists() {
             let folder = folder.display();
@@ -476,7 +494,7 @@ fn prepare(args: &Args, signals: &Signals, console: Console) -> Result<(PathBuf,
         let source = args.data.as_deref().unwrap_or(&source);
         capture::for_training(source, &data, signals, console)?;
     }
-    Ok((folder, config))
+    Ok((folder, config, shrinks))
 }
 
 impl SettingsArgs {
@@ -489,8 +507,8 @@ impl SettingsArgs {
         Ok(config)
     }
 
-    /// The settings to train on a data set, or on the built-in scene.
-    pub fn settings(&self, data: Option<&Path>) -> Result<TrainConfig> {
+    /// The settings to train on a data set, or on the built-in scene, and whether they leave the size of photographs open.
+    fn settings(&self, data: Option<&Path>) -> Result<(TrainConfig, bool)> {
         let named = self.preset.as_deref();
         let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
             Some(preset) => preset,
@@ -505,6 +523,7 @@ impl SettingsArgs {
         if self.options.get("growth.max_gaussians").is_some() {
             builder = builder.limit_start()?;
         }
+        let shrinks = !builder.has("data", "downscale");
         let mut config = builder.build()?;
         if let Some(data) = data {
             config.data.path = Some(data.to_owned());
@@ -514,7 +533,7 @@ impl SettingsArgs {
             *path = absolute(path);
         }
         config.validate()?;
-        Ok(config)
+        Ok((config, shrinks))
     }
 
     /// Settings with single values from the command line.

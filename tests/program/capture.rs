@@ -145,6 +145,12 @@ fn bad_inputs_are_refused() {
     sandbox.assert_refuses("capture notes.txt -o run", &["run holds a training run"]);
     let outcome = sandbox.shell("PATH=/nowhere \"$ORGANZA\" capture notes.txt -o data");
     outcome.assert_refused(&["not installed: ffmpeg colmap", "apt install ffmpeg colmap"]);
+    sandbox
+        .shell("mkdir bin && printf '#!/bin/sh\n' > bin/ffmpeg && chmod +x bin/ffmpeg")
+        .assert_ok();
+    let outcome = sandbox.shell("PATH=\"$PWD/bin\" \"$ORGANZA\" capture notes.txt -o data");
+    outcome.assert_refused(&["not installed: colmap. colmap finds", "https://colmap.github.io"]);
+    assert!(!outcome.stderr.contains("ffmpeg"), "{outcome:?}");
     assert!(!sandbox.path("data").exists());
     if ["colmap", "ffmpeg"].into_iter().all(is_there) {
         sandbox.assert_refuses(
@@ -152,12 +158,20 @@ fn bad_inputs_are_refused() {
             &["ffmpeg failed", "Is notes.txt a video?"],
         );
     }
-    // Videos and photographs without poses lead here.
-    fs::write(sandbox.path("beer.mp4"), "not JSON").unwrap();
-    sandbox.assert_refuses("train beer.mp4 -o run", &["beer.mp4", "organza capture"]);
+    // Training looks at them in the same way.
+    sandbox.assert_refuses("train phone -o run-2", &["HEIC", "convert them to JPEG first"]);
     fs::create_dir(sandbox.path("photos")).unwrap();
     fs::write(sandbox.path("photos/1.jpg"), "").unwrap();
-    sandbox.assert_refuses("train photos -o run", &["organza capture"]);
+    sandbox.assert_refuses("train photos -o run-2", &["photos: 1 photograph, expected 3 or more"]);
+    fs::write(sandbox.path("beer.mp4"), "not a video").unwrap();
+    let outcome = sandbox.shell("PATH=/nowhere \"$ORGANZA\" train beer.mp4 -o run-2");
+    outcome.assert_refused(&["not installed: ffmpeg colmap"]);
+    // A folder of data sets is none of photographs.
+    fs::create_dir_all(sandbox.path("sets/one")).unwrap();
+    fs::copy(sandbox.path("cameras.json"), sandbox.path("sets/one/transforms.json")).unwrap();
+    fs::copy(sandbox.path("photos/1.jpg"), sandbox.path("sets/one/1.jpg")).unwrap();
+    sandbox.assert_refuses("train sets -o run-2", &["sets/one is a data set"]);
+    sandbox.assert_refuses("eval scene.safetensors beer.mp4", &["organza capture"]);
 }
 
 /// Stands in for COLMAP: it refuses options that are not in the file `known`. Its mapper finds the models of the folder
@@ -341,7 +355,12 @@ fn write_photo(sandbox: &Sandbox, name: &str, [width, height]: [u32; 2], photo: 
 }
 
 fn capture(sandbox: &Sandbox, words: &str) -> Outcome {
-    sandbox.shell(&format!("PATH=\"$PWD/bin:$PATH\" \"$ORGANZA\" capture {words}"))
+    organza(sandbox, &format!("capture {words}"))
+}
+
+/// Runs the program with those of `bin`.
+fn organza(sandbox: &Sandbox, words: &str) -> Outcome {
+    sandbox.shell(&format!("PATH=\"$PWD/bin:$PATH\" \"$ORGANZA\" {words}"))
 }
 
 /// Asserts that stderr has these words, and not those.
@@ -498,6 +517,56 @@ fn sound_poses_lead_to_training() {
     assert!(!sandbox.path("data/.organza-capture").exists());
 }
 
+/// In one line from photographs or a video to a scene, and again after each way to stop.
+#[test]
+fn training_captures_first() {
+    let sandbox = with_programs();
+    for (photo, name) in photos(12).enumerate() {
+        write_photo(&sandbox, &format!("photos/{name}"), [640, 480], photo);
+    }
+    write_model(&sandbox, "found-1/0", &walk(photos(12)), 0.7, 6);
+    let train = "train photos -o run --steps 2 --max-gaussians 300 --backend cpu";
+    fs::write(sandbox.path("broken"), "").unwrap();
+    organza(&sandbox, train).assert_refused(&["colmap failed"]);
+    organza(&sandbox, "train --resume run")
+        .assert_refused(&["run has no training yet", "VIDEO|PHOTOS -o run"]);
+    fs::remove_file(sandbox.path("broken")).unwrap();
+    let outcome = organza(&sandbox, train).assert_ok();
+    let words = [
+        "wrote run/data: 12 of 12",
+        "the poses are sound",
+        "12 photographs (COLMAP)",
+        "next: organza view run",
+    ];
+    assert_says(&outcome, &words, &["next: organza train"]);
+    let images = sandbox.read_json("run/data/capture.json")["images"].clone();
+    assert_eq!(images, 12);
+    organza(&sandbox, "eval run --backend cpu").assert_ok();
+    organza(&sandbox, train).assert_refused(&["run holds a run already", "`--resume`"]);
+    organza(&sandbox, "train --resume run --steps 3 --backend cpu").assert_ok();
+    // Settings are wrong before anything is made, and a capture that is there is taken.
+    organza(&sandbox, &format!("{train} --set run.stesp=5")).assert_refused(&["run.steps"]);
+    fs::remove_file(sandbox.path("calls.txt")).unwrap();
+    capture(&sandbox, "photos -o new/data").assert_ok();
+    let outcome = organza(&sandbox, &train.replace("-o run", "-o new")).assert_ok();
+    assert_says(
+        &outcome,
+        &["new/data is there from an earlier call", "the poses are sound"],
+        &["with colmap"],
+    );
+
+    write_model(&sandbox, "found-2/0", &walk(photos(12).take(5)), 0.7, 6);
+    sandbox.shell("printf 'mapper\n' > calls.txt && cp photos/00.png photos/zz.png").assert_ok();
+    let poor = organza(&sandbox, "train photos -o poor --steps 2 --backend cpu");
+    poor.assert_refused(&[
+        "not worth training",
+        "mend the capture",
+        "`organza train poor/data -o NEW`",
+    ]);
+    assert_says(&poor, &["5 of 13 images have a pose", "no pose: "], &["next"]);
+    assert!(!sandbox.path("poor/config.toml").exists());
+}
+
 #[test]
 fn each_fault_of_poses_has_words() {
     let sandbox = with_programs();
@@ -529,7 +598,10 @@ fn too_few_poses_are_not_worth_training() {
         let sandbox = with_programs();
         write_model(&sandbox, "found-1/0", &walk(photos(posed)), 0.7, 6);
         let outcome = capture(&sandbox, "photos -o data").assert_ok();
-        let words = ["this can be trained, but", "next: organza train data -o data-run"];
+        let words = [
+            "this can be trained, but what a warning names",
+            "next: organza train data -o data-run",
+        ];
         match is_trainable {
             true => assert_says(&outcome, &words, &["next: mend"]),
             false => assert_says(

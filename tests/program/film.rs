@@ -1,7 +1,8 @@
 //! Films: their frames, their files, and interruptions.
 
 use std::fs;
-use std::io::BufReader;
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
 
 use image::{AnimationDecoder, RgbImage};
 
@@ -35,6 +36,33 @@ fn a_film_begins_and_ends_at_its_keys() {
     let frame = |name: &str| pixels(&sandbox, &format!("loop/{name}"));
     assert!(difference(&key("0001.png"), &frame("00000.png")) <= 1);
     assert!(difference(&key("0000.png"), &frame("00001.png")) <= 1);
+}
+
+/// Before it is rendered, and only where there is an ffmpeg.
+#[cfg(unix)]
+#[test]
+fn a_large_animated_png_has_a_smaller_way() {
+    let sandbox = Sandbox::new("tiny");
+    sandbox
+        .shell("mkdir bin && printf '#!/bin/sh\n' > bin/ffmpeg && chmod +x bin/ffmpeg")
+        .assert_ok();
+    let first = |path: &str, size: &str| {
+        let mut command = sandbox.command(&format!("{FILM} -o new.png --size {size}"));
+        let command = command.env("PATH", path).stderr(Stdio::piped());
+        let mut film = command.spawn().expect("the program starts");
+        let stderr = BufReader::new(film.stderr.take().expect("it is piped"));
+        let line = stderr.lines().next().expect("a line").unwrap();
+        film.kill().unwrap();
+        film.wait().unwrap();
+        line
+    };
+    let bin = sandbox.path("bin");
+    let bin = bin.to_str().expect("UTF-8");
+    let said = first(bin, "512x512");
+    assert!(said.contains("`-o new.mp4` takes few"), "{said}");
+    for (path, size) in [("/nowhere", "512x512"), (bin, "64x64")] {
+        assert_eq!(first(path, size).split(',').next(), Some("CPU"));
+    }
 }
 
 #[test]

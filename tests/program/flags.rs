@@ -55,6 +55,14 @@ fn every_command_has_examples_and_can_be_quiet_or_verbose() {
     }
 }
 
+#[test]
+fn the_nearest_command_is_suggested_first() {
+    let outcome = Sandbox::new("tiny").run("trian -o run");
+    outcome.assert_refused(&["unrecognized subcommand 'trian'"]);
+    let tip = outcome.stderr.lines().find(|line| line.starts_with("tip: ")).expect("a tip");
+    assert!(tip.split('\'').nth(1) == Some("train"), "{tip}");
+}
+
 /// Device options appear only in the long help, under their own heading.
 #[test]
 fn the_short_help_is_short() {

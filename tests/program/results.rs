@@ -30,7 +30,15 @@ fn tiles_match_the_reference() {
     assert_eq!(found["tiles"].shape, [4, 3, 16, 16]);
     assert_close("tiles", &found["tiles"].data, &expected["tiles"].data, 2e-4);
     assert_eq!(outcome.stdout, "");
-    for fact in ["cpu: ", "4 tiles of 16 x 16", " pairs", " samples", " part,", "out.safetensors"] {
+    for fact in [
+        "CPU, ",
+        "detail: cpu: ",
+        "4 tiles of 16 x 16",
+        " pairs",
+        " samples",
+        " part,",
+        "out.safetensors",
+    ] {
         assert!(outcome.stderr.contains(fact), "{fact}: {outcome:?}");
     }
 }
@@ -158,15 +166,18 @@ fn the_demonstration_needs_no_files_and_makes_some() {
 }
 
 #[test]
-fn auto_names_its_device_with_a_reason() {
+fn a_device_is_named_and_with_details_also_why_it_is_taken() {
     let sandbox = Sandbox::new("tiny");
     let words = "tiles scene.safetensors cameras.json tiles.json -o out";
-    let outcome = sandbox.run(words);
-    assert_eq!(outcome.code, Some(0), "{outcome:?}");
-    let is_choice = |line: &&str| {
-        (line.starts_with("cpu: ") || line.starts_with("gpu: ")) && line.ends_with(')')
+    let count = |words: &str, is: fn(&&str) -> bool| {
+        sandbox.run(words).assert_ok().stderr.lines().filter(is).count()
     };
-    assert_eq!(outcome.stderr.lines().filter(is_choice).count(), 1, "{outcome:?}");
+    let is_name = |line: &&str| line.starts_with("CPU, ") || line.starts_with("GPU, ");
+    let is_choice = |line: &&str| line.starts_with("detail: ") && line.contains("pu: ");
+    assert_eq!([count(words, is_name), count(words, is_choice)], [1, 0]);
+    assert_eq!(count(&format!("{words} -v"), is_choice), 1);
+    let alone = sandbox.run(&format!("{words} --backend cpu --threads 1")).assert_ok();
+    assert!(alone.stderr.starts_with("CPU, 1 thread\n"), "{alone:?}");
     let outcome = sandbox.run(&format!("{words} --backend cpu --quiet")).assert_ok();
     assert_eq!(outcome.stderr, "");
 }

@@ -79,6 +79,46 @@ fn a_scene_goes_out_and_comes_back() {
     sandbox.assert_refuses(&few, &["thin.ply", "more than the 9", "--max-gaussians"]);
 }
 
+/// Only what a format rounds is left to a second export of a run.
+#[test]
+fn a_run_keeps_the_fit_of_its_export() {
+    let sandbox = runs::sandbox();
+    sandbox.run(&format!("{} run --steps 3", runs::TINY)).assert_ok();
+    let export = |words: &str| {
+        let words = format!("export run --steps 3 --side 16 --backend cpu -o {words}");
+        let said = sandbox.run(&words).assert_ok().stderr;
+        let lines = said.lines().filter(|line| line.contains(" dB"));
+        let scores: Vec<_> = lines.map(str::to_owned).collect();
+        (said.contains("the fit is there from an earlier export"), scores)
+    };
+    let read = |name: &str| fs::read(sandbox.path(name)).expect("a file");
+    let (is_kept, scores) = export("first.ply");
+    assert!(!is_kept && scores[0].contains("before 3 steps"), "{scores:?}");
+    assert_eq!(export("second.ply"), (true, scores.clone()));
+    assert!(read("first.ply") == read("second.ply"));
+    assert!(export("third.spz").0);
+    // a file that was cut short, or changed
+    let kept = read("run/export.fit");
+    let without_a_value = &kept[..kept.len() - 4];
+    let not_finite = [without_a_value, &f32::NAN.to_le_bytes()].concat();
+    for damaged in [without_a_value, &not_finite, &kept[1..], &[]] {
+        fs::write(sandbox.path("run/export.fit"), damaged).unwrap();
+        assert_eq!(export("second.ply"), (false, scores.clone()));
+        assert!(read("run/export.fit") == kept && read("first.ply") == read("second.ply"));
+    }
+    // another fit, another scene
+    assert!(!export("fine.ply --split train").0);
+    assert!(!export("first.ply").0);
+    sandbox.run("train --resume run --steps 4 --backend cpu").assert_ok();
+    assert!(!export("first.ply").0);
+    sandbox.assert_refuses("eval run --csv run/export.fit", &["a file of the run"]);
+    // without steps nothing is kept, and a loss is said
+    let words = "export run --steps 0 --side 16 --backend cpu -o quick.ply";
+    let quick = sandbox.run(words).assert_ok().stderr;
+    assert!(quick.contains("can lose 10 decibels") && !quick.contains("before 0 steps"), "{quick}");
+    assert!(export("first.ply").0, "the fit before is still there");
+}
+
 /// What rounding costs is the difference to a file that rounds nothing. Without most harmonics, it may cost nothing, but the
 /// images are others.
 #[test]

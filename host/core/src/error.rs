@@ -353,12 +353,11 @@ fn describe_read(source: &io::Error) -> String {
 
 fn describe_write(path: &Path, source: &io::Error) -> String {
     match source.kind() {
-        io::ErrorKind::StorageFull => {
-            "the disk is full; free some space and run again (this file is as it was before)".to_owned()
-        }
-        io::ErrorKind::QuotaExceeded => {
-            "the disk quota is used up; free some space and run again (this file is as it was before)"
-                .to_owned()
+        kind @ (io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded) => {
+            let is_quota = kind == io::ErrorKind::QuotaExceeded;
+            let what = if is_quota { "the disk quota is used up" } else { "the disk is full" };
+            let old = if path.is_file() { "this file is as it was before; " } else { "" };
+            format!("{what}; {old}free some space")
         }
         io::ErrorKind::NotFound => match path.parent() {
             // For example /proc: only the system makes files there.

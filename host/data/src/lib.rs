@@ -341,7 +341,7 @@ impl Layout {
 /// Recognizes the format of a data set, and lists its content.
 fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Listing> {
     if !path.is_dir() {
-        if has_extension(path, &["avi", "m4v", "mkv", "mov", "mp4", "webm"]) {
+        if is_video(path) {
             let reason = format!(
                 "this is a video; `organza capture {} -o FOLDER` makes a data set of it",
                 path.display()
@@ -371,6 +371,12 @@ fn list(path: &Path, options: &DatasetOptions, access: &mut Access) -> Result<Li
             invalid(path, reason)
         }
     }
+}
+
+/// Whether a file's name has a video's ending.
+#[must_use]
+pub fn is_video(path: &Path) -> bool {
+    has_extension(path, &["3gp", "avi", "m2ts", "m4v", "mkv", "mov", "mp4", "mts", "webm"])
 }
 
 /// Suggests what to do if a folder has no data set, or if photographs are missing. `missing` is the first of them.

@@ -120,6 +120,7 @@ fn views(runs: &[(String, Run)]) -> Markup {
     let evaluations: Vec<_> =
         runs.iter().map(|(_, run)| run.evaluations().last().copied()).collect();
     let Some(Some(first)) = evaluations.first() else { return Markup::default() };
+    let truth = runs[0].1.truth();
     let rows = (MAX_PICTURES / (runs.len() + 1)).clamp(1, MAX_VIEWS);
     let row = |name: &String| {
         let mut photograph = None;
@@ -149,8 +150,8 @@ fn views(runs: &[(String, Run)]) -> Markup {
                     h3 { span { (clean(name)) } }
                     div.row {
                         figure {
-                            (image(photograph, &format!("Photograph of {name}")))
-                            figcaption { span { "Photograph" } }
+                            (image(photograph, &format!("{truth} of {name}")))
+                            figcaption { span { (truth) } }
                         }
                         @for ((run, _), (picture, psnr)) in runs.iter().zip(pictures) {
                             figure {

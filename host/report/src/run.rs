@@ -108,6 +108,11 @@ impl Run {
         path.map_or_else(|| "the built-in scene".to_owned(), name_of)
     }
 
+    /// What held-out views are compared with.
+    pub(super) fn truth(&self) -> &'static str {
+        if self.config.data.path.is_some() { "Photograph" } else { "Rendering" }
+    }
+
     /// Number of steps, including those after the last evaluation.
     #[must_use]
     pub fn last_step(&self) -> u64 {

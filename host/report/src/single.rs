@@ -139,7 +139,7 @@ fn views(run: &Run, last: &Evaluation<'_>) -> Markup {
     let view = |(index, view): (usize, &ViewScore)| {
         let kinds = [Content::Photograph, Content::Rendered(last.step), Content::Error(last.step)];
         let [photograph, rendered, error] = kinds.map(|kind| run.pictures.view(index, kind));
-        Some(figure_of(view, [photograph?, rendered?, error?]))
+        Some(figure_of(view, run.truth(), [photograph?, rendered?, error?]))
     };
     let figures: Vec<_> = last.views.iter().enumerate().take(MAX_VIEWS).filter_map(view).collect();
     if figures.is_empty() {
@@ -150,8 +150,10 @@ fn views(run: &Run, last: &Evaluation<'_>) -> Markup {
         &html! {
             p.quiet {
                 "After step " (grouped(last.step)) ". The error is the absolute difference of values from 0 to 1, averaged \
-                 over the channels, times " (ERROR_FACTOR) ". Where the photograph has no valid pixel, such as behind a \
-                 mask, the error is 0."
+                 over the channels, times " (ERROR_FACTOR) "."
+                @if run.config.data.path.is_some() {
+                    " Where the photograph has no valid pixel, such as behind a mask, the error is 0."
+                }
             }
             (error_legend())
             @for figure in &figures { (figure) }
@@ -159,8 +161,8 @@ fn views(run: &Run, last: &Evaluation<'_>) -> Markup {
     )
 }
 
-/// A view's pictures. With scripts, the photograph lies over the rendered image, and a slider moves the border.
-fn figure_of(view: &ViewScore, [photograph, rendered, error]: [Picture; 3]) -> Markup {
+/// A view's pictures. With scripts, the truth lies over the rendered image, and a slider moves the border.
+fn figure_of(view: &ViewScore, truth: &str, [shown, rendered, error]: [Picture; 3]) -> Markup {
     let name = &view.name;
     let [width, height] = rendered.size;
     html! {
@@ -175,10 +177,10 @@ fn figure_of(view: &ViewScore, [photograph, rendered, error]: [Picture; 3]) -> M
             }
             div.pictures {
                 div.slider style=(format!("--ratio: {width} / {height}")) {
-                    figure { (image(&photograph, &format!("Photograph of {name}"))) figcaption { "Photograph" } }
-                    figure { (image(&rendered, &format!("Rendered image of {name}"))) figcaption { "Rendered" } }
+                    figure { (image(&shown, &format!("{truth} of {name}"))) figcaption { (truth) } }
+                    figure { (image(&rendered, &format!("Trained scene in {name}"))) figcaption { "Trained scene" } }
                     input type="range" min="0" max="100" value="50" step="0.5"
-                        aria-label=(format!("Share of the photograph in {}", clean(name)));
+                        aria-label=(format!("Share of the {} in {}", truth.to_lowercase(), clean(name)));
                 }
                 figure.error { (image(&error, &format!("Error of {name}"))) figcaption { "Error" } }
             }

@@ -315,7 +315,7 @@ fn the_page_shows_the_command_and_its_progress() {
         .collect();
     let times = ["a after 0 steps", "a after 500 steps", "a after 1000 steps"];
     let views = ["a", "b"].map(|view| {
-        ["Photograph", "Rendered image", "Error"].map(|what| format!("{what} of {view}"))
+        ["Rendering of", "Trained scene in", "Error of"].map(|what| format!("{what} {view}"))
     });
     let views = views.as_flattened().iter().map(String::as_str);
     assert_eq!(pictures, views.chain(times).collect::<Vec<_>>());

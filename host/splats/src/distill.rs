@@ -78,19 +78,32 @@ pub struct Distilled {
     pub psnr: f64,
     /// The same PSNR before the first step.
     pub first_psnr: f64,
-    judges: Judges,
+    pub(super) judges: Judges,
 }
 
 /// Views in which Gaussians are measured.
 #[derive(Clone, Debug)]
-struct Judges {
+pub(super) struct Judges {
     targets: Vec<Target>,
     background: [f32; 3],
 }
 
 impl Judges {
+    pub fn new(
+        renderer: &Renderer,
+        scene: &Scene,
+        uploaded: &DeviceScene,
+        views: &Views,
+        options: Fit,
+    ) -> Result<Self> {
+        let cameras = if views.judges.is_empty() { &views.fitted } else { &views.judges };
+        let target = |camera| Target::new(renderer, uploaded, camera, options.side);
+        let targets = cameras.iter().map(target).collect::<Result<Vec<_>>>()?;
+        Ok(Self { targets, background: background(scene) })
+    }
+
     /// The mean PSNR of Gaussians' images, compared with the scene's own.
-    fn psnr(&self, splats: &[Splat]) -> f64 {
+    pub fn psnr(&self, splats: &[Splat]) -> f64 {
         let of = |Target { camera, image }: &Target| {
             let psnr = psnr(splats, camera, self.background, image.pixels(), None);
             psnr.unwrap_or(BEST_PSNR).min(BEST_PSNR)
@@ -114,6 +127,23 @@ struct Target {
     image: Image,
 }
 
+impl Target {
+    fn new(
+        renderer: &Renderer,
+        uploaded: &DeviceScene,
+        camera: &Camera,
+        side: u32,
+    ) -> Result<Self> {
+        let camera = camera.within(side);
+        let image = renderer.render_view(uploaded, &camera)?;
+        Ok(Self { camera, image })
+    }
+}
+
+fn background(scene: &Scene) -> [f32; 3] {
+    scene.config.background.map(|x| x as f32)
+}
+
 /// Fits Gaussians to a scene, as some cameras and others between them see it. Without views that are only measured,
 /// the fitted views are measured. `progress` is called with the number of finished steps. An error of it ends the
 /// fit.
@@ -128,20 +158,13 @@ pub fn distill(
     options: Fit,
     progress: &mut dyn FnMut(usize) -> Result<()>,
 ) -> Result<Distilled> {
-    let Views { fitted: cameras, judges } = views;
+    let cameras = &views.fitted;
     if cameras.is_empty() {
         return Err(Error::Argument { reason: "distilling a scene needs a camera".to_owned() });
     }
-    let background = scene.config.background.map(|x| x as f32);
+    let background = background(scene);
     let mut splats = first(renderer, scene, uploaded, cameras)?;
-    let target = |camera: &Camera| -> Result<Target> {
-        let camera = camera.within(options.side);
-        let image = renderer.render_view(uploaded, &camera)?;
-        Ok(Target { camera, image })
-    };
-    let judges = if judges.is_empty() { cameras } else { judges };
-    let targets = judges.iter().map(target).collect::<Result<Vec<_>>>()?;
-    let judges = Judges { targets, background };
+    let judges = Judges::new(renderer, scene, uploaded, views, options)?;
     let first_psnr = judges.psnr(&splats);
     let steps = options.steps as usize;
     // views that no step will see need no image
@@ -152,6 +175,7 @@ pub fn distill(
         u64::from(width) * u64::from(height)
     };
     memory::check(3 * targets.iter().map(pixels).sum::<u64>(), "the images to compare")?;
+    let target = |camera| Target::new(renderer, uploaded, camera, options.side);
     let targets = targets.into_iter().map(target).collect::<Result<Vec<_>>>()?;
     let mut adam = Adam::new(splats.len())?;
     let stride = stride(targets.len());

@@ -8,6 +8,7 @@ mod distill;
 mod files;
 mod fitted;
 mod harmonics;
+mod kept;
 mod placed;
 mod sorted;
 mod sorted_backward;

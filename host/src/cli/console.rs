@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
-use std::sync::Mutex;
-use std::time::{Duration, Instant};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
 use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 use organza::{Error, Result};
@@ -22,6 +22,7 @@ pub struct Console {
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
+    pace: Arc<Mutex<Pace>>,
     log: Option<Log>,
 }
 
@@ -29,8 +30,7 @@ pub struct Progress {
 #[derive(Debug)]
 struct Log {
     unit: String,
-    begin: Instant,
-    /// Time of the last line, from `begin`.
+    /// Time of the last line, from the begin of the bar.
     last: Mutex<Duration>,
 }
 
@@ -42,14 +42,47 @@ pub fn between_lines(so_far: f64, shortest: f64) -> f64 {
     (0.1 * so_far).clamp(shortest, 60.0)
 }
 
-/// `, 3m left`, by the mean time of a step; nothing before the first step is done. indicatif looks at the last 15 seconds, and takes minutes
-/// for weeks where a step is longer.
-fn left(elapsed: Duration, done: u64, all: u64) -> String {
-    if done == 0 {
-        return String::new();
+/// Fewest steps in a half of a task whose pace is told.
+const FEWEST: f64 = 2.0;
+
+/// How long the steps of a task take.
+#[derive(Debug, Default)]
+pub struct Pace {
+    /// Finished steps and seconds: the first ones, and then whenever the steps since the first ones have doubled.
+    marks: Vec<[f64; 2]>,
+}
+
+impl Pace {
+    /// Seconds of a step, by the last half of the steps so far, `done` of which took these seconds. `None` until all of them
+    /// say the same to within a factor of two: a first step that takes long says nothing of the others.
+    pub fn step(&mut self, seconds: f64, done: u64) -> Option<f64> {
+        let done = done as f64;
+        let [first, begin] = *self.marks.first().unwrap_or(&[done, seconds]);
+        let steps = done - first;
+        let last = self.marks.last().map(|mark| mark[0]);
+        if last.is_none_or(|last| done > last && steps >= 2.0 * (last - first)) {
+            self.marks.push([done, seconds]);
+        }
+        let is_half = |[at, _]: &&[f64; 2]| *at >= first + FEWEST && 2.0 * (at - first) <= steps;
+        let [half, middle] = *self.marks.iter().rev().find(is_half)?;
+        let step = (seconds - middle) / (done - half);
+        let mean = (seconds - begin) / steps;
+        (0.5..=2.0).contains(&(mean / step)).then_some(step)
     }
-    let left = elapsed.mul_f64(all.saturating_sub(done) as f64 / done as f64);
-    format!(", {:#} left", HumanDuration(left))
+}
+
+/// The end of a line: `, 3m left`, or nothing if the seconds are unknown.
+pub fn left(seconds: Option<f64>) -> String {
+    // far longer than anybody waits
+    let time = |seconds: f64| HumanDuration(Duration::from_secs_f64(seconds.min(1e9)));
+    seconds.map_or_else(String::new, |seconds| format!(", {:#} left", time(seconds)))
+}
+
+/// [`left`] of a bar, at its pace.
+fn left_of(pace: &Mutex<Pace>, elapsed: Duration, done: u64, all: u64) -> String {
+    let mut pace = pace.lock().unwrap_or_else(PoisonError::into_inner);
+    let step = pace.step(elapsed.as_secs_f64(), done);
+    left(step.map(|step| step * all.saturating_sub(done) as f64))
 }
 
 impl Log {
@@ -106,7 +139,7 @@ impl Console {
         progress.say(what);
         if self.level >= Level::Normal && !self.has_terminal() {
             let unit = unit.to_owned();
-            progress.log = Some(Log { unit, begin: Instant::now(), last: Mutex::default() });
+            progress.log = Some(Log { unit, last: Mutex::default() });
         }
         progress
     }
@@ -120,22 +153,24 @@ impl Console {
 
     /// A progress that never shows.
     pub fn hidden(self) -> Progress {
-        Progress { bar: ProgressBar::hidden(), log: None }
+        Progress { bar: ProgressBar::hidden(), pace: Arc::default(), log: None }
     }
 
     fn show(self, bar: ProgressBar, template: &str) -> Progress {
         if self.level < Level::Normal {
             return self.hidden();
         }
-        let left = |state: &ProgressState, text: &mut dyn fmt::Write| {
+        let pace: Arc<Mutex<Pace>> = Arc::default();
+        let shared = Arc::clone(&pace);
+        let show = move |state: &ProgressState, text: &mut dyn fmt::Write| {
             let all = state.len().unwrap_or(0);
-            let _ = text.write_str(&left(state.elapsed(), state.pos(), all));
+            let _ = text.write_str(&left_of(&shared, state.elapsed(), state.pos(), all));
         };
         if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style.progress_chars("=> ").with_key("left", left));
+            bar.set_style(style.progress_chars("=> ").with_key("left", show));
         }
         bar.enable_steady_tick(Duration::from_millis(100));
-        Progress { bar, log: None }
+        Progress { bar, pace, log: None }
     }
 }
 
@@ -164,7 +199,7 @@ impl Progress {
 
     /// Estimates the remaining time only from steps after this call.
     pub fn restart_clock(&self) {
-        self.bar.reset_eta();
+        *self.pace.lock().unwrap_or_else(PoisonError::into_inner) = Pace::default();
     }
 
     /// Prints a note above the bar.
@@ -186,14 +221,13 @@ impl Progress {
     /// Writes a line if it is time for one.
     fn log(&self) {
         let Some(log) = &self.log else { return };
-        if log.is_due(log.begin.elapsed()) {
-            let done = self.bar.position();
-            let left = left(log.begin.elapsed(), done, self.bar.length().unwrap_or(done));
-            let all = grouped(self.bar.length().unwrap_or(done));
-            let done = grouped(done);
+        let done = self.bar.position();
+        let all = self.bar.length().unwrap_or(done);
+        let left = left_of(&self.pace, self.bar.elapsed(), done, all);
+        if log.is_due(self.bar.elapsed()) {
             let what = self.bar.message();
             let unit = &log.unit;
-            write(&format!("{what}: {done} of {all} {unit}{left}\n"));
+            write(&format!("{what}: {} of {} {unit}{left}\n", grouped(done), grouped(all)));
         }
     }
 
@@ -346,7 +380,7 @@ mod tests {
 
     #[test]
     fn lines_in_a_log_become_rare() {
-        let log = Log { unit: String::new(), begin: Instant::now(), last: Mutex::default() };
+        let log = Log { unit: String::new(), last: Mutex::default() };
         let due = (0..7200).filter(|&second| log.is_due(Duration::from_secs(second)));
         let due: Vec<_> = due.collect();
         assert_eq!(due[..3], [10, 20, 30]);
@@ -355,10 +389,23 @@ mod tests {
     }
 
     #[test]
-    fn the_time_left_is_that_of_the_mean_step() {
-        let minute = Duration::from_secs(60);
-        assert_eq!(left(minute, 0, 9), "");
-        assert_eq!([left(minute, 1, 9), left(minute, 9, 9)], [", 8m left", ", 0s left"]);
+    fn the_pace_is_said_once_it_is_steady() {
+        let mut pace = Pace::default();
+        // a minute until something begins, and then ten steps a second
+        let told: Vec<_> = (0..=1000_u32)
+            .filter_map(|step| {
+                let seconds = if step == 0 { 0.0 } else { 60.0 + 0.1 * f64::from(step) };
+                Some((seconds, pace.step(seconds, u64::from(step))?))
+            })
+            .collect();
+        assert!(told[0].0 > 100.0 && told.len() > 100, "{:?}", told[0]);
+        assert!(told.iter().all(|told| (told.1 - 0.1).abs() < 1e-9), "{told:?}");
+        // long steps of which some are longer, after another training's
+        let mut pace = Pace::default();
+        let seconds = [500.0, 560.0, 650.0, 720.0, 790.0];
+        let told: Vec<_> = (30_u64..).zip(seconds).map(|(step, at)| pace.step(at, step)).collect();
+        assert_eq!(told, [None, None, None, None, Some(70.0)]);
+        assert_eq!([left(None), left(Some(70.0 * 6.0))], ["", ", 7m left"]);
     }
 
     #[test]

@@ -95,7 +95,8 @@ impl DeviceArgs {
     pub fn open_as(&self, options: &DeviceOptions, console: Console) -> Result<Renderer> {
         let start = Instant::now();
         let device = console.during("opening the device", || organza::open_device(options))?;
-        console.note(device.choice());
+        console.note(&device.name());
+        console.detail(device.choice());
         if device.backend() == "gpu" && device.is_cpu_like() {
             console.note("this GPU is software; `--backend cpu` is faster on this machine");
         }

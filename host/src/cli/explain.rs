@@ -12,7 +12,7 @@ use super::console::{Console, print, print_json};
 use super::inputs::{Cameras, DataArgs, SceneSource};
 use super::refuse;
 use super::summary::{Table, count};
-use super::views::{no_view, warn_distorted};
+use super::views::{ViewList, warn_distorted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -20,6 +20,7 @@ Examples:
   organza explain scene.safetensors cameras.json --view 3 --pixel 10,20 --all --json
   organza explain run --split held-out --view 0 --pixel 64,64
   organza explain run --split held-out --summary
+  organza explain run --summary --views 0-3
 
 The columns follow docs/pipeline.md: alpha = opacity * falloff * T, where opacity is the \
 sigmoid of the logit. C and S are the sums of Eq. 12 up to and including the row's Gaussian.
@@ -36,9 +37,9 @@ pub struct Args {
     scene: PathBuf,
     /// The cameras: nerfstudio's transforms.json, or a data set [default: the run's]
     cameras: Option<PathBuf>,
-    /// Index of the view [default: 0; all with --summary]
-    #[arg(long, value_name = "V")]
-    view: Option<usize>,
+    /// The view of the pixel, or the views to sum up: a list such as 0,8 or 0-3 [default: 0; all with --summary]
+    #[arg(long, value_name = "V", visible_alias = "views")]
+    view: Option<ViewList>,
     /// Column and row of the pixel, from the upper left
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel, allow_hyphen_values = true)]
     #[arg(required_unless_present = "summary")]
@@ -70,13 +71,14 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let usage = "organza explain SCENE CAMERAS";
     let cameras = Cameras::load(&source, args.cameras.as_deref(), &args.data, usage, console)?;
     let Cameras { list: cameras, origin, .. } = cameras;
-    if let Some(view) = args.view.filter(|&view| view >= cameras.len()) {
-        return no_view(view, cameras.len(), &origin);
-    }
-    let views = match args.view {
+    let views = match &args.view {
+        Some(views) => views.resolve(cameras.len(), &origin)?,
         None if args.summary => (0..cameras.len()).collect(),
-        view => vec![view.unwrap_or(0)],
+        None => vec![0],
     };
+    if args.pixel.is_some() && views.len() > 1 {
+        return refuse("a pixel is of one view; several are for `--summary`");
+    }
     let at = args.pixel.map(|pixel| Place { view: views[0], pixel });
     if let Some(at) = at {
         at.check(&cameras[at.view])?;

@@ -6,12 +6,13 @@ use organza::camera::Orbit;
 use organza::data::{Dataset, Pose};
 use organza::error::format_bytes;
 use organza::splats::{self, Distilled, Fit, Format, Splat, SplatComparison, Views};
+use organza::train::FIT;
 use organza::{Renderer, Result, Scene};
 
 use super::console::Console;
 use super::device::DeviceArgs;
 use super::inputs::{Cameras, DataArgs, DataSet, SceneSource, Split};
-use super::output::check_file;
+use super::output::{check_file, made_of};
 use super::refuse;
 use super::summary::count;
 
@@ -48,7 +49,8 @@ pub struct Args {
     /// one color for all directions
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Steps in which a view is compared and the Gaussians are corrected; 0 only fits colors to the networks
+    /// Steps in which a view is compared and the Gaussians are corrected; 0 only fits colors to the networks, in seconds, and
+    /// can lose 10 decibels. A run's folder keeps the result, so that a second export takes only what its format needs
     #[arg(long, value_name = "N", default_value_t = Fit::default().steps)]
     #[arg(value_parser = clap::value_parser!(u32).range(Fit::STEPS))]
     steps: u32,
@@ -78,14 +80,26 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let renderer = args.device.open(console)?;
     let (views, data) = load_views(args, &source, &scene, &renderer, console)?;
     let uploaded = renderer.upload(&scene)?;
-    let fit = announced(Fit { steps: args.steps, side: args.side }, console);
-    let distilled = {
+    let fit = Fit { steps: args.steps, side: args.side };
+    let key = made_of(source.file(), &(&views, fit, renderer.device().arithmetic()))?;
+    let file = source.named().join(FIT);
+    let kept = Distilled::kept(&file, &key, &renderer, &scene, &uploaded, &views, fit)?;
+    let distilled = if let Some(kept) = kept {
+        console.note("the fit is there from an earlier export");
+        kept
+    } else {
+        announce(fit, console);
         let progress = console.progress("fitting", args.steps as usize, "steps");
-        let mut progress = |step| {
+        let mut see = |step| {
             progress.set(step);
             Ok(())
         };
-        splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut progress)?
+        let new = splats::distill(&renderer, &scene, &uploaded, &views, fit, &mut see)?;
+        // what is fitted again in a minute need not be kept
+        if args.steps > 0 && source.settings()?.is_some() {
+            let _ = new.keep(&file, &key).inspect_err(|error| console.detail(&error.to_string()));
+        }
+        new
     };
     let placement = scene.config.placement;
     let up = Orbit::around(&views.fitted)?.up;
@@ -125,16 +139,17 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     Ok(())
 }
 
-/// Says what the fit will take.
-fn announced(fit: Fit, console: Console) -> Fit {
-    if fit.steps > 0 {
-        console.note(&format!(
+/// Says what the fit will take, or what is lost without it.
+fn announce(fit: Fit, console: Console) {
+    console.note(&match fit.steps {
+        0 => "`--steps 0` fits the colors alone, and does not correct visibility for viewers that sort: the file can lose 10 decibels"
+            .to_owned(),
+        steps => format!(
             "fitting the Gaussians to the scene's own images in {}, which takes minutes on a CPU; `--steps 0` only fits \
-             the colors, in seconds",
-            count(u64::from(fit.steps), "step")
-        ));
-    }
-    fit
+             the colors, in seconds, and can lose 10 decibels",
+            count(u64::from(steps), "step")
+        ),
+    });
 }
 
 /// The views to compare, and the held-out photographs if there are any.
@@ -184,11 +199,15 @@ fn say_psnr(views: &Views, distilled: &Distilled, written: &[Splat], steps: u32,
         judges => (judges, " that the fit has not seen"),
     };
     let psnr = distilled.psnr_of(written);
+    let before = match steps {
+        0 => String::new(),
+        _ => {
+            format!(" ({:.2} dB before {})", distilled.first_psnr, count(u64::from(steps), "step"))
+        }
+    };
     console.note(&format!(
-        "in {}{which}, PSNR of the file against the scene's own images: {psnr:.2} dB ({:.2} dB before {})",
+        "in {}{which}, PSNR of the file against the scene's own images: {psnr:.2} dB{before}",
         count(views as u64, "view"),
-        distilled.first_psnr,
-        count(u64::from(steps), "step")
     ));
     let cost = distilled.psnr - psnr;
     if cost > NOTICED {

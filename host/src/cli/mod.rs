@@ -38,7 +38,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use organza::camera::MAX_IMAGE_SIDE;
 use organza::{Result, error};
@@ -99,7 +99,7 @@ pub fn main() -> ExitCode {
     remember_panics();
     let Cli { verbosity, command } = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => return usage(&error),
+        Err(error) => return usage(error),
     };
     let console = Console::new(verbosity.level());
     let run = || match &command {
@@ -137,7 +137,7 @@ pub fn main() -> ExitCode {
 }
 
 /// Prints what clap reports: help, or an error with each paragraph in one line.
-fn usage(error: &clap::Error) -> ExitCode {
+fn usage(mut error: clap::Error) -> ExitCode {
     if !error.use_stderr() {
         // It is no error if the reader has closed the pipe.
         let _ = error.print();
@@ -146,6 +146,11 @@ fn usage(error: &clap::Error) -> ExitCode {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         console::line("error", "no subcommand is named; `organza --help` lists them");
         return ExitCode::from(FAILURE);
+    }
+    // clap names the nearest one last
+    if let Some(ContextValue::Strings(mut named)) = error.remove(ContextKind::SuggestedSubcommand) {
+        named.reverse();
+        error.insert(ContextKind::SuggestedSubcommand, ContextValue::Strings(named));
     }
     let text = error.render().to_string();
     // The message, then hints, then the usage. Some of these paragraphs have several lines.

@@ -202,7 +202,7 @@ fn cannot_write(path: &Path, source: io::Error) -> Error {
 const MARK: &str = ".organza-images";
 
 /// Identifies what images are made of: the scene's file, the cameras, the options, and the program.
-fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
+pub fn made_of(scene: &Path, how: &dyn Debug) -> Result<String> {
     let mut hash = Sha256::new();
     File::open(scene)
         .and_then(|mut file| io::copy(&mut file, &mut hash))

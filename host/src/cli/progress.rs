@@ -1,18 +1,15 @@
 //! The progress of a training: a bar on a terminal, or lines in a log file.
 
-use std::collections::VecDeque;
 use std::time::Duration;
 
-use indicatif::{FormattedDuration, HumanDuration};
+use indicatif::FormattedDuration;
 use organza::Evaluation;
 use organza::metrics::psnr_of;
 use organza::train::{Change, Event, Outcome, StepReport};
 
-use super::console::{Console, Progress, between_lines};
+use super::console::{Console, Pace, Progress, between_lines, left};
 use super::summary::{count, grouped};
 
-/// Seconds of training over which the speed is measured.
-const WINDOW: f64 = 15.0;
 /// Fewest seconds between lines.
 const SHORTEST: f64 = 2.0;
 
@@ -40,13 +37,18 @@ impl TrainingProgress {
             true => console.progress("training", steps as usize, "steps"),
             false => console.hidden(),
         };
-        let pace = Pace::default();
-        let lines = Lines::default();
-        let step = 0;
-        let seconds = 0.0;
-        let gaussians = None;
-        let is_planned = false;
-        Self { console, bar, steps, is_planned, time_limit, pace, lines, step, seconds, gaussians }
+        Self {
+            console,
+            bar,
+            steps,
+            is_planned: false,
+            time_limit,
+            pace: Pace::default(),
+            lines: Lines::default(),
+            step: 0,
+            seconds: 0.0,
+            gaussians: None,
+        }
     }
 
     /// Shows an event.
@@ -66,7 +68,6 @@ impl TrainingProgress {
                 self.step = *step;
                 self.seconds = *seconds;
                 self.gaussians = Some(*gaussians);
-                self.pace.add(*step, *seconds);
                 self.step(report);
             }
             Event::Evaluating => self.bar.say("measuring the held-out views"),
@@ -89,13 +90,14 @@ impl TrainingProgress {
     }
 
     fn step(&mut self, report: &StepReport) {
-        let speed = self.pace.steps_per_second();
+        let pace = self.pace.step(self.seconds, self.step.into());
+        let speed =
+            pace.map_or_else(String::new, |step| format!(", {} steps/s", rounded(1.0 / step)));
         self.bar.set(self.step as usize);
         self.bar.say(&format!(
-            "{}, {}{}",
+            "{}, {}{speed}",
             error(report.loss, report.psnr),
             self.gaussian_count(),
-            speed.map_or(String::new(), |speed| format!(", {} steps/s", rounded(speed))),
         ));
         if self.console.has_terminal() {
             return;
@@ -103,16 +105,14 @@ impl TrainingProgress {
         let Some([loss, psnr]) = self.lines.add(self.seconds, report.loss, report.psnr) else {
             return;
         };
-        let rest = speed.map_or(String::new(), |speed| {
-            format!(", {} steps/s, {:#} left", rounded(speed), HumanDuration(self.left(speed)))
-        });
         self.console.note(&format!(
-            "step {} of {}{}: {}, {}{rest}",
+            "step {} of {}{}: {}, {}{speed}{}",
             grouped(self.step.into()),
             if self.is_planned { "about " } else { "" },
             grouped(self.steps.into()),
             error(loss, psnr),
             self.gaussian_count(),
+            left(pace.map(|step| self.seconds_left(step))),
         ));
     }
 
@@ -150,42 +150,16 @@ impl TrainingProgress {
         count(self.gaussians.unwrap_or(0) as u64, "Gaussian")
     }
 
-    /// Estimates the remaining time of training, without evaluations.
-    fn left(&self, speed: f64) -> Duration {
-        let steps = f64::from(self.steps.saturating_sub(self.step)) / speed;
+    /// Estimates the seconds of training left, without evaluations, if a step takes this many.
+    fn seconds_left(&self, step: f64) -> f64 {
         let limit = self.time_limit.map_or(f64::INFINITY, |limit| (limit - self.seconds).max(0.0));
-        // far longer than anybody waits
-        Duration::from_secs_f64(steps.min(limit).min(1e9))
+        (step * f64::from(self.steps.saturating_sub(self.step))).min(limit)
     }
 }
 
 /// A score with some digits after the point, or `no`.
 fn shown(value: Option<f64>, digits: usize) -> String {
     value.map_or("no".to_owned(), |value| format!("{value:.digits$}"))
-}
-
-/// The speed over the last seconds.
-#[derive(Debug, Default)]
-struct Pace {
-    /// Pairs of steps and seconds, oldest first.
-    times: VecDeque<(u32, f64)>,
-}
-
-impl Pace {
-    fn add(&mut self, step: u32, seconds: f64) {
-        self.times.push_back((step, seconds));
-        while self.times.len() > 2 && self.times[1].1 < seconds - WINDOW {
-            self.times.pop_front();
-        }
-    }
-
-    fn steps_per_second(&self) -> Option<f64> {
-        let first = self.times.front()?;
-        let last = self.times.back()?;
-        let steps = last.0.checked_sub(first.0)?;
-        let seconds = last.1 - first.1;
-        (steps > 0 && seconds > 0.0).then(|| f64::from(steps) / seconds)
-    }
 }
 
 /// Decides when a line is due, and computes the means since the last one.
@@ -234,25 +208,6 @@ fn rounded(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_speed_is_that_of_the_last_seconds() {
-        let mut pace = Pace::default();
-        assert_eq!(pace.steps_per_second(), None);
-        // a hundred steps of one second each, then ten steps per second
-        for step in 0..=100 {
-            pace.add(step, f64::from(step));
-        }
-        assert_eq!(pace.steps_per_second(), Some(1.0));
-        for step in 1..=300 {
-            pace.add(100 + step, 100.0 + 0.1 * f64::from(step));
-        }
-        let speed = pace.steps_per_second().unwrap();
-        assert!((speed - 10.0).abs() < 0.01, "{speed}");
-        // a step may take longer than the window
-        pace.add(401, 230.0);
-        assert_eq!(pace.steps_per_second(), Some(0.01));
-    }
 
     #[test]
     fn lines_become_rarer_and_tell_means() {

@@ -7,7 +7,7 @@ use std::thread;
 use organza::ranks::{Ranks, ThreadRanks};
 use organza::scene::Placement;
 use organza::train::{self, StepHooks, TrainConfig};
-use organza::{Dataset, DeviceOptions, Renderer, Result, error};
+use organza::{Dataset, DeviceOptions, Error, Renderer, Result, error};
 
 use super::console::{Console, Level};
 use super::device::DeviceArgs;
@@ -170,7 +170,23 @@ pub fn follow_thread(
 /// The number of this process among those on its machine.
 fn local_rank() -> Option<usize> {
     // Open MPI, Slurm, MPICH, Intel MPI
-    const NAMES: [&str; 4] =
-        ["OMPI_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID", "MPI_LOCALRANKID", "PMI_LOCAL_RANK"];
-    NAMES.iter().find_map(|name| std::env::var(name).ok()?.parse().ok())
+    variable(&["OMPI_COMM_WORLD_LOCAL_RANK", "SLURM_LOCALID", "MPI_LOCALRANKID", "PMI_LOCAL_RANK"])
+}
+
+/// The error of a training that found another one in its folder. Where MPI has started several processes, it names the option
+/// that joins them.
+pub fn of_many(error: Error) -> Error {
+    let size = variable(&["OMPI_COMM_WORLD_SIZE", "SLURM_STEP_NUM_TASKS", "PMI_SIZE"]);
+    match error {
+        Error::Invalid { origin, reason } if size.is_some_and(|size| size > 1) => {
+            let reason = format!("{reason}. With `--ranks mpi`, the processes share one training");
+            Error::Invalid { origin, reason }
+        }
+        error => error,
+    }
+}
+
+/// The number in the first of these environment variables that has one.
+fn variable(names: &[&str]) -> Option<usize> {
+    names.iter().find_map(|name| std::env::var(name).ok()?.parse().ok())
 }

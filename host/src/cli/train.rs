@@ -1,5 +1,6 @@
 //! `organza train`: trains a scene on photographs.
 
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
@@ -12,10 +13,10 @@ use organza::scene::Placement;
 use organza::train::config::{LearnExposure, SETTINGS, Setting};
 use organza::train::report::Reporter;
 use organza::train::{
-    self, CHECKPOINT, ConfigBuilder, Event, Outcome, Preset, REPORT, Session, TrainConfig,
+    self, CHECKPOINT, CONFIG, ConfigBuilder, Event, Outcome, Preset, REPORT, Session, TrainConfig,
 };
 use organza::view::TrainingView;
-use organza::{Dataset, Result, Scene};
+use organza::{Dataset, Error, Renderer, Result, Scene};
 use serde::Serialize;
 
 use super::console::{Console, print, print_json};
@@ -24,15 +25,16 @@ use super::device::DeviceArgs;
 use super::inputs::{DataSet, check_place};
 use super::output::Folder;
 use super::progress::TrainingProgress;
-use super::ranks::{RanksArgs, Team, follow_thread};
+use super::ranks::{RanksArgs, Team, follow_thread, of_many};
 use super::signals::Signals;
 use super::view::ServerArgs;
-use super::{absolute, number_in, refuse, text_of, title};
+use super::{absolute, capture, number_in, refuse, text_of, title};
 
 const EXAMPLES: &str = "\
 Examples:
   organza train -o run                                 the built-in scene, no files needed
   organza train data/fox -o run --minutes 10
+  organza train garden.mp4 -o run                      finds the poses first, as `organza capture` does
   organza train --resume run                           continues after Ctrl-C, to the same bits
   organza train --resume run --steps 5000              extends a run, also one that is finished
   organza train data/fox -o quick --preset fast
@@ -50,6 +52,9 @@ RUN gets config.toml (all settings; --config reads them back), metrics.jsonl (th
 checkpoint.safetensors (a scene that every other command accepts), checkpoint.best.safetensors (the one with the best \
 held-out views), evaluations.csv (the scores of each held-out view), report.html and pictures/ (its images).";
 
+/// The folder in a run for a data set that is made first.
+const CAPTURED: &str = "data";
+
 /// The examples, and the settings for `--set`.
 fn long_help() -> String {
     let mut text = format!(
@@ -63,11 +68,12 @@ fn long_help() -> String {
     text
 }
 
-/// Train a scene on photographs with poses, or on the built-in scene
+/// Train a scene on photographs or a video, or on the built-in scene
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES, after_long_help = long_help())]
 pub struct Args {
-    /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json
+    /// The data set: a folder of nerfstudio, Blender or COLMAP, or a transforms.json. Of a video or a folder of photographs,
+    /// RUN/data becomes the data set first, as by `organza capture`
     /// [default: the built-in scene, with --preset built-in unless --config is given]
     data: Option<PathBuf>,
     /// The folder for the run; created if it does not exist
@@ -191,7 +197,7 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     if args.print_config {
         let config = match &args.resume {
             Some(folder) => args.settings.resumed(folder)?,
-            None => args.settings.settings(args.data.as_deref())?,
+            None => args.settings.settings(args.data.as_deref())?.0,
         };
         return if args.json { print_json(&config) } else { print(&config.to_toml()) };
     }
@@ -214,15 +220,17 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
 /// Trains as the first rank, or alone.
 fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
     let signals = Signals::listen()?;
-    let (folder, config) = prepare(args)?;
+    let (folder, config, shrinks) = prepare(args, &signals, console)?;
     let planned = args.settings.planned();
     let time_limit = args.time_limit.map(f64::from);
     let share = f64::from(args.view_share) / 100.0;
     let view = args.view.then_some((&args.server, share));
     let resume = args.resume.is_some();
-    let job = TrainJob { config, folder: &folder, resume, planned, time_limit, view, team };
+    let job =
+        TrainJob { config, folder: &folder, resume, shrinks, planned, time_limit, view, team };
     let mut ended = Ended::default();
-    let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event))?;
+    let outcome = job.run(&args.device, console, &signals, &mut |event| ended.see(event));
+    let outcome = outcome.map_err(|error| with_resume(error, &folder))?;
     console.note(&match outcome {
         Outcome::Stopped => {
             format!("saved; `organza train --resume {}` continues from here", folder.display())
@@ -237,6 +245,20 @@ fn lead(args: &Args, team: Option<Team>, console: Console) -> Result<()> {
         }
     });
     if args.json { print_json(&ended.with_outcome(&folder, outcome)) } else { Ok(()) }
+}
+
+/// The error, and what continues the run once a full disk has room again.
+fn with_resume(error: Error, folder: &Path) -> Error {
+    match error {
+        Error::WriteFile { path, source }
+            if [ErrorKind::StorageFull, ErrorKind::QuotaExceeded].contains(&source.kind())
+                && folder.join(CONFIG).exists() =>
+        {
+            let resume = format!("{source}, then `organza train --resume {}`", quoted(folder));
+            Error::WriteFile { path, source: io::Error::new(source.kind(), resume) }
+        }
+        error => error,
+    }
 }
 
 /// The output of `--json` at the end of a run.
@@ -295,6 +317,8 @@ pub struct TrainJob<'a> {
     pub folder: &'a Path,
     /// Whether the folder has a run to resume.
     pub resume: bool,
+    /// Whether photographs shrink if the run would not draw all of their pixels.
+    pub shrinks: bool,
     /// See [`Session::planned`].
     pub planned: Option<f64>,
     /// See [`Session::time_limit`].
@@ -325,10 +349,7 @@ impl TrainJob<'_> {
         config.check_memory()?;
         let team = self.team.take();
         let placement = self.placement()?;
-        if let Some(team) = &team {
-            team.tell(&config, placement)?;
-        }
-        let data = DataSet::open(config.data.clone(), placement, console)?;
+        let mut data = DataSet::open(config.data.clone(), placement, console)?;
         // a run that has begun may go on
         if !self.resume {
             data.check_downscale()?;
@@ -336,13 +357,21 @@ impl TrainJob<'_> {
         let server = self.view.map(|(server, _)| server.listen(console)).transpose()?;
         // until there is something in the folder
         let made = Folder::make(self.folder)?;
-        let folder = signals.lock_run(&made, self.resume)?;
+        let folder = signals.lock_run(&made, self.resume);
+        let folder = folder.map_err(|error| if team.is_none() { of_many(error) } else { error })?;
         let options = device.options()?;
         let of_rank = |rank| match &team {
             Some(team) => team.places().device(options.clone(), rank),
             None => options.clone(),
         };
         let renderer = device.open_as(&of_rank(0), console)?;
+        if self.shrinks {
+            let steps = self.planned.map(|seconds| seconds * pixels_per_second(&renderer));
+            config.data.downscale = data.shrink(steps.unwrap_or(config.run.pixels()), console)?;
+        }
+        if let Some(team) = &team {
+            team.tell(&config, placement)?;
+        }
         let dataset = Arc::new(data.read(&renderer, console)?);
         let measures_exposures = !self.resume && config.exposure.learn == LearnExposure::Auto;
         config.resolve(&dataset);
@@ -404,6 +433,13 @@ impl TrainJob<'_> {
     }
 }
 
+/// The pixels that training draws in a second: a guess, before the first step.
+fn pixels_per_second(renderer: &Renderer) -> f64 {
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    // docs/performance.md: what a core of Zen 5 and an H200 do
+    if renderer.device().is_cpu_like() { 4e5 * cores as f64 } else { 1.2e7 }
+}
+
 /// Says how much exposures differ, and whether they are learned.
 fn say_exposures(dataset: &Dataset, learn: LearnExposure, console: Console) {
     let Some(spread) = dataset.exposure_spread() else { return };
@@ -424,15 +460,41 @@ fn command_line() -> Option<String> {
     shlex::try_join(words).ok()
 }
 
-/// The run's folder and settings.
-fn prepare(args: &Args) -> Result<(PathBuf, TrainConfig)> {
+/// The run's folder and settings, and whether photographs may shrink. A video and photographs become a data set in the folder.
+fn prepare(
+    args: &Args,
+    signals: &Signals,
+    console: Console,
+) -> Result<(PathBuf, TrainConfig, bool)> {
     if let Some(folder) = &args.resume {
+        if folder.join(CAPTURED).exists() && !folder.join(CONFIG).exists() {
+            let folder = folder.display();
+            return refuse(format!(
+                "{folder} has no training yet, only what it trains on: continue with the command that began it, \
+                 `organza train VIDEO|PHOTOS -o {folder}`"
+            ));
+        }
         let config = args.settings.resumed(folder)?;
         check_place(&config.data, folder)?;
-        return Ok((folder.clone(), config));
+        return Ok((folder.clone(), config, false));
     }
     let folder = args.output.clone().expect("clap requires it");
-    Ok((folder, args.settings.settings(args.data.as_deref())?))
+    let (mut config, shrinks) = args.settings.settings(args.data.as_deref())?;
+    if let Some(source) = config.data.path.take_if(|path| capture::is_source(path)) {
+        if folder.join(CONFIG).exists() {
+            let folder = folder.display();
+            return refuse(format!(
+                "{folder} holds a run already; continue it with `--resume`, or name another folder"
+            ));
+        }
+        let data = folder.join(CAPTURED);
+        config.data.path = Some(absolute(&data));
+        config.validate()?;
+        config.check_memory()?;
+        let source = args.data.as_deref().unwrap_or(&source);
+        capture::for_training(source, &data, signals, console)?;
+    }
+    Ok((folder, config, shrinks))
 }
 
 impl SettingsArgs {
@@ -445,8 +507,8 @@ impl SettingsArgs {
         Ok(config)
     }
 
-    /// The settings to train on a data set, or on the built-in scene.
-    pub fn settings(&self, data: Option<&Path>) -> Result<TrainConfig> {
+    /// The settings to train on a data set, or on the built-in scene, and whether they leave the size of photographs open.
+    fn settings(&self, data: Option<&Path>) -> Result<(TrainConfig, bool)> {
         let named = self.preset.as_deref();
         let preset = match Preset::ALL.into_iter().find(|preset| Some(preset.name()) == named) {
             Some(preset) => preset,
@@ -461,6 +523,7 @@ impl SettingsArgs {
         if self.options.get("growth.max_gaussians").is_some() {
             builder = builder.limit_start()?;
         }
+        let shrinks = !builder.has("data", "downscale");
         let mut config = builder.build()?;
         if let Some(data) = data {
             config.data.path = Some(data.to_owned());
@@ -470,7 +533,7 @@ impl SettingsArgs {
             *path = absolute(path);
         }
         config.validate()?;
-        Ok(config)
+        Ok((config, shrinks))
     }
 
     /// Settings with single values from the command line.

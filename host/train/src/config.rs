@@ -43,6 +43,15 @@ impl DataConfig {
 }
 
 impl RunConfig {
+    /// Number of pixels that all steps draw.
+    #[must_use]
+    pub fn pixels(&self) -> f64 {
+        [self.steps, self.tiles_per_step, self.tile_size, self.tile_size]
+            .map(f64::from)
+            .iter()
+            .product()
+    }
+
     /// The part of the run that is done before `step`, 0 to 1. Learning rates and growth follow it.
     ///
     /// Each entry of the plan spreads the rest of the run evenly over the remaining steps.

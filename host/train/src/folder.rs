@@ -27,8 +27,11 @@ pub const PICTURES: &str = "pictures";
 /// `evaluations.csv`: the scores of each held-out view in each evaluation.
 pub const EVALUATIONS: &str = "evaluations.csv";
 
-/// Files that a run writes directly into its folder.
-const FILES: [&str; 7] = [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS];
+/// `export.fit`: the Gaussians that the last export has fitted to the scene.
+pub const FIT: &str = "export.fit";
+
+/// Files that a run, or a command about it, writes directly into its folder.
+const FILES: [&str; 8] = [CONFIG, CHECKPOINT, BEST, METRICS, CAMERAS, REPORT, EVALUATIONS, FIT];
 
 /// Whether the run writes the file of this path in its folder.
 #[must_use]

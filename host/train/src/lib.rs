@@ -37,7 +37,7 @@ pub use checkpoint::{Checkpoint, Progress};
 pub use config::{ConfigBuilder, Preset, TrainConfig};
 pub use evaluate::{Evaluation, evaluate};
 pub use folder::{
-    BEST, CAMERAS, CHECKPOINT, CONFIG, EVALUATIONS, METRICS, PICTURES, REPORT, RunFolder,
+    BEST, CAMERAS, CHECKPOINT, CONFIG, EVALUATIONS, FIT, METRICS, PICTURES, REPORT, RunFolder,
     is_run_file,
 };
 pub use folder_lock::FolderLock;

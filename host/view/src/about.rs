@@ -4,6 +4,7 @@ use glam::DVec3;
 use serde::Serialize;
 use serde_json::json;
 
+use super::home::home;
 use super::message::Mode;
 use crate::film::FilmKind;
 use organza_core::camera::{Camera, Orbit, upward};
@@ -51,16 +52,23 @@ impl About {
         purpose: Purpose,
     ) -> Self {
         let config = scene.config();
+        let gaussians = &scene.tensors().gaussians;
+        // nothing, if the device fails
+        let read = |values| renderer.device().read(values).unwrap_or_default();
+        let [position, log_scale, opacity] =
+            [&gaussians.position, &gaussians.log_scale, &gaussians.opacity].map(read);
+        let [position, log_scale] = [&position, &log_scale].map(|values| values.as_chunks().0);
+        let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
+        let home = home(&cameras, position, &opacity);
         // data sets have views of their own to begin with
-        let visible = if poses.is_empty() { visible_box(renderer, scene) } else { None };
-        let visible = visible.unwrap_or(config.aabb);
+        let visible = match home {
+            None if !opacity.is_empty() => bounds(position, log_scale, &opacity),
+            _ => config.aabb,
+        };
+        let home = home.cloned().unwrap_or_else(|| overview(visible));
         let [low, high] = visible.map(DVec3::from);
         let center = (low + high) / 2.0;
-        let up = upward(poses.iter().map(|pose| &pose.camera));
-        // where a film begins, which is among the cameras; few cameras have no such place
-        let cameras: Vec<_> = poses.iter().map(|pose| pose.camera.clone()).collect();
-        let among = Orbit::among(&cameras, 2).unwrap_or_default().into_iter().next();
-        let home = among.or(cameras.into_iter().next()).unwrap_or_else(|| overview(visible));
+        let up = upward(cameras.iter());
         let view = |(index, pose): (usize, &Pose)| {
             let name = pose.camera.file_path.clone().unwrap_or_else(|| format!("view {index}"));
             json!({ "name": name, "held_out": pose.held_out, "camera": pose.camera })
@@ -104,16 +112,6 @@ impl About {
     pub(super) fn points(&self) -> &[u8] {
         &self.points
     }
-}
-
-/// The box of nearly all of the opacity; `None` if the device fails.
-fn visible_box(renderer: &Renderer, scene: &DeviceScene) -> Option<[[f64; 3]; 2]> {
-    let gaussians = &scene.tensors().gaussians;
-    let read = |values| renderer.device().read(values).ok();
-    let position = read(&gaussians.position)?;
-    let log_scale = read(&gaussians.log_scale)?;
-    let opacity = read(&gaussians.opacity)?;
-    Some(bounds(position.as_chunks().0, log_scale.as_chunks().0, &opacity))
 }
 
 /// A camera that sees the whole box.

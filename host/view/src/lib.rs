@@ -14,6 +14,7 @@ pub mod film;
 mod films;
 mod frame_renderer;
 mod guard;
+mod home;
 mod keyframes;
 mod message;
 mod photographs;

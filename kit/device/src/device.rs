@@ -67,6 +67,17 @@ impl Device {
         }
     }
 
+    /// What the device is: `CPU, 2 threads`, or `GPU, ` and its name.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match &self.kind {
+            DeviceKind::Cpu(cpu) if cpu.threads() == 1 => "CPU, 1 thread".to_owned(),
+            DeviceKind::Cpu(cpu) => format!("CPU, {} threads", cpu.threads()),
+            DeviceKind::Gpu(gpu) => format!("GPU, {}", gpu.name()),
+            DeviceKind::Planner(_) => self.choice.clone(),
+        }
+    }
+
     /// Description of the device, and the reason for its choice.
     #[must_use]
     pub fn choice(&self) -> &str {

@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use image::imageops::FilterType;
+use organza::train::{CONFIG, TrainConfig};
 use serde_json::json;
 
 use super::runs::{TINY, VIEWS, sandbox};
@@ -103,6 +105,40 @@ fn a_data_set_that_has_moved_is_named() {
     let resume = "train --resume run --steps 9 --set data.path=views --backend cpu";
     sandbox.run(resume).assert_ok();
     sandbox.shell("mkdir elsewhere && cd elsewhere && \"$ORGANZA\" eval ../run").assert_ok();
+}
+
+/// Two steps draw far fewer pixels than two photographs of 3200 x 64 have.
+#[test]
+fn large_photographs_shrink_to_what_the_steps_draw() {
+    let sandbox = sandbox();
+    let frames = sandbox.read_json("views/transforms.json")["frames"].clone();
+    sandbox.edit_json("views/transforms.json", "/frames", json!([frames[0], frames[1]]));
+    let lens = [("fl_x", 3200), ("fl_y", 3200), ("cx", 1600), ("cy", 32), ("w", 3200), ("h", 64)];
+    for (key, value) in lens {
+        sandbox.edit_json("views/transforms.json", &format!("/{key}"), json!(value));
+    }
+    for view in ["view-000", "view-001"] {
+        let path = sandbox.path(&format!("views/{view}.png"));
+        let wide = image::open(&path).unwrap().resize_exact(3200, 64, FilterType::Nearest);
+        wide.save(path).unwrap();
+    }
+    let train = format!("{TINY} @ --steps 2 --hold-out-every 0 --max-gaussians 100");
+    let downscale = |run: &str, words: &str| {
+        let outcome = sandbox.run(words).assert_ok();
+        let config = TrainConfig::load(sandbox.path(run).join(CONFIG)).unwrap();
+        let said = outcome.stderr.contains("so they shrink by 2: `--downscale 1` keeps their size");
+        (config.data.downscale, said)
+    };
+    assert_eq!(downscale("run", &train.replace('@', "run")), (2, true));
+    let info = sandbox.run("eval run --split train --backend cpu --json").json();
+    assert_eq!(info["views"].as_array().map(Vec::len), Some(2), "{info}");
+    let whole = train.replace('@', "whole --downscale 1");
+    assert_eq!(downscale("whole", &whole), (1, false));
+    let again = "train views -o again --config whole/config.toml --backend cpu";
+    assert_eq!(downscale("again", again), (1, false));
+    // as many as both have
+    let enough = train.replace('@', "enough --tiles-per-step 1024");
+    assert_eq!(downscale("enough", &enough), (1, false));
 }
 
 #[test]

@@ -109,6 +109,15 @@ fn a_run_goes_on_after_any_failed_write() {
                 None => killed += 1,
                 Some(2) => {
                     outcome.assert_refused(&["cannot write"]);
+                    if fault.ends_with("ENOSPC") {
+                        outcome.assert_refused(&["the disk is full; ", "free some space"]);
+                        let resume = outcome.stderr.contains(", then `organza train --resume run`");
+                        assert_eq!(
+                            resume,
+                            sandbox.path("run").join(CONFIG).exists(),
+                            "{outcome:?}"
+                        );
+                    }
                     refused += 1;
                 }
                 // some operations are optional, because a file system may not support them: syncing a folder,

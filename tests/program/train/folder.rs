@@ -6,7 +6,7 @@ use std::process::Stdio;
 use serde_json::json;
 
 use super::runs::{TINY, assert_same, bits, photographs, sandbox};
-use crate::sandbox::{Sandbox, wait_until};
+use crate::sandbox::{Outcome, Sandbox, wait_until};
 
 const RESUME: &str = "train --resume run --backend cpu";
 const SAVED: &str = "run/checkpoint.safetensors";
@@ -126,6 +126,14 @@ fn a_second_training_in_the_same_folder_is_refused() {
     let facts = ["run", "another training writes to this folder", holder.as_str()];
     sandbox.run(RESUME).assert_refused(&facts);
     sandbox.run(&format!("{TINY} run")).assert_refused(&facts);
+    let mut of_two = sandbox.command(&format!("{TINY} run"));
+    let of_two = of_two.env("OMPI_COMM_WORLD_SIZE", "2").output().expect("the program starts");
+    let [_, writes, holder] = facts;
+    Outcome::from(of_two).assert_refused(&[
+        writes,
+        holder,
+        "With `--ranks mpi`, the processes share",
+    ]);
     assert!(first.try_wait().unwrap().is_none(), "the first goes on");
     first.kill().unwrap();
     first.wait().unwrap();

@@ -16,6 +16,9 @@ const REST: &str = "document.documentElement.dataset.quality === 'exact' && !org
 const SHOWN: &str = "new Promise((done) => { const reader = new FileReader(); reader.onload = () => \
     done(reader.result.split(',')[1]); reader.readAsDataURL(organza.view.shown.blob); })";
 
+/// Whether the page says that the view is far from all photographs.
+const FAR: &str = "!document.getElementById('far').hidden";
+
 /// The center of the canvas on the screen.
 fn middle(page: &mut Page) -> [f64; 2] {
     let middle = page.eval(
@@ -157,6 +160,23 @@ fn a_scene_in_a_browser() {
     // JavaScript writes 0 where Rust writes 0.0
     assert_eq!(camera(&mut page), page.eval(&format!("({view})")));
     assert!(shown(&mut page) == rendered(&sandbox, &viewer, &view), "a camera of the data set");
+
+    // the page has begun at a photograph; far from all it says so, and a key goes to the nearest
+    let scene = viewer.scene();
+    let views = scene["views"].as_array().expect("a list");
+    assert!(views.iter().any(|view| view["camera"] == scene["home"]), "{scene}");
+    assert_eq!(page.eval(FAR), false);
+    page.eval(
+        "organza.view.leave(); organza.view.camera.camera_to_world = organza.view.camera.camera_to_world \
+         .map((row, at) => at < 3 ? [row[0], row[1], row[2], 3 * row[3]] : row); organza.view.moved()",
+    );
+    page.wait(REST);
+    assert_eq!(page.eval(FAR), true);
+    page.screenshot("viewer-far");
+    page.key("n");
+    page.wait(&format!("organza.view.index === {index}"));
+    page.wait(REST);
+    assert_eq!(page.eval(FAR), false);
     assert!(page.errors.is_empty(), "{:?}", page.errors);
 }
 

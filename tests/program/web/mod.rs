@@ -219,6 +219,31 @@ fn assert_turns(page: &mut Page, url: &str) {
     assert_ne!(page.eval(title), json!("none"));
 }
 
+/// Asserts that the page begins at a camera, says if the view is far from all, and that a key goes to the nearest.
+fn assert_knows_cameras(page: &mut Page, cameras: &[Camera]) {
+    page.letter("keyDown", 'r');
+    let at = |page: &mut Page| {
+        let pose: [[f64; 4]; 4] =
+            serde_json::from_value(page.eval("organza.camera.camera_to_world")).expect("a pose");
+        let eye = DVec3::new(pose[0][3], pose[1][3], pose[2][3]);
+        cameras.iter().position(|camera| eye.distance(camera.eye().into()) < 1e-5)
+    };
+    let is_far = "!document.getElementById('far').hidden";
+    let home = at(page).expect("a camera");
+    page.wait(AT_REST);
+    assert_eq!(page.eval(is_far), json!(false));
+    page.eval(
+        "organza.camera.camera_to_world = organza.camera.camera_to_world.map((row, at) => \
+         at < 3 ? [row[0], row[1], row[2], 2 * row[3]] : row), organza.moved()",
+    );
+    page.wait(AT_REST);
+    page.wait(is_far);
+    assert_eq!(page.eval("document.getElementById('status').hidden"), json!(false));
+    page.letter("keyDown", 'n');
+    assert_eq!(at(page), Some(home));
+    page.wait(&format!("!({is_far})"));
+}
+
 /// Asserts that every kernel compiles on a device with the guaranteed limits.
 fn assert_all_compile(page: &mut Page) {
     let kernel = |kernel: muslin_device::CompiledKernel| {
@@ -249,6 +274,7 @@ fn a_page_renders_by_itself() {
     }
     assert_same(&mut page, &scene, &cameras[2].with_size([150, 70]), 1);
     assert_turns(&mut page, &folder);
+    assert_knows_cameras(&mut page, &cameras);
 
     assert_controls(&mut page);
     page.wait(AT_REST);

@@ -87,7 +87,7 @@ impl Judgment {
     }
 
     /// Whether training is worth its time.
-    fn is_trainable(&self) -> bool {
+    pub fn is_trainable(&self) -> bool {
         self.posed() as f64 >= TRAINABLE * self.images as f64
             && self.seen_points() >= SEEN_POINTS
             && self.jumps.len().max(self.apart.len()) as f64 <= JUMPS * self.posed() as f64
@@ -154,7 +154,7 @@ impl Judgment {
         faults.into_iter().filter(|fault| fault.0).map(|fault| fault.1).collect()
     }
 
-    /// Says what was found, what is wrong, and what to do next.
+    /// Says what was found and what is wrong.
     pub fn print(&self, output: &str, console: Console) {
         let Self { images, mean_track, mean_error, .. } = self;
         let posed = self.posed();
@@ -169,14 +169,8 @@ impl Judgment {
         if self.is_trainable() {
             console.note(match faults.is_empty() {
                 true => "the poses are sound, so this can be trained",
-                false => "this can be trained, but the scene will be worse where a warning says so",
+                false => "this can be trained, but what a warning names will look worse: do as it says and capture again, or train and see",
             });
-            console.note(&format!("next: organza train {output} -o {output}-run"));
-        } else {
-            console.note("these poses are not worth training");
-            console.note(&format!(
-                "next: mend the capture as the warnings say, with organza capture IMAGES -o {output}-2"
-            ));
         }
     }
 }

@@ -6,6 +6,7 @@ mod judge;
 mod programs;
 mod source;
 
+use std::borrow::Borrow;
 use std::fs::{self, Metadata};
 use std::path::{Path, PathBuf};
 
@@ -15,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::console::Console;
+use super::inputs::FileKind;
 use super::output::{Folder, refuse_run};
 use super::refuse;
 use super::signals::Signals;
@@ -38,6 +40,9 @@ and hours for a thousand. Both programs must be installed. After Ctrl-C, the sam
 finished step. In the end, FOLDER has images without lens distortion and their cameras. organza says whether they can be \
 trained, and what to do if not.";
 
+const FRAMES: u32 = 150;
+const SIDE: u32 = 1920;
+
 /// Make a data set from a video or from photographs: sharp frames by ffmpeg, poses by COLMAP
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -49,11 +54,11 @@ pub struct Args {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
     /// Number of frames to take from a video
-    #[arg(long, value_name = "N", default_value_t = 150)]
+    #[arg(long, value_name = "N", default_value_t = FRAMES)]
     #[arg(value_parser = clap::value_parser!(u32).range(3..=2000))]
     frames: u32,
     /// The longest side of an image, in pixels: larger ones become smaller
-    #[arg(long, value_name = "S", default_value_t = 1920)]
+    #[arg(long, value_name = "S", default_value_t = SIDE)]
     #[arg(value_parser = clap::value_parser!(u32).range(64..=16_384))]
     side: u32,
     /// The images that each image is compared with. By default, few images are compared with all others, and many with
@@ -102,6 +107,58 @@ struct CaptureJob<'a> {
 }
 
 pub fn run(args: &Args, console: Console) -> Result<()> {
+    let judgment = capture(args, Signals::listen, console)?;
+    let output = named(&args.output);
+    console.note(&match judgment.is_trainable() {
+        true => format!("next: organza train {output} -o {output}-run"),
+        false => format!(
+            "these poses are not worth training\n\
+             next: mend the capture as the warnings say, with organza capture IMAGES -o {output}-2"
+        ),
+    });
+    Ok(())
+}
+
+/// Whether a path has a video, or photographs that are no data set: what is captured before it can be trained.
+pub fn is_source(path: &Path) -> bool {
+    match path.is_dir() {
+        true => FileKind::from_path(path).is_none() && source::has_photographs(path),
+        false => organza::data::is_video(path),
+    }
+}
+
+/// Makes a data set that a run then trains on. Poses that are not worth it are an error.
+pub fn for_training(
+    input: &Path,
+    output: &Path,
+    signals: &Signals,
+    console: Console,
+) -> Result<()> {
+    let args = Args {
+        inputs: vec![input.to_owned()],
+        output: output.to_owned(),
+        frames: FRAMES,
+        side: SIDE,
+        matcher: None,
+        camera_model: None,
+    };
+    let judgment = capture(&args, || Ok(signals), console)?;
+    if judgment.is_trainable() {
+        return Ok(());
+    }
+    refuse(format!(
+        "these poses are not worth training: mend the capture as the warnings say, and train it to another folder. \
+         `organza train {} -o NEW` trains all the same",
+        named(output)
+    ))
+}
+
+/// Makes the data set, unless it is there, and says what was found. `signals` are needed only to make it.
+fn capture<S: Borrow<Signals>>(
+    args: &Args,
+    signals: impl FnOnce() -> Result<S>,
+    console: Console,
+) -> Result<Judgment> {
     let mut source = Source::find(&args.inputs, console)?;
     source.number(args.matcher, console);
     refuse_run(&args.output)?;
@@ -114,17 +171,19 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let mut folder = Folder::make(&args.output)?;
     folder.lock(false)?;
     let key = key(&source, args)?;
-    if let Some(done) = done(&folder, &key)? {
-        console.note(&format!("{} is there from an earlier call", args.output.display()));
-        finish(args, &done, console);
-        return Ok(());
+    let output = named(&args.output);
+    if let Some(Done { judgment, .. }) = done(&folder, &key)? {
+        console.note(&format!("{output} is there from an earlier call"));
+        judgment.print(&output, console);
+        return Ok(judgment);
     }
     let work = begin(&folder, &key)?;
     console.note(&format!("with {versions}"));
     if let Some(copies) = source.copies() {
         console.warn(&copies);
     }
-    let signals = Signals::listen()?;
+    let signals = signals()?;
+    let signals = signals.borrow();
     signals.keeps_results();
     let programs = Programs::new(&work, signals.stop(), console);
     let job = CaptureJob { args, work, programs, console };
@@ -135,8 +194,13 @@ pub fn run(args: &Args, console: Console) -> Result<()> {
     let judgment = Colmap::new(&job, is_video, &images)?.run(&images)?;
     let done = Done { key, judgment };
     job.publish(&folder, &done)?;
-    finish(args, &done, console);
-    Ok(())
+    done.judgment.print(&output, console);
+    Ok(done.judgment)
+}
+
+/// A folder as messages name it, without a slash at the end.
+fn named(folder: &Path) -> String {
+    folder.components().as_path().display().to_string()
 }
 
 /// Identifies inputs and options.
@@ -236,10 +300,4 @@ impl CaptureJob<'_> {
         let _ = fs::remove_dir_all(&self.work);
         Ok(())
     }
-}
-
-fn finish(args: &Args, done: &Done, console: Console) {
-    // without a slash at the end
-    let output = args.output.components().as_path().display();
-    done.judgment.print(&output.to_string(), console);
 }

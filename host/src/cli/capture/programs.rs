@@ -21,12 +21,21 @@ pub struct Needed {
     name: &'static str,
     version: &'static str,
     purpose: &'static str,
+    page: &'static str,
 }
 
-pub const FFMPEG: Needed =
-    Needed { name: "ffmpeg", version: "-version", purpose: "takes the frames of a video" };
-pub const COLMAP: Needed =
-    Needed { name: "colmap", version: "help", purpose: "finds out where the camera stood" };
+pub const FFMPEG: Needed = Needed {
+    name: "ffmpeg",
+    version: "-version",
+    purpose: "takes the frames of a video",
+    page: "https://ffmpeg.org",
+};
+pub const COLMAP: Needed = Needed {
+    name: "colmap",
+    version: "help",
+    purpose: "finds out where the camera stood",
+    page: "https://colmap.github.io",
+};
 
 /// Options that have had another name. The newest is first, and a comment says since when.
 const RENAMED: [[&str; 2]; 4] = [
@@ -79,14 +88,15 @@ pub fn find(needed: &[Needed]) -> Result<String> {
     if missing.is_empty() {
         return Ok(found.join(" and "));
     }
-    let names: Vec<_> = missing.iter().map(|program| program.name).collect();
-    let purposes: Vec<_> =
-        missing.iter().map(|program| format!("{} {}", program.name, program.purpose)).collect();
-    let purposes = purposes.join(", and ");
-    let names = names.join(" ");
+    let all = |say: fn(&&Needed) -> String, between: &str| {
+        missing.iter().map(say).collect::<Vec<_>>().join(between)
+    };
+    let names = all(|program| program.name.to_owned(), " ");
+    let purposes = all(|program| format!("{} {}", program.name, program.purpose), ", and ");
+    let pages = all(|program| program.page.to_owned(), " and ");
     refuse(format!(
         "not installed: {names}. {purposes}. Install with `apt install {names}` (Debian, Ubuntu), \
-         `brew install {names}` (macOS), or from https://colmap.github.io and https://ffmpeg.org"
+         `brew install {names}` (macOS), or from {pages}"
     ))
 }
 

@@ -13,6 +13,7 @@ use sha2::{Digest, Sha256};
 use super::Matcher;
 use super::colmap::SOME;
 use crate::cli::console::Console;
+use crate::cli::inputs::FileKind;
 use crate::cli::refuse;
 use crate::cli::summary::count;
 
@@ -240,6 +241,10 @@ impl Listed {
         Ok(Self { photographs, folders, heic })
     }
 
+    fn has_any(&self) -> bool {
+        !self.photographs.is_empty() || self.heic > 0
+    }
+
     /// The files of its folders, and of folders within them. A folder that may not be read has none.
     fn below(&self, depth: usize) -> Self {
         let mut found = Self::default();
@@ -251,6 +256,15 @@ impl Listed {
         }
         found
     }
+}
+
+/// Whether a folder has photographs, or folders within it, none of which is a data set.
+pub fn has_photographs(folder: &Path) -> bool {
+    let own = Listed::of(folder).unwrap_or_default();
+    if own.has_any() || own.folders.iter().any(|folder| FileKind::from_path(folder).is_some()) {
+        return own.has_any();
+    }
+    own.below(DEPTH).has_any()
 }
 
 fn name_of(path: &Path) -> String {

@@ -37,6 +37,8 @@ pub struct DataArgs {
 
 /// Fewest pixels on a side to which training may shrink photographs.
 const MIN_SIDE: u32 = 32;
+/// Pixels on the longer side that are left to photographs that shrink by themselves.
+const SMALL: u32 = 1600;
 
 /// A subset of a data set's frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -267,6 +269,31 @@ impl DataSet {
             }
         }
         Ok(())
+    }
+
+    /// Shrinks the photographs of a new run so far that `pixels`, which it draws, are all of those to train on. Small ones keep
+    /// their size. Returns the factor, and says what it is.
+    pub fn shrink(&mut self, pixels: f64, console: Console) -> Result<u32> {
+        let own = self.settings.downscale;
+        let Some(poses) = &mut self.poses else { return Ok(own) };
+        let cameras = poses.cameras()?.into_iter().filter(|pose| !pose.held_out);
+        let sizes: Vec<_> = cameras.map(|pose| [pose.camera.width, pose.camera.height]).collect();
+        let all: f64 =
+            sizes.iter().map(|[width, height]| f64::from(*width) * f64::from(*height)).sum();
+        let longest = sizes.iter().flatten().max().unwrap_or(&0);
+        let factor = ((all / pixels).sqrt().ceil() as u32).min(longest / SMALL);
+        if factor <= 1 {
+            return Ok(own);
+        }
+        let options = DatasetOptions { downscale: factor, ..self.settings.options() };
+        *poses = Poses::load(&poses.path, &options)?;
+        self.settings.downscale = factor;
+        console.note(&format!(
+            "the photographs have {:.1} times the pixels that this run draws, so they shrink by {factor}: `--downscale 1` keeps \
+             their size",
+            all / pixels
+        ));
+        Ok(factor)
     }
 
     /// The cameras as training has them.

@@ -27,6 +27,8 @@ use organza_core::tile::most_tiles;
 pub struct ConfigBuilder {
     /// Every setting.
     table: Table,
+    /// The settings that calls have set.
+    given: Table,
 }
 
 impl ConfigBuilder {
@@ -42,7 +44,8 @@ impl ConfigBuilder {
     /// Starts with given settings.
     #[must_use]
     pub fn from_config(config: &TrainConfig) -> Self {
-        Self { table: Table::try_from(config).expect("plain tables of numbers and strings") }
+        let table = Table::try_from(config).expect("plain tables of numbers and strings");
+        Self { table, given: Table::new() }
     }
 
     /// Adds the settings of a file.
@@ -67,6 +70,7 @@ impl ConfigBuilder {
         };
         let table: Table = toml::from_str(text).map_err(|error| invalid(at_line(error)))?;
         merge(&mut self.table, table.clone());
+        merge(&mut self.given, table.clone());
         let config = self.parse().map_err(|reason| {
             let alone = toml::from_str::<TrainConfig>(text).err();
             // a setting that the text leaves out is not missing
@@ -88,8 +92,15 @@ impl ConfigBuilder {
     /// [`Error::Invalid`] if there is no such setting, or if the value is not of its type.
     pub fn set(mut self, assignment: &str) -> Result<Self> {
         let table = assignment::parse(assignment).map_err(invalid)?;
-        merge(&mut self.table, table);
+        merge(&mut self.table, table.clone());
+        merge(&mut self.given, table);
         Ok(self)
+    }
+
+    /// Whether a preset, a file or a call has set the setting `name` of a group.
+    #[must_use]
+    pub fn has(&self, group: &str, name: &str) -> bool {
+        self.given.get(group).is_some_and(|group| group.get(name).is_some())
     }
 
     /// Lowers `start.gaussians` to `growth.max_gaussians` if it is more.

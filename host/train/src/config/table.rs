@@ -151,7 +151,8 @@ macro_rules! define {
                 /// The data set. Without one, the built-in scene.
                 #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_text")]
                 path: Option<PathBuf> = None;
-                /// Shrink photographs by this factor.
+                /// Shrink photographs by this factor. Without it, `organza train` shrinks large ones if its steps would draw less
+                /// than all of their pixels.
                 #[option("--downscale <N>")]
                 downscale: u32 = 1, in 1..;
                 /// Hold out every Nth frame, starting with the first; 0: none.

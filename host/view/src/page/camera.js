@@ -88,3 +88,16 @@ export function unproject(camera, [x, y], depth) {
   const sideways = add(scale(column(pose, 0), right), scale(column(pose, 1), -down));
   return add(add(eyeOf(pose), sideways), scale(forwardOf(pose), depth));
 }
+
+// The index of the pose that is nearest to a camera, in place and direction; `extent` is half the size of the scene.
+export function nearestOf({ camera_to_world: pose }, poses, extent) {
+  const away = (other) => length(sub(eyeOf(other), eyeOf(pose))) + 0.5 * extent * length(sub(forwardOf(other), forwardOf(pose)));
+  return poses.reduce((best, other, at) => (away(other) < away(poses[best]) ? at : best), 0);
+}
+
+// Whether a camera is far from all poses: more than 20 degrees around the scene's center, as much nearer or farther, or turned by 40.
+export function isFar({ camera_to_world: pose }, poses, center) {
+  const isNear = (other) =>
+    length(sub(eyeOf(other), eyeOf(pose))) < 0.35 * length(sub(center, eyeOf(other))) && length(sub(forwardOf(other), forwardOf(pose))) < 0.7;
+  return poses.length > 0 && !poses.some(isNear);
+}

@@ -1,6 +1,6 @@
 // The page: what is looked at, and what the panel says.
 
-import { add, angleOf, eyeOf, forwardOf, length, scale, sub, unproject, withAngle, withSize } from "./camera.js";
+import { add, angleOf, eyeOf, forwardOf, isFar, length, nearestOf, scale, sub, unproject, withAngle, withSize } from "./camera.js";
 import { Controls } from "./controls.js";
 import { Edit } from "./edit.js";
 import { Explain } from "./explain.js";
@@ -20,6 +20,7 @@ const HOVER = 150; // milliseconds that the pointer rests
 const SIZES = [[640, 480], [960, 720], [1280, 720], [1920, 1080]];
 
 const scene = await (await fetch("scene.json")).json();
+const poses = scene.views.map(({ camera }) => camera.camera_to_world);
 let hovering = 0;
 const number = new Intl.NumberFormat("en");
 
@@ -133,6 +134,7 @@ function say() {
   const name = training?.state?.ended ? "ended" : about.quality === "moving" ? "moving" : !frames.refines ? "live" : isBusy || about.quality === "still" ? "refining" : "exact";
   $("quality").textContent = name;
   $("quality").dataset.is = $("quality").textContent;
+  $("far").hidden = !isFar(view.camera, poses, scene.center);
   // the page draws a small image larger than it is
   const larger = $("image").clientWidth / w;
   const facts = [`${w} × ${h}${larger > 1.5 ? `, enlarged ${larger.toFixed(1)} times` : ""}`, `${about.milliseconds.toFixed(0)} ms`];
@@ -185,12 +187,7 @@ function setMode(mode, quiet) {
 }
 
 // The data set's camera that is nearest to where the eye is.
-function nearest() {
-  const eye = eyeOf(view.camera.camera_to_world), forward = forwardOf(view.camera.camera_to_world);
-  const away = ({ camera: { camera_to_world: pose } }) =>
-    length(sub(eyeOf(pose), eye)) + 0.5 * view.extent * length(sub(forwardOf(pose), forward));
-  return scene.views.reduce((best, one, at) => (away(one) < away(scene.views[best]) ? at : best), 0);
-}
+const nearest = () => nearestOf(view.camera, poses, view.extent);
 
 function goTo(index) {
   if (!scene.views[index]) return;
@@ -333,7 +330,7 @@ $("help-button").onclick = () => $("help").showModal();
 function key(event) {
   const modes = [...$("modes").children].filter((chip) => !chip.hidden);
   const act = {
-    "?": () => $("help").showModal(), ",": () => beside(-1), ".": () => beside(1), r: reset,
+    "?": () => $("help").showModal(), ",": () => beside(-1), ".": () => beside(1), n: () => goTo(nearest()), r: reset,
     c: () => $("show-cameras").click(), o: () => scene.points && $("show-points").click(),
     b: () => edit?.choose("box"), g: () => edit?.choose("brush"), z: () => edit?.ask("undo"), Delete: () => edit?.ask("remove"),
     m: () => measure.toggle(), k: () => keyframes.add(), p: () => keyframes.toggle(), l: () => { controls.level(); view.moved(); },

@@ -7,9 +7,11 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use glam::DVec3;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use serde_json::{Value, json};
 
+use crate::home::home;
 use crate::picture::encode_jpeg;
 use muslin::KernelInfo;
 use muslin_device::{Device, Part, PlannedBuffer, Step};
@@ -84,14 +86,20 @@ impl WebPage {
         let around = orbit.cameras(ORBIT).unwrap_or_default();
         let every = cameras.len().div_ceil(VIEWS).max(1);
         let measured: Vec<_> = around.iter().chain(cameras.iter().step_by(every)).collect();
-        let way = match cameras {
+        let mut way = match cameras {
             [] => orbit.cameras(PLACES),
             _ => Orbit::among(cameras, PLACES),
         }
         .unwrap_or_default();
-        let home = way.first().or(cameras.first()).cloned();
+        let gaussians = &scene.gaussians;
+        let best = home(cameras, &gaussians.position, &gaussians.opacity);
+        let home = best.or(way.first()).cloned();
         let home =
             home.unwrap_or_else(|| organza_core::demo::turntable(1, options.size[1]).remove(0));
+        let away = |camera: &Camera| DVec3::from(camera.eye()).distance(home.eye().into());
+        let nearest = (0..way.len()).min_by(|a, b| away(&way[*a]).total_cmp(&away(&way[*b])));
+        way.rotate_left(nearest.unwrap_or(0));
+        let pose = |camera: &Camera| camera.camera_to_world.map(|row| row.map(|x| x as f32));
 
         let upload = UploadOptions::default().half_grids(options.half_grids);
         let planner = Renderer::new(Device::planner());
@@ -117,8 +125,10 @@ impl WebPage {
             "up": orbit.up,
             "center": orbit.center,
             "home": home,
-            // the eyes of a slow turn, which begins and ends at home and looks at the center
+            // the eyes of a slow turn, which begins and ends near home and looks at the center
             "way": way.iter().map(Camera::eye).collect::<Vec<_>>(),
+            // where photographs were taken
+            "poses": cameras.iter().map(pose).collect::<Vec<_>>(),
             // the length of each buffer of the scene, in bytes
             "buffers": buffers.iter().map(|buffer| buffer.bytes).collect::<Vec<_>>(),
             "kernels": kernels,

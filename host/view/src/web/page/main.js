@@ -1,6 +1,6 @@
 // The page: what is looked at, and which image comes next.
 
-import { add, cross, eyeOf, forwardOf, length, poseOf, scale, sub, withSize } from "./camera.js";
+import { add, cross, eyeOf, forwardOf, isFar, length, nearestOf, poseOf, scale, sub, withSize } from "./camera.js";
 import { Controls } from "./controls.js";
 import { Pace } from "./pace.js";
 import { Frame, Player, tilesOf, unpack } from "./player.js";
@@ -9,6 +9,7 @@ import { Screen } from "./screen.js";
 const REST = 160; // milliseconds without a movement
 const OPEN = 2; // plans whose memory is kept
 const TURN = 80; // seconds of a slow turn
+const LEAVE = 6; // seconds until it has left the first view
 const BLURRED = 8; // a device that has to divide images' sides by more than this does not turn by itself
 const $ = (id) => document.getElementById(id);
 const number = new Intl.NumberFormat("en");
@@ -78,7 +79,7 @@ class Viewer {
     if (this.revealed) return;
     this.revealed = true;
     $("poster").classList.add("gone");
-    $("status").hidden = !this.counters;
+    this.tellStatus();
     if (!this.touched && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.turn();
   }
 
@@ -87,23 +88,28 @@ class Viewer {
   turn() {
     if (this.header.way.length === 0) return;
     this.turning = true;
-    let last = performance.now(), part = 0;
+    let last = performance.now(), seconds = 0;
+    const first = [eyeOf(this.camera.camera_to_world), this.center];
     const step = (now) => {
       this.turning &&= this.pace.shrink <= BLURRED;
       if (!this.turning) return;
-      part = (part + Math.max(0, Math.min(0.1, (now - last) / 1000)) / TURN) % 1;
+      seconds += Math.max(0, Math.min(0.1, (now - last) / 1000));
       last = now;
-      this.turnTo(part);
+      const left = Math.min(1, seconds / LEAVE);
+      this.turnTo((seconds / TURN) % 1, first, left * left * (3 - 2 * left));
       this.moved();
       requestAnimationFrame(step);
     };
     requestAnimationFrame(step);
   }
 
-  turnTo(part) {
-    const { way, center, up } = this.header, at = part * way.length, index = Math.floor(at);
-    const [from, to] = [way[index % way.length], way[(index + 1) % way.length]];
-    const eye = add(from, scale(sub(to, from), at - index)), back = sub(eye, center);
+  // A place on the way; on the way from the first eye and center to it, `left` is below 1.
+  turnTo(part, first, left = 1) {
+    const { way, center: middle, up } = this.header, at = part * way.length, index = Math.floor(at);
+    const mix = (from, to, part) => add(from, scale(sub(to, from), part));
+    const there = mix(way[index % way.length], way[(index + 1) % way.length], at - index);
+    const [eye, center] = left < 1 ? [mix(first[0], there, left), mix(first[1], middle, left)] : [there, middle];
+    const back = sub(eye, center);
     this.center = center;
     this.camera = { ...this.camera, camera_to_world: poseOf(cross(up, back), back, eye) };
   }
@@ -127,6 +133,16 @@ class Viewer {
     const along = sub(this.center, eye).reduce((sum, x, at) => sum + x * forward[at], 0);
     // on the camera's axis, so that the first drag does not jump
     if (along > 0) this.center = add(eye, scale(forward, along));
+  }
+
+  goToNearest() {
+    const { poses } = this.header;
+    if (poses.length === 0) return;
+    const pose = poses[nearestOf(this.camera, poses, this.extent)];
+    const far = length(sub(this.center, eyeOf(this.camera.camera_to_world)));
+    this.camera = { ...this.camera, camera_to_world: pose };
+    this.center = add(eyeOf(pose), scale(forwardOf(pose), far));
+    this.moved();
   }
 
   size() {
@@ -166,7 +182,8 @@ class Viewer {
       r: () => { this.reset(); this.moved(); },
       l: () => { this.controls.level(); this.moved(); },
       f: fullScreen,
-      i: () => { this.counters = !this.counters; $("status").hidden = !this.counters; },
+      n: () => this.goToNearest(),
+      i: () => { this.counters = !this.counters; this.tellStatus(); },
       "[": () => { this.controls.zoom(0.94); this.moved(); },
       "]": () => { this.controls.zoom(1.06); this.moved(); },
     }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
@@ -292,6 +309,16 @@ class Viewer {
     const facts = [`${camera.w} × ${camera.h}`, `${time.toFixed(0)} ms`, `${number.format(counts[0])} Gaussians in view`];
     facts.push(`${number.format(counts[2])} samples${plan.steps > 1 ? `, steps × ${plan.steps}` : ""}`);
     $("numbers").textContent = facts.join(" · ");
+    this.tellStatus();
+  }
+
+  // Counters, if they are asked for, and whether the view is far from what photographs show.
+  tellStatus() {
+    const isFarAway = isFar(this.camera, this.header.poses, this.header.center);
+    $("far").hidden = !isFarAway;
+    if (!this.revealed) return;
+    $("numbers").hidden = !this.counters;
+    $("status").hidden = !this.counters && !isFarAway;
   }
 
   fail(error) {

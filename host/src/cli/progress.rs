@@ -55,6 +55,14 @@ impl TrainingProgress {
     pub fn show(&mut self, event: &Event<'_>) {
         match event {
             Event::Warning(text) => self.bar.warn(self.console, text),
+            Event::Suggested { places, random } => {
+                let places = count(*places as u64, "place");
+                let random = grouped(*random as u64);
+                let text = format!(
+                    "without points, training starts from {places} that the photographs suggest, and {random} random ones"
+                );
+                self.bar.note(self.console, &text);
+            }
             Event::Begin(step) => self.begin(*step),
             Event::Changed(Change { name, from, to, .. }) => {
                 self.bar.note(self.console, &format!("{name} is {to} from here on; it was {from}"));

@@ -1,6 +1,7 @@
 //! The points of a data set: whether training can start from them.
 
 use std::collections::HashSet;
+use std::ops::RangeInclusive;
 
 use rand::seq::SliceRandom;
 
@@ -18,10 +19,10 @@ const LEAST_PLACES: usize = 8;
 const LEAST_SEEN: f64 = 0.1;
 /// Least number of points with compared colors.
 const LEAST_COLORS: usize = 30;
-/// Largest difference from the photographs' colors, relative to the difference with shuffled colors. It is below 0.4 for
-/// COLMAP's points, and near 1 for points in wrong places.
-const LARGEST_DIFFERENCE: f64 = 0.65;
-/// Least mean difference between the points' colors, in levels of 255.
+/// How much worse other points' colors fit the photographs, relative to the difference between what photographs show at points.
+/// It is 0.7 to 1 for the points of COLMAP, below 0.25 in the wrong place, and more if the points lie too close together.
+const EXPLAINED: RangeInclusive<f64> = 0.5..=2.0;
+/// Least difference of colors from each other, in levels of 255.
 const LEAST_SPREAD: f64 = 4.0;
 /// Most points and photographs that are compared.
 const MOST_POINTS: usize = 4000;
@@ -54,25 +55,30 @@ pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> O
     }
     let frames: Vec<_> = frames.iter().step_by(frames.len().div_ceil(MOST_FRAMES)).collect();
     let some: Vec<_> = points.iter().step_by(all.div_ceil(MOST_POINTS)).collect();
-    // each point with the color of another one
-    let mut others: Vec<_> = some.iter().map(|point| point.color).collect();
+    let shown: Vec<Vec<_>> = some
+        .iter()
+        .map(|point| frames.iter().filter_map(|frame| shown(point, frame)).collect())
+        .collect();
+    let seen = shown.iter().filter(|shown| !shown.is_empty()).count();
+    // each point with another one, so that these exchange their colors
+    let compared: Vec<_> =
+        (0..some.len()).filter(|&i| some[i].color.is_some() && !shown[i].is_empty()).collect();
+    let mut others = compared.clone();
     others.shuffle(&mut random(0, SHUFFLE, 0));
-    let mut seen = 0;
-    let mut compared = 0;
-    let mut sums = [0.0; 3];
-    for (point, other) in some.iter().zip(others) {
-        let shown: Vec<_> = frames.iter().filter_map(|frame| shown(point, frame)).collect();
-        seen += usize::from(!shown.is_empty());
-        if let (Some(color), Some(other), false) = (point.color, other, shown.is_empty()) {
-            compared += 1;
-            sums[0] += difference(color, &shown);
-            sums[1] += difference(other, &shown);
-            sums[2] += difference(color, &[other.map(|value| f32::from(value) / 255.0)]);
-        }
+    let mut sums = [0.0; 4];
+    for (&i, &j) in compared.iter().zip(&others) {
+        let [own, other] = [i, j].map(|at| some[at].color.unwrap_or_default().map(f32::from));
+        sums[0] += difference(own, &shown[i]);
+        sums[1] += difference(other, &shown[i]);
+        sums[2] += difference(own, &[other]);
+        sums[3] += difference(shown[j][j % shown[j].len()], &shown[i]);
     }
-    let [own, exchanged, spread] = sums.map(|sum| sum / f64::from(compared.max(1) as u32));
-    if compared >= LEAST_COLORS && spread >= LEAST_SPREAD {
-        return (own > LARGEST_DIFFERENCE * exchanged).then(|| {
+    // A pixel is the mean of what it covers. A point's color is that, and detail too fine for the photographs. Both are independent,
+    // so their squares add, and `exchanged - own` is `photographs`, however much detail is lost where photographs are shrunk.
+    let [own, exchanged, points, photographs] = sums.map(|sum| sum / compared.len().max(1) as f64);
+    if compared.len() >= LEAST_COLORS && points.min(photographs) >= LEAST_SPREAD.powi(2) {
+        return (!EXPLAINED.contains(&((exchanged - own) / photographs))).then(|| {
+            let [own, exchanged] = [own, exchanged].map(f64::sqrt);
             format!(
                 "the photographs show other colors where its points are: they differ by {own:.0} levels of 255, and by \
                  {exchanged:.0} when the points exchange their colors"
@@ -84,19 +90,19 @@ pub(super) fn objection(points: &[Point], places: usize, frames: &[&Frame]) -> O
     (!is_seen).then(|| format!("the photographs show only {share:.0}% of its {all} points"))
 }
 
-/// The photograph's color at the projection of a point. It may show something in front of the point.
+/// The color where a photograph shows a point, or what is in front of it, in levels of 255.
 fn shown(point: &Point, frame: &Frame) -> Option<[f32; 3]> {
     let [x, y, _] = frame.camera.project(point.position)?;
     let [x, y] = [x as u32, y as u32];
-    frame.image.is_valid(x, y).then(|| frame.image.color(x, y))
+    frame.image.is_valid(x, y).then(|| frame.image.color(x, y).map(|value| 255.0 * value))
 }
 
-/// The difference of a color from the best quarter of the photographs, in levels of 255: in the others, something may be
+/// The mean squared difference of a color from the photographs'. It is that of the best quarter: in the others, something may be
 /// in front.
-fn difference(color: [u8; 3], shown: &[[f32; 3]]) -> f64 {
+fn difference(color: [f32; 3], shown: &[[f32; 3]]) -> f64 {
     let mean = |shown: &[f32; 3]| {
         let pairs = color.iter().zip(shown);
-        pairs.map(|(a, b)| f64::from((f32::from(*a) - 255.0 * b).abs())).sum::<f64>() / 3.0
+        pairs.map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>() / 3.0
     };
     let mut all: Vec<_> = shown.iter().map(mean).collect();
     let quarter = (all.len() - 1) / 4;
@@ -109,11 +115,12 @@ mod tests {
     use glam::{DMat3, DVec3};
     use organza_core::Camera;
     use organza_data::Photograph;
+    use rand::RngExt;
 
     /// The color of a wavy world at a place of the plane z = 0.
     fn color(place: DVec3) -> [u8; 3] {
-        let wave = |phase: f64| (127.0 + 120.0 * (3.0 * place.x + phase).sin()) as u8;
-        [wave(0.0), (127.0 + 120.0 * (2.0 * place.y).cos()) as u8, wave(2.0)]
+        let wave = |phase: f64| (127.0 + 60.0 * (3.0 * place.x + phase).sin()) as u8;
+        [wave(0.0), (127.0 + 60.0 * (2.0 * place.y).cos()) as u8, wave(2.0)]
     }
 
     /// Photographs of the plane, from above a ring.
@@ -145,6 +152,14 @@ mod tests {
         .collect()
     }
 
+    /// Points of a print in dots that are too fine for the photographs, which show the dots' mean.
+    fn dots(points: Vec<Point>) -> Vec<Point> {
+        let mut random = random(0, 0, 0);
+        let mut dot = |mean: u8| if random.random_range(0..255) < mean { 255 } else { 0 };
+        let dots = |point: Point| Point { color: point.color.map(|c| c.map(&mut dot)), ..point };
+        points.into_iter().map(dots).collect()
+    }
+
     fn places(points: &[Point], resolution: f64) -> Vec<Point> {
         distinct(points, |point| point.position, resolution)
     }
@@ -162,6 +177,7 @@ mod tests {
         assert_eq!(objection_to(&points(|place| place + DVec3::Z * 0.02)), None);
         let gray = points(|place| place).into_iter().map(|p| Point { color: None, ..p });
         assert_eq!(objection_to(&gray.collect::<Vec<_>>()), None);
+        assert_eq!(objection_to(&dots(points(|place| place))), None);
         let white = points(|place| place).into_iter();
         let white = white.map(|p| Point { color: Some([255; 3]), ..p });
         assert_eq!(objection_to(&white.collect::<Vec<_>>()), None);
@@ -173,8 +189,10 @@ mod tests {
             let reason = objection_to(&points(|place| turn * place)).expect("a reason");
             assert!(reason.contains("other colors"), "{reason}");
         }
-        let reason = objection_to(&points(|place| place * 0.1)).expect("a reason");
-        assert!(reason.contains("other colors"), "{reason}");
+        for small in [points(|place| place * 0.1), dots(points(|place| place * 0.1))] {
+            let reason = objection_to(&small).expect("a reason");
+            assert!(reason.contains("other colors"), "{reason}");
+        }
         let reason = objection_to(&points(|place| place + DVec3::Y * 30.0)).expect("a reason");
         assert!(reason.contains("only 0% of its 400 points"), "{reason}");
         let reason = objection_to(&points(|_| DVec3::ZERO)).expect("a reason");

@@ -76,6 +76,13 @@ pub struct Session<'a> {
 pub enum Event<'a> {
     /// A warning that the user should see.
     Warning(&'a str),
+    /// There are no points to start from: training starts from places that the photographs suggest.
+    Suggested {
+        /// Number of these places.
+        places: usize,
+        /// Number of random places besides.
+        random: usize,
+    },
     /// Training starts after this many steps, 0 for a new run. Nothing has been written to the folder yet.
     Begin(u32),
     /// A setting has a different value than before the resume.

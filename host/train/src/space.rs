@@ -19,26 +19,17 @@ const MOST_CAMERAS: usize = 200;
 /// The scene's box: the points that cameras see, without the few that are far away.
 ///
 /// Each camera that sees a point adds to the point's weight, and less for a farther point, which looks smaller in its
-/// photograph. On each axis, the box leaves out the same small part of the weight at both ends. The box contains the
-/// object in which the optical axes meet. Without points it is the box of this object. If the axes do not meet either,
-/// it is the box of `places`, the positions of the first Gaussians.
-pub(super) fn scene_box(
-    cameras: &[Camera],
-    target: &Target,
-    points: &[Point],
-    places: &[DVec3],
-) -> [[f64; 3]; 2] {
-    let [low, high] = match (points.is_empty(), target.is_met) {
-        (true, true) => target.ball(1.0),
-        (true, false) => seen(cameras, target, places.iter().copied()),
-        (false, is_met) => {
-            let points = points.iter().map(|point| DVec3::from(point.position));
-            let [low, high] = seen(cameras, target, points);
-            // an object may have few points, but images show it all the same
-            let [inner_low, inner_high] = target.ball(0.5);
-            if is_met { [low.min(inner_low), high.max(inner_high)] } else { [low, high] }
-        }
-    };
+/// photograph. On each axis, the box leaves out the same small part of the weight at both ends. The box
+/// contains the object in which the optical axes meet.
+pub(super) fn scene_box(cameras: &[Camera], target: &Target, points: &[Point]) -> [[f64; 3]; 2] {
+    let points = points.iter().map(|point| DVec3::from(point.position));
+    let [mut low, mut high] = seen(cameras, target, points);
+    if target.is_met {
+        // an object may have few points, but images show it all the same
+        let [inner_low, inner_high] = target.ball(0.5);
+        low = low.min(inner_low);
+        high = high.max(inner_high);
+    }
     let least = ((high - low).max_element() * THINNEST).max(1e-6);
     let middle = (low + high) / 2.0;
     let half = ((high - low) / 2.0).max(DVec3::splat(least / 2.0));

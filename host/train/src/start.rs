@@ -1,6 +1,5 @@
 //! The start of training: the scene's first Gaussians, and fields that let light through.
 
-use std::borrow::Cow;
 use std::num::NonZero;
 use std::path::Path;
 
@@ -15,6 +14,7 @@ use super::config::TrainConfig;
 use super::points::{distinct, objection, resolution};
 use super::requirements;
 use super::space::scene_box;
+use super::{Event, Watch};
 use organza_core::camera::{Camera, Target};
 use organza_core::error::{Error, Result};
 use organza_core::scene::{Network, Scene, logit};
@@ -27,10 +27,13 @@ const FIELDS: u64 = 3;
 
 /// Part of the Gaussians that are spread along rays, behind the cameras' target. The others fill a ball.
 const BEHIND: f64 = 0.25;
+/// Scale of Gaussians at places that photographs suggest, relative to those at points of a surface. These places fill a volume, so
+/// many lie in front of each other.
+const FILLING: f32 = 0.5;
 /// Last bias of the transmittance network: a large logit, because space is empty at first.
 const TRANSMITTANCE_BIAS: f32 = 5.0;
 
-/// The scene before the first step of a run. Calls `warn` if training does not start from the data set's points, or if Gaussians
+/// The scene before the first step of a run. Tells `watch` if training does not start from the data set's points, or if Gaussians
 /// to start from do not fit.
 ///
 /// # Errors
@@ -38,13 +41,13 @@ const TRANSMITTANCE_BIAS: f32 = 5.0;
 pub(super) fn first_scene(
     config: &TrainConfig,
     dataset: &Dataset,
-    warn: &mut dyn FnMut(&str) -> Result<()>,
+    watch: &mut Watch<'_>,
 ) -> Result<Scene> {
     requirements::check(config, dataset)?;
     let cameras: Vec<_> = dataset.train_frames().map(|frame| frame.camera.clone()).collect();
     let background = dataset.background;
     let mut scene = match &config.start.path {
-        Some(path) => start_from(path, config, dataset, &cameras, warn)?,
+        Some(path) => start_from(path, config, dataset, &cameras, watch)?,
         None => {
             let frames: Vec<_> = dataset.train_frames().collect();
             let target = Target::from_cameras(&cameras);
@@ -54,11 +57,19 @@ pub(super) fn first_scene(
                 && let Some(reason) = objection(&dataset.points, known.len(), &frames)
             {
                 let file = dataset.points_file.as_deref().unwrap_or(&dataset.path).display();
-                warn(&format!("{file}: {reason}; so training starts as without points"))?;
+                watch(Event::Warning(&format!("{file}: {reason}; so its points are not used")))?;
                 known.clear();
             }
-            let found = points(config, &frames, &known)?;
-            start(config, background, &cameras, &found)?
+            if known.is_empty() {
+                let [found, random] = suggested(config, &frames)?;
+                watch(Event::Suggested { places: found.len(), random: random.len() })?;
+                let mut scene = start(config, background, &cameras, &[found, random].concat())?;
+                let scales = scene.gaussians.log_scale.as_flattened_mut();
+                scales.iter_mut().for_each(|scale| *scale += FILLING.ln());
+                scene
+            } else {
+                start(config, background, &cameras, &known)?
+            }
         }
     };
     scene.config.placement = dataset.placement;
@@ -67,27 +78,20 @@ pub(super) fn first_scene(
 
 /// The scene before the first step.
 ///
-/// Gaussians lie at `points`, or near the cameras' target if there are none. Their scale is the distance to their
-/// neighbors. With the transmittance network's last bias, T starts near 1. Otherwise everything would be dark.
+/// Gaussians lie at `points`. Their scale is the distance to their neighbors. With the transmittance network's last bias, T starts
+/// near 1. Otherwise everything would be dark.
 pub fn start(
     config: &TrainConfig,
     background: [f64; 3],
     cameras: &[Camera],
     points: &[Point],
 ) -> Result<Scene> {
-    let count = match points.len() {
-        0 => u64::from(config.start.gaussians),
-        points => u64::from(config.growth.max_gaussians).min(points as u64),
-    };
-    requirements::check_scene(config, count)?;
+    let most = config.growth.max_gaussians as usize;
+    requirements::check_scene(config, most.min(points.len()) as u64)?;
     let mut random_places = random(config.run.seed, PLACES, 0);
     let target = Target::from_cameras(cameras);
-    let (places, colors) = if points.is_empty() {
-        (scatter(&target, cameras, config.start.gaussians as usize, &mut random_places), Vec::new())
-    } else {
-        choose(points, config.growth.max_gaussians as usize, &mut random_places)
-    };
-    let aabb = scene_box(cameras, &target, points, &places);
+    let (places, colors) = choose(points, most, &mut random_places);
+    let aabb = scene_box(cameras, &target, points);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), places.len())?;
     place(config, &mut scene, &places, &target, &mut random_places);
     fill_vectors(config, &mut scene, &colors, &mut random_places);
@@ -106,7 +110,7 @@ pub fn start_from(
     config: &TrainConfig,
     dataset: &Dataset,
     cameras: &[Camera],
-    warn: &mut dyn FnMut(&str) -> Result<()>,
+    watch: &mut Watch<'_>,
 ) -> Result<Scene> {
     let file = splats::load(path)?;
     let count = file.splats.len();
@@ -121,7 +125,8 @@ pub fn start_from(
     let mut file = file.fitted(&frames, &dataset.placement);
     let notes = std::mem::take(&mut file.notes);
     let splats = file.into_seen(&dataset.placement, cameras)?;
-    notes.iter().try_for_each(|note| warn(&format!("{}: {note}", path.display())))?;
+    let path = path.display();
+    notes.iter().try_for_each(|note| watch(Event::Warning(&format!("{path}: {note}"))))?;
     from_splats(&splats, config, dataset.background, cameras)
 }
 
@@ -135,7 +140,7 @@ pub fn from_splats(
     requirements::check_scene(config, splats.len() as u64)?;
     let point = |splat: &Splat| Point { position: splat.position.map(f64::from), color: None };
     let points: Vec<_> = splats.iter().map(point).collect();
-    let aabb = scene_box(cameras, &Target::from_cameras(cameras), &points, &[]);
+    let aabb = scene_box(cameras, &Target::from_cameras(cameras), &points);
     let mut scene = Scene::zeros(config.scene_config(background, aabb), splats.len())?;
     let gaussians = &mut scene.gaussians;
     for (i, splat) in splats.iter().enumerate() {
@@ -155,34 +160,29 @@ pub fn from_splats(
     Ok(scene)
 }
 
-/// Points to start from: the data set's, or else points found in its photographs.
-///
-/// A ray without a match in another photograph gives no point. Random places that cameras see replace missing points.
+/// Points to start from where the data set has none: those found in its photographs, and a random place that cameras see for each
+/// ray without a match in another photograph.
 ///
 /// # Errors
 /// [`DeviceError::OutOfMemory`](organza_core::error::DeviceError::OutOfMemory).
-pub fn points<'p>(
-    config: &TrainConfig,
-    frames: &[&Frame],
-    known: &'p [Point],
-) -> Result<Cow<'p, [Point]>> {
-    if !known.is_empty() {
-        return Ok(Cow::Borrowed(known));
-    }
+fn suggested(config: &TrainConfig, frames: &[&Frame]) -> Result<[Vec<Point>; 2]> {
     requirements::check_scene(config, u64::from(config.start.gaussians))?;
     let cameras: Vec<_> = frames.iter().map(|frame| frame.camera.clone()).collect();
     let target = Target::from_cameras(&cameras);
     let count = config.start.gaussians as usize;
     let seed = config.run.seed;
-    let mut found = sweep::points(frames, target.distance, count, seed);
+    let found = sweep::points(frames, target.distance, count, seed);
     let rest = scatter(&target, &cameras, count - found.len(), &mut random(seed, PLACES, 1));
-    let rest = rest.into_iter().map(|place| Point { position: place.to_array(), color: None });
-    found.extend(rest);
-    Ok(Cow::Owned(found))
+    Ok([found, rest])
 }
 
 /// Random places that cameras see: most in a ball around the target, the others behind it, along rays.
-fn scatter(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64) -> Vec<DVec3> {
+pub(super) fn scatter(
+    target: &Target,
+    cameras: &[Camera],
+    count: usize,
+    random: &mut Pcg64,
+) -> Vec<Point> {
     let needed = 2.min(cameras.len());
     (0..count)
         .map(|_| {
@@ -200,6 +200,7 @@ fn scatter(target: &Target, cameras: &[Camera], count: usize, random: &mut Pcg64
                 None => along_a_ray(target, cameras, random),
             }
         })
+        .map(|place| Point { position: place.to_array(), color: None })
         .collect()
 }
 
@@ -339,17 +340,18 @@ mod tests {
 
     #[test]
     fn gaussians_are_spread_where_cameras_see_them() {
-        let mut config = TrainConfig::default();
-        config.start.gaussians = 500;
+        let config = TrainConfig::default();
         let cameras = circle();
-        let scene = start(&config, [0.0; 3], &cameras, &[]).unwrap();
+        let target = Target::from_cameras(&cameras);
+        let places = scatter(&target, &cameras, 500, &mut random(0, PLACES, 1));
+        let scene = start(&config, [0.0; 3], &cameras, &places).unwrap();
         assert_eq!(scene.gaussians.len(), 500);
         let is_seen = |place: &[f32; 3]| {
             let place = place.map(f64::from);
             cameras.iter().any(|camera| camera.depth_in_image(place).is_some())
         };
         assert!(scene.gaussians.position.iter().all(is_seen));
-        assert_eq!(scene, start(&config, [0.0; 3], &cameras, &[]).unwrap());
+        assert_eq!(scene, start(&config, [0.0; 3], &cameras, &places).unwrap());
         scene.validate().unwrap();
     }
 

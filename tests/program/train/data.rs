@@ -153,3 +153,28 @@ fn a_checkpoint_of_another_version_goes_on_with_a_warning() {
     let outcome = sandbox.run("train --resume run --steps 9 --backend cpu").assert_ok();
     assert!(outcome.stderr.contains("warning: organza 0.0.7 wrote the checkpoint"), "{outcome:?}");
 }
+
+/// Training says what it starts from, if not from the data set's points.
+#[test]
+fn a_start_without_points_is_told() {
+    let sandbox = sandbox();
+    let told = |run: &str| sandbox.run(&format!("{TINY} {run} --steps 1")).assert_ok().stderr;
+    // photographs that look from so far apart suggest nothing
+    let start = "without points, training starts from 0 places that the photographs suggest, and 200 random ones\n";
+    let text = told("without");
+    assert!(text.contains(start) && !text.contains("warning"), "{text}");
+    let mut file = sandbox.read_json("views/transforms.json");
+    file["ply_file_path"] = json!("points.ply");
+    fs::write(sandbox.path("views/transforms.json"), file.to_string()).unwrap();
+    for (run, x, facts) in [("with", 0, &[][..]), ("away", 999, &["show only 0%", "are not used"])]
+    {
+        let points: String =
+            (0..27).map(|i| format!("{}.{} 0.{} 0.{}\n", x, i % 3, i / 3 % 3, i / 9)).collect();
+        let head = "ply\nformat ascii 1.0\nelement vertex 27\nproperty float x\nproperty float y\n\
+                    property float z\nend_header\n";
+        fs::write(sandbox.path("views/points.ply"), [head, &points].concat()).unwrap();
+        let text = told(run);
+        assert_eq!(text.contains(start), !facts.is_empty(), "{text}");
+        assert!(facts.iter().all(|fact| text.contains(fact)), "{text}");
+    }
+}

@@ -286,7 +286,8 @@ macro_rules! define {
                 gaussians: u32 = 12_000, in 1..;
                 /// Their opacity.
                 opacity: f32 = 0.1, in 1e-4..=0.9999;
-                /// Their scale, as a multiple of the distance to the nearest neighbors.
+                /// Their scale, as a multiple of the distance to the nearest neighbors; half of that if the data set has
+                /// no points.
                 scale: f32 = 1.0, in 1e-4..=1e4;
                 /// Half the range of the random material and extra values.
                 spread: f32 = 0.1, in 0.0..=1e3;

@@ -92,8 +92,7 @@ impl Session<'_> {
         let checkpoint = if resumes {
             Checkpoint::load(&path)?
         } else {
-            let mut warn = |text: &str| watch(Event::Warning(text));
-            let scene = first_scene(self.config, self.dataset, &mut warn)?;
+            let scene = first_scene(self.config, self.dataset, watch)?;
             Checkpoint::begin(scene, self.config)?
         };
         let progress = checkpoint.progress;

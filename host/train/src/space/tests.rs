@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64;
 
 use super::super::config::TrainConfig;
-use super::super::start::start;
+use super::super::start::{scatter, start};
 use super::*;
 use organza_data::random;
 
@@ -59,9 +59,7 @@ fn points(places: impl IntoIterator<Item = DVec3>) -> Vec<Point> {
 }
 
 fn box_of(cameras: &[Camera], points: &[Point]) -> [DVec3; 2] {
-    let mut config = TrainConfig::default();
-    config.start.gaussians = 1000;
-    let scene = start(&config, [0.0; 3], cameras, points).unwrap();
+    let scene = start(&TrainConfig::default(), [0.0; 3], cameras, points).unwrap();
     scene.validate().unwrap();
     scene.config.aabb.map(DVec3::from)
 }
@@ -197,19 +195,13 @@ fn ground_below_a_drone_is_in_the_box() {
 }
 
 #[test]
-fn without_points_the_cameras_decide() {
-    // the target fills their images
-    let [low, high] = box_of(&inward(), &[]);
-    assert!(low.max_element() < -0.5 && high.min_element() > 0.5, "{low} {high}");
-    assert!(longest([low, high]) < 4.0);
+fn random_places_have_a_box_that_holds_most() {
     let still: Vec<_> = circle(20, 1.0, 0.0).map(|at| look(DVec3::ONE, DVec3::ONE + at)).collect();
-    for cameras in [outward(), grid(0.1, DVec3::X), still, inward()[..1].to_vec()] {
-        let mut config = TrainConfig::default();
-        config.start.gaussians = 1000;
-        let scene = start(&config, [0.0; 3], &cameras, &[]).unwrap();
-        let places = scene.gaussians.position.iter().map(|place| DVec3::from(place.map(f64::from)));
-        let places = points(places);
-        let found = scene.config.aabb.map(DVec3::from);
+    let one = inward()[..1].to_vec();
+    for cameras in [inward(), outward(), grid(0.1, DVec3::X), still, one] {
+        let target = Target::from_cameras(&cameras);
+        let places = scatter(&target, &cameras, 1000, &mut random(0, 0, 0));
+        let found = box_of(&cameras, &places);
         assert!(share(found, &places) > 0.75, "{} in {found:?}", share(found, &places));
     }
 }
